@@ -1,0 +1,26 @@
+# caustics_add_room(name): a static library caustics_<name> of every source in the folder <name>, tests left
+# out. caustics_target_options(target): the flags that every target of the project compiles with.
+function(caustics_target_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE ${CAUSTICS_EXACT_FLAGS} -Wall -Wextra)
+  if(CAUSTICS_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(CAUSTICS_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${CAUSTICS_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${CAUSTICS_SANITIZE})
+    if(CAUSTICS_SANITIZE MATCHES "undefined")
+      target_compile_options(${target} PRIVATE -fno-sanitize-recover=undefined)
+    endif()
+  endif()
+endfunction()
+
+function(caustics_add_room room)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/lanes/|load_gltf|/gltf/")
+  add_library(caustics_${room} STATIC ${sources})
+  add_library(caustics::${room} ALIAS caustics_${room})
+  target_include_directories(caustics_${room} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/caustics>)
+  caustics_target_options(caustics_${room})
+endfunction()

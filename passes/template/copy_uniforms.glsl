@@ -1,0 +1,1 @@
+vec4 factor;  // red, green, blue, alpha

@@ -1,0 +1,84 @@
+// The Device: what executes pass definitions. The software rasterizer and the OpenGL backend implement
+// it; nothing above this line knows which one runs.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/format.hpp"
+#include "pipeline/gpu/image.hpp"
+#include "pipeline/gpu/pass_definition.hpp"
+
+namespace caustics {
+
+enum class TextureId : std::uint32_t { None = 0 };
+enum class MeshId : std::uint32_t { None = 0 };
+
+// Triangles or points with interleaved float attributes, matched to a shader's ATTRIBUTEs by name.
+struct MeshData {
+  struct Attribute {
+    std::string name;
+    int components = 0;
+  };
+  std::vector<Attribute> layout;
+  std::vector<float> vertices;          // vertex after vertex, attributes in layout order
+  std::vector<std::uint32_t> indices;   // empty: the vertices in order
+  int floats_per_vertex() const;
+  std::size_t vertex_count() const;
+};
+
+// One draw call. Without a mesh, `vertex_count` vertices are drawn that know only their vertex_id.
+struct Draw {
+  MeshId mesh = MeshId::None;
+  int vertex_count = 0;
+  // The shader's uniform block, laid out as std140 (mat4, vec4 and ivec4 members only).
+  std::vector<std::byte> uniforms;
+  // One for each of the definition's reads, in that order. None is bound as one texel of zeros.
+  std::vector<TextureId> textures;
+};
+
+// One execution of a pass: its targets, all of one size, and its draws in API order.
+struct PassRun {
+  const PassDefinition* definition = nullptr;
+  std::vector<TextureId> colors;  // one for each of the definition's writes
+  TextureId depth = TextureId::None;
+  // Attachments whose contents are kept instead of cleared, by index; the depth attachment last.
+  std::vector<bool> keep;
+  std::vector<Draw> draws;
+};
+
+struct PassResult {
+  std::uint64_t vertices = 0;        // vertices given to the vertex stage
+  std::uint64_t primitives = 0;      // triangles or points assembled
+  std::uint64_t fragments = 0;       // fragments shaded (0 where a device cannot tell)
+  std::uint64_t samples_passed = 0;  // when the definition counts samples
+  double milliseconds = 0.0;
+};
+
+class Device {
+ public:
+  virtual ~Device() = default;
+  // A name for people: "software, 16 lanes (AVX-512), 2 threads".
+  virtual std::string description() const = 0;
+  // Widest and highest texture.
+  virtual int max_texture_size() const = 0;
+
+  // A texture of undefined contents. Width and height are 1..max_texture_size(), else Error (WrongUsage).
+  virtual TextureId create_texture(Format format, int width, int height) = 0;
+  // A texture holding the image.
+  virtual TextureId upload(const Image& image) = 0;
+  virtual void destroy(TextureId texture) = 0;
+  virtual MeshId create_mesh(const MeshData& mesh) = 0;
+  virtual void destroy(MeshId mesh) = 0;
+
+  // Validates (pipeline/gpu/validate.hpp) and executes. A target may not be read by the same run.
+  virtual PassResult run(const PassRun& run) = 0;
+  virtual Image read_back(TextureId texture) = 0;
+  // What a texture is, for validation and tools.
+  virtual ImageShape shape(TextureId texture) const = 0;
+  virtual const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const = 0;
+};
+
+}  // namespace caustics

@@ -1,0 +1,118 @@
+#include "pipeline/gpu/validate.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "pipeline/gpu/error.hpp"
+
+namespace caustics {
+
+namespace {
+
+[[noreturn]] void refuse(const PassDefinition& definition, const std::string& why) {
+  throw Error(ExitCode::InternalError, "pass '" + definition.name + "': " + why);
+}
+
+// Compares the names a definition lists with those its shader declares.
+template <class Listed>
+void require_same_names(const PassDefinition& definition, const Listed& listed,
+                        const std::vector<std::string>& declared, const std::string& what,
+                        const std::string& keyword) {
+  if (listed.size() != declared.size())
+    refuse(definition, "lists " + std::to_string(listed.size()) + " " + what +
+                           ", its shader declares " + std::to_string(declared.size()) +
+                           "; make the definition and the shader's " + keyword + " lines agree");
+  for (std::size_t i = 0; i < listed.size(); ++i)
+    if (listed[i].name != declared[i])
+      refuse(definition, what + " " + std::to_string(i) + " is '" + listed[i].name +
+                             "' in the definition and '" + declared[i] +
+                             "' in the shader; name both alike");
+}
+
+void require_distinct_names(const PassDefinition& definition) {
+  std::set<std::string> seen;
+  for (const ColorWrite& write : definition.writes)
+    if (!seen.insert(write.name).second)
+      refuse(definition, "writes '" + write.name + "' twice; give each attachment its own name");
+  for (const TextureRead& read : definition.reads)
+    if (!read.of_material && seen.count(read.name))
+      refuse(definition, "reads and writes '" + read.name + "'; use two textures");
+}
+
+}  // namespace
+
+void validate(const PassDefinition& definition) {
+  if (definition.name.empty()) throw Error(ExitCode::InternalError, "a pass has no name");
+  if (!definition.shader) refuse(definition, "has no shader; set `shader`");
+  const ShaderInterface interface = reflect(definition.shader->text);
+  require_same_names(definition, definition.reads, interface.textures, "reads", "TEXTURE");
+  require_same_names(definition, definition.writes, interface.outputs, "writes", "OUTPUT");
+  if (definition.writes.empty() && !definition.depth)
+    refuse(definition, "writes nothing; add an attachment");
+  if (definition.writes.size() > 8)
+    refuse(definition, "writes " + std::to_string(definition.writes.size()) +
+                           " colour attachments; 8 are the most that OpenGL promises");
+  if (definition.reads.size() > 16)
+    refuse(definition, "reads more than the 16 textures that OpenGL promises");
+  for (const ColorWrite& write : definition.writes)
+    if (is_depth(write.format))
+      refuse(definition, "attachment '" + write.name + "' has a depth format; use `depth`");
+  const bool uses_depth =
+      definition.depth_state.compare != Compare::Always || definition.depth_state.write;
+  if (uses_depth && !definition.depth)
+    refuse(definition, "tests or writes depth without a depth attachment; add `depth`");
+  require_distinct_names(definition);
+}
+
+void validate(const PassRun& run, const Device& device) {
+  if (!run.definition) throw Error(ExitCode::InternalError, "a run names no pass definition");
+  const PassDefinition& definition = *run.definition;
+  validate(definition);
+  if (run.colors.size() != definition.writes.size())
+    refuse(definition, "got " + std::to_string(run.colors.size()) + " colour targets, writes " +
+                           std::to_string(definition.writes.size()));
+  if (definition.depth.has_value() != (run.depth != TextureId::None))
+    refuse(definition, definition.depth ? "needs a depth target" : "takes no depth target");
+  if (!run.keep.empty() && run.keep.size() != run.colors.size() + (definition.depth ? 1 : 0))
+    refuse(definition, "`keep` must have one entry for each attachment, or none");
+
+  ImageShape size{};
+  const auto check_target = [&](TextureId texture, Format format, const std::string& name) {
+    const ImageShape shape = device.shape(texture);
+    if (shape.format != format)
+      refuse(definition, "target '" + name + "' has format " +
+                             std::string(format_name(shape.format)) + ", must be " +
+                             std::string(format_name(format)));
+    if (size.width == 0) size = shape;
+    if (size.width != shape.width || size.height != shape.height)
+      refuse(definition, "target '" + name + "' differs in size from the first target");
+  };
+  for (std::size_t i = 0; i < run.colors.size(); ++i)
+    check_target(run.colors[i], definition.writes[i].format, definition.writes[i].name);
+  if (definition.depth) check_target(run.depth, Format::Depth32F, definition.depth->name);
+
+  const ShaderInterface interface = reflect(definition.shader->text);
+  for (const Draw& draw : run.draws) {
+    if (draw.textures.size() != definition.reads.size())
+      refuse(definition, "a draw binds " + std::to_string(draw.textures.size()) +
+                             " textures, the pass reads " +
+                             std::to_string(definition.reads.size()));
+    for (const TextureId texture : draw.textures)
+      if (texture != TextureId::None &&
+          (texture == run.depth ||
+           std::find(run.colors.begin(), run.colors.end(), texture) != run.colors.end()))
+        refuse(definition, "a draw reads a texture that the pass writes; use two textures");
+    if (draw.uniforms.size() % 16 != 0)
+      refuse(definition, "a uniform block must be a multiple of 16 bytes");
+    if (draw.mesh == MeshId::None && !interface.attributes.empty())
+      refuse(definition, "its shader has vertex attributes, but a draw has no mesh");
+    for (const ShaderVariable& attribute : interface.attributes) {
+      const MeshData::Attribute* found = device.find_attribute(draw.mesh, attribute.name);
+      if (!found || found->components != attribute.components)
+        refuse(definition, "the mesh lacks attribute '" + attribute.name + "' with " +
+                               std::to_string(attribute.components) + " components");
+    }
+  }
+}
+
+}  // namespace caustics

@@ -1,0 +1,18 @@
+// Refuses a wrong definition or binding before any device sees it.
+#pragma once
+#include "pipeline/gpu/device.hpp"
+
+namespace caustics {
+
+// Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do".
+// Checks: a shader is set; reads and writes match the text's TEXTURE and OUTPUT lines by order and
+// name; at least one attachment and at most 8 colours; no duplicate names; depth state only with a
+// depth attachment; no blending on formats that cannot blend.
+void validate(const PassDefinition& definition);
+
+// Throws Error (InternalError) when the run does not fit the definition: number and formats of
+// targets, equal sizes, a target that is also read, textures per draw, missing vertex attributes,
+// `keep` of the wrong length, a uniform block that is not a multiple of 16 bytes.
+void validate(const PassRun& run, const Device& device);
+
+}  // namespace caustics

@@ -1,0 +1,140 @@
+// A scene as the passes need it: triangles in one common space, materials, lights, cameras.
+//
+// Scene space: metres, right-handed, axes as in the glTF world, origin moved to `Scene::origin` (the
+// centre of the geometry's bounds) so that single precision resolves detail wherever the world lies.
+// Photometric units as in glTF: lux, candela, nit (candela per square metre). Colours are linear.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/image.hpp"
+
+namespace caustics {
+
+// A texture as a material uses it. Values are linear (sRGB images are decoded on loading), row 0 is
+// the bottom row; glTF's v axis is flipped on loading so that (0, 0) is the bottom left corner.
+struct TextureUse {
+  int image = -1;  // index into Scene::images, -1: none
+  // uv' = rows * (u, v, 1): KHR_texture_transform and the flip of v.
+  glm::mat3 uv_transform{1.0f};
+  bool present() const { return image >= 0; }
+};
+
+enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
+
+// glTF 2.0 metallic-roughness with the KHR extensions that matter to light. Ranges are enforced by the
+// loader; the defaults are those of the specifications.
+struct Material {
+  std::string name;
+  glm::vec4 base_color{1.0f};
+  TextureUse base_color_texture;
+  TextureUse normal_texture;
+  float normal_scale = 1.0f;
+  AlphaMode alpha_mode = AlphaMode::Opaque;
+  float alpha_cutoff = 0.5f;
+  glm::vec3 emissive{0.0f};  // nit: emissiveFactor * KHR_materials_emissive_strength
+  TextureUse emissive_texture;
+  float metallic = 1.0f;   // the mean over metallicRoughnessTexture where there is one
+  float roughness = 1.0f;  // likewise
+  bool double_sided = false;
+  bool unlit = false;
+  float transmission = 0.0f;  // KHR_materials_transmission: 0..1; mean over its texture
+  float ior = 1.5f;           // KHR_materials_ior: 0 (never refracts), else > 0
+  float thickness = 0.0f;     // KHR_materials_volume: > 0 means a solid
+  glm::vec3 attenuation_color{1.0f};
+  float attenuation_distance = std::numeric_limits<float>::infinity();  // metres
+  float dispersion = 0.0f;  // KHR_materials_dispersion: 20 / Abbe number
+};
+
+struct Vertex {
+  glm::vec3 position{0.0f};  // scene space
+  glm::vec3 normal{0.0f};    // unit, scene space, outward; never zero
+  glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};  // xyz unit, w handedness; for normal textures only
+  glm::vec2 uv{0.0f};
+};
+
+// One glTF primitive in one place of the node tree, in scene space. Triangles wind counter-clockwise
+// seen from outside, mirrored node transforms included.
+struct Mesh {
+  std::string name;       // node / mesh names, for messages
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;  // three a triangle
+  int material = 0;       // index into Scene::materials
+  int object = 0;         // primitives of one node share an object
+  // Share of edges with exactly two neighbouring triangles, after welding equal positions; 1 is closed.
+  float closedness = 0.0f;
+  bool closed() const { return closedness >= 0.98f; }
+  glm::vec3 lower{0.0f}, upper{0.0f};  // bounds
+  bool has_uv = false;
+};
+
+enum class LightType : std::uint8_t { Directional, Point, Spot };
+
+// KHR_lights_punctual. Directional intensity in lux, point and spot in candela; times `color`.
+struct Light {
+  std::string name;
+  LightType type = LightType::Directional;
+  glm::vec3 color{1.0f};
+  float intensity = 1.0f;
+  glm::dvec3 position{0.0};              // scene space
+  glm::dvec3 direction{0.0, 0.0, -1.0};  // unit, the way the light travels
+  float range = std::numeric_limits<float>::infinity();  // metres
+  float inner_cone = 0.0f;               // radians
+  float outer_cone = 0.785398163f;
+};
+
+struct Camera {
+  std::string name;
+  bool orthographic = false;
+  glm::dvec3 position{0.0};  // scene space
+  glm::dvec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  // orthonormal
+  double vertical_fov = 0.7;         // radians, perspective
+  double half_width = 1.0, half_height = 1.0;  // metres, orthographic (xmag, ymag)
+  double near = 0.01;
+  double far = std::numeric_limits<double>::infinity();
+};
+
+// The light from everywhere else: an equirectangular image, or a neutral gradient of the sky.
+struct Environment {
+  std::optional<Image> image;  // RGBA32F, linear, nit; the horizontal centre looks along -z
+  glm::vec3 zenith{0.0f}, horizon{0.0f}, ground{0.0f};  // nit, without an image
+};
+
+struct Scene {
+  std::string file;
+  glm::dvec3 origin{0.0};  // glTF world coordinates of scene space's origin
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Image> images;  // RGBA16F for colours, RGBA8 for normals
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  Environment environment;
+  // What the loader assumed or left out, one sentence each, in the order found; for people.
+  std::vector<std::string> notes;
+};
+
+// Bounds of all meshes; an empty scene gives lower > upper.
+struct Bounds {
+  glm::dvec3 lower{std::numeric_limits<double>::infinity()};
+  glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
+  bool empty() const { return lower.x > upper.x; }
+  void add(const glm::dvec3& p) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+  void add(const Bounds& other) {
+    lower = glm::min(lower, other.lower);
+    upper = glm::max(upper, other.upper);
+  }
+  glm::dvec3 centre() const { return 0.5 * (lower + upper); }
+  double radius() const { return 0.5 * glm::length(upper - lower); }
+};
+Bounds bounds_of(const Mesh& mesh);
+Bounds bounds_of(const Scene& scene);
+
+}  // namespace caustics

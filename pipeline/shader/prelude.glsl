@@ -1,0 +1,45 @@
+// What the common subset is in GLSL 4.50. The backend puts `#version 450 core` and a definition of
+// VERTEX_STAGE or FRAGMENT_STAGE in front. pipeline/shader/SUBSET.md is the manual.
+#define Float float
+#define Int int
+#define Bool bool
+#define Vec2 vec2
+#define Vec3 vec3
+#define Vec4 vec4
+#define Texture sampler2D
+#define OUT(T) out T
+#define TRACE(label, value)
+
+#define UNIFORMS_BEGIN layout(std140, binding = 0) uniform UniformBlock {
+#define UNIFORMS_END } u;
+#define TEXTURE(unit, name) layout(binding = unit) uniform sampler2D name;
+#define texel_fetch(t, x, y) texelFetch(t, ivec2(x, y), 0)
+#define texture_width(t) textureSize(t, 0).x
+#define texture_height(t) textureSize(t, 0).y
+
+#ifdef VERTEX_STAGE
+#define ATTRIBUTE(component, T, name) in T name;
+#define VARYING_SMOOTH(component, T, name) precise out T name;
+#define VARYING_FLAT(component, T, name) flat precise out T name;
+#define OUTPUT(location, T, name)
+out gl_PerVertex { precise vec4 gl_Position; float gl_PointSize; };
+#define vertex_id() gl_VertexID
+#define set_position(p) gl_Position = (p)
+#define set_point_size(s) gl_PointSize = (s)
+#else
+#define ATTRIBUTE(component, T, name)
+#define VARYING_SMOOTH(component, T, name) in T name;
+#define VARYING_FLAT(component, T, name) flat in T name;
+#define OUTPUT(loc, T, name) layout(location = loc) precise out T name;
+#define frag_x() gl_FragCoord.x
+#define frag_y() gl_FragCoord.y
+#define front_facing() gl_FrontFacing
+#define discard_if(condition) if (condition) discard
+#endif
+
+float sel(bool c, float a, float b) { return c ? a : b; }
+int sel(bool c, int a, int b) { return c ? a : b; }
+bool sel(bool c, bool a, bool b) { return c ? a : b; }
+vec2 sel(bool c, vec2 a, vec2 b) { return c ? a : b; }
+vec3 sel(bool c, vec3 a, vec3 b) { return c ? a : b; }
+vec4 sel(bool c, vec4 a, vec4 b) { return c ? a : b; }
