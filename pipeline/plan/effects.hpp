@@ -1,0 +1,61 @@
+// What a scene calls for: which surfaces bend light, which catch it, and which effects follow.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/plan/settings.hpp"
+#include "pipeline/scene/scene.hpp"
+
+namespace caustics {
+
+// What a mesh does to light.
+enum class Role : std::uint8_t {
+  Receiver,   // diffuse: catches light and caustics, casts a shadow
+  Refractor,  // smooth glass or water with a volume: throws a caustic
+  ThinPane,   // transmission without a volume: lets light straight through, tinted
+  Mirror,     // smooth metal
+};
+std::string_view name_of(Role role);
+
+struct SurfaceRole {
+  Role role = Role::Receiver;
+  bool two_interfaces = false;  // a Refractor: closed, so the light leaves through a second surface
+  std::string reason;
+};
+
+// One effect, called for or not, and why.
+struct Effect {
+  std::string name;
+  bool active = false;
+  std::string reason;
+};
+
+// Whether a light throws a caustic through a caster, before anything is rendered.
+struct Expectation {
+  int light = 0;
+  int mesh = 0;
+  bool expected = false;
+  std::string reason;
+};
+
+struct Effects {
+  std::vector<SurfaceRole> surfaces;  // by Scene::meshes
+  std::vector<Effect> list;
+  std::vector<Expectation> expectations;
+  // The effect of this name, which must be in the list.
+  const Effect& find(std::string_view name) const;
+  bool active(std::string_view name) const { return find(name).active; }
+};
+
+// Effects by name:
+//   "light"           any light
+//   "receivers"       any diffuse surface
+//   "caustics"        a refractor that a light can reach
+//   "exit surface"    a refractor with two interfaces
+//   "occluders"       diffuse surfaces that can shadow others or a caster
+//   "seen refraction" a refractor, so the camera sees through it
+//   "thin panes", "mirrors", "dispersion", "rough glass": found and left to later; inactive, with the reason
+Effects effects_of(const Scene& scene, const Settings& settings);
+
+}  // namespace caustics

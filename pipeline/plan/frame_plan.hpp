@@ -1,0 +1,61 @@
+// The plan of a frame: which passes run, in which order, on which textures, and why. Data only.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/plan/pass.hpp"
+
+namespace caustics {
+
+// A texture of the frame. One that belongs to a light is named "name[light]".
+struct PlannedTexture {
+  std::string name;
+  Format format = Format::RGBA32F;
+  int width = 0, height = 0;
+  bool external = false;  // uploaded with the scene, not written by a pass
+};
+
+struct PlannedPass {
+  static constexpr int kMaterial = -1;  // in `reads`: the drawn material's texture
+  static constexpr int kNothing = -2;   // in `reads`: an optional texture this frame lacks
+
+  int pass = 0;        // index into the registry
+  int light = -1;      // index into Scene::lights, -1 for a pass of the frame
+  std::string label;   // "caustic_map[sun]"
+  std::string reason;
+  std::vector<int> reads;   // indices into FramePlan::textures, or the constants above
+  std::vector<int> writes;
+  int depth = -1;
+  std::vector<bool> keep;   // as PassRun::keep
+  int width = 0, height = 0;
+};
+
+struct SkippedPass {
+  std::string name;
+  std::string reason;
+};
+
+struct FramePlan {
+  std::vector<PlannedTexture> textures;
+  std::vector<PlannedPass> passes;
+  std::vector<SkippedPass> skipped;
+  // Index of a texture by its full name, or -1.
+  int find(std::string_view name) const;
+  // Bytes of all textures that passes write.
+  std::size_t bytes() const;
+};
+
+// What to leave out of a plan: only the passes that the wanted textures depend on are planned.
+// Empty: everything that the effects call for.
+struct PlanGoal {
+  std::vector<std::string> textures;
+};
+
+// Throws Error (InternalError) when a pass reads what nothing writes.
+FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& settings,
+                    const Registry& registry, const PlanGoal& goal = {});
+
+// The full name of a light's own texture.
+std::string light_texture(std::string_view name, int light);
+
+}  // namespace caustics

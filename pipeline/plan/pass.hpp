@@ -1,0 +1,88 @@
+// A pass as the plan knows it: its definition, what calls for it, and what it is drawn with.
+#pragma once
+#include <cstddef>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/pass_definition.hpp"
+#include "pipeline/plan/effects.hpp"
+#include "pipeline/scene/frame.hpp"
+
+namespace caustics {
+
+// How often a pass runs in a frame.
+enum class Each : std::uint8_t { Frame, Light };
+
+// What a pass draws.
+enum class DrawSet : std::uint8_t {
+  FullScreen,      // one triangle over all pixels
+  Receivers,       // every mesh that is a Receiver
+  Casters,         // every Refractor
+  SolidCasters,    // every Refractor with two interfaces
+  GridVertices,    // grid * grid points
+};
+
+// Size of a pass's targets.
+enum class Extent : std::uint8_t { Picture, Grid, Map, Shadow };
+
+// The frames of one light. All share origin and axes; only the windows and depth ranges differ.
+struct LightFrames {
+  Frame caster;    // on the casters: caster map, exit map
+  Frame receiver;  // from the casters to where their light lands: receiver map
+  Frame caustic;   // on where the light lands: caustic map
+  Frame shadow;    // on everything that can throw or catch a shadow
+};
+
+// What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
+struct PassContext {
+  const Scene* scene = nullptr;
+  const Settings* settings = nullptr;
+  const Effects* effects = nullptr;
+  const LightFrames* frames = nullptr;  // Each::Light only
+  const Frame* view = nullptr;          // the camera's
+  const Light* light = nullptr;         // Each::Light only
+  const Mesh* mesh = nullptr;
+  const Material* material = nullptr;
+  int material_row = 0;   // row of `caster_materials`: the mesh's material
+  int mesh_index = 0;
+  float exposure = 1.0f;  // factor from nit to display white
+};
+
+using UniformBytes = std::vector<std::byte>;
+
+// The bytes of a uniform struct, as a draw carries them.
+template <class T>
+UniformBytes uniform_bytes(const T& block) {
+  static_assert(sizeof(T) % 16 == 0);
+  UniformBytes bytes(sizeof(T));
+  std::memcpy(bytes.data(), &block, sizeof(T));
+  return bytes;
+}
+
+struct Pass {
+  PassDefinition definition;
+  // The reason why this frame needs the pass, or nothing.
+  std::optional<std::string> (*called_for_by)(const Effects&) = nullptr;
+  Each each = Each::Frame;
+  DrawSet draws = DrawSet::FullScreen;
+  Extent extent = Extent::Picture;
+  UniformBytes (*uniforms)(const PassContext&) = nullptr;
+  // A pass of each light whose attachments belong to the frame and collect all lights.
+  bool sums_over_lights = false;
+};
+
+// Passes in the order in which they run. passes/registry.hpp has the only list.
+using Registry = std::vector<Pass>;
+
+// Resources that exist before the first pass, and what other rooms look up by name.
+inline constexpr char kCasterMaterials[] = "caster_materials";
+inline constexpr char kEnvironment[] = "environment";
+inline constexpr char kLanding[] = "landing";
+inline constexpr char kLandingFlux[] = "landing_flux";
+inline constexpr char kLandingFresnel[] = "landing_fresnel";
+inline constexpr char kLandingAbsorbed[] = "landing_absorbed";
+inline constexpr char kCausticMap[] = "caustic_map";
+
+}  // namespace caustics

@@ -1,0 +1,55 @@
+// How a frame is rendered: the command line's choices, with the documented defaults.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace caustics {
+
+// What finds where a ray meets a height map (docs: passes/landing/landing.md).
+enum class Estimator : std::uint8_t { Paper, Secant };
+// How a landing becomes light in the caustic map.
+enum class Splat : std::uint8_t { Point, Gaussian };
+enum class Weights : std::uint8_t { Physical, Paper };
+enum class Interfaces : std::uint8_t { Auto, One, Two };
+
+struct Settings {
+  int width = 1280, height = 720;  // picture
+  int grid = 512;                  // grid vertices a side
+  int map = 512;                   // caustic and receiver map, texels a side
+  int shadow = 2048;               // shadow map, texels a side
+  int iterations = 5;
+  Estimator estimator = Estimator::Secant;
+  Splat splat = Splat::Gaussian;
+  float gaussian_sigma = 0.7f;  // texels of the caustic map
+  Interfaces interfaces = Interfaces::Auto;
+  Weights weights = Weights::Physical;
+  bool assume_solid = false;
+  // Caster, receiver and caustic map share the caster's window: for studies of the splat alone.
+  bool shared_frames = false;
+  // Where a caustic's map is framed: this share of the landed flux may fall outside it.
+  double outside_share = 1e-3;
+  std::string camera;              // name or number; empty: the first
+  std::optional<float> exposure;   // EV added to the scene's own; none: automatic
+  float mirror_metallic = 0.5f, mirror_roughness = 0.2f;  // a mirror: at least, at most
+  float glass_roughness = 0.2f;    // rougher glass throws no caustic
+};
+
+inline constexpr int kMaxPicture = 16384, kMaxGrid = 8192, kMaxMap = 8192, kMaxIterations = 1000;
+
+// Sets one `-D key=value`. Throws Error (WrongUsage) naming the key, its range and the nearest key.
+// Keys: see settings.cpp's table, printed by setting_keys().
+void set_option(Settings& settings, std::string_view key, std::string_view value);
+// "key  range  meaning", one a line, for --help.
+std::vector<std::string> setting_keys();
+// Throws Error (WrongUsage) when a size or count lies outside its documented limits.
+void check(const Settings& settings);
+
+std::string_view name_of(Estimator estimator);
+std::string_view name_of(Splat splat);
+std::string_view name_of(Weights weights);
+std::string_view name_of(Interfaces interfaces);
+
+}  // namespace caustics

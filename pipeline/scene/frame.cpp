@@ -1,0 +1,127 @@
+#include "pipeline/scene/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace caustics {
+
+namespace {
+
+// Taylor series of sine and cosine for |x| <= pi/4; the next term is below 1e-17.
+double sine_series(double x) {
+  const double z = x * x;
+  double sum = 1.0;
+  for (int n = 19; n >= 3; n -= 2) sum = 1.0 - sum * z / static_cast<double>(n * (n - 1));
+  return x * sum;
+}
+
+double cosine_series(double x) {
+  const double z = x * x;
+  double sum = 1.0;
+  for (int n = 20; n >= 2; n -= 2) sum = 1.0 - sum * z / static_cast<double>(n * (n - 1));
+  return sum;
+}
+
+constexpr double kHalfPi = 1.57079632679489661923;
+
+}  // namespace
+
+double exact_cos(double radians) {
+  if (radians > kHalfPi) return -exact_cos(2.0 * kHalfPi - radians);
+  if (radians > 0.5 * kHalfPi) return sine_series(kHalfPi - radians);
+  return cosine_series(radians);
+}
+
+double exact_tan(double radians) {
+  if (radians > 0.5 * kHalfPi) return 1.0 / exact_tan(kHalfPi - radians);
+  return sine_series(radians) / cosine_series(radians);
+}
+
+glm::dvec3 Frame::coordinates(const glm::dvec3& p) const {
+  const glm::dvec3 d = p - origin;
+  return {right.x * d.x + right.y * d.y + right.z * d.z, up.x * d.x + up.y * d.y + up.z * d.z,
+          forward.x * d.x + forward.y * d.y + forward.z * d.z};
+}
+
+glm::dvec2 Frame::window(const glm::dvec3& c) const {
+  const double w = perspective ? c.z : 1.0;
+  return {c.x / w, c.y / w};
+}
+
+double Frame::window_area() const {
+  return (window_upper.x - window_lower.x) * (window_upper.y - window_lower.y);
+}
+
+FrameUniforms pack(const Frame& frame) {
+  const glm::dvec3 axes[3] = {frame.right, frame.up, frame.forward};
+  FrameUniforms uniforms;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      uniforms.from_scene[column][row] = static_cast<float>(axes[row][column]);
+    const glm::dvec3& a = axes[row];
+    uniforms.from_scene[3][row] = static_cast<float>(
+        -(a.x * frame.origin.x + a.y * frame.origin.y + a.z * frame.origin.z));
+  }
+  const glm::dvec2 size = frame.window_upper - frame.window_lower;
+  uniforms.window = glm::vec4(static_cast<float>(1.0 / size.x), static_cast<float>(1.0 / size.y),
+                              static_cast<float>(-frame.window_lower.x / size.x),
+                              static_cast<float>(-frame.window_lower.y / size.y));
+  uniforms.depth = glm::vec4(static_cast<float>(frame.near), static_cast<float>(frame.far),
+                             frame.perspective ? 1.0f : 0.0f, 0.0f);
+  return uniforms;
+}
+
+Frame frame_along(const glm::dvec3& origin, const glm::dvec3& forward) {
+  const glm::dvec3 size{std::fabs(forward.x), std::fabs(forward.y), std::fabs(forward.z)};
+  // Looking mostly down or up: map the picture's up to -z, as on a map of the floor.
+  glm::dvec3 hint{0.0, 1.0, 0.0};
+  if (size.y >= size.x && size.y >= size.z) hint = {0.0, 0.0, -1.0};
+  Frame frame;
+  frame.origin = origin;
+  frame.forward = forward / std::sqrt(forward.x * forward.x + forward.y * forward.y +
+                                      forward.z * forward.z);
+  const glm::dvec3& f = frame.forward;
+  glm::dvec3 right{f.y * hint.z - f.z * hint.y, f.z * hint.x - f.x * hint.z,
+                   f.x * hint.y - f.y * hint.x};
+  right /= std::sqrt(right.x * right.x + right.y * right.y + right.z * right.z);
+  frame.right = right;
+  frame.up = {right.y * f.z - right.z * f.y, right.z * f.x - right.x * f.z,
+              right.x * f.y - right.y * f.x};
+  return frame;
+}
+
+Frame frame_of(const Camera& camera, int width, int height, const Bounds& bounds) {
+  Frame frame;
+  frame.origin = camera.position;
+  frame.right = camera.right;
+  frame.up = camera.up;
+  frame.forward = camera.forward;
+  frame.perspective = !camera.orthographic;
+  const double aspect = static_cast<double>(width) / static_cast<double>(height);
+  double half_height = camera.half_height;
+  double half_width = camera.half_height * aspect;
+  if (frame.perspective) {
+    half_height = exact_tan(0.5 * camera.vertical_fov);
+    half_width = half_height * aspect;
+  } else if (half_width < camera.half_width) {
+    half_width = camera.half_width;
+    half_height = camera.half_width / aspect;
+  }
+  frame.window_lower = {-half_width, -half_height};
+  frame.window_upper = {half_width, half_height};
+  frame.near = camera.near;
+  double farthest = camera.near * 2.0;
+  if (!bounds.empty()) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::dvec3 p{corner & 1 ? bounds.upper.x : bounds.lower.x,
+                         corner & 2 ? bounds.upper.y : bounds.lower.y,
+                         corner & 4 ? bounds.upper.z : bounds.lower.z};
+      farthest = std::max(farthest, frame.coordinates(p).z * 1.001);
+    }
+  }
+  frame.far = std::min(camera.far, farthest);
+  if (!(frame.far > frame.near)) frame.far = frame.near * 2.0 + 1e-3;
+  return frame;
+}
+
+}  // namespace caustics

@@ -1,0 +1,52 @@
+// A frame: from where and through which window something is seen. Cameras and lights use the same
+// kind, so one shader text can draw from either.
+//
+// Frame coordinates of a scene-space point p: x = right.(p - origin), y = up.(p - origin),
+// z = forward.(p - origin), metres. z is the distance along the way the light travels or the camera
+// looks. Window coordinates are x, y (parallel frames) or x/z, y/z (perspective frames); map
+// coordinates u, v run from 0 to 1 across the window, v upwards.
+#pragma once
+#include <glm/glm.hpp>
+
+#include "pipeline/scene/scene.hpp"
+
+namespace caustics {
+
+struct Frame {
+  glm::dvec3 origin{0.0};  // scene space
+  glm::dvec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  // orthonormal
+  bool perspective = false;
+  // Metres across the light, or tangents of angles in a perspective frame.
+  glm::dvec2 window_lower{-1.0}, window_upper{1.0};
+  double near = 0.0, far = 1.0;  // range of z; near > 0 in a perspective frame
+
+  glm::dvec3 coordinates(const glm::dvec3& p) const;
+  // (x, y) or (x/z, y/z); z must be positive in a perspective frame.
+  glm::dvec2 window(const glm::dvec3& coordinates) const;
+  // Area of the window: square metres, or tangent units squared.
+  double window_area() const;
+};
+
+// What shaders get of a frame (passes/shared/frame_space.glsl). u = x/w * window.x + window.z and
+// v = y/w * window.y + window.w with w = 1 (parallel) or z (perspective).
+struct FrameUniforms {
+  glm::mat4 from_scene{1.0f};
+  glm::vec4 window{0.0f};
+  glm::vec4 depth{0.0f};  // near, far, 1 in a perspective frame, unused
+};
+FrameUniforms pack(const Frame& frame);
+
+// A right-handed frame that looks along `forward`, with an `up` chosen without any branch cut near
+// the usual directions: the coordinate axis least aligned with `forward`, made orthogonal.
+Frame frame_along(const glm::dvec3& origin, const glm::dvec3& forward);
+
+// The camera's frame for a picture of this size; a perspective camera keeps its vertical angle, an
+// orthographic one keeps its smaller extent. Far is drawn in to just behind `bounds`.
+Frame frame_of(const Camera& camera, int width, int height, const Bounds& bounds);
+
+// tan of an angle in (0, pi/2), radians, by +, -, *, / only; relative error below 1e-12.
+double exact_tan(double radians);
+// cos of an angle in [0, pi], radians, by +, -, *, / only; absolute error below 1e-14.
+double exact_cos(double radians);
+
+}  // namespace caustics
