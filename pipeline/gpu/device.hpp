@@ -34,19 +34,19 @@ struct Draw {
   MeshId mesh = MeshId::None;
   int vertex_count = 0;
   // The shader's uniform block, laid out as std140 (mat4, vec4 and ivec4 members only).
-  std::vector<std::byte> uniforms;
+  std::vector<std::byte> uniforms{};
   // One for each of the definition's reads, in that order. None is bound as one texel of zeros.
-  std::vector<TextureId> textures;
+  std::vector<TextureId> textures{};
 };
 
 // One execution of a pass: its targets, all of one size, and its draws in API order.
 struct PassRun {
   const PassDefinition* definition = nullptr;
-  std::vector<TextureId> colors;  // one for each of the definition's writes
+  std::vector<TextureId> colors{};  // one for each of the definition's writes
   TextureId depth = TextureId::None;
   // Attachments whose contents are kept instead of cleared, by index; the depth attachment last.
-  std::vector<bool> keep;
-  std::vector<Draw> draws;
+  std::vector<bool> keep{};
+  std::vector<Draw> draws{};
 };
 
 struct PassResult {

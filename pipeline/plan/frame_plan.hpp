@@ -23,10 +23,10 @@ struct PlannedPass {
   int light = -1;      // index into Scene::lights, -1 for a pass of the frame
   std::string label;   // "caustic_map[sun]"
   std::string reason;
-  std::vector<int> reads;   // indices into FramePlan::textures, or the constants above
-  std::vector<int> writes;
+  std::vector<int> reads{};   // indices into FramePlan::textures, or the constants above
+  std::vector<int> writes{};
   int depth = -1;
-  std::vector<bool> keep;   // as PassRun::keep
+  std::vector<bool> keep{};   // as PassRun::keep
   int width = 0, height = 0;
 };
 

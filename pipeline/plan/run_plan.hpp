@@ -1,37 +1,14 @@
-// Running a plan on a device: uploads, targets, the loop over the passes.
+// Running a plan on a device: its targets and the loop over its passes.
 #pragma once
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/plan/scene_on_device.hpp"
 
 namespace caustics {
-
-// A scene's meshes, material textures and tables on a device. Keeps references to both.
-class SceneOnDevice {
- public:
-  SceneOnDevice(const Scene& scene, const Effects& effects, Device& device);
-  ~SceneOnDevice();
-  SceneOnDevice(const SceneOnDevice&) = delete;
-  SceneOnDevice& operator=(const SceneOnDevice&) = delete;
-
-  const Scene& scene() const { return scene_; }
-  Device& device() const { return device_; }
-  MeshId mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
-  TextureId image(int index) const;          // None for index -1
-  TextureId external(const std::string& name) const;  // kCasterMaterials, kEnvironment, or None
-
- private:
-  const Scene& scene_;
-  Device& device_;
-  std::vector<MeshId> meshes_;
-  std::vector<TextureId> images_;
-  std::map<std::string, TextureId> externals_;
-};
 
 // The textures a plan writes, made once and used frame after frame.
 class FrameTargets {
@@ -69,14 +46,10 @@ std::vector<PassReport> run_plan(const FramePlan& plan, const Registry& registry
                                  const SceneOnDevice& scene, const FrameTargets& targets,
                                  const FrameInputs& inputs, const AfterPass& after = {});
 
-// The frames of every light, fitted to the casters and to where their light lands. Finds the latter
-// by running the passes that lead to `landing` coarsely on `device`, which should be the software
-// device whatever backend renders, so that both see the same frames.
-std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effects& effects,
-                                          const Settings& settings, const Registry& registry);
-
-// The factor from nit to display white: `settings.exposure` EV above or below the automatic one,
-// under which a white diffuse surface that faces the brightest light shows at 0.8 of display white.
-float exposure_of(const Scene& scene, const Settings& settings, const Bounds& bounds);
+// One pass of the plan, bound and ready for a device: what run_plan executes, for tools such as the
+// probe that want a pass's inputs.
+PassRun prepare_pass(const FramePlan& plan, const PlannedPass& pass, const Registry& registry,
+                     const SceneOnDevice& scene, const FrameTargets& targets,
+                     const FrameInputs& inputs);
 
 }  // namespace caustics

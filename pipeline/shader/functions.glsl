@@ -113,16 +113,21 @@ Float log_of(Float x) {
 // x^y for x >= 0; 0 for x <= 0.
 Float pow_of(Float x, Float y) { return sel(x > 0.0f, exp_of(y * log_of(x)), Float(0.0f)); }
 
-// The error function, absolute error below 5e-7 (Abramowitz and Stegun 7.1.26).
+// The error function, absolute error below 1e-6 in single precision (Abramowitz and Stegun 7.1.28).
 Float erf_of(Float x) {
-  Float a = sel(x < 0.0f, -x, x);
-  Float t = 1.0f / (1.0f + 0.3275911f * a);
-  Float p = Float(1.061405429f);
-  p = p * t - 1.453152027f;
-  p = p * t + 1.421413741f;
-  p = p * t - 0.284496736f;
-  p = p * t + 0.254829592f;
-  Float positive = 1.0f - p * t * exp_of(-(a * a));
+  Float a = clamp_to(sel(x < 0.0f, -x, x), 0.0f, 6.0f);
+  Float p = Float(0.0000430638f);
+  p = p * a + 0.0002765672f;
+  p = p * a + 0.0001520143f;
+  p = p * a + 0.0092705272f;
+  p = p * a + 0.0422820123f;
+  p = p * a + 0.0705230784f;
+  p = p * a + 1.0f;
+  p = p * p;
+  p = p * p;
+  p = p * p;
+  p = p * p;
+  Float positive = 1.0f - 1.0f / p;
   return sel(x < 0.0f, -positive, positive);
 }
 

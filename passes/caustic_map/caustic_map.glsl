@@ -1,0 +1,47 @@
+// Adds every landed grid vertex to the caustic map: one texel, or a Gaussian integrated over texels.
+UNIFORMS_BEGIN
+#include "passes/caustic_map/caustic_map_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, landing)
+TEXTURE(1, landing_flux)
+VARYING_FLAT(0, Vec3, flux)
+VARYING_FLAT(3, Vec2, centre)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/frame_space.glsl"
+
+void main() {
+  Int id = vertex_id();
+  Int row = id / Int(u.grid.x);
+  Int column = id - row * Int(u.grid.x);
+  Vec4 place = texel_fetch(landing, column, row);
+  Vec4 carried = texel_fetch(landing_flux, column, row);
+  Bool landed = place.w == 1.0f;
+  Vec3 q = frame_coordinates(u.from_scene, Vec3(place));
+  Vec2 uv = frame_uv(q, u.window, u.depth);
+  flux = Vec3(carried);
+  centre = Vec2(uv.x * float(u.grid.y), uv.y * float(u.grid.y));
+  // The middle of the depth range: a splat is never clipped by depth. Outside the volume: not drawn.
+  Vec4 at = Vec4(2.0f * uv.x - 1.0f, 2.0f * uv.y - 1.0f, Float(0.5f), Float(1.0f));
+  set_position(sel(landed, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
+  set_point_size(Float(u.kernel.w));
+}
+#else
+OUTPUT(0, Vec4, caustic_map)
+
+// The share of the kernel that falls on the texel around x, along one axis: the Gaussian's integral
+// from texel edge to texel edge, cut at the radius, over the mass inside it. Over all texels the
+// shares add up to 1 whatever the centre, because neighbouring integrals share their edges.
+Float share(Float offset) {
+  Float radius = Float(u.kernel.x);
+  Float from = clamp_to(offset - 0.5f, -radius, radius);
+  Float to = clamp_to(offset + 0.5f, -radius, radius);
+  return 0.5f * (erf_of(to * u.kernel.y) - erf_of(from * u.kernel.y)) * u.kernel.z;
+}
+
+void main() {
+  Float weight = Float(1.0f);
+  if (u.kernel.x > 0.0f) weight = share(frag_x() - centre.x) * share(frag_y() - centre.y);
+  caustic_map = Vec4(flux * weight, weight);
+}
+#endif

@@ -1,0 +1,86 @@
+#include "passes/landing/landing.hpp"
+
+#include "passes/shared/light_uniforms.hpp"
+
+namespace caustics {
+
+extern const Shader landing_shader;
+
+namespace {
+
+LandingUniforms landing_uniforms(const PassContext& context) {
+  const LightFrames& frames = *context.frames;
+  const Settings& settings = *context.settings;
+  const FrameUniforms caster = pack(frames.caster);
+  const FrameUniforms receiver = pack(frames.receiver);
+  const FrameUniforms caustic = pack(frames.caustic);
+  const LightCone cone = light_cone(*context.light);
+  const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
+  return {
+      .from_scene = caster.from_scene,
+      .caster_window = caster.window,
+      .caster_depth = caster.depth,
+      .receiver_window = receiver.window,
+      .receiver_depth = receiver.depth,
+      .caustic_window = caustic.window,
+      .caustic_depth = caustic.depth,
+      .light = glm::vec4(glm::vec3(frames.caster.perspective ? context.light->position
+                                                             : frames.caster.forward),
+                         0.0f),
+      .cone_axis = cone.axis,
+      .cone = cone.scale_offset,
+      .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
+               kLandingTolerance, 0.0f},
+      .method = {settings.iterations, settings.estimator == Estimator::Paper ? 0 : 1,
+                 settings.weights == Weights::Paper ? 1 : 0,
+                 context.effects->active("exit surface") ? 1 : 0},
+  };
+}
+
+}  // namespace
+
+Pass landing_pass() {
+  return {
+      .definition =
+          {
+              .name = "landing",
+              .purpose = "bends each grid vertex's light through the caster and finds where it lands",
+              .reads = {{.name = "caster_position", .meaning = "grid vertices"},
+                        {.name = "caster_normal", .meaning = "their normals and materials"},
+                        {.name = "caster_exit_position",
+                         .meaning = "the second surface",
+                         .optional = true},
+                        {.name = "caster_exit_normal",
+                         .meaning = "its normals",
+                         .optional = true},
+                        {.name = "receiver_position", .meaning = "what the light can land on"},
+                        {.name = "caster_materials",
+                         .meaning = "row a material: indices of refraction; absorption per metre; "
+                                    "base colour"}},
+              .writes = {{.name = "landing",
+                          .format = Format::RGBA32F,
+                          .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
+                         {.name = "landing_flux",
+                          .format = Format::RGBA32F,
+                          .meaning = "rgb: flux that is left, relative to the light's intensity (square "
+                                     "metres, or steradians); w: gap left by the estimator, metres"},
+                         {.name = "landing_fresnel",
+                          .format = Format::RGBA32F,
+                          .meaning = "rgb: flux reflected at the surfaces; w: flux that entered the cell"},
+                         {.name = "landing_absorbed",
+                          .format = Format::RGBA32F,
+                          .meaning = "rgb: flux absorbed in the material; w: path inside, metres"}},
+              .shader = &landing_shader,
+          },
+      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+        if (!effects.active("caustics")) return {};
+        return "each grid vertex's light is bent and followed to a receiver";
+      },
+      .each = Each::Light,
+      .draws = DrawSet::FullScreen,
+      .extent = Extent::Grid,
+      .uniforms = [](const PassContext& context) { return uniform_bytes(landing_uniforms(context)); },
+  };
+}
+
+}  // namespace caustics

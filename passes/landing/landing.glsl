@@ -1,0 +1,175 @@
+// Where each grid vertex's light lands: bend it at the caster, find the exit, bend it again, find the
+// receiver; and what happened to its flux on the way. landing.md explains.
+UNIFORMS_BEGIN
+#include "passes/landing/landing_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, caster_position)
+TEXTURE(1, caster_normal)
+TEXTURE(2, caster_exit_position)
+TEXTURE(3, caster_exit_normal)
+TEXTURE(4, receiver_position)
+TEXTURE(5, caster_materials)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, landing)
+OUTPUT(1, Vec4, landing_flux)
+OUTPUT(2, Vec4, landing_fresnel)
+OUTPUT(3, Vec4, landing_absorbed)
+#include "passes/shared/frame_space.glsl"
+#include "passes/shared/optics.glsl"
+#include "passes/shared/intersect.glsl"
+#include "passes/shared/light_intensity.glsl"
+
+Hit find_surface(Texture positions, vec4 window, vec4 depth, Vec3 start, Vec3 direction,
+                 bool beyond_is_behind) {
+  Hit hit;
+  if (u.method.y == 0) {
+    hit = intersect_paper(positions, u.from_scene, window, depth, start, direction, Float(0.0f),
+                          u.method.x);
+  } else {
+    hit = intersect_secant(positions, u.from_scene, window, depth, start, direction, u.method.x,
+                           beyond_is_behind);
+  }
+  return hit;
+}
+
+// The larger extent of a texel at frame coordinates q, metres.
+Float texel_extent(Texture t, Vec3 q, vec4 window, vec4 depth) {
+  Float across = Float(1.0f / (window.x * float(texture_width(t))));
+  Float along = Float(1.0f / (window.y * float(texture_height(t))));
+  return frame_w(q, depth) * max_of(across, along);
+}
+
+// The smooth normal where the ray leaves: interpolated where all four texels are covered.
+Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
+  Vec2 uv = frame_uv(frame_coordinates(u.from_scene, p), u.caster_window, u.caster_depth);
+  Vec4 smooth_normal = fetch_bilinear(caster_exit_normal, uv.x, uv.y);
+  Vec4 nearest = fetch_nearest(caster_exit_normal, uv.x, uv.y);
+  Vec3 chosen = sel(smooth_normal.w > 0.999f, Vec3(smooth_normal), Vec3(nearest));
+  return normalize_or(chosen, fallback);
+}
+
+Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Vec4 entry = texel_fetch(caster_position, column, row);
+  Vec4 entry_normal = texel_fetch(caster_normal, column, row);
+  Bool covered = entry.w != 0.0f;
+  Bool from_inside = entry.w < 0.0f;
+  Vec3 p1 = Vec3(entry);
+  Int material = floor_to_int(entry_normal.w + 0.5f);
+  Vec4 indices = fetch_clamped(caster_materials, Int(0), material);
+  Vec4 absorption = fetch_clamped(caster_materials, Int(1), material);
+  TRACE(entry_point, p1);
+
+  // Flux onto the cell, relative to the light's intensity: its area across parallel light; its solid
+  // angle (midpoint form) from a point, times the cone's falloff.
+  Vec3 q1 = frame_coordinates(u.from_scene, p1);
+  Vec3 d0 = Vec3(u.light);
+  Float entered = Float(u.cell.x);
+  if (u.caster_depth.z > 0.5f) {
+    d0 = normalize_or(p1 - Vec3(u.light), Vec3(u.cone_axis));
+    Float x = q1.x / sel(covered, q1.z, Float(1.0f));
+    Float y = q1.y / sel(covered, q1.z, Float(1.0f));
+    Float squared = 1.0f + x * x + y * y;
+    entered = u.cell.x / (squared * sqrt(squared)) * cone_falloff(d0);
+  }
+  entered = sel(covered, entered, Float(0.0f));
+  TRACE(light_direction, d0);
+
+  // First interface.
+  Vec3 n1 = facing_normal(Vec3(entry_normal), d0, from_inside);
+  Float ior = indices.x;
+  Float eta1 = sel(from_inside, ior, 1.0f / ior);
+  Float ci1 = clamp_to(-dot3(d0, n1), 0.0f, 1.0f);
+  Float ct1_squared = transmitted_cosine_squared(eta1, ci1);
+  Bool blocked1 = ct1_squared < 0.0f;
+  Float ct1 = sqrt(max_of(ct1_squared, 0.0f));
+  Vec3 d1 = refracted(d0, n1, eta1, ci1, ct1);
+  Float r1 = sel(blocked1, Float(0.0f), fresnel_reflectance(eta1, ci1, ct1));
+  TRACE(entry_normal, n1);
+  TRACE(inside_direction, d1);
+  TRACE(entry_reflectance, r1);
+
+  // Second interface, where the caster is solid and the light comes from outside.
+  Vec3 p2 = p1;
+  Vec3 d2 = d1;
+  Float r2 = Float(0.0f);
+  Float inside_length = Float(0.0f);
+  Bool blocked2 = Bool(false);
+  Bool exit_unknown = Bool(false);
+  if (u.method.w == 1) {
+    Bool solid = absorption.w > 0.5f && !from_inside;
+    Hit exit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p1, d1, true);
+    Float length = max_of(exit.distance, 0.0f);
+    p2 = sel(solid, p1 + d1 * length, p1);
+    inside_length = sel(solid, length, Float(0.0f));
+    Float tolerance =
+        u.cell.y * texel_extent(caster_exit_position, q1, u.caster_window, u.caster_depth);
+    exit_unknown = solid && !(exit.residual <= tolerance);
+    Vec3 n2 = facing_normal(exit_normal_at(p2, -d1), d1, Bool(true));
+    Float ci2 = clamp_to(-dot3(d1, n2), 0.0f, 1.0f);
+    Float ct2_squared = transmitted_cosine_squared(ior, ci2);
+    blocked2 = solid && ct2_squared < 0.0f;
+    Float ct2 = sqrt(max_of(ct2_squared, 0.0f));
+    d2 = sel(solid, refracted(d1, n2, ior, ci2, ct2), d1);
+    r2 = sel(solid && !blocked2, fresnel_reflectance(ior, ci2, ct2), Float(0.0f));
+    TRACE(exit_point, p2);
+    TRACE(exit_residual, exit.residual);
+    TRACE(exit_normal, n2);
+    TRACE(exit_reflectance, r2);
+  }
+  TRACE(outside_direction, d2);
+
+  Hit hit = find_surface(receiver_position, u.receiver_window, u.receiver_depth, p2, d2, false);
+  Float flight = max_of(hit.distance, 0.0f);
+  Vec3 p3 = p2 + d2 * flight;
+  Vec3 q3 = frame_coordinates(u.from_scene, p3);
+  Vec2 uv3 = frame_uv(q3, u.caustic_window, u.caustic_depth);
+  Float tolerance =
+      u.cell.z * texel_extent(receiver_position, q3, u.receiver_window, u.receiver_depth);
+  Bool converged = hit.residual <= tolerance;
+  TRACE(landing_point, p3);
+  TRACE(landing_residual, hit.residual);
+
+  // Through one interface only, the medium reaches down to the receiver (water on its bed).
+  Bool lands = covered && !blocked1 && !blocked2 && !exit_unknown && hit.covered && converged;
+  Bool open_medium = absorption.w < 0.5f && !from_inside;
+  Float absorbing_length = sel(open_medium, sel(lands, flight, Float(0.0f)), inside_length);
+  Vec3 passed = transmittance(Vec3(absorption), absorbing_length);
+
+  // Shah et al. 2007, eq. 6 with (1/V) of the flux onto all V texels: N.L of the cell's own flux.
+  Float weight = Float(1.0f);
+  if (u.method.z == 1) {
+    weight = ci1;
+    r1 = Float(0.0f);
+    r2 = Float(0.0f);
+  }
+  entered = entered * weight;
+  Float refracted_in = entered * (1.0f - r1);
+  Vec3 after_medium = passed * refracted_in;
+  Vec3 carried = after_medium * (1.0f - r2);
+  Vec3 absorbed = Vec3(refracted_in) - after_medium;
+  Bool exhausted = largest(carried) <= entered * 1.0e-6f;
+
+  Float status = Float(1.0f);
+  status = sel(!inside_unit(uv3.x, uv3.y), Float(3.0f), status);
+  status = sel(exhausted, Float(5.0f), status);
+  status = sel(!converged, Float(6.0f), status);
+  status = sel(!hit.covered, Float(2.0f), status);
+  status = sel(!hit.inside, Float(3.0f), status);
+  status = sel(exit_unknown, Float(6.0f), status);
+  status = sel(blocked1 || blocked2, Float(4.0f), status);
+  status = sel(covered, status, Float(0.0f));
+  TRACE(status, status);
+
+  landing = sel(covered, Vec4(p3, status), Vec4(0.0f));
+  landing_flux = sel(covered, Vec4(carried, hit.residual), Vec4(0.0f));
+  landing_fresnel = sel(covered, Vec4(Vec3(entered * r1) + after_medium * r2, entered), Vec4(0.0f));
+  landing_absorbed = sel(covered, Vec4(absorbed, inside_length), Vec4(0.0f));
+}
+#endif

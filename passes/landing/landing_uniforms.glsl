@@ -1,0 +1,13 @@
+mat4 from_scene;       // origin and axes, shared by all frames of the light
+vec4 caster_window;
+vec4 caster_depth;
+vec4 receiver_window;
+vec4 receiver_depth;
+vec4 caustic_window;
+vec4 caustic_depth;
+vec4 light;            // xyz: direction of travel (parallel) or position (perspective), scene space
+vec4 cone_axis;        // xyz: unit axis of a spot light's cone, the way it shines
+vec4 cone;             // scale and offset of the cone's falloff; x = 0 where there is none
+vec4 cell;             // x: area of a grid cell in window units squared; y, z: tolerance of the exit and of
+                       // the landing, in texels' extents; w unused
+ivec4 method;          // iterations; estimator (0 paper, 1 secant); weights (0 physical, 1 paper); solid casters (0, 1)

@@ -1,0 +1,22 @@
+// Opaque surfaces seen from the light in the casters' frame: depth alone, so that a caster in their
+// shadow does not enter the caster map.
+UNIFORMS_BEGIN
+#include "passes/receiver_map/receiver_map_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, base_color)
+VARYING_SMOOTH(0, Vec2, surface_uv)
+
+#ifdef VERTEX_STAGE
+ATTRIBUTE(0, Vec3, position)
+ATTRIBUTE(3, Vec2, uv)
+#include "passes/shared/frame_space.glsl"
+
+void main() {
+  surface_uv = uv;
+  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+}
+#else
+#include "passes/shared/cutout.glsl"
+
+void main() { discard_if(cut_out(surface_uv)); }
+#endif

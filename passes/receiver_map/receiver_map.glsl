@@ -1,0 +1,27 @@
+// Receivers seen from the light: their positions (the positions texture of Shah et al. 2007).
+UNIFORMS_BEGIN
+#include "passes/receiver_map/receiver_map_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, base_color)
+VARYING_SMOOTH(0, Vec3, surface_position)
+VARYING_SMOOTH(3, Vec2, surface_uv)
+
+#ifdef VERTEX_STAGE
+ATTRIBUTE(0, Vec3, position)
+ATTRIBUTE(3, Vec2, uv)
+#include "passes/shared/frame_space.glsl"
+
+void main() {
+  surface_position = position;
+  surface_uv = uv;
+  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+}
+#else
+OUTPUT(0, Vec4, receiver_position)
+#include "passes/shared/cutout.glsl"
+
+void main() {
+  discard_if(cut_out(surface_uv));
+  receiver_position = Vec4(surface_position, Float(1.0f));
+}
+#endif

@@ -1,0 +1,6 @@
+mat4 from_scene;  // the receiver frame
+vec4 window;
+vec4 depth;
+vec4 alpha;       // base colour alpha, cutoff (0 in opaque materials), uses the texture (0 or 1), unused
+vec4 uv_row0;     // base colour texture: u' = row0 . (u, v, 1)
+vec4 uv_row1;

@@ -1,0 +1,163 @@
+// Where a ray meets a surface that a frame has seen: the surface is known as a texture of positions
+// (w != 0 where there is one), one texel a direction of light. Needs frame_space.glsl.
+
+// The signed gap between a point and the surface that the frame sees at the same place: negative
+// before the surface, positive behind it, metres. Along a ray it is a linear function for any plane,
+// in parallel and perspective frames alike: z(p) - z(surface), or (z(p) / z(surface) - 1) * scale.
+struct Gap {
+  Float value;
+  Bool inside;   // the point lies in the frame's window
+  Bool covered;  // and there is a surface
+};
+
+// A surface's z (parallel) or 1/z (perspective) at a texel; both are linear over a plane.
+Float gap_height(Vec4 texel, mat4 from_scene, vec4 depth) {
+  Vec3 q = frame_coordinates(from_scene, Vec3(texel));
+  Float height = q.z;
+  if (depth.z > 0.5f) height = 1.0f / sel(q.z > 0.0f, q.z, Float(1.0e-20f));
+  return height;
+}
+
+Float gap_of_height(Float height, Float z, vec4 depth, Float scale) {
+  Float value = z - height;
+  if (depth.z > 0.5f) value = (z * height - 1.0f) * scale;
+  return value;
+}
+
+// The gap at p. `smoothly` interpolates between the four nearest texels where all are covered and no
+// steeper than 83 degrees; elsewhere, and otherwise, the texel that holds p decides.
+Gap gap_at(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p, Float scale,
+           bool smoothly) {
+  Vec3 q = frame_coordinates(from_scene, p);
+  Vec2 uv = frame_uv(q, window, depth);
+  Gap gap;
+  gap.inside = inside_unit(uv.x, uv.y);
+  Vec4 nearest = fetch_nearest(positions, uv.x, uv.y);
+  gap.covered = gap.inside && nearest.w != 0.0f;
+  Float height = gap_height(nearest, from_scene, depth);
+  if (smoothly) {
+    Float x = uv.x * Float(texture_width(positions)) - 0.5f;
+    Float y = uv.y * Float(texture_height(positions)) - 0.5f;
+    Int x0 = floor_to_int(x);
+    Int y0 = floor_to_int(y);
+    Float fx = clamp_to(x - Float(x0), 0.0f, 1.0f);
+    Float fy = clamp_to(y - Float(y0), 0.0f, 1.0f);
+    Vec4 t00 = fetch_clamped(positions, x0, y0);
+    Vec4 t10 = fetch_clamped(positions, x0 + 1, y0);
+    Vec4 t01 = fetch_clamped(positions, x0, y0 + 1);
+    Vec4 t11 = fetch_clamped(positions, x0 + 1, y0 + 1);
+    Float h00 = gap_height(t00, from_scene, depth);
+    Float h10 = gap_height(t10, from_scene, depth);
+    Float h01 = gap_height(t01, from_scene, depth);
+    Float h11 = gap_height(t11, from_scene, depth);
+    Float low = min_of(min_of(h00, h10), min_of(h01, h11));
+    Float high = max_of(max_of(h00, h10), max_of(h01, h11));
+    // A texel's extent on the surface: parallel in metres; perspective in units of 1/z per 1/z.
+    Float extent = Float(1.0f / (window.x * float(texture_width(positions))));
+    Float steepest = 8.0f * extent;
+    if (depth.z > 0.5f) steepest = steepest * high;
+    Bool whole = t00.w != 0.0f && t10.w != 0.0f && t01.w != 0.0f && t11.w != 0.0f &&
+                 high - low <= steepest;
+    Float bottom = h00 + (h10 - h00) * fx;
+    Float top = h01 + (h11 - h01) * fx;
+    height = sel(whole, bottom + (top - bottom) * fy, height);
+  }
+  gap.value = gap_of_height(height, q.z, depth, scale);
+  return gap;
+}
+
+struct Hit {
+  Float distance;  // along the ray, metres
+  Float residual;  // what is left of the gap there, metres, not negative
+  Bool inside;     // the hit lies in the frame's window
+  Bool covered;    // and on a surface
+};
+
+// The paper's derivative-free estimator (Shah et al. 2007, appendix's modified Newton): the distance
+// from the ray's start to the surface point under the current guess is the next guess.
+Hit intersect_paper(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
+                    Vec3 direction, Float first_guess, int iterations) {
+  Float t = first_guess;
+  for (int k = 0; k < iterations; k++) {
+    Vec2 uv = frame_uv(frame_coordinates(from_scene, start + direction * t), window, depth);
+    Vec4 texel = fetch_nearest(positions, uv.x, uv.y);
+    Bool known = inside_unit(uv.x, uv.y) && texel.w != 0.0f;
+    t = sel(known, length3(Vec3(texel) - start), t);
+    TRACE(distance, t);
+  }
+  Gap gap = gap_at(positions, from_scene, window, depth, start + direction * t,
+                   frame_w(frame_coordinates(from_scene, start), depth), false);
+  Hit hit;
+  hit.distance = t;
+  hit.residual = abs(gap.value);
+  hit.inside = gap.inside;
+  hit.covered = gap.covered;
+  return hit;
+}
+
+// The bracketed secant on the signed gap: exact in one step on any plane. While no point behind the
+// surface is known it extrapolates the last two gaps; from then on it stays in the bracket (regula
+// falsi with the Illinois rule: an end that stays put twice loses half its weight). A point without a
+// surface counts as behind it when `beyond_is_behind` (a ray leaves a closed body through its
+// silhouette), else as before it (a ray over a hole in the floor flies on). The last two steps
+// interpolate the surface.
+Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
+                     Vec3 direction, int iterations, bool beyond_is_behind) {
+  Vec3 q = frame_coordinates(from_scene, start);
+  Float scale = frame_w(q, depth);
+  Float fall = frame_coordinates(from_scene, start + direction).z - q.z;
+  Gap gap = gap_at(positions, from_scene, window, depth, start, scale, false);
+  Float reach = Float(depth.y - depth.x);
+  Float low = Float(0.0f);
+  Float gap_low = sel(gap.covered && gap.value < 0.0f, gap.value, -(reach * 1.0e-6f));
+  Float high = Float(0.0f);
+  Float gap_high = Float(0.0f);
+  Bool bracketed = Bool(false);
+  Int last_side = Int(0);
+  // The first guess takes the surface to be level: a plane across the light is met exactly.
+  Float level = -gap_low / max_of(fall, 0.1f);
+  Float t = sel(gap.covered && gap.value < 0.0f, level, reach * 0.25f);
+  for (int k = 0; k < iterations + 1; k++) {
+    gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale,
+                 k >= iterations - 1);
+    TRACE(distance, t);
+    TRACE(gap, gap.value);
+    Float value = gap.value;
+    if (beyond_is_behind) {
+      value = sel(gap.covered, value, -gap_low);
+    } else {
+      value = sel(gap.covered, value, gap_low);
+    }
+    Bool behind = value >= 0.0f;
+    // Illinois: the end that is kept a second time loses half its weight.
+    gap_low = sel(behind && last_side == 1, gap_low * 0.5f, gap_low);
+    gap_high = sel(!behind && last_side == -1, gap_high * 0.5f, gap_high);
+    Float previous = low;
+    Float previous_gap = gap_low;
+    high = sel(behind, t, high);
+    gap_high = sel(behind, value, gap_high);
+    low = sel(behind, low, t);
+    gap_low = sel(behind, gap_low, value);
+    bracketed = bracketed || behind;
+    last_side = sel(behind, Int(1), Int(-1));
+    // Between the ends of the bracket.
+    Float span = gap_high - gap_low;
+    Float within = low + (high - low) * clamp_to(-gap_low / sel(span > 0.0f, span, Float(1.0f)), 0.0f, 1.0f);
+    // Ahead of the two last points; at most four times as far as the last step.
+    Float step = t - previous;
+    Float rise = gap_low - previous_gap;
+    Bool rising = rise > 0.0f && step > 0.0f;
+    Float ahead = sel(rising, -gap_low * step / sel(rising, rise, Float(1.0f)), step);
+    ahead = clamp_to(ahead, 0.0f, 4.0f * max_of(step, reach * 1.0e-3f));
+    t = sel(bracketed, within, low + ahead);
+  }
+  gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale, true);
+  TRACE(distance, t);
+  TRACE(gap, gap.value);
+  Hit hit;
+  hit.distance = t;
+  hit.residual = abs(gap.value);
+  hit.inside = gap.inside;
+  hit.covered = gap.covered;
+  return hit;
+}

@@ -1,0 +1,28 @@
+// What shaders get of a light besides its frames (passes/shared/light_intensity.glsl).
+#pragma once
+#include <glm/glm.hpp>
+
+#include "pipeline/scene/frame.hpp"
+
+namespace caustics {
+
+// A spot light's cone: falloff = clamp(cos(angle) * scale + offset, 0, 1)^2 (KHR_lights_punctual,
+// inner and outer cone angles); scale 0 for lights without a cone.
+struct LightCone {
+  glm::vec4 axis{0.0f};
+  glm::vec4 scale_offset{0.0f};
+};
+
+inline LightCone light_cone(const Light& light) {
+  LightCone cone;
+  cone.axis = glm::vec4(glm::vec3(light.direction), 0.0f);
+  if (light.type != LightType::Spot) return cone;
+  const double cos_outer = exact_cos(static_cast<double>(light.outer_cone));
+  const double cos_inner = exact_cos(static_cast<double>(light.inner_cone));
+  const double scale = 1.0 / (cos_inner - cos_outer > 0.001 ? cos_inner - cos_outer : 0.001);
+  cone.scale_offset =
+      glm::vec4(static_cast<float>(scale), static_cast<float>(-cos_outer * scale), 0.0f, 0.0f);
+  return cone;
+}
+
+}  // namespace caustics

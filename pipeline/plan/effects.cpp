@@ -1,0 +1,234 @@
+#include "pipeline/plan/effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/surface_role.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/frame.hpp"
+
+namespace caustics {
+
+namespace {
+
+std::string count(std::size_t n, const std::string& singular, const std::string& plural) {
+  return std::to_string(n) + " " + (n == 1 ? singular : plural);
+}
+
+// Where a mesh lies, as a sphere.
+struct Sphere {
+  glm::dvec3 centre{0.0};
+  double radius = 0.0;
+};
+
+Sphere sphere_of(const Mesh& mesh) {
+  const glm::dvec3 lower(mesh.lower), upper(mesh.upper);
+  const glm::dvec3 half = 0.5 * (upper - lower);
+  return {0.5 * (upper + lower), exact::length(half)};
+}
+
+// Does the sphere lie wholly outside the cone? Compares the sphere's radius with the distance of
+// its centre from the cone's surface.
+bool cone_misses(const Light& light, const Sphere& sphere) {
+  const glm::dvec3 to = sphere.centre - light.position;
+  const double along = exact::dot(to, light.direction);
+  const double across = std::sqrt(std::max(exact::dot(to, to) - along * along, 0.0));
+  const double cosine = exact_cos(static_cast<double>(light.outer_cone));
+  const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+  if (along < 0 && exact::dot(to, to) > sphere.radius * sphere.radius) {
+    return along < -sphere.radius || across * cosine - along * sine > sphere.radius;
+  }
+  return across * cosine - along * sine > sphere.radius;
+}
+
+// Nearest and farthest distance of a box along the light's way: metres along a directional light,
+// from the position of the others.
+struct Reach {
+  double nearest, farthest;
+};
+
+Reach reach_of(const Light& light, const Mesh& mesh) {
+  const Sphere sphere = sphere_of(mesh);
+  if (light.type != LightType::Directional) {
+    const glm::dvec3 to = sphere.centre - light.position;
+    const double distance = exact::length(to);
+    return {std::max(distance - sphere.radius, 0.0), distance + sphere.radius};
+  }
+  const glm::dvec3 half = 0.5 * (glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower));
+  const glm::dvec3& d = light.direction;
+  const double middle = exact::dot(sphere.centre, d);
+  const double extent = half.x * std::fabs(d.x) + half.y * std::fabs(d.y) + half.z * std::fabs(d.z);
+  return {middle - extent, middle + extent};
+}
+
+bool dark(const Light& light) {
+  return !(light.intensity > 0.0f) ||
+         !(std::max({light.color.x, light.color.y, light.color.z}) > 0.0f);
+}
+
+// Why no light of this kind gets from the light through the mesh onto a receiver, or nothing.
+std::string unreachable(const Scene& scene, const Light& light, const Mesh& mesh,
+                        const std::vector<SurfaceRole>& surfaces) {
+  if (dark(light)) return "the light's intensity or colour is 0";
+  const Reach caster = reach_of(light, mesh);
+  if (light.type == LightType::Spot && cone_misses(light, sphere_of(mesh))) {
+    return "the spot light's cone misses it";
+  }
+  if (light.type != LightType::Directional && caster.nearest > static_cast<double>(light.range)) {
+    return "it lies beyond the light's range of " + number_text(light.range) + " m";
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i].role != Role::Receiver && surfaces[i].role != Role::Mirror) continue;
+    any = true;
+    if (reach_of(light, scene.meshes[i]).farthest > caster.nearest) return {};
+  }
+  return any ? "no receiver lies behind it, seen from the light" : "there is no diffuse receiver";
+}
+
+std::string light_name(const Scene& scene, int index) {
+  return quoted_name("light", scene.lights[static_cast<std::size_t>(index)].name,
+                     static_cast<std::size_t>(index));
+}
+
+std::size_t count_roles(const Effects& effects, Role role) {
+  return static_cast<std::size_t>(
+      std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
+                    [&](const SurfaceRole& s) { return s.role == role; }));
+}
+
+// One expectation for each light and mesh that looks as if it threw a caustic. With IOR 1 there is
+// no focus, but the light has to be carried through, so what the plan does is the same.
+void add_expectations(const Scene& scene, const std::vector<Judgement>& judgements,
+                      Effects& effects) {
+  for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+      if (!judgements[m].looks_specular) continue;
+      Expectation e{static_cast<int>(l), static_cast<int>(m), false, judgements[m].no_caustic};
+      if (judgements[m].role.role == Role::Refractor) {
+        const Mesh& mesh = scene.meshes[m];
+        e.reason = unreachable(scene, scene.lights[l], mesh, effects.surfaces);
+        e.expected = e.reason.empty();
+        const float ior = scene.materials[static_cast<std::size_t>(mesh.material)].ior;
+        if (e.expected) {
+          e.reason = ior == 1.0f ? "IOR 1 bends nothing: its light passes, but without a focus"
+                                 : "light reaches it and a receiver lies behind it";
+        }
+      }
+      effects.expectations.push_back(std::move(e));
+    }
+  }
+}
+
+void add_light_effects(const Scene& scene, Effects& effects) {
+  const std::size_t lit = static_cast<std::size_t>(std::count_if(
+      scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !dark(light); }));
+  const std::size_t receivers = count_roles(effects, Role::Receiver);
+  const std::size_t refractors = count_roles(effects, Role::Refractor);
+  const std::string diffuse_surfaces = count(receivers, "diffuse surface", "diffuse surfaces");
+  const auto add = [&](const char* name, bool active, const std::string& reason) {
+    effects.list.push_back({name, active, reason});
+  };
+  add("light", lit > 0, lit > 0 ? count(lit, "light", "lights") : "no light shines");
+  add("receivers", receivers > 0, receivers > 0 ? diffuse_surfaces : "no surface is diffuse");
+  const bool reached = std::any_of(effects.expectations.begin(), effects.expectations.end(),
+                                   [](const Expectation& e) { return e.expected; });
+  const auto first = std::find_if(
+      effects.expectations.begin(), effects.expectations.end(), [&](const Expectation& e) {
+        return effects.surfaces[static_cast<std::size_t>(e.mesh)].role == Role::Refractor;
+      });
+  const auto caster = std::find_if(effects.surfaces.begin(), effects.surfaces.end(),
+                                   [](const auto& s) { return s.role == Role::Refractor; });
+  if (reached) {
+    add("caustics", true, caster->reason);
+  } else if (refractors == 0) {
+    add("caustics", false, "no surface is smooth, solid glass or water");
+  } else {
+    add("caustics", false,
+        first == effects.expectations.end()
+            ? "no light shines"
+            : light_name(scene, first->light) + ": " + first->reason);
+  }
+  const auto solid = std::find_if(effects.surfaces.begin(), effects.surfaces.end(),
+                                  [](const auto& s) { return s.two_interfaces; });
+  const bool exits = solid != effects.surfaces.end();
+  add("exit surface", exits, exits ? solid->reason : "no refractor has a second surface");
+  const bool occluders = receivers > 0 && lit > 0;
+  add("occluders", occluders,
+      occluders ? diffuse_surfaces + " can stand in the light's way"
+                : "nothing can shadow anything");
+  add("seen refraction", refractors > 0,
+      refractors > 0 ? count(refractors, "refractor", "refractors") + " to look through"
+                     : "no refractor to look through");
+}
+
+// What is found in the scene but not simulated yet: never active, and the reason says so.
+void add_missing_effects(const Scene& scene, const std::vector<Judgement>& judgements,
+                         Effects& effects) {
+  const auto add = [&](const char* name, std::size_t found, const std::string& what,
+                       const std::string& consequence) {
+    effects.list.push_back({name, false, found == 0 ? "none in the scene" : what + consequence});
+  };
+  const std::size_t panes = count_roles(effects, Role::ThinPane);
+  add("thin panes", panes, count(panes, "thin pane", "thin panes"),
+      ": not simulated yet; light passes through as if nothing were there");
+  const std::size_t mirrors = count_roles(effects, Role::Mirror);
+  add("mirrors", mirrors, count(mirrors, "mirror", "mirrors"),
+      ": not simulated yet; drawn as diffuse, and no light is reflected onto other surfaces");
+  std::size_t dispersing = 0, rough = 0;
+  std::string strongest;
+  for (std::size_t i = 0; i < judgements.size(); ++i) {
+    rough += judgements[i].rough ? 1 : 0;
+    const std::size_t index = static_cast<std::size_t>(scene.meshes[i].material);
+    const Material& material = scene.materials[index];
+    if (judgements[i].role.role != Role::Refractor || !(material.dispersion > 0.0f)) continue;
+    if (++dispersing > 1) continue;
+    strongest = quoted_name("material", material.name, index) + " has dispersion " +
+                number_text(material.dispersion);
+  }
+  add("dispersion", dispersing, strongest, ": not simulated yet; all colours bend alike");
+  add("rough glass", rough, count(rough, "surface", "surfaces") + " of rough glass",
+      ": not simulated yet; drawn as diffuse");
+}
+
+}  // namespace
+
+std::string_view name_of(Role role) {
+  switch (role) {
+    case Role::Receiver:
+      return "receiver";
+    case Role::Refractor:
+      return "refractor";
+    case Role::ThinPane:
+      return "thin pane";
+    case Role::Mirror:
+      return "mirror";
+  }
+  return "unknown";
+}
+
+const Effect& Effects::find(std::string_view name) const {
+  const auto found = std::find_if(list.begin(), list.end(),
+                                  [&](const Effect& effect) { return effect.name == name; });
+  if (found == list.end()) {
+    throw Error(ExitCode::InternalError, "there is no effect named '" + std::string(name) + "'");
+  }
+  return *found;
+}
+
+Effects effects_of(const Scene& scene, const Settings& settings) {
+  Effects effects;
+  std::vector<Judgement> judgements;
+  for (const Mesh& mesh : scene.meshes) {
+    judgements.push_back(
+        judge(mesh, scene.materials[static_cast<std::size_t>(mesh.material)], settings));
+    effects.surfaces.push_back(judgements.back().role);
+  }
+  add_expectations(scene, judgements, effects);
+  add_light_effects(scene, effects);
+  add_missing_effects(scene, judgements, effects);
+  return effects;
+}
+
+}  // namespace caustics

@@ -1,0 +1,302 @@
+#include "pipeline/plan/framing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/plan/ledger.hpp"
+#include "pipeline/plan/run_plan.hpp"
+#include "pipeline/plan/splat_kernel.hpp"
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics {
+
+namespace {
+
+// A perspective frame sees at most this far to the side: tan 72 degrees.
+constexpr double kWidestTangent = 3.0;
+// The coarse run that looks for landings.
+constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
+
+// Extent of something in window coordinates and along z.
+struct Extents {
+  glm::dvec2 lower{std::numeric_limits<double>::infinity()};
+  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -std::numeric_limits<double>::infinity();
+  bool empty() const { return lower.x > upper.x; }
+  void add(const glm::dvec2& window, double z) {
+    lower = glm::min(lower, window);
+    upper = glm::max(upper, window);
+    nearest = std::min(nearest, z);
+    farthest = std::max(farthest, z);
+  }
+  void add(const Extents& other) {
+    lower = glm::min(lower, other.lower);
+    upper = glm::max(upper, other.upper);
+    nearest = std::min(nearest, other.nearest);
+    farthest = std::max(farthest, other.farthest);
+  }
+};
+
+void add_point(Extents& extents, const Frame& axes, const glm::dvec3& p, double closest) {
+  glm::dvec3 q = axes.coordinates(p);
+  // What lies beside or behind a point light is seen at the widest angle.
+  if (axes.perspective && q.z < closest) q.z = closest;
+  glm::dvec2 w = axes.window(q);
+  if (axes.perspective)
+    w = glm::clamp(w, glm::dvec2(-kWidestTangent), glm::dvec2(kWidestTangent));
+  extents.add(w, q.z);
+}
+
+Extents extents_of(const Mesh& mesh, const Frame& axes, double closest) {
+  Extents extents;
+  for (const Vertex& v : mesh.vertices) add_point(extents, axes, glm::dvec3(v.position), closest);
+  return extents;
+}
+
+void set_window(Frame& frame, glm::dvec2 lower, glm::dvec2 upper, double margin) {
+  glm::dvec2 size = upper - lower;
+  const glm::dvec2 centre = 0.5 * (lower + upper);
+  // No side shorter than half the other: texels stay compact.
+  const double shortest = std::max(0.5 * std::max(size.x, size.y), 1e-9);
+  size = glm::max(size, glm::dvec2(shortest)) * (1.0 + margin);
+  frame.window_lower = centre - 0.5 * size;
+  frame.window_upper = centre + 0.5 * size;
+}
+
+void set_depth(Frame& frame, double nearest, double farthest) {
+  const double slack = 1e-3 * std::max(farthest - nearest, 1e-6 * std::fabs(farthest));
+  frame.near = nearest - slack;
+  frame.far = farthest + slack;
+  if (frame.perspective) frame.near = std::max(frame.near, frame.far * 1e-4);
+}
+
+// A flat mesh that has every other mesh on its lit side throws no shadow on anything.
+bool is_backdrop(const Scene& scene, std::size_t index, const Frame& axes) {
+  const Mesh& mesh = scene.meshes[index];
+  if (mesh.vertices.empty()) return true;
+  const glm::dvec3 point{mesh.vertices[0].position};
+  glm::dvec3 normal{mesh.vertices[0].normal};
+  const double size = std::max(bounds_of(scene).radius(), 1e-30);
+  for (const Vertex& v : mesh.vertices)
+    if (std::fabs(exact::dot(glm::dvec3(v.position) - point, normal)) > 1e-4 * size) return false;
+  const glm::dvec3 travel =
+      axes.perspective ? glm::dvec3(mesh.lower + mesh.upper) * 0.5 - axes.origin : axes.forward;
+  if (exact::dot(normal, travel) > 0.0) normal = -normal;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (i == index) continue;
+    for (const Vertex& v : scene.meshes[i].vertices)
+      if (exact::dot(glm::dvec3(v.position) - point, normal) < -1e-4 * size) return false;
+  }
+  return true;
+}
+
+struct LightExtents {
+  Frame axes;
+  Extents casters, receivers, occluders, everything;
+};
+
+LightExtents measure(const Scene& scene, const Effects& effects, const Light& light) {
+  LightExtents result;
+  const Bounds bounds = bounds_of(scene);
+  Bounds casters;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    if (effects.surfaces[i].role == Role::Refractor) casters.add(bounds_of(scene.meshes[i]));
+  const double radius = std::max(bounds.radius(), 1e-9);
+  double closest = 0.0;
+  if (light.type == LightType::Directional) {
+    result.axes = frame_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
+  } else {
+    const glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
+    result.axes = frame_along(light.position,
+                              exact::normalise(target - light.position, light.direction));
+    result.axes.perspective = true;
+    closest = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
+  }
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
+    result.everything.add(extents);
+    if (effects.surfaces[i].role == Role::Refractor) {
+      result.casters.add(extents);
+    } else if (effects.surfaces[i].role != Role::ThinPane) {
+      result.receivers.add(extents);
+      if (!is_backdrop(scene, i, result.axes)) result.occluders.add(extents);
+    }
+  }
+  return result;
+}
+
+// The frames before anything is known of the landings: the receiver map sees everything.
+LightFrames widest_frames(const LightExtents& extents, int grid) {
+  LightFrames frames{extents.axes, extents.axes, extents.axes, extents.axes};
+  const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
+  if (!shadow.empty()) {
+    set_window(frames.shadow, shadow.lower, shadow.upper, 0.01);
+    set_depth(frames.shadow, extents.everything.nearest, extents.everything.farthest);
+  }
+  if (extents.casters.empty()) return frames;
+  set_window(frames.caster, extents.casters.lower, extents.casters.upper, 4.0 / grid);
+  set_depth(frames.caster, extents.everything.nearest, extents.casters.farthest);
+  Extents all = extents.casters;
+  if (!extents.receivers.empty()) all.add(extents.receivers);
+  set_window(frames.receiver, all.lower, all.upper, 0.01);
+  set_depth(frames.receiver, extents.casters.nearest, all.farthest);
+  frames.caustic = frames.receiver;
+  return frames;
+}
+
+struct WeightedPoint {
+  glm::dvec2 window;
+  double weight = 0.0;
+};
+
+std::vector<WeightedPoint> landings(const Image& landing, const Image& flux, const Frame& frame) {
+  std::vector<WeightedPoint> points;
+  for (int y = 0; y < landing.height(); ++y)
+    for (int x = 0; x < landing.width(); ++x) {
+      if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
+      const glm::dvec3 p{landing.at(x, y, 0), landing.at(x, y, 1), landing.at(x, y, 2)};
+      points.push_back({frame.window(frame.coordinates(p)),
+                        static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1),
+                                                      flux.at(x, y, 2)}))});
+    }
+  return points;
+}
+
+// The range along one axis that leaves out at most `share` of the weight at each end. The whole range
+// where it is hardly wider.
+glm::dvec2 weighted_range(std::vector<WeightedPoint>& points, int axis, double share) {
+  std::sort(points.begin(), points.end(), [axis](const WeightedPoint& a, const WeightedPoint& b) {
+    if (a.window[axis] != b.window[axis]) return a.window[axis] < b.window[axis];
+    return a.weight < b.weight;
+  });
+  double total = 0.0;
+  for (const WeightedPoint& p : points) total += p.weight;
+  std::size_t first = 0, last = points.size() - 1;
+  for (double sum = points[first].weight; first < last && sum < share * total;)
+    sum += points[++first].weight;
+  for (double sum = points[last].weight; last > first && sum < share * total;)
+    sum += points[--last].weight;
+  const glm::dvec2 whole{points.front().window[axis], points.back().window[axis]};
+  const glm::dvec2 cut{points[first].window[axis], points[last].window[axis]};
+  return whole.y - whole.x < 1.2 * (cut.y - cut.x) ? whole : cut;
+}
+
+// Draws the caustic frame in to the landings, and the receiver frame to them and the casters.
+void fit_to_landings(LightFrames& frames, std::vector<WeightedPoint> points, const Settings& settings, double margin) {
+  if (points.empty()) return;
+  const glm::dvec2 x = weighted_range(points, 0, 0.25 * settings.outside_share);
+  const glm::dvec2 y = weighted_range(points, 1, 0.25 * settings.outside_share);
+  set_window(frames.caustic, {x.x, y.x}, {x.y, y.y}, margin);
+  frames.receiver.window_lower =
+      glm::min(frames.caustic.window_lower, frames.caster.window_lower);
+  frames.receiver.window_upper =
+      glm::max(frames.caustic.window_upper, frames.caster.window_upper);
+}
+
+// Runs the passes that lead to the landings on small maps.
+class LandingScout {
+ public:
+  LandingScout(const SceneOnDevice& scene, const Effects& effects, const Settings& settings,
+               const Registry& registry)
+      : scene_(scene), effects_(effects), registry_(registry), settings_(settings) {
+    settings_.grid = std::min(settings.grid, kCoarseGrid);
+    settings_.map = std::min(settings.map, kCoarseMap);
+    settings_.iterations = std::max(settings.iterations, kCoarseIterations);
+    settings_.estimator = Estimator::Secant;
+    plan_ = make_plan(scene.scene(), effects, settings_, registry,
+                      {.textures = {kLanding, kLandingFlux}});
+  }
+
+  bool finds_anything(int light) const { return plan_.find(light_texture(kLanding, light)) >= 0; }
+
+  void run(const std::vector<LightFrames>& frames) {
+    targets_ = std::make_unique<FrameTargets>(plan_, scene_.device());
+    run_plan(plan_, registry_, scene_, *targets_,
+             {.settings = &settings_, .effects = &effects_, .frames = &frames, .view = {}});
+  }
+
+  std::vector<WeightedPoint> found(int light, const Frame& frame) const {
+    const auto image = [&](const char* name) {
+      return scene_.device().read_back((*targets_)[plan_.find(light_texture(name, light))]);
+    };
+    return landings(image(kLanding), image(kLandingFlux), frame);
+  }
+
+ private:
+  const SceneOnDevice& scene_;
+  const Effects& effects_;
+  const Registry& registry_;
+  Settings settings_;
+  FramePlan plan_;
+  std::unique_ptr<FrameTargets> targets_;
+};
+
+}  // namespace
+
+std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effects& effects,
+                                          const Settings& settings, const Registry& registry) {
+  std::vector<LightExtents> extents;
+  std::vector<LightFrames> frames;
+  for (const Light& light : scene.scene().lights) {
+    extents.push_back(measure(scene.scene(), effects, light));
+    frames.push_back(widest_frames(extents.back(), settings.grid));
+  }
+  if (settings.shared_frames) {
+    for (LightFrames& f : frames) {
+      f.caustic.window_lower = f.receiver.window_lower = f.caster.window_lower;
+      f.caustic.window_upper = f.receiver.window_upper = f.caster.window_upper;
+    }
+    return frames;
+  }
+  LandingScout scout(scene, effects, settings, registry);
+  const double kernel_texels = splat_kernel(settings).radius + 2.0;
+  // First with everything in view, then again with the maps drawn in, for finer receivers.
+  for (const double margin : {0.5, 0.03 + 2.0 * kernel_texels / settings.map}) {
+    bool any = false;
+    for (int i = 0; i < static_cast<int>(frames.size()); ++i) any |= scout.finds_anything(i);
+    if (!any) break;
+    scout.run(frames);
+    for (int i = 0; i < static_cast<int>(frames.size()); ++i) {
+      if (!scout.finds_anything(i)) continue;
+      LightFrames& f = frames[static_cast<std::size_t>(i)];
+      fit_to_landings(f, scout.found(i, f.caustic), settings, margin);
+    }
+  }
+  return frames;
+}
+
+float exposure_of(const Scene& scene, const Settings& settings) {
+  double brightest = 0.0;
+  const Bounds bounds = bounds_of(scene);
+  const glm::dvec3 centre = bounds.empty() ? glm::dvec3(0.0) : bounds.centre();
+  for (const Light& light : scene.lights) {
+    const double color = static_cast<double>(
+        std::max({light.color.x, light.color.y, light.color.z}));
+    double illuminance = static_cast<double>(light.intensity) * color;
+    if (light.type != LightType::Directional) {
+      const glm::dvec3 d = centre - light.position;
+      illuminance /= std::max(exact::dot(d, d), 1e-12);
+    }
+    brightest = std::max(brightest, illuminance);
+  }
+  const glm::vec3 horizon = scene.environment.horizon;
+  const double sky =
+      exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
+  const double white = std::max(brightest, sky) / exact::kPi;
+  double exposure = white > 0.0 ? 0.8 / white : 1.0;
+  const double ev = settings.exposure ? static_cast<double>(*settings.exposure) : 0.0;
+  // 2^ev by whole steps and a series for the rest.
+  double whole = std::floor(ev);
+  const double rest = (ev - whole) * 0.69314718055994530942;
+  double power = 1.0;
+  for (int n = 16; n >= 1; --n) power = 1.0 + power * rest / n;
+  for (; whole > 0.5; whole -= 1.0) power *= 2.0;
+  for (; whole < -0.5; whole += 1.0) power *= 0.5;
+  exposure *= power;
+  return static_cast<float>(std::clamp(exposure, 1e-30, 1e30));
+}
+
+}  // namespace caustics

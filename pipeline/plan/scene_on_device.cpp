@@ -1,0 +1,91 @@
+#include "pipeline/plan/scene_on_device.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics {
+
+namespace {
+
+MeshData mesh_data(const Mesh& mesh) {
+  MeshData data;
+  data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}};
+  data.vertices.reserve(mesh.vertices.size() * 12);
+  for (const Vertex& v : mesh.vertices) {
+    for (int i = 0; i < 3; ++i) data.vertices.push_back(v.position[i]);
+    for (int i = 0; i < 3; ++i) data.vertices.push_back(v.normal[i]);
+    for (int i = 0; i < 4; ++i) data.vertices.push_back(v.tangent[i]);
+    for (int i = 0; i < 2; ++i) data.vertices.push_back(v.uv[i]);
+  }
+  data.indices = mesh.indices;
+  return data;
+}
+
+}  // namespace
+
+glm::vec3 absorption_of(const Material& material) {
+  glm::vec3 absorption{0.0f};
+  const double distance = static_cast<double>(material.attenuation_distance);
+  if (!std::isfinite(distance)) return absorption;
+  for (int i = 0; i < 3; ++i) {
+    const double color = static_cast<double>(material.attenuation_color[i]);
+    const double per_distance = color > 0.0 ? -exact::log(color) : 1e9;
+    absorption[i] =
+        static_cast<float>(std::min(per_distance / std::max(distance, 1e-12), 1e30));
+  }
+  return absorption;
+}
+
+SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
+    : scene_(scene), device_(device) {
+  for (const Mesh& mesh : scene.meshes) meshes_.push_back(device.create_mesh(mesh_data(mesh)));
+  for (const Image& image : scene.images) images_.push_back(device.upload(image));
+  upload_caster_materials(effects);
+  if (scene.environment.image)
+    externals_[kEnvironment] = device.upload(*scene.environment.image);
+}
+
+SceneOnDevice::~SceneOnDevice() {
+  for (const MeshId mesh : meshes_) device_.destroy(mesh);
+  for (const TextureId image : images_) device_.destroy(image);
+  for (const auto& [name, texture] : externals_) device_.destroy(texture);
+}
+
+TextureId SceneOnDevice::image(int index) const {
+  return index < 0 ? TextureId::None : images_[static_cast<std::size_t>(index)];
+}
+
+TextureId SceneOnDevice::external(const std::string& name) const {
+  const auto found = externals_.find(name);
+  return found == externals_.end() ? TextureId::None : found->second;
+}
+
+void SceneOnDevice::upload_caster_materials(const Effects& effects) {
+  // One row for each distinct pair of material and number of interfaces.
+  std::map<std::pair<int, bool>, int> row_of;
+  for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+    const SurfaceRole& role = effects.surfaces[i];
+    int row = 0;
+    if (role.role == Role::Refractor)
+      row = row_of.try_emplace({scene_.meshes[i].material, role.two_interfaces},
+                               static_cast<int>(row_of.size()))
+                .first->second;
+    rows_.push_back(row);
+  }
+  Image table(Format::RGBA32F, 3, std::max(1, static_cast<int>(row_of.size())));
+  for (const auto& [key, row] : row_of) {
+    const Material& material = scene_.materials[static_cast<std::size_t>(key.first)];
+    const glm::vec3 absorption = absorption_of(material);
+    const float texels[3][4] = {
+        {material.ior, material.ior, material.ior, 0.0f},
+        {absorption.x, absorption.y, absorption.z, key.second ? 1.0f : 0.0f},
+        {material.base_color.x, material.base_color.y, material.base_color.z, 0.0f}};
+    for (int x = 0; x < 3; ++x)
+      for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
+  }
+  externals_[kCasterMaterials] = device_.upload(table);
+}
+
+}  // namespace caustics

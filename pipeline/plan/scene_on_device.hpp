@@ -1,0 +1,44 @@
+// A scene's meshes, material textures and tables on a device.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/device.hpp"
+#include "pipeline/plan/pass.hpp"
+
+namespace caustics {
+
+// Uploads on construction, releases on destruction; the scene and the device must outlive it.
+// Meshes carry the attributes "position" 3, "normal" 3, "tangent" 4, "uv" 2.
+class SceneOnDevice {
+ public:
+  SceneOnDevice(const Scene& scene, const Effects& effects, Device& device);
+  ~SceneOnDevice();
+  SceneOnDevice(const SceneOnDevice&) = delete;
+  SceneOnDevice& operator=(const SceneOnDevice&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  Device& device() const { return device_; }
+  MeshId mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
+  TextureId image(int index) const;                   // None for index -1
+  TextureId external(const std::string& name) const;  // kCasterMaterials, kEnvironment, or None
+  // The row of a caster's material in kCasterMaterials; 0 for meshes that are no casters.
+  int material_row(int mesh) const { return rows_[static_cast<std::size_t>(mesh)]; }
+
+ private:
+  void upload_caster_materials(const Effects& effects);
+
+  const Scene& scene_;
+  Device& device_;
+  std::vector<MeshId> meshes_;
+  std::vector<TextureId> images_;
+  std::vector<int> rows_;
+  std::map<std::string, TextureId> externals_;
+};
+
+// Absorption per metre and channel of a volume: -ln(attenuation colour) / attenuation distance
+// (KHR_materials_volume). A colour of 0 absorbs everything within a billionth of the distance.
+glm::vec3 absorption_of(const Material& material);
+
+}  // namespace caustics

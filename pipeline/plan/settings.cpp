@@ -1,0 +1,165 @@
+#include "pipeline/plan/settings.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/nearest.hpp"
+
+namespace caustics {
+
+namespace {
+
+// Named choices: the texts that the command line takes, in the order of the enumerations.
+constexpr std::string_view kEstimators[] = {"paper", "secant"};
+constexpr std::string_view kSplats[] = {"point", "gaussian"};
+constexpr std::string_view kWeights[] = {"physical", "paper"};
+constexpr std::string_view kInterfaces[] = {"auto", "1", "2"};
+constexpr std::string_view kFrames[] = {"fitted", "shared"};
+constexpr std::string_view kYesNo[] = {"no", "yes"};
+
+struct Key {
+  std::string_view name;
+  std::string_view range;
+  std::string_view meaning;
+  bool (*set)(Settings&, std::string_view value);  // false when the value is out of range
+};
+
+// The whole text must be a finite number within the range; nothing is rounded or cut off silently.
+template <class T>
+bool number(std::string_view text, T least, T most, T& result) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return false;
+  if (!(value >= least && value <= most)) return false;
+  result = value;
+  return true;
+}
+
+template <class T, std::size_t N>
+bool choice(std::string_view text, const std::string_view (&names)[N], T& result) {
+  const auto found = std::find(std::begin(names), std::end(names), text);
+  if (found == std::end(names)) return false;
+  result = static_cast<T>(found - std::begin(names));
+  return true;
+}
+
+bool exposure(Settings& s, std::string_view value) {
+  float ev = 0.0f;
+  if (value == "auto") return s.exposure.reset(), true;
+  if (!number(value, -40.0f, 40.0f, ev)) return false;
+  s.exposure = ev;
+  return true;
+}
+
+using Value = std::string_view;
+
+// Every key of -D. The command line's own options are short forms of these.
+constexpr Key kKeys[] = {
+    {"width", "1..16384 pixels, default 1280", "width of the picture",
+     [](Settings& s, Value v) { return number(v, 1, kMaxPicture, s.width); }},
+    {"height", "1..16384 pixels, default 720", "height of the picture",
+     [](Settings& s, Value v) { return number(v, 1, kMaxPicture, s.height); }},
+    {"grid", "1..8192, default 512", "grid vertices a side, each one ray from the light",
+     [](Settings& s, Value v) { return number(v, 1, kMaxGrid, s.grid); }},
+    {"map", "1..8192 texels, default 512", "side of the caustic map and of the receiver map",
+     [](Settings& s, Value v) { return number(v, 1, kMaxMap, s.map); }},
+    {"shadow", "1..8192 texels, default 2048", "side of the shadow map",
+     [](Settings& s, Value v) { return number(v, 1, kMaxMap, s.shadow); }},
+    {"iterations", "1..1000, default 5", "steps of the estimator at each surface",
+     [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
+    {"estimator", "paper|secant, default secant", "what finds where a ray lands",
+     [](Settings& s, Value v) { return choice(v, kEstimators, s.estimator); }},
+    {"splat", "point|gaussian, default gaussian", "how a landing becomes light in the map",
+     [](Settings& s, Value v) { return choice(v, kSplats, s.splat); }},
+    {"splat.sigma", "0.1..4 texels, default 0.7", "width of the gaussian splat",
+     [](Settings& s, Value v) { return number(v, 0.1f, 4.0f, s.gaussian_sigma); }},
+    {"interfaces", "auto|1|2, default auto", "surfaces that bend light; auto: 2 for closed meshes",
+     [](Settings& s, Value v) { return choice(v, kInterfaces, s.interfaces); }},
+    {"weights", "physical|paper, default physical", "flux of a ray: physical, or equation 6",
+     [](Settings& s, Value v) { return choice(v, kWeights, s.weights); }},
+    {"frames", "fitted|shared, default fitted", "shared: the maps keep the caster map's window",
+     [](Settings& s, Value v) { return choice(v, kFrames, s.shared_frames); }},
+    {"outside_share", "0..0.5, default 0.001", "share of the flux that may fall outside the map",
+     [](Settings& s, Value v) { return number(v, 0.0, 0.5, s.outside_share); }},
+    {"assume_solid", "no|yes, default no", "glass without a volume is solid instead of thin",
+     [](Settings& s, Value v) { return choice(v, kYesNo, s.assume_solid); }},
+    {"exposure", "auto or -40..40 EV, default auto", "exposure of the picture",
+     [](Settings& s, Value v) { return exposure(s, v); }},
+    {"camera", "a name or a number, default the first", "the camera of the picture",
+     [](Settings& s, Value v) { return s.camera = v, true; }},
+    {"mirror.metallic", "0..1, default 0.5", "at least this metallic is a mirror",
+     [](Settings& s, Value v) { return number(v, 0.0f, 1.0f, s.mirror_metallic); }},
+    {"mirror.roughness", "0..1, default 0.2", "rougher metal is no mirror",
+     [](Settings& s, Value v) { return number(v, 0.0f, 1.0f, s.mirror_roughness); }},
+    {"glass.roughness", "0..1, default 0.2", "rougher glass throws no caustic",
+     [](Settings& s, Value v) { return number(v, 0.0f, 1.0f, s.glass_roughness); }},
+};
+
+// User text inside a one-line message: cut where it is long, control characters replaced.
+std::string quoted(std::string_view text) {
+  std::string result = "'" + std::string(text.substr(0, 60)) + (text.size() > 60 ? "...'" : "'");
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return result;
+}
+
+void check_range(std::string_view name, int value, int most) {
+  if (value >= 1 && value <= most) return;
+  throw Error(ExitCode::WrongUsage, std::string(name) + " is " + std::to_string(value) +
+                                        ", must be 1.." + std::to_string(most));
+}
+
+}  // namespace
+
+void set_option(Settings& settings, std::string_view key, std::string_view value) {
+  const auto found =
+      std::find_if(std::begin(kKeys), std::end(kKeys), [&](const Key& k) { return k.name == key; });
+  if (found == std::end(kKeys)) {
+    std::vector<std::string> names;
+    for (const Key& k : kKeys) names.emplace_back(k.name);
+    throw Error(ExitCode::WrongUsage, "unknown key " + quoted(key) + ", did you mean '" +
+                                          nearest_name(key, names) + "'?");
+  }
+  if (!found->set(settings, value)) {
+    throw Error(ExitCode::WrongUsage, std::string(key) + " cannot be " + quoted(value) + ": " +
+                                          std::string(found->range));
+  }
+}
+
+std::vector<std::string> setting_keys() {
+  std::size_t name_width = 0, range_width = 0;
+  for (const Key& key : kKeys) {
+    name_width = std::max(name_width, key.name.size());
+    range_width = std::max(range_width, key.range.size());
+  }
+  std::vector<std::string> lines;
+  for (const Key& key : kKeys) {
+    std::string line(key.name);
+    line.resize(name_width + 2, ' ');
+    line += key.range;
+    line.resize(name_width + 2 + range_width + 2, ' ');
+    lines.push_back(line + std::string(key.meaning));
+  }
+  return lines;
+}
+
+void check(const Settings& settings) {
+  check_range("width", settings.width, kMaxPicture);
+  check_range("height", settings.height, kMaxPicture);
+  check_range("grid", settings.grid, kMaxGrid);
+  check_range("map", settings.map, kMaxMap);
+  check_range("shadow", settings.shadow, kMaxMap);
+  check_range("iterations", settings.iterations, kMaxIterations);
+}
+
+std::string_view name_of(Estimator estimator) { return kEstimators[static_cast<int>(estimator)]; }
+std::string_view name_of(Splat splat) { return kSplats[static_cast<int>(splat)]; }
+std::string_view name_of(Weights weights) { return kWeights[static_cast<int>(weights)]; }
+std::string_view name_of(Interfaces interfaces) {
+  return kInterfaces[static_cast<int>(interfaces)];
+}
+
+}  // namespace caustics

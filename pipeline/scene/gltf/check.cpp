@@ -1,0 +1,173 @@
+#include "pipeline/scene/gltf/check.hpp"
+
+#include <limits>
+
+namespace caustics::gltf {
+
+namespace {
+
+constexpr std::int64_t kMostBytes = std::int64_t{1} << 53;
+const char* kFix = "export the file again or correct it by hand";
+
+struct Counts {
+  std::size_t buffers, views, accessors, meshes, nodes, materials, cameras, textures, images;
+};
+
+Counts count(const Cursor& root) {
+  return {root.member("buffers").size(),   root.member("bufferViews").size(),
+          root.member("accessors").size(), root.member("meshes").size(),
+          root.member("nodes").size(),     root.member("materials").size(),
+          root.member("cameras").size(),   root.member("textures").size(),
+          root.member("images").size()};
+}
+
+std::int64_t component_size(const Cursor& type) {
+  switch (type.integer(0, 65535)) {
+    case 5120: case 5121: return 1;
+    case 5122: case 5123: return 2;
+    case 5125: case 5126: return 4;
+    default: type.fail("is not a component type of glTF 2.0", kFix);
+  }
+}
+
+std::int64_t component_count(const Cursor& type) {
+  const std::string name = type.string();
+  if (name == "SCALAR") return 1;
+  if (name == "VEC2") return 2;
+  if (name == "VEC3") return 3;
+  if (name == "VEC4" || name == "MAT2") return 4;
+  if (name == "MAT3") return 9;
+  if (name == "MAT4") return 16;
+  type.fail("is not an accessor type of glTF 2.0: " + name, kFix);
+}
+
+std::int64_t length_of(const Cursor& object) {
+  return object.member("byteLength").integer(1, kMostBytes);
+}
+std::int64_t offset_of(const Cursor& object) {
+  return object.member("byteOffset").integer(0, kMostBytes, 0);
+}
+
+void check_view(const Cursor& root, const Cursor& view, const Counts& counts) {
+  const int buffer = view.member("buffer").index("buffers", counts.buffers);
+  const std::int64_t room =
+      length_of(root.member("buffers").element(static_cast<std::size_t>(buffer)));
+  const std::int64_t offset = offset_of(view), length = length_of(view);
+  view.member("byteStride").integer(4, 252, 4);
+  if (offset > room || length > room - offset) {
+    view.fail("ends at byte " + std::to_string(offset + length) + ", but buffers[" +
+                  std::to_string(buffer) + "] has " + std::to_string(room), kFix);
+  }
+}
+
+// `count` elements of `size` bytes at a stride, from `offset` on, must lie inside the view.
+void check_extent(const Cursor& root, const Cursor& place, const Counts& counts,
+                  std::int64_t elements, std::int64_t size, bool may_be_strided) {
+  const int index = place.member("bufferView").index("bufferViews", counts.views);
+  const Cursor view = root.member("bufferViews").element(static_cast<std::size_t>(index));
+  const Cursor step = view.member("byteStride");
+  const std::int64_t stride = may_be_strided ? step.integer(4, 252, size) : size;
+  if (stride < size) {
+    step.fail("is " + std::to_string(stride) + ", less than the " + std::to_string(size) +
+                  " bytes of an element of " + place.path(), kFix);
+  }
+  const std::int64_t room = length_of(view), offset = offset_of(place);
+  // Divided instead of multiplied: no product of two numbers from the file can overflow.
+  const bool fits = offset <= room && size <= room - offset &&
+                    (elements - 1) <= (room - offset - size) / stride;
+  if (!fits) {
+    place.fail("its " + std::to_string(elements) + " elements reach beyond the " +
+                   std::to_string(room) + " bytes of bufferViews[" + std::to_string(index) + "]",
+               kFix);
+  }
+}
+
+void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts,
+                  std::int64_t elements, std::int64_t element_size) {
+  const std::int64_t changed = sparse.member("count").integer(1, elements);
+  const Cursor indices = sparse.member("indices");
+  const Cursor type = indices.member("componentType");
+  const std::int64_t size = component_size(type);
+  const std::int64_t code = type.integer(0, 65535);
+  if (code != 5121 && code != 5123 && code != 5125) type.fail("must be an unsigned type", kFix);
+  check_extent(root, indices, counts, changed, size, false);
+  check_extent(root, sparse.member("values"), counts, changed, element_size, false);
+}
+
+void check_accessor(const Cursor& root, const Cursor& accessor, const Counts& counts) {
+  const std::int64_t size = component_size(accessor.member("componentType")) *
+                            component_count(accessor.member("type"));
+  const auto most = static_cast<std::int64_t>(
+      std::min<std::uint64_t>(accessor.context().options().max_vertices * 3,
+                              std::numeric_limits<std::int32_t>::max()));
+  const std::int64_t elements = accessor.member("count").integer(1, most);
+  accessor.member("normalized").boolean(false);
+  offset_of(accessor);
+  if (accessor.member("bufferView").present()) {
+    check_extent(root, accessor, counts, elements, size, true);
+  }
+  const Cursor sparse = accessor.member("sparse");
+  if (sparse.present()) check_sparse(root, sparse, counts, elements, size);
+}
+
+void check_primitive(const Cursor& primitive, const Counts& counts) {
+  const Cursor attributes = primitive.member("attributes");
+  for (const std::string& name : attributes.keys()) {
+    attributes.member(name).index("accessors", counts.accessors);
+  }
+  primitive.member("indices").optional_index("accessors", counts.accessors);
+  primitive.member("material").optional_index("materials", counts.materials);
+  primitive.member("mode").integer(0, 6, 4);
+}
+
+void check_node(const Cursor& node, const Counts& counts) {
+  const Cursor children = node.member("children");
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    children.element(i).index("nodes", counts.nodes);
+  }
+  node.member("mesh").optional_index("meshes", counts.meshes);
+  node.member("camera").optional_index("cameras", counts.cameras);
+  node.member("matrix").numbers(16);
+  node.member("translation").numbers(3);
+  node.member("rotation").numbers(4);
+  node.member("scale").numbers(3);
+  node.member("name").string("");
+}
+
+template <typename Check>
+void check_each(const Cursor& array, const Check& check) {
+  const std::size_t size = array.size();
+  for (std::size_t i = 0; i < size; ++i) check(array.element(i));
+}
+
+}  // namespace
+
+void check_structure(const Context& context, const Document& document) {
+  const Cursor root = document.root(context);
+  const Counts counts = count(root);
+  check_each(root.member("buffers"), [](const Cursor& buffer) { length_of(buffer); });
+  check_each(root.member("bufferViews"),
+             [&](const Cursor& view) { check_view(root, view, counts); });
+  check_each(root.member("accessors"),
+             [&](const Cursor& accessor) { check_accessor(root, accessor, counts); });
+  check_each(root.member("meshes"), [&](const Cursor& mesh) {
+    mesh.member("name").string("");
+    check_each(mesh.member("primitives"),
+               [&](const Cursor& primitive) { check_primitive(primitive, counts); });
+  });
+  check_each(root.member("nodes"), [&](const Cursor& node) { check_node(node, counts); });
+  check_each(root.member("scenes"), [&](const Cursor& scene) {
+    check_each(scene.member("nodes"),
+               [&](const Cursor& node) { node.index("nodes", counts.nodes); });
+  });
+  check_each(root.member("textures"), [&](const Cursor& texture) {
+    texture.member("source").optional_index("images", counts.images);
+  });
+  check_each(root.member("images"), [&](const Cursor& image) {
+    image.member("uri").string("");
+    image.member("bufferView").optional_index("bufferViews", counts.views);
+  });
+  root.member("scene").optional_index("scenes", root.member("scenes").size());
+}
+
+}  // namespace caustics::gltf

@@ -1,0 +1,17 @@
+// Checks the structure of a glTF document before anything is built from it: versions, required
+// extensions, types, ranges, references, and that every accessor lies inside its view and buffer.
+//
+// What passes can be read without further bounds checks, except the values that accessors hold.
+// Source: glTF 2.0 section 5 (properties reference).
+#pragma once
+#include "pipeline/scene/gltf/container.hpp"
+
+namespace caustics::gltf {
+
+// asset.version, extensionsRequired (fails on what we lack), extensionsUsed (notes what is ignored).
+void check_extensions(Context& context, const Document& document);
+
+// Buffer views, accessors, meshes, nodes, scenes, textures and images.
+void check_structure(const Context& context, const Document& document);
+
+}  // namespace caustics::gltf

@@ -1,0 +1,117 @@
+#include "pipeline/scene/gltf/cursor.hpp"
+
+namespace caustics::gltf {
+
+namespace {
+
+const char* kFix = "export the file again or correct it by hand";
+
+std::string type_of(const Json& value) {
+  if (value.is_string()) return "the string \"" + printable(value.get<std::string>(), 40) + "\"";
+  return value.is_array() ? "an array" : value.is_object() ? "an object" : printable(value.dump(), 40);
+}
+
+}  // namespace
+
+void Cursor::require() const {
+  if (!value_) fail("is missing", kFix);
+}
+
+Cursor Cursor::member(const char* key) const {
+  std::string path = path_.empty() ? key : path_ + "." + key;
+  if (!value_) return {*context_, nullptr, std::move(path)};
+  if (!value_->is_object()) fail("must be an object, is " + type_of(*value_), kFix);
+  const auto found = value_->find(key);
+  return {*context_, found == value_->end() ? nullptr : &*found, std::move(path)};
+}
+
+std::vector<std::string> Cursor::keys() const {
+  std::vector<std::string> names;
+  if (!value_) return names;
+  if (!value_->is_object()) fail("must be an object, is " + type_of(*value_), kFix);
+  for (const auto& item : value_->items()) names.push_back(item.key());
+  return names;
+}
+
+std::size_t Cursor::size() const {
+  if (!value_) return 0;
+  if (!value_->is_array()) fail("must be an array, is " + type_of(*value_), kFix);
+  return value_->size();
+}
+
+Cursor Cursor::element(std::size_t i) const {
+  std::string path = path_ + "[" + std::to_string(i) + "]";
+  const bool there = i < size();
+  return {*context_, there ? &(*value_)[i] : nullptr, std::move(path)};
+}
+
+double Cursor::number() const {
+  require();
+  if (!value_->is_number()) fail("must be a number, is " + type_of(*value_), kFix);
+  return value_->get<double>();
+}
+
+double Cursor::number(double fallback) const { return value_ ? number() : fallback; }
+
+std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest) const {
+  require();
+  if (!value_->is_number()) fail("must be an integer, is " + type_of(*value_), kFix);
+  // Compared as double first: what does not fit an integer fails here and is never converted.
+  const double value = value_->get<double>();
+  if (!(value >= static_cast<double>(lowest) && value <= static_cast<double>(highest))) {
+    fail("must be from " + std::to_string(lowest) + " to " + std::to_string(highest) + ", is " +
+             printable(value_->dump(), 40), kFix);
+  }
+  const auto whole = static_cast<std::int64_t>(value);
+  if (static_cast<double>(whole) != value) fail("must be an integer, is " + value_->dump(), kFix);
+  return whole;
+}
+
+std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest,
+                             std::int64_t fallback) const {
+  return value_ ? integer(lowest, highest) : fallback;
+}
+
+int Cursor::index(const char* array, std::size_t count) const {
+  require();
+  if (!value_->is_number()) fail("must be an index, is " + type_of(*value_), kFix);
+  const double value = value_->get<double>();
+  if (!(value >= 0 && value < static_cast<double>(count))) {
+    fail("refers to " + std::string(array) + "[" + printable(value_->dump(), 40) + "], but there " +
+             (count == 1 ? "is 1" : "are " + std::to_string(count)), kFix);
+  }
+  return static_cast<int>(integer(0, static_cast<std::int64_t>(count) - 1));
+}
+
+std::optional<int> Cursor::optional_index(const char* array, std::size_t count) const {
+  if (!value_) return std::nullopt;
+  return index(array, count);
+}
+
+bool Cursor::boolean(bool fallback) const {
+  if (!value_) return fallback;
+  if (!value_->is_boolean()) fail("must be true or false, is " + type_of(*value_), kFix);
+  return value_->get<bool>();
+}
+
+std::string Cursor::string() const {
+  require();
+  if (!value_->is_string()) fail("must be a string, is " + type_of(*value_), kFix);
+  return value_->get<std::string>();
+}
+
+std::string Cursor::string(const std::string& fallback) const {
+  return value_ ? string() : fallback;
+}
+
+std::vector<double> Cursor::numbers(std::size_t count) const {
+  std::vector<double> values;
+  if (!value_) return values;
+  if (size() != count) {
+    fail("must have " + std::to_string(count) + " numbers, has " + std::to_string(size()), kFix);
+  }
+  for (std::size_t i = 0; i < count; ++i) values.push_back(element(i).number());
+  return values;
+}
+
+}  // namespace caustics::gltf

@@ -1,0 +1,231 @@
+#include "pipeline/scene/gltf/primitive.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "pipeline/scene/gltf/accessor.hpp"
+
+namespace caustics::gltf {
+
+namespace {
+
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+const char* kFix = "export the file again";
+
+// The accessor of an attribute, or none. Its type must be the one that glTF prescribes.
+std::optional<Accessor> attribute(const Context& context, const tinygltf::Model& model,
+                                  const tinygltf::Primitive& primitive, const std::string& name,
+                                  int components) {
+  const auto found = primitive.attributes.find(name);
+  if (found == primitive.attributes.end()) return std::nullopt;
+  Accessor accessor(context, model, found->second);
+  const bool is_uint = accessor.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  if (accessor.components() != components || is_uint) {
+    context.fail(accessor.path(), "has the wrong type for " + name, kFix);
+  }
+  return accessor;
+}
+
+// Checked indices of a primitive, 0, 1, 2, ... where it has none.
+std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::Model& model,
+                                        const tinygltf::Primitive& primitive,
+                                        std::size_t vertices) {
+  std::vector<std::uint32_t> indices;
+  if (primitive.indices < 0) {
+    for (std::size_t i = 0; i < vertices; ++i) indices.push_back(static_cast<std::uint32_t>(i));
+    return indices;
+  }
+  const Accessor accessor(context, model, primitive.indices);
+  const int type = accessor.component_type();
+  if (accessor.components() != 1 ||
+      (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+    context.fail(accessor.path(), "indices must be unsigned scalars", kFix);
+  }
+  const std::uint32_t restart = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xFFu
+                                : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 0xFFFFu
+                                                                                 : 0xFFFFFFFFu;
+  indices.reserve(accessor.size());
+  for (std::size_t i = 0; i < accessor.size(); ++i) {
+    const std::uint32_t value = accessor.unsigned_value(i);
+    if (value == restart || value >= vertices) {
+      context.fail(accessor.path(),
+                   "index " + std::to_string(i) + " is " + std::to_string(value) +
+                       (value == restart ? ", the primitive restart value, which glTF forbids"
+                                         : ", but there are " + std::to_string(vertices) +
+                                               " vertices"), kFix);
+    }
+    indices.push_back(value);
+  }
+  return indices;
+}
+
+// Triangles as glTF 2.0 section 3.7.2.1 winds them.
+std::vector<std::array<std::uint32_t, 3>> assemble(const std::vector<std::uint32_t>& index,
+                                                   int mode) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  if (index.size() < 3) return triangles;
+  if (mode == TINYGLTF_MODE_TRIANGLES) {
+    for (std::size_t i = 0; i + 2 < index.size(); i += 3) {
+      triangles.push_back({index[i], index[i + 1], index[i + 2]});
+    }
+    return triangles;
+  }
+  for (std::size_t i = 0; i + 2 < index.size(); ++i) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+      triangles.push_back({index[i + 1], index[i + 2], index[0]});
+    } else {
+      triangles.push_back({index[i], index[i + 1 + i % 2], index[i + 2 - i % 2]});
+    }
+  }
+  return triangles;
+}
+
+void spend(const Context& context, const std::string& path, std::uint64_t& used,
+           std::uint64_t more, std::uint64_t most, const char* what) {
+  if (more > most - used) {
+    context.fail(path, "the scene has more than " + std::to_string(most) + " " + what,
+                 "simplify the scene");
+  }
+  used += more;
+}
+
+// Copies the attributes of the vertices that the triangles use, in the order of their first use, and
+// renumbers the triangles.
+class Gather {
+ public:
+  Gather(const Context& context, const tinygltf::Model& model,
+         const tinygltf::Primitive& primitive, const exact::Affine& to_world, int uv_set)
+      : context_(context),
+        to_world_(to_world),
+        mirrored_(to_world.determinant() < 0),
+        positions_(*attribute(context, model, primitive, "POSITION", 3)),
+        normals_(attribute(context, model, primitive, "NORMAL", 3)),
+        tangents_(attribute(context, model, primitive, "TANGENT", 4)),
+        uvs_(attribute(context, model, primitive, "TEXCOORD_" + std::to_string(uv_set), 2)) {
+    check_count(normals_, "NORMAL");
+    check_count(tangents_, "TANGENT");
+    check_count(uvs_, "TEXCOORD_" + std::to_string(uv_set));
+  }
+
+  std::size_t vertices() const { return positions_.size(); }
+  bool mirrored() const { return mirrored_; }
+
+  void run(Shape& shape) {
+    std::vector<std::uint32_t> renumbered(positions_.size(), kUnused);
+    for (auto& triangle : shape.triangles) {
+      for (std::uint32_t& corner : triangle) {
+        if (renumbered[corner] == kUnused) {
+          renumbered[corner] = static_cast<std::uint32_t>(shape.positions.size());
+          add_vertex(shape, corner);
+        }
+        corner = renumbered[corner];
+      }
+      // A mirrored place turns the winding round; turned back, outside stays outside.
+      if (mirrored_) std::swap(triangle[1], triangle[2]);
+    }
+  }
+
+ private:
+  void check_count(const std::optional<Accessor>& accessor, const std::string& name) const {
+    if (accessor && accessor->size() != positions_.size()) {
+      context_.fail(accessor->path(), name + " has " + std::to_string(accessor->size()) +
+                        " elements, POSITION " + std::to_string(positions_.size()), kFix);
+    }
+  }
+
+  static glm::dvec3 vec3(const Accessor& accessor, std::size_t i) {
+    return {accessor.value(i, 0), accessor.value(i, 1), accessor.value(i, 2)};
+  }
+
+  glm::dvec3 world_position(std::size_t i) const {
+    const glm::dvec3 local = vec3(positions_, i);
+    if (!exact::finite(local)) {
+      context_.fail(positions_.path(), "position " + std::to_string(i) + " is not finite",
+                    "repair the mesh and export it again");
+    }
+    const glm::dvec3 world = to_world_.point(local);
+    const double most = context_.options().max_coordinate;
+    const glm::dvec3 size = glm::abs(world);
+    if (!(size.x <= most && size.y <= most && size.z <= most)) {
+      context_.fail(positions_.path(), "position " + std::to_string(i) +
+                        " lies more than 1e12 m from the origin", "check the scene's scale");
+    }
+    return world;
+  }
+
+  void add_vertex(Shape& shape, std::size_t i) {
+    shape.positions.push_back(world_position(i));
+    if (normals_) shape.normals.push_back(to_world_.normal(vec3(*normals_, i)));
+    if (tangents_) {
+      const glm::dvec3 tangent = to_world_.direction(vec3(*tangents_, i));
+      const double handedness = (tangents_->value(i, 3) < 0) != mirrored_ ? -1.0 : 1.0;
+      shape.tangents.push_back({tangent.x, tangent.y, tangent.z, handedness});
+    }
+    if (uvs_) {
+      const glm::dvec2 uv(uvs_->value(i, 0), uvs_->value(i, 1));
+      const bool usable = uv.x - uv.x == 0 && uv.y - uv.y == 0;
+      shape.uvs.push_back(usable ? uv : glm::dvec2(0));
+    }
+  }
+
+  const Context& context_;
+  const exact::Affine& to_world_;
+  bool mirrored_;
+  Accessor positions_;
+  std::optional<Accessor> normals_, tangents_, uvs_;
+};
+
+bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive,
+                  const std::string& path) {
+  const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+  if (mode < TINYGLTF_MODE_TRIANGLES) {
+    context.note(path + ": points and lines are left out.");
+    return false;
+  }
+  if (primitive.attributes.count("POSITION") == 0) {
+    context.note(path + " has no POSITION and is left out.");
+    return false;
+  }
+  if (primitive.attributes.count("COLOR_0") != 0) context.note("Vertex colours are ignored.");
+  return true;
+}
+
+}  // namespace
+
+std::optional<Shape> read_primitive(Context& context, const Document& document,
+                                    const tinygltf::Model& model, const Placement& placement,
+                                    std::size_t number, int uv_set, GeometryBudget& budget) {
+  const auto mesh = static_cast<std::size_t>(placement.index);
+  const tinygltf::Primitive& primitive = model.meshes[mesh].primitives[number];
+  const Cursor cursor =
+      document.root(context).member("meshes").element(mesh).member("primitives").element(number);
+  Shape shape;
+  shape.path = cursor.path();
+  if (!can_be_drawn(context, primitive, shape.path)) return std::nullopt;
+  if (cursor.member("targets").size() > 0) {
+    context.note("Morph targets are not evaluated: meshes keep their base shape.");
+  }
+  const std::string& mesh_name = model.meshes[mesh].name;
+  shape.name = printable(!placement.name.empty() ? placement.name
+                         : !mesh_name.empty()    ? mesh_name
+                                                 : "nodes[" + std::to_string(placement.node) + "]");
+  Gather gather(context, model, primitive, placement.to_world, uv_set);
+  const LoadOptions& limits = context.options();
+  spend(context, shape.path, budget.vertices, gather.vertices(), limits.max_vertices, "vertices");
+  const auto indices = read_indices(context, model, primitive, gather.vertices());
+  const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+  if (mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0) {
+    context.note(shape.path + ": the last " + std::to_string(indices.size() % 3) +
+                 " indices make no triangle and are ignored.");
+  }
+  const std::size_t triangles = mode == TINYGLTF_MODE_TRIANGLES ? indices.size() / 3
+                                                                : std::max<std::size_t>(indices.size(), 2) - 2;
+  spend(context, shape.path, budget.triangles, triangles, limits.max_triangles, "triangles");
+  shape.triangles = assemble(indices, mode);
+  gather.run(shape);
+  return shape;
+}
+
+}  // namespace caustics::gltf

@@ -1,0 +1,135 @@
+#include "pipeline/scene/gltf/resources.hpp"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace caustics::gltf {
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t kLongestUri = 4096;
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string percent_decoded(const Cursor& uri, const std::string& text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += text[i];
+      continue;
+    }
+    const int high = i + 1 < text.size() ? hex_digit(text[i + 1]) : -1;
+    const int low = i + 2 < text.size() ? hex_digit(text[i + 2]) : -1;
+    if (high < 0 || low < 0) uri.fail("has a broken percent escape", "write % as %25");
+    decoded += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return decoded;
+}
+
+bool has_scheme(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos || colon == 0) return false;
+  return std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(colon), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           c == '+' || c == '-' || c == '.';
+  });
+}
+
+bool inside(const fs::path& file, const fs::path& folder) {
+  const auto mismatch = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return mismatch.first == folder.end();
+}
+
+// The file that a relative URI names, proven to lie in the glTF file's folder.
+fs::path confined(const Context& context, const Cursor& uri, const std::string& text) {
+  const char* advice = "put the file beside the glTF file and refer to it by its name";
+  if (text.empty()) uri.fail("is empty", advice);
+  if (text.size() > kLongestUri) uri.fail("is longer than 4096 characters", advice);
+  if (has_scheme(text)) uri.fail("only data: URIs and relative files are read: " + text, advice);
+  const std::string name = percent_decoded(uri, text);
+  if (std::any_of(name.begin(), name.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\';
+      })) {
+    uri.fail("holds a control character or a backslash", advice);
+  }
+  const fs::path relative = fs::path(name).lexically_normal();
+  if (name.front() == '/' || relative.is_absolute() || relative.begin()->string() == "..") {
+    uri.fail("leaves the glTF file's folder: " + text, advice);
+  }
+  std::error_code error;
+  fs::path parent = context.path().parent_path();
+  if (parent.empty()) parent = ".";
+  const fs::path folder = fs::canonical(parent, error);
+  if (error) uri.fail("the glTF file's folder cannot be read: " + error.message());
+  const fs::path file = fs::canonical(folder / relative, error);
+  if (error) uri.fail("file not found: " + text, "put it beside the glTF file");
+  if (!inside(file, folder)) uri.fail("leaves the glTF file's folder by a link: " + text, advice);
+  return file;
+}
+
+// tinygltf decodes base64, but only for a few media types; which one it is does not matter here.
+Bytes decode_data_uri(const Cursor& uri, const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || comma < 12 || text.compare(comma - 7, 7, ";base64") != 0) {
+    uri.fail("is a data URI that is not base64", "export the file again");
+  }
+  const std::string payload = "data:application/octet-stream;base64," + text.substr(comma + 1);
+  Bytes bytes;
+  std::string media_type;
+  if (!tinygltf::DecodeDataURI(&bytes, media_type, payload, 0, false)) {
+    uri.fail("is an empty or broken data URI", "export the file again");
+  }
+  return bytes;
+}
+
+Bytes read_buffer(Context& context, const Document& document, std::size_t i) {
+  const Cursor buffer = document.root(context).member("buffers").element(i);
+  const auto length = static_cast<std::size_t>(buffer.member("byteLength").integer(
+      1, static_cast<std::int64_t>(context.options().max_bytes)));
+  const Cursor uri = buffer.member("uri");
+  Bytes bytes;
+  if (uri.present()) {
+    bytes = read_uri(context, uri);
+  } else if (i == 0 && document.has_bin) {
+    context.spend_bytes(document.bin.size(), buffer.path());
+    bytes.assign(document.bin.begin(), document.bin.end());
+  } else {
+    uri.fail("is missing, and there is no binary chunk for this buffer", "export the file again");
+  }
+  if (bytes.size() < length) {
+    buffer.member("byteLength").fail(
+        "is " + std::to_string(length) + ", but there are only " + std::to_string(bytes.size()) +
+            " bytes", "the file is damaged or was cut short: get or export it again");
+  }
+  bytes.resize(length);
+  return bytes;
+}
+
+}  // namespace
+
+Bytes read_uri(Context& context, const Cursor& uri) {
+  const std::string text = uri.string();
+  if (text.compare(0, 5, "data:") != 0) {
+    return read_file(context, confined(context, uri, text), uri.path());
+  }
+  context.spend_bytes(text.size() / 4 * 3, uri.path());
+  return decode_data_uri(uri, text);
+}
+
+std::vector<Bytes> read_buffers(Context& context, const Document& document) {
+  const std::size_t count = document.root(context).member("buffers").size();
+  std::vector<Bytes> buffers;
+  for (std::size_t i = 0; i < count; ++i) buffers.push_back(read_buffer(context, document, i));
+  return buffers;
+}
+
+}  // namespace caustics::gltf

@@ -1,0 +1,278 @@
+#include "pipeline/scene/gltf/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace caustics::gltf {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// A triangle of the group: where it is, and its corners after welding.
+struct Face {
+  std::uint32_t shape, triangle;
+  Triangle corners;
+};
+
+struct HalfEdge {
+  std::uint32_t low, high, face;
+  bool forward;  // runs from low to high
+  bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+};
+
+// Number of the first vertex with the same position, over all shapes, vertices counted through.
+std::vector<std::uint32_t> weld(const std::vector<Shape*>& group) {
+  std::vector<const glm::dvec3*> all;
+  for (const Shape* shape : group) {
+    for (const glm::dvec3& p : shape->positions) all.push_back(&p);
+  }
+  std::vector<std::uint32_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    const glm::dvec3 &p = *all[a], &q = *all[b];
+    if (p.x != q.x) return p.x < q.x;
+    if (p.y != q.y) return p.y < q.y;
+    if (p.z != q.z) return p.z < q.z;
+    return a < b;
+  };
+  std::sort(order.begin(), order.end(), before);
+  std::vector<std::uint32_t> welded(all.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && *all[order[i]] == *all[order[i - 1]];
+    welded[order[i]] = same ? welded[order[i - 1]] : order[i];
+  }
+  return welded;
+}
+
+std::vector<Face> faces_of(const std::vector<Shape*>& group) {
+  const std::vector<std::uint32_t> welded = weld(group);
+  std::vector<Face> faces;
+  std::uint32_t offset = 0;
+  for (std::uint32_t s = 0; s < group.size(); ++s) {
+    for (std::uint32_t t = 0; t < group[s]->triangles.size(); ++t) {
+      const Triangle& c = group[s]->triangles[t];
+      faces.push_back({s, t, {welded[offset + c[0]], welded[offset + c[1]], welded[offset + c[2]]}});
+    }
+    offset += static_cast<std::uint32_t>(group[s]->positions.size());
+  }
+  return faces;
+}
+
+// The triangle turned so that its lowest corner comes first, winding kept.
+Triangle rotated(const Triangle& t) {
+  if (t[0] <= t[1] && t[0] <= t[2]) return t;
+  if (t[1] <= t[0] && t[1] <= t[2]) return {t[1], t[2], t[0]};
+  return {t[2], t[0], t[1]};
+}
+
+// Removes the later of two faces with equal corners and winding, from `faces` and from the shapes.
+std::size_t drop_doubles(const std::vector<Shape*>& group, std::vector<Face>& faces) {
+  std::vector<std::uint32_t> order(faces.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Triangle p = rotated(faces[a].corners), q = rotated(faces[b].corners);
+    return p != q ? p < q : a < b;
+  });
+  std::vector<bool> doubled(faces.size(), false);
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (rotated(faces[order[i]].corners) != rotated(faces[order[i - 1]].corners)) continue;
+    doubled[order[i]] = true;
+    ++count;
+  }
+  if (count == 0) return 0;
+  std::vector<std::vector<Triangle>> kept(group.size());
+  std::vector<Face> kept_faces;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (doubled[i]) continue;
+    Face face = faces[i];
+    kept[face.shape].push_back(group[face.shape]->triangles[face.triangle]);
+    face.triangle = static_cast<std::uint32_t>(kept[face.shape].size() - 1);
+    kept_faces.push_back(face);
+  }
+  for (std::size_t s = 0; s < group.size(); ++s) group[s]->triangles = std::move(kept[s]);
+  faces = std::move(kept_faces);
+  return count;
+}
+
+std::vector<HalfEdge> sorted_edges(const std::vector<Face>& faces) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(faces.size() * 3);
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = faces[f].corners[k], b = faces[f].corners[(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    if (a.low != b.low) return a.low < b.low;
+    if (a.high != b.high) return a.high < b.high;
+    return a.face < b.face;
+  });
+  return edges;
+}
+
+// Two faces that share an edge; `agree` when they run through it in opposite directions.
+struct Neighbours {
+  std::uint32_t a, b;
+  bool agree;
+};
+
+struct Edges {
+  float closedness = 0.0f;
+  std::vector<Neighbours> pairs;
+};
+
+Edges examine_edges(const std::vector<Face>& faces) {
+  const std::vector<HalfEdge> edges = sorted_edges(faces);
+  Edges result;
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
+    if (end - i == 2) {
+      result.pairs.push_back(
+          {edges[i].face, edges[i + 1].face, edges[i].forward != edges[i + 1].forward});
+    }
+    ++total;
+    i = end;
+  }
+  if (total > 0) {
+    result.closedness = static_cast<float>(static_cast<double>(result.pairs.size()) /
+                                           static_cast<double>(total));
+  }
+  return result;
+}
+
+class Orientation {
+ public:
+  Orientation(const std::vector<Shape*>& group, const std::vector<Face>& faces)
+      : group_(group), faces_(faces), turned_(faces.size(), false) {
+    glm::dvec3 lower(std::numeric_limits<double>::infinity()), upper = -lower;
+    for (const Shape* shape : group) {
+      for (const glm::dvec3& p : shape->positions) {
+        lower = glm::min(lower, p);
+        upper = glm::max(upper, p);
+      }
+    }
+    centre_ = 0.5 * (lower + upper);
+    extent_ = exact::length(upper - lower);
+  }
+
+  // Makes every connected part that disagrees within itself face outwards; returns how many turned.
+  std::size_t reconcile(const std::vector<Neighbours>& pairs);
+  double volume() const {
+    double sum = 0;
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) sum += volume(f);
+    return sum;
+  }
+  bool inside_out() const { return volume() < -1e-9 * extent_ * extent_ * extent_; }
+  void turn_all() { turned_.flip(); }
+  void apply() {
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      Triangle& t = group_[faces_[f].shape]->triangles[faces_[f].triangle];
+      if (turned_[f]) std::swap(t[1], t[2]);
+    }
+  }
+
+ private:
+  // Signed volume between the face and the centre.
+  double volume(std::uint32_t f) const {
+    const Shape& shape = *group_[faces_[f].shape];
+    const Triangle& t = shape.triangles[faces_[f].triangle];
+    const double v = exact::dot(shape.positions[t[0]] - centre_,
+                                exact::cross(shape.positions[t[1]] - centre_,
+                                             shape.positions[t[2]] - centre_)) / 6.0;
+    return turned_[f] ? -v : v;
+  }
+
+  const std::vector<Shape*>& group_;
+  const std::vector<Face>& faces_;
+  std::vector<bool> turned_;
+  glm::dvec3 centre_{0};
+  double extent_ = 0;
+};
+
+std::size_t Orientation::reconcile(const std::vector<Neighbours>& pairs) {
+  // Neighbour lists, one after the other; entry = pair number.
+  std::vector<std::uint32_t> start(faces_.size() + 1, 0), lists(pairs.size() * 2);
+  for (const Neighbours& pair : pairs) ++start[pair.a + 1], ++start[pair.b + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    lists[fill[pairs[i].a]++] = i;
+    lists[fill[pairs[i].b]++] = i;
+  }
+  std::vector<bool> seen(faces_.size(), false);
+  std::vector<std::uint32_t> part;
+  std::size_t count = 0;
+  for (std::uint32_t seed = 0; seed < faces_.size(); ++seed) {
+    if (seen[seed]) continue;
+    part.assign(1, seed);
+    seen[seed] = true;
+    bool disagreed = false;
+    for (std::size_t next = 0; next < part.size(); ++next) {
+      const std::uint32_t face = part[next];
+      for (std::uint32_t k = start[face]; k < start[face + 1]; ++k) {
+        const Neighbours& pair = pairs[lists[k]];
+        const std::uint32_t other = pair.a == face ? pair.b : pair.a;
+        if (!pair.agree) disagreed = true;
+        if (seen[other]) continue;
+        seen[other] = true;
+        turned_[other] = turned_[face] != !pair.agree;
+        part.push_back(other);
+      }
+    }
+    if (!disagreed) continue;
+    double sum = 0;
+    for (const std::uint32_t face : part) sum += volume(face);
+    for (const std::uint32_t face : part) {
+      if (sum < 0) turned_[face] = !turned_[face];
+      count += turned_[face];
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+std::size_t drop_degenerate(Shape& shape) {
+  const auto flat = [&](const Triangle& t) {
+    const glm::dvec3 &a = shape.positions[t[0]], &b = shape.positions[t[1]];
+    const glm::dvec3& c = shape.positions[t[2]];
+    const double longest =
+        std::max({exact::length(b - a), exact::length(c - b), exact::length(a - c)});
+    // No area, or too flat or too small (a picometre) for single precision to give it a direction.
+    return !(longest > 1e-12) ||
+           !(exact::length(exact::cross(b - a, c - a)) > 1e-10 * longest * longest);
+  };
+  return std::erase_if(shape.triangles, flat);
+}
+
+void join_group(Context& context, const std::vector<Shape*>& group, bool solid) {
+  std::vector<Face> faces = faces_of(group);
+  if (faces.empty()) return;
+  const std::string& name = group.front()->name;
+  if (const std::size_t doubles = drop_doubles(group, faces)) {
+    context.note(name + ": " + std::to_string(doubles) + " triangles given twice were dropped.");
+  }
+  const Edges edges = examine_edges(faces);
+  for (Shape* shape : group) shape->closedness = edges.closedness;
+  if (!solid || edges.closedness < 0.98f) return;
+  Orientation orientation(group, faces);
+  const std::size_t turned = orientation.reconcile(edges.pairs);
+  if (turned > 0) {
+    context.note(name + ": " + std::to_string(turned) +
+                 " triangles faced against their neighbours and were turned round.");
+  }
+  if (orientation.inside_out()) {
+    orientation.turn_all();
+    context.note(name + " was inside out (its triangles face inwards) and was turned.");
+  }
+  orientation.apply();
+}
+
+}  // namespace caustics::gltf
