@@ -1,0 +1,10 @@
+# The tile renderer, compiled once for each instruction set (the scalar lanes share the plain one).
+foreach(WIDTH IN LISTS CAUSTICS_WIDTHS)
+  if(WIDTH STREQUAL "scalar")
+    continue()
+  endif()
+  set(file ${PROJECT_BINARY_DIR}/raster/tile_kernel_${WIDTH}.cpp)
+  configure_file(${PROJECT_SOURCE_DIR}/raster/lanes/tile_kernel.cpp.in ${file} @ONLY)
+  set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${CAUSTICS_FLAGS_${WIDTH}}")
+  target_sources(caustics_raster PRIVATE ${file})
+endforeach()

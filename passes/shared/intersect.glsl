@@ -95,12 +95,12 @@ Hit intersect_paper(Texture positions, mat4 from_scene, vec4 window, vec4 depth,
   return hit;
 }
 
-// The bracketed secant on the signed gap: exact in one step on any plane. While no point behind the
-// surface is known it extrapolates the last two gaps; from then on it stays in the bracket (regula
-// falsi with the Illinois rule: an end that stays put twice loses half its weight). A point without a
-// surface counts as behind it when `beyond_is_behind` (a ray leaves a closed body through its
-// silhouette), else as before it (a ray over a hole in the floor flies on). The last two steps
-// interpolate the surface.
+// The bracketed secant on the signed gap: exact in one step on any plane. Each guess is the secant of the
+// two last gaps, held inside the bracket once a point behind the surface is known; where it leaves the
+// bracket, regula falsi with the Illinois rule decides (an end that stays put twice loses half its weight),
+// and before there is a bracket a step is at most four times the last. A point without a surface counts
+// as behind it when `beyond_is_behind` (a ray leaves a closed body through its silhouette), else as
+// before it (a ray over a hole in the floor flies on). The last two gaps interpolate the surface.
 Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
                      Vec3 direction, int iterations, bool beyond_is_behind) {
   Vec3 q = frame_coordinates(from_scene, start);
@@ -108,15 +108,17 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
   Float fall = frame_coordinates(from_scene, start + direction).z - q.z;
   Gap gap = gap_at(positions, from_scene, window, depth, start, scale, false);
   Float reach = Float(depth.y - depth.x);
+  Bool above = gap.covered && gap.value < 0.0f;
   Float low = Float(0.0f);
-  Float gap_low = sel(gap.covered && gap.value < 0.0f, gap.value, -(reach * 1.0e-6f));
+  Float gap_low = sel(above, gap.value, -(reach * 1.0e-6f));
   Float high = Float(0.0f);
   Float gap_high = Float(0.0f);
   Bool bracketed = Bool(false);
   Int last_side = Int(0);
+  Float last = Float(0.0f);
+  Float last_gap = gap_low;
   // The first guess takes the surface to be level: a plane across the light is met exactly.
-  Float level = -gap_low / max_of(fall, 0.1f);
-  Float t = sel(gap.covered && gap.value < 0.0f, level, reach * 0.25f);
+  Float t = sel(above, -gap_low / max_of(fall, 0.1f), reach * 0.25f);
   for (int k = 0; k < iterations + 1; k++) {
     gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale,
                  k >= iterations - 1);
@@ -129,27 +131,27 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
       value = sel(gap.covered, value, gap_low);
     }
     Bool behind = value >= 0.0f;
-    // Illinois: the end that is kept a second time loses half its weight.
     gap_low = sel(behind && last_side == 1, gap_low * 0.5f, gap_low);
     gap_high = sel(!behind && last_side == -1, gap_high * 0.5f, gap_high);
-    Float previous = low;
-    Float previous_gap = gap_low;
     high = sel(behind, t, high);
     gap_high = sel(behind, value, gap_high);
     low = sel(behind, low, t);
     gap_low = sel(behind, gap_low, value);
     bracketed = bracketed || behind;
     last_side = sel(behind, Int(1), Int(-1));
-    // Between the ends of the bracket.
+    Float step = t - last;
+    Float rise = value - last_gap;
+    Bool rising = rise * step > 0.0f;
+    Float secant = t - value * step / sel(rising, rise, Float(1.0f));
     Float span = gap_high - gap_low;
-    Float within = low + (high - low) * clamp_to(-gap_low / sel(span > 0.0f, span, Float(1.0f)), 0.0f, 1.0f);
-    // Ahead of the two last points; at most four times as far as the last step.
-    Float step = t - previous;
-    Float rise = gap_low - previous_gap;
-    Bool rising = rise > 0.0f && step > 0.0f;
-    Float ahead = sel(rising, -gap_low * step / sel(rising, rise, Float(1.0f)), step);
-    ahead = clamp_to(ahead, 0.0f, 4.0f * max_of(step, reach * 1.0e-3f));
-    t = sel(bracketed, within, low + ahead);
+    Float within = low + (high - low) * clamp_to(-gap_low / sel(span > 0.0f, span, Float(1.0f)),
+                                                 0.0f, 1.0f);
+    Float ahead = low + clamp_to(sel(rising, secant - low, step), 0.0f,
+                                 4.0f * max_of(step, reach * 1.0e-3f));
+    Float next = sel(bracketed, sel(rising && secant >= low && secant <= high, secant, within), ahead);
+    last = t;
+    last_gap = value;
+    t = next;
   }
   gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale, true);
   TRACE(distance, t);

@@ -28,18 +28,15 @@ Sphere sphere_of(const Mesh& mesh) {
   return {0.5 * (upper + lower), exact::length(half)};
 }
 
-// Does the sphere lie wholly outside the cone? Compares the sphere's radius with the distance of
-// its centre from the cone's surface.
+// Does the sphere lie wholly outside the cone? It does when one of two planes parts them: the one
+// across the axis at the tip, or the one that touches the cone on the sphere's side.
 bool cone_misses(const Light& light, const Sphere& sphere) {
   const glm::dvec3 to = sphere.centre - light.position;
   const double along = exact::dot(to, light.direction);
   const double across = std::sqrt(std::max(exact::dot(to, to) - along * along, 0.0));
   const double cosine = exact_cos(static_cast<double>(light.outer_cone));
   const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-  if (along < 0 && exact::dot(to, to) > sphere.radius * sphere.radius) {
-    return along < -sphere.radius || across * cosine - along * sine > sphere.radius;
-  }
-  return across * cosine - along * sine > sphere.radius;
+  return along < -sphere.radius || across * cosine - along * sine > sphere.radius;
 }
 
 // Nearest and farthest distance of a box along the light's way: metres along a directional light,

@@ -98,7 +98,7 @@ constexpr Key kKeys[] = {
 };
 
 // User text inside a one-line message: cut where it is long, control characters replaced.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "'" + std::string(text.substr(0, 60)) + (text.size() > 60 ? "...'" : "'");
   for (char& c : result) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
@@ -120,11 +120,11 @@ void set_option(Settings& settings, std::string_view key, std::string_view value
   if (found == std::end(kKeys)) {
     std::vector<std::string> names;
     for (const Key& k : kKeys) names.emplace_back(k.name);
-    throw Error(ExitCode::WrongUsage, "unknown key " + quoted(key) + ", did you mean '" +
+    throw Error(ExitCode::WrongUsage, "unknown key " + in_quotes(key) + ", did you mean '" +
                                           nearest_name(key, names) + "'?");
   }
   if (!found->set(settings, value)) {
-    throw Error(ExitCode::WrongUsage, std::string(key) + " cannot be " + quoted(value) + ": " +
+    throw Error(ExitCode::WrongUsage, std::string(key) + " cannot be " + in_quotes(value) + ": " +
                                           std::string(found->range));
   }
 }

@@ -31,9 +31,7 @@ glm::dvec3 perpendicular(const glm::dvec3& n) {
   return normalise(cross(cross(n, helper), n), {0, 1, 0});
 }
 
-glm::dvec3 Affine::direction(const glm::dvec3& v) const {
-  return (x * v.x + y * v.y) + z * v.z;
-}
+glm::dvec3 Affine::direction(const glm::dvec3& v) const { return (x * v.x + y * v.y) + z * v.z; }
 
 glm::dvec3 Affine::normal(const glm::dvec3& n) const {
   const glm::dvec3 transformed = (cross(y, z) * n.x + cross(z, x) * n.y) + cross(x, y) * n.z;
@@ -68,13 +66,13 @@ Affine from_trs(const glm::dvec3& translation, const glm::dvec4& rotation,
 }
 
 void sin_cos(double angle, double& sine, double& cosine) {
-  // Reduced to |r| <= pi/4 by quarter turns; pi/2 in two parts, the first with trailing zero bits, so
-  // that its product with the number of quarter turns is exact.
+  // Reduced to |r| <= pi/4 by quarter turns; pi/2 in two parts, the first with trailing zero bits,
+  // so that its product with the number of quarter turns is exact.
   constexpr double kHigh = 1.57079632673412561417, kLow = 6.07710050650619224932e-11;
   const double turns = angle * (2.0 / kPi);
   const long long quarter = static_cast<long long>(turns + (turns < 0 ? -0.5 : 0.5));
-  const double r = (angle - static_cast<double>(quarter) * kHigh) -
-                   static_cast<double>(quarter) * kLow;
+  const double r =
+      (angle - static_cast<double>(quarter) * kHigh) - static_cast<double>(quarter) * kLow;
   const double r2 = r * r;
   // Taylor series by Horner; the first term left out is below 1e-17 of the sum.
   double s = 1, c = 1;
@@ -82,10 +80,18 @@ void sin_cos(double angle, double& sine, double& cosine) {
   for (int k = 18; k >= 2; k -= 2) c = 1 - r2 / (k * (k - 1)) * c;
   s *= r;
   switch (((quarter % 4) + 4) % 4) {
-    case 0: sine = s, cosine = c; break;
-    case 1: sine = c, cosine = -s; break;
-    case 2: sine = -s, cosine = -c; break;
-    default: sine = -c, cosine = s; break;
+    case 0:
+      sine = s, cosine = c;
+      break;
+    case 1:
+      sine = c, cosine = -s;
+      break;
+    case 2:
+      sine = -s, cosine = -c;
+      break;
+    default:
+      sine = -c, cosine = s;
+      break;
   }
 }
 

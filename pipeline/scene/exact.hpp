@@ -30,8 +30,8 @@ struct Affine {
   glm::dvec3 direction(const glm::dvec3& v) const;
   glm::dvec3 point(const glm::dvec3& p) const { return direction(p) + translation; }
   double determinant() const { return dot(x, cross(y, z)); }
-  // What surface normals are transformed with, up to a positive factor: the cofactor matrix with the
-  // determinant's sign.
+  // What surface normals are transformed with, up to a positive factor: the cofactor matrix with
+  // the determinant's sign.
   glm::dvec3 normal(const glm::dvec3& n) const;
   bool finite() const;
 };

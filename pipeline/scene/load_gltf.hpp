@@ -1,10 +1,11 @@
 // Reads a glTF 2.0 file (.gltf or .glb, told apart by content) into a Scene.
 //
-// The file is not trusted: every number in it is checked before it is used, and nothing is allocated
-// on its word. What cannot be a scene throws Error(ExitCode::BadInput) with one line that says file,
-// JSON path (such as `materials[2].extensions.KHR_materials_ior.ior`), what is wrong and what to do.
-// What can be a scene but not all of it becomes a Scene whose `notes` say what was assumed or left out.
-// Source: glTF 2.0 specification and the Khronos extensions named in gltf/check.cpp.
+// The file is not trusted: every number in it is checked before it is used, and nothing is
+// allocated on its word. What cannot be a scene throws Error(ExitCode::BadInput) with one line that
+// says file, JSON path (such as `materials[2].extensions.KHR_materials_ior.ior`), what is wrong and
+// what to do. What can be a scene but not all of it becomes a Scene whose `notes` say what was
+// assumed or left out. Source: glTF 2.0 specification and the Khronos extensions named in
+// gltf/check.cpp.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,18 +14,19 @@
 
 namespace caustics {
 
-// Limits on what a file may ask for. Beyond one of them the file is refused, images apart: those are
-// left out with a note.
+// Limits on what a file may ask for. Beyond one of them the file is refused, images apart: those
+// are left out with a note.
 struct LoadOptions {
-  std::uint64_t max_bytes = std::uint64_t{512} << 20;  // the file and its buffers and images together
+  std::uint64_t max_bytes = std::uint64_t{512}
+                            << 20;  // the file and its buffers and images together
   std::uint64_t max_json_values = 4'000'000;
   int max_json_depth = 128;
   int max_node_depth = 128;
   std::uint64_t max_nodes = 1'000'000;      // nodes and instances visited, and primitives placed
   std::uint64_t max_vertices = 50'000'000;  // after instancing
   std::uint64_t max_triangles = 50'000'000;
-  double max_coordinate = 1e12;             // metres; beyond it, products overflow single precision
-  int max_image_side = 16384;               // pixels
+  double max_coordinate = 1e12;  // metres; beyond it, products overflow single precision
+  int max_image_side = 16384;    // pixels
   std::uint64_t max_image_pixels = std::uint64_t{128} << 20;  // of all decoded images together
 };
 

@@ -21,9 +21,12 @@ const std::uint8_t* view_data(const tinygltf::Model& model, int view, std::size_
 
 std::uint32_t load_unsigned(const std::uint8_t* bytes, int type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return *bytes;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(bytes);
-    default: return load<std::uint32_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return *bytes;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load<std::uint16_t>(bytes);
+    default:
+      return load<std::uint32_t>(bytes);
   }
 }
 
@@ -33,7 +36,8 @@ double load_number(const std::uint8_t* bytes, int type, bool normalized) {
       const double x = static_cast<std::int8_t>(*bytes);
       return normalized ? std::max(x / 127.0, -1.0) : x;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return normalized ? *bytes / 255.0 : *bytes;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return normalized ? *bytes / 255.0 : *bytes;
     case TINYGLTF_COMPONENT_TYPE_SHORT: {
       const double x = load<std::int16_t>(bytes);
       return normalized ? std::max(x / 32767.0, -1.0) : x;
@@ -42,8 +46,10 @@ double load_number(const std::uint8_t* bytes, int type, bool normalized) {
       const double x = load<std::uint16_t>(bytes);
       return normalized ? x / 65535.0 : x;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load<std::uint32_t>(bytes);
-    default: return load<float>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return load<std::uint32_t>(bytes);
+    default:
+      return load<float>(bytes);
   }
 }
 
@@ -68,8 +74,8 @@ void Accessor::read_sparse(const Context& context, const tinygltf::Model& model)
   const auto offset = static_cast<std::size_t>(sparse.indices.byteOffset);
   const std::uint8_t* indices = view_data(model, sparse.indices.bufferView, offset);
   const int type = sparse.indices.componentType;
-  const auto size = static_cast<std::size_t>(
-      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
+  const auto size =
+      static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
   for (std::size_t i = 0; i < static_cast<std::size_t>(sparse.count); ++i) {
     const std::uint32_t target = load_unsigned(indices + i * size, type);
     if (target >= accessor_->count || (i > 0 && target <= sparse_indices_.back())) {

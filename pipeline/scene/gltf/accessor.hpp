@@ -1,5 +1,5 @@
-// Reads the elements of an accessor: strides, component types, normalised integers, sparse overrides.
-// Source: glTF 2.0 sections 3.6.2 and 5.1. The model must have passed check_structure.
+// Reads the elements of an accessor: strides, component types, normalised integers, sparse
+// overrides. Source: glTF 2.0 sections 3.6.2 and 5.1. The model must have passed check_structure.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -35,7 +35,7 @@ class Accessor {
   int components_;
   std::size_t component_size_;
   std::size_t stride_ = 0;
-  const std::uint8_t* data_ = nullptr;  // null: all zeros
+  const std::uint8_t* data_ = nullptr;         // null: all zeros
   std::vector<std::uint32_t> sparse_indices_;  // ascending
   const std::uint8_t* sparse_values_ = nullptr;
 };

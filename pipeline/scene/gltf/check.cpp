@@ -1,5 +1,6 @@
 #include "pipeline/scene/gltf/check.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace caustics::gltf {
@@ -23,10 +24,17 @@ Counts count(const Cursor& root) {
 
 std::int64_t component_size(const Cursor& type) {
   switch (type.integer(0, 65535)) {
-    case 5120: case 5121: return 1;
-    case 5122: case 5123: return 2;
-    case 5125: case 5126: return 4;
-    default: type.fail("is not a component type of glTF 2.0", kFix);
+    case 5120:
+    case 5121:
+      return 1;
+    case 5122:
+    case 5123:
+      return 2;
+    case 5125:
+    case 5126:
+      return 4;
+    default:
+      type.fail("is not a component type of glTF 2.0", kFix);
   }
 }
 
@@ -56,7 +64,8 @@ void check_view(const Cursor& root, const Cursor& view, const Counts& counts) {
   view.member("byteStride").integer(4, 252, 4);
   if (offset > room || length > room - offset) {
     view.fail("ends at byte " + std::to_string(offset + length) + ", but buffers[" +
-                  std::to_string(buffer) + "] has " + std::to_string(room), kFix);
+                  std::to_string(buffer) + "] has " + std::to_string(room),
+              kFix);
   }
 }
 
@@ -69,12 +78,13 @@ void check_extent(const Cursor& root, const Cursor& place, const Counts& counts,
   const std::int64_t stride = may_be_strided ? step.integer(4, 252, size) : size;
   if (stride < size) {
     step.fail("is " + std::to_string(stride) + ", less than the " + std::to_string(size) +
-                  " bytes of an element of " + place.path(), kFix);
+                  " bytes of an element of " + place.path(),
+              kFix);
   }
   const std::int64_t room = length_of(view), offset = offset_of(place);
   // Divided instead of multiplied: no product of two numbers from the file can overflow.
-  const bool fits = offset <= room && size <= room - offset &&
-                    (elements - 1) <= (room - offset - size) / stride;
+  const bool fits =
+      offset <= room && size <= room - offset && (elements - 1) <= (room - offset - size) / stride;
   if (!fits) {
     place.fail("its " + std::to_string(elements) + " elements reach beyond the " +
                    std::to_string(room) + " bytes of bufferViews[" + std::to_string(index) + "]",
@@ -95,11 +105,10 @@ void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts
 }
 
 void check_accessor(const Cursor& root, const Cursor& accessor, const Counts& counts) {
-  const std::int64_t size = component_size(accessor.member("componentType")) *
-                            component_count(accessor.member("type"));
-  const auto most = static_cast<std::int64_t>(
-      std::min<std::uint64_t>(accessor.context().options().max_vertices * 3,
-                              std::numeric_limits<std::int32_t>::max()));
+  const std::int64_t size =
+      component_size(accessor.member("componentType")) * component_count(accessor.member("type"));
+  const auto most = static_cast<std::int64_t>(std::min<std::uint64_t>(
+      accessor.context().options().max_vertices * 3, std::numeric_limits<std::int32_t>::max()));
   const std::int64_t elements = accessor.member("count").integer(1, most);
   accessor.member("normalized").boolean(false);
   offset_of(accessor);
@@ -110,10 +119,20 @@ void check_accessor(const Cursor& root, const Cursor& accessor, const Counts& co
   if (sparse.present()) check_sparse(root, sparse, counts, elements, size);
 }
 
-void check_primitive(const Cursor& primitive, const Counts& counts) {
+void check_primitive(const Cursor& root, const Cursor& primitive, const Counts& counts) {
   const Cursor attributes = primitive.member("attributes");
   for (const std::string& name : attributes.keys()) {
     attributes.member(name).index("accessors", counts.accessors);
+  }
+  const Cursor packed = primitive.member("extensions").member("KHR_draco_mesh_compression");
+  const Cursor position = attributes.member("POSITION");
+  if (packed.present() && position.present()) {
+    // Without a plain copy of the data the accessors are empty shells.
+    const auto index = static_cast<std::size_t>(position.index("accessors", counts.accessors));
+    if (!root.member("accessors").element(index).member("bufferView").present()) {
+      packed.fail("the mesh is only there in compressed form",
+                  "re-export without Draco compression: gltf-transform copy in.glb out.glb");
+    }
   }
   primitive.member("indices").optional_index("accessors", counts.accessors);
   primitive.member("material").optional_index("materials", counts.materials);
@@ -153,7 +172,7 @@ void check_structure(const Context& context, const Document& document) {
   check_each(root.member("meshes"), [&](const Cursor& mesh) {
     mesh.member("name").string("");
     check_each(mesh.member("primitives"),
-               [&](const Cursor& primitive) { check_primitive(primitive, counts); });
+               [&](const Cursor& primitive) { check_primitive(root, primitive, counts); });
   });
   check_each(root.member("nodes"), [&](const Cursor& node) { check_node(node, counts); });
   check_each(root.member("scenes"), [&](const Cursor& scene) {

@@ -8,7 +8,8 @@
 
 namespace caustics::gltf {
 
-// asset.version, extensionsRequired (fails on what we lack), extensionsUsed (notes what is ignored).
+// asset.version, extensionsRequired (fails on what we lack), extensionsUsed (notes what is
+// ignored).
 void check_extensions(Context& context, const Document& document);
 
 // Buffer views, accessors, meshes, nodes, scenes, textures and images.

@@ -35,8 +35,10 @@ std::uint64_t checked_length(Context& context, const Bytes& bytes) {
   }
   const std::uint64_t length = little_endian(bytes, 8);
   if (length > bytes.size()) {
-    context.fail("", "the .glb header says " + std::to_string(length) + " bytes, the file has " +
-                         std::to_string(bytes.size()), kDamaged);
+    context.fail("",
+                 "the .glb header says " + std::to_string(length) + " bytes, the file has " +
+                     std::to_string(bytes.size()),
+                 kDamaged);
   }
   if (length < bytes.size()) context.note("Bytes after the end of the .glb are ignored.");
   return length;
@@ -66,8 +68,8 @@ Chunks split_glb(Context& context, const Bytes& bytes) {
   return chunks;
 }
 
-// Bounds what parsing can cost before it starts: brackets and commas outside strings give the depth and
-// a bound on the number of values.
+// Bounds what parsing can cost before it starts: brackets and commas outside strings give the depth
+// and a bound on the number of values.
 void check_json_size(Context& context, std::string_view text) {
   std::uint64_t values = 1;
   int depth = 0;
@@ -84,15 +86,17 @@ void check_json_size(Context& context, std::string_view text) {
     if (c == '}' || c == ']') --depth;
     if (c == '{' || c == '[' || c == ',') ++values;
     if (depth > context.options().max_json_depth) {
-      context.fail("", "the JSON is nested deeper than " +
-                           std::to_string(context.options().max_json_depth) + " levels",
+      context.fail("",
+                   "the JSON is nested deeper than " +
+                       std::to_string(context.options().max_json_depth) + " levels",
                    "no sensible exporter writes such a file");
     }
   }
   if (values > context.options().max_json_values) {
-    context.fail("", "the JSON has more than " +
-                         std::to_string(context.options().max_json_values) + " values",
-                 "split the scene");
+    context.fail(
+        "",
+        "the JSON has more than " + std::to_string(context.options().max_json_values) + " values",
+        "split the scene");
   }
 }
 
@@ -126,7 +130,8 @@ Bytes read_file(Context& context, const std::filesystem::path& path, const std::
   context.spend_bytes(size, where);
   std::ifstream file(path, std::ios::binary);
   Bytes bytes(static_cast<std::size_t>(size));
-  if (!file || !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
+  if (!file ||
+      !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
     context.fail(where, "cannot be read", "check the file's permissions");
   }
   return bytes;

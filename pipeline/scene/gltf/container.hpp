@@ -20,8 +20,8 @@ struct Document {
   Cursor root(const Context& context) const { return {context, &json, ""}; }
 };
 
-// Reads a regular file of at most the bytes that are left in the context's budget. `where` is the JSON
-// path that refers to it, for messages.
+// Reads a regular file of at most the bytes that are left in the context's budget. `where` is the
+// JSON path that refers to it, for messages.
 Bytes read_file(Context& context, const std::filesystem::path& path, const std::string& where);
 
 Document read_document(Context& context);

@@ -43,8 +43,9 @@ void Context::note(const std::string& sentence) {
 
 void Context::spend_bytes(std::uint64_t bytes, const std::string& where) {
   if (bytes > bytes_left_) {
-    fail(where, "the file and what it refers to hold more than " +
-                    std::to_string(options_.max_bytes) + " bytes",
+    fail(where,
+         "the file and what it refers to hold more than " + std::to_string(options_.max_bytes) +
+             " bytes",
          "split the scene or shrink its textures");
   }
   bytes_left_ -= bytes;

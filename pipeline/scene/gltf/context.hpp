@@ -1,5 +1,5 @@
-// What every part of the glTF loader shares: the file's name, the limits, the notes, and the one way to
-// refuse a file.
+// What every part of the glTF loader shares: the file's name, the limits, the notes, and the one
+// way to refuse a file.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -17,8 +17,8 @@ class Context {
   const LoadOptions& options() const { return options_; }
   const std::filesystem::path& path() const { return path_; }
 
-  // Throws Error(BadInput): "file: where: what; advice" on one printable line. `where` is a JSON path,
-  // empty for the file as a whole; `advice` may be empty.
+  // Throws Error(BadInput): "file: where: what; advice" on one printable line. `where` is a JSON
+  // path, empty for the file as a whole; `advice` may be empty.
   [[noreturn]] void fail(const std::string& where, const std::string& what,
                          const std::string& advice = "") const;
 

@@ -8,7 +8,9 @@ const char* kFix = "export the file again or correct it by hand";
 
 std::string type_of(const Json& value) {
   if (value.is_string()) return "the string \"" + printable(value.get<std::string>(), 40) + "\"";
-  return value.is_array() ? "an array" : value.is_object() ? "an object" : printable(value.dump(), 40);
+  return value.is_array()    ? "an array"
+         : value.is_object() ? "an object"
+                             : printable(value.dump(), 40);
 }
 
 }  // namespace
@@ -58,12 +60,17 @@ std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest) const {
   if (!value_->is_number()) fail("must be an integer, is " + type_of(*value_), kFix);
   // Compared as double first: what does not fit an integer fails here and is never converted.
   const double value = value_->get<double>();
-  if (!(value >= static_cast<double>(lowest) && value <= static_cast<double>(highest))) {
-    fail("must be from " + std::to_string(lowest) + " to " + std::to_string(highest) + ", is " +
-             printable(value_->dump(), 40), kFix);
+  constexpr double kLargest = 9007199254740992.0;  // 2^53
+  const bool fits = value >= -kLargest && value <= kLargest;
+  const std::int64_t whole = fits ? static_cast<std::int64_t>(value) : 0;
+  if (fits && static_cast<double>(whole) != value) {
+    fail("must be an integer, is " + value_->dump(), kFix);
   }
-  const auto whole = static_cast<std::int64_t>(value);
-  if (static_cast<double>(whole) != value) fail("must be an integer, is " + value_->dump(), kFix);
+  if (!fits || whole < lowest || whole > highest) {
+    fail("must be from " + std::to_string(lowest) + " to " + std::to_string(highest) + ", is " +
+             printable(value_->dump(), 40),
+         kFix);
+  }
   return whole;
 }
 
@@ -78,7 +85,8 @@ int Cursor::index(const char* array, std::size_t count) const {
   const double value = value_->get<double>();
   if (!(value >= 0 && value < static_cast<double>(count))) {
     fail("refers to " + std::string(array) + "[" + printable(value_->dump(), 40) + "], but there " +
-             (count == 1 ? "is 1" : "are " + std::to_string(count)), kFix);
+             (count == 1 ? "is 1" : "are " + std::to_string(count)),
+         kFix);
   }
   return static_cast<int>(integer(0, static_cast<std::int64_t>(count) - 1));
 }

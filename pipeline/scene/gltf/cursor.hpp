@@ -1,7 +1,8 @@
-// A place in the file's JSON that knows its path, so that whatever is wrong there is said with the path.
+// A place in the file's JSON that knows its path, so that whatever is wrong there is said with the
+// path.
 //
-// A cursor may stand on nothing (an absent member); reading a value from it gives the default, or fails
-// where the value is required. A value of the wrong type always fails.
+// A cursor may stand on nothing (an absent member); reading a value from it gives the default, or
+// fails where the value is required. A value of the wrong type always fails.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -37,7 +38,7 @@ class Cursor {
   std::int64_t integer(std::int64_t lowest, std::int64_t highest) const;
   std::int64_t integer(std::int64_t lowest, std::int64_t highest, std::int64_t fallback) const;
   // An index into the top-level array `array` with `count` elements.
-  int index(const char* array, std::size_t count) const;                 // required
+  int index(const char* array, std::size_t count) const;  // required
   std::optional<int> optional_index(const char* array, std::size_t count) const;
   bool boolean(bool fallback) const;
   std::string string() const;  // required

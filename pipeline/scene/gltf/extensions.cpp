@@ -8,19 +8,28 @@ namespace caustics::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> kSupported = {
-    "KHR_materials_transmission", "KHR_materials_ior",        "KHR_materials_volume",
-    "KHR_materials_dispersion",   "KHR_materials_unlit",      "KHR_materials_emissive_strength",
-    "KHR_materials_variants",     "KHR_lights_punctual",      "KHR_mesh_quantization",
-    "KHR_texture_transform",      "EXT_mesh_gpu_instancing",  "KHR_node_visibility",
-    "KHR_xmp_json_ld",            "KHR_materials_specular"};
+constexpr std::array<std::string_view, 13> kSupported = {"KHR_materials_transmission",
+                                                         "KHR_materials_ior",
+                                                         "KHR_materials_volume",
+                                                         "KHR_materials_dispersion",
+                                                         "KHR_materials_unlit",
+                                                         "KHR_materials_emissive_strength",
+                                                         "KHR_materials_variants",
+                                                         "KHR_lights_punctual",
+                                                         "KHR_mesh_quantization",
+                                                         "KHR_texture_transform",
+                                                         "EXT_mesh_gpu_instancing",
+                                                         "KHR_node_visibility",
+                                                         "KHR_xmp_json_ld"};
 
-// Extensions that change how light looks on a surface but neither geometry nor refraction: a file that
-// requires them still makes a meaningful scene.
-constexpr std::array<std::string_view, 8> kHarmless = {
-    "KHR_materials_clearcoat",   "KHR_materials_sheen",      "KHR_materials_iridescence",
-    "KHR_materials_anisotropy",  "KHR_materials_diffuse_transmission",
-    "KHR_animation_pointer",     "KHR_materials_pbrSpecularGlossiness", "KHR_audio_emitter"};
+// Extensions that change how light looks on a surface but neither geometry nor refraction: a file
+// that requires them still makes a meaningful scene.
+constexpr std::array<std::string_view, 9> kHarmless = {
+    "KHR_materials_specular",   "KHR_materials_clearcoat",
+    "KHR_materials_sheen",      "KHR_materials_iridescence",
+    "KHR_materials_anisotropy", "KHR_materials_diffuse_transmission",
+    "KHR_animation_pointer",    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_audio_emitter"};
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& list, std::string_view name) {
@@ -46,11 +55,11 @@ void check_version(Context& context, const Cursor& root) {
   const Cursor version = asset.member("version");
   const std::string text = version.string();
   if (text.compare(0, 2, "2.") != 0) {
-    version.fail("is " + text + ", only glTF 2.0 can be read", "export it as glTF 2.0");
+    version.fail("is \"" + text + "\", only glTF 2.0 can be read", "export it as glTF 2.0");
   }
   const Cursor least = asset.member("minVersion");
   if (least.present() && least.string() != "2.0") {
-    least.fail("is " + least.string() + ", only glTF 2.0 can be read", "export it as glTF 2.0");
+    least.fail("is \"" + least.string() + "\", only glTF 2.0 can be read", "export it as glTF 2.0");
   }
   if (text != "2.0") context.note("asset.version is " + text + "; read as 2.0.");
 }
@@ -73,7 +82,8 @@ void check_extensions(Context& context, const Document& document) {
   const Cursor used = root.member("extensionsUsed");
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::string name = used.element(i).string();
-    if (contains(kSupported, name) && name != "KHR_materials_specular") continue;
+    if (name == "KHR_materials_variants") context.note("Material variants: the base one is shown.");
+    if (contains(kSupported, name)) continue;
     ignored.push_back(name);
   }
   for (const std::string& name : ignored) context.note("The extension " + name + " is ignored.");

@@ -72,8 +72,7 @@ tinygltf::FsCallbacks callbacks_for(std::vector<Bytes>& buffers) {
     return buffer_named(path, user_data) != nullptr;
   };
   callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  callbacks.ReadWholeFile = [](Bytes* out, std::string*, const std::string& path,
-                               void* user_data) {
+  callbacks.ReadWholeFile = [](Bytes* out, std::string*, const std::string& path, void* user_data) {
     Bytes* buffer = buffer_named(path, user_data);
     if (buffer) *out = std::move(*buffer);
     return buffer != nullptr;

@@ -67,7 +67,8 @@ std::vector<int> Walk::roots() {
 void Walk::count_visit(const Cursor& node, std::uint64_t number) {
   if (number > context_.options().max_nodes - count_) {
     node.fail("the scene has more than " + std::to_string(context_.options().max_nodes) +
-                  " nodes and instances", "split the scene");
+                  " nodes and instances",
+              "split the scene");
   }
   count_ += number;
 }
@@ -83,7 +84,8 @@ void Walk::visit(int index, const Affine& parent, int depth, bool visible) {
   count_visit(node, 1);
   if (depth > context_.options().max_node_depth) {
     node.fail("lies deeper than " + std::to_string(context_.options().max_node_depth) +
-                  " levels in the node tree", "flatten the hierarchy");
+                  " levels in the node tree",
+              "flatten the hierarchy");
   }
   const Affine to_world = parent * local_transform(node, model_.nodes[i]);
   if (!to_world.finite()) node.fail("its transform is not finite", "correct its scale");
@@ -140,8 +142,8 @@ void Walk::place(const Cursor& node, int index, const Affine& to_world, bool vis
   }
   if (light.present() && visible) {
     placements_.lights.push_back(here);
-    placements_.lights.back().index = light.member("light").index(
-        "extensions.KHR_lights_punctual.lights", lights_);
+    placements_.lights.back().index =
+        light.member("light").index("extensions.KHR_lights_punctual.lights", lights_);
   }
 }
 
@@ -184,10 +186,9 @@ void Walk::place_instances(const Cursor& attributes, const Placement& placement)
       }
     }
     Placement instance = placement;
-    instance.to_world = placement.to_world *
-                        exact::from_trs({v[0][0], v[0][1], v[0][2]},
-                                        {v[1][0], v[1][1], v[1][2], v[1][3]},
-                                        {v[2][0], v[2][1], v[2][2]});
+    instance.to_world = placement.to_world * exact::from_trs({v[0][0], v[0][1], v[0][2]},
+                                                             {v[1][0], v[1][1], v[1][2], v[1][3]},
+                                                             {v[2][0], v[2][1], v[2][2]});
     instance.name += " instance " + std::to_string(i);
     if (!instance.to_world.finite()) {
       attributes.fail("instance " + std::to_string(i) + ": its transform is not finite");

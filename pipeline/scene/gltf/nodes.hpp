@@ -18,9 +18,9 @@ struct Placement {
 };
 
 struct Placements {
-  std::vector<Placement> meshes;   // one for each instance
+  std::vector<Placement> meshes;  // one for each instance
   std::vector<Placement> cameras;
-  std::vector<Placement> lights;   // index into KHR_lights_punctual's list
+  std::vector<Placement> lights;  // index into KHR_lights_punctual's list
 };
 
 // Fails on cycles, nodes with two parents, trees too deep or too large, and transforms that are not

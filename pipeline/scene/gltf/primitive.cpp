@@ -37,10 +37,9 @@ std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::
   }
   const Accessor accessor(context, model, primitive.indices);
   const int type = accessor.component_type();
-  if (accessor.components() != 1 ||
-      (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+  if (accessor.components() != 1 || (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+                                     type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+                                     type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
     context.fail(accessor.path(), "indices must be unsigned scalars", kFix);
   }
   const std::uint32_t restart = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xFFu
@@ -50,11 +49,12 @@ std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::
   for (std::size_t i = 0; i < accessor.size(); ++i) {
     const std::uint32_t value = accessor.unsigned_value(i);
     if (value == restart || value >= vertices) {
-      context.fail(accessor.path(),
-                   "index " + std::to_string(i) + " is " + std::to_string(value) +
-                       (value == restart ? ", the primitive restart value, which glTF forbids"
-                                         : ", but there are " + std::to_string(vertices) +
-                                               " vertices"), kFix);
+      context.fail(
+          accessor.path(),
+          "index " + std::to_string(i) + " is " + std::to_string(value) +
+              (value == restart ? ", the primitive restart value, which glTF forbids"
+                                : ", but there are " + std::to_string(vertices) + " vertices"),
+          kFix);
     }
     indices.push_back(value);
   }
@@ -82,8 +82,8 @@ std::vector<std::array<std::uint32_t, 3>> assemble(const std::vector<std::uint32
   return triangles;
 }
 
-void spend(const Context& context, const std::string& path, std::uint64_t& used,
-           std::uint64_t more, std::uint64_t most, const char* what) {
+void spend(const Context& context, const std::string& path, std::uint64_t& used, std::uint64_t more,
+           std::uint64_t most, const char* what) {
   if (more > most - used) {
     context.fail(path, "the scene has more than " + std::to_string(most) + " " + what,
                  "simplify the scene");
@@ -91,12 +91,12 @@ void spend(const Context& context, const std::string& path, std::uint64_t& used,
   used += more;
 }
 
-// Copies the attributes of the vertices that the triangles use, in the order of their first use, and
-// renumbers the triangles.
+// Copies the attributes of the vertices that the triangles use, in the order of their first use,
+// and renumbers the triangles.
 class Gather {
  public:
-  Gather(const Context& context, const tinygltf::Model& model,
-         const tinygltf::Primitive& primitive, const exact::Affine& to_world, int uv_set)
+  Gather(const Context& context, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+         const exact::Affine& to_world, int uv_set)
       : context_(context),
         to_world_(to_world),
         mirrored_(to_world.determinant() < 0),
@@ -130,8 +130,10 @@ class Gather {
  private:
   void check_count(const std::optional<Accessor>& accessor, const std::string& name) const {
     if (accessor && accessor->size() != positions_.size()) {
-      context_.fail(accessor->path(), name + " has " + std::to_string(accessor->size()) +
-                        " elements, POSITION " + std::to_string(positions_.size()), kFix);
+      context_.fail(accessor->path(),
+                    name + " has " + std::to_string(accessor->size()) + " elements, POSITION " +
+                        std::to_string(positions_.size()),
+                    kFix);
     }
   }
 
@@ -149,8 +151,9 @@ class Gather {
     const double most = context_.options().max_coordinate;
     const glm::dvec3 size = glm::abs(world);
     if (!(size.x <= most && size.y <= most && size.z <= most)) {
-      context_.fail(positions_.path(), "position " + std::to_string(i) +
-                        " lies more than 1e12 m from the origin", "check the scene's scale");
+      context_.fail(positions_.path(),
+                    "position " + std::to_string(i) + " lies more than 1e12 m from the origin",
+                    "check the scene's scale");
     }
     return world;
   }
@@ -177,8 +180,7 @@ class Gather {
   std::optional<Accessor> normals_, tangents_, uvs_;
 };
 
-bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive,
-                  const std::string& path) {
+bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive, const std::string& path) {
   const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   if (mode < TINYGLTF_MODE_TRIANGLES) {
     context.note(path + ": points and lines are left out.");
@@ -220,8 +222,9 @@ std::optional<Shape> read_primitive(Context& context, const Document& document,
     context.note(shape.path + ": the last " + std::to_string(indices.size() % 3) +
                  " indices make no triangle and are ignored.");
   }
-  const std::size_t triangles = mode == TINYGLTF_MODE_TRIANGLES ? indices.size() / 3
-                                                                : std::max<std::size_t>(indices.size(), 2) - 2;
+  const std::size_t triangles = mode == TINYGLTF_MODE_TRIANGLES
+                                    ? indices.size() / 3
+                                    : std::max<std::size_t>(indices.size(), 2) - 2;
   spend(context, shape.path, budget.triangles, triangles, limits.max_triangles, "triangles");
   shape.triangles = assemble(indices, mode);
   gather.run(shape);

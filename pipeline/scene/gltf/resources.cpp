@@ -39,8 +39,8 @@ bool has_scheme(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || colon == 0) return false;
   return std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(colon), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           c == '+' || c == '-' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' ||
+           c == '-' || c == '.';
   });
 }
 
@@ -93,8 +93,9 @@ Bytes decode_data_uri(const Cursor& uri, const std::string& text) {
 
 Bytes read_buffer(Context& context, const Document& document, std::size_t i) {
   const Cursor buffer = document.root(context).member("buffers").element(i);
-  const auto length = static_cast<std::size_t>(buffer.member("byteLength").integer(
-      1, static_cast<std::int64_t>(context.options().max_bytes)));
+  const auto length = static_cast<std::size_t>(
+      buffer.member("byteLength")
+          .integer(1, static_cast<std::int64_t>(context.options().max_bytes)));
   const Cursor uri = buffer.member("uri");
   Bytes bytes;
   if (uri.present()) {
@@ -106,9 +107,10 @@ Bytes read_buffer(Context& context, const Document& document, std::size_t i) {
     uri.fail("is missing, and there is no binary chunk for this buffer", "export the file again");
   }
   if (bytes.size() < length) {
-    buffer.member("byteLength").fail(
-        "is " + std::to_string(length) + ", but there are only " + std::to_string(bytes.size()) +
-            " bytes", "the file is damaged or was cut short: get or export it again");
+    buffer.member("byteLength")
+        .fail("is " + std::to_string(length) + ", but there are only " +
+                  std::to_string(bytes.size()) + " bytes",
+              "the file is damaged or was cut short: get or export it again");
   }
   bytes.resize(length);
   return bytes;

@@ -1,5 +1,5 @@
-// What a glTF file refers to by URI: data URIs, and files that must lie in the glTF file's own folder.
-// Source: glTF 2.0 section 2.8.
+// What a glTF file refers to by URI: data URIs, and files that must lie in the glTF file's own
+// folder. Source: glTF 2.0 section 2.8.
 #pragma once
 #include <vector>
 
@@ -7,8 +7,9 @@
 
 namespace caustics::gltf {
 
-// The bytes behind a URI. Refused are other schemes than data:, absolute paths, paths that leave the
-// glTF file's folder (also percent-encoded, and through symbolic links), and what is no regular file.
+// The bytes behind a URI. Refused are other schemes than data:, absolute paths, paths that leave
+// the glTF file's folder (also percent-encoded, and through symbolic links), and what is no regular
+// file.
 Bytes read_uri(Context& context, const Cursor& uri);
 
 // The contents of all buffers, each exactly byteLength long. A GLB's binary chunk is the first one.

@@ -6,8 +6,8 @@
 
 namespace caustics::gltf {
 
-// Gives every vertex a unit normal on the outer side of its triangles: flat ones where the file has none
-// (vertices are split), the geometric one in place of zero and non-finite ones.
+// Gives every vertex a unit normal on the outer side of its triangles: flat ones where the file has
+// none (vertices are split), the geometric one in place of zero and non-finite ones.
 void finish_normals(Context& context, Shape& shape);
 
 // Gives every vertex a unit tangent perpendicular to its normal. Those not in the file are averaged

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "pipeline/scene/gltf/weld.hpp"
+
 namespace caustics::gltf {
 
 namespace {
@@ -23,30 +25,6 @@ struct HalfEdge {
   bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-// Number of the first vertex with the same position, over all shapes, vertices counted through.
-std::vector<std::uint32_t> weld(const std::vector<Shape*>& group) {
-  std::vector<const glm::dvec3*> all;
-  for (const Shape* shape : group) {
-    for (const glm::dvec3& p : shape->positions) all.push_back(&p);
-  }
-  std::vector<std::uint32_t> order(all.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    const glm::dvec3 &p = *all[a], &q = *all[b];
-    if (p.x != q.x) return p.x < q.x;
-    if (p.y != q.y) return p.y < q.y;
-    if (p.z != q.z) return p.z < q.z;
-    return a < b;
-  };
-  std::sort(order.begin(), order.end(), before);
-  std::vector<std::uint32_t> welded(all.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && *all[order[i]] == *all[order[i - 1]];
-    welded[order[i]] = same ? welded[order[i - 1]] : order[i];
-  }
-  return welded;
-}
-
 std::vector<Face> faces_of(const std::vector<Shape*>& group) {
   const std::vector<std::uint32_t> welded = weld(group);
   std::vector<Face> faces;
@@ -54,7 +32,8 @@ std::vector<Face> faces_of(const std::vector<Shape*>& group) {
   for (std::uint32_t s = 0; s < group.size(); ++s) {
     for (std::uint32_t t = 0; t < group[s]->triangles.size(); ++t) {
       const Triangle& c = group[s]->triangles[t];
-      faces.push_back({s, t, {welded[offset + c[0]], welded[offset + c[1]], welded[offset + c[2]]}});
+      faces.push_back(
+          {s, t, {welded[offset + c[0]], welded[offset + c[1]], welded[offset + c[2]]}});
     }
     offset += static_cast<std::uint32_t>(group[s]->positions.size());
   }
@@ -104,6 +83,7 @@ std::vector<HalfEdge> sorted_edges(const std::vector<Face>& faces) {
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = faces[f].corners[k], b = faces[f].corners[(k + 1) % 3];
+      if (a == b) continue;  // shorter than the welding tolerance
       edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
     }
   }
@@ -141,8 +121,8 @@ Edges examine_edges(const std::vector<Face>& faces) {
     i = end;
   }
   if (total > 0) {
-    result.closedness = static_cast<float>(static_cast<double>(result.pairs.size()) /
-                                           static_cast<double>(total));
+    result.closedness =
+        static_cast<float>(static_cast<double>(result.pairs.size()) / static_cast<double>(total));
   }
   return result;
 }
@@ -183,9 +163,10 @@ class Orientation {
   double volume(std::uint32_t f) const {
     const Shape& shape = *group_[faces_[f].shape];
     const Triangle& t = shape.triangles[faces_[f].triangle];
-    const double v = exact::dot(shape.positions[t[0]] - centre_,
-                                exact::cross(shape.positions[t[1]] - centre_,
-                                             shape.positions[t[2]] - centre_)) / 6.0;
+    const double v =
+        exact::dot(shape.positions[t[0]] - centre_,
+                   exact::cross(shape.positions[t[1]] - centre_, shape.positions[t[2]] - centre_)) /
+        6.0;
     return turned_[f] ? -v : v;
   }
 

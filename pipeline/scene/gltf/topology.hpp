@@ -12,11 +12,11 @@ namespace caustics::gltf {
 // Drops triangles without area; returns how many.
 std::size_t drop_degenerate(Shape& shape);
 
-// Welds equal positions over all shapes of the group, drops triangles given twice, and writes to each
-// shape the share of edges with exactly two triangles. Where `solid` (the material transmits light) and
-// the group is closed, triangles are turned to face outwards: those that disagree with their neighbours,
-// and all of them where the signed volume is negative. Other meshes keep the winding of the file: a room
-// seen from inside is rightly inside out.
+// Welds equal positions over all shapes of the group, drops triangles given twice, and writes to
+// each shape the share of edges with exactly two triangles. Where `solid` (the material transmits
+// light) and the group is closed, triangles are turned to face outwards: those that disagree with
+// their neighbours, and all of them where the signed volume is negative. Other meshes keep the
+// winding of the file: a room seen from inside is rightly inside out.
 void join_group(Context& context, const std::vector<Shape*>& group, bool solid);
 
 }  // namespace caustics::gltf

@@ -1,0 +1,76 @@
+#include "passes/receiver_map/receiver_map.hpp"
+
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+const Material kPlain{};
+
+// The definition drawn with one quad facing up at this height, over a 2 m window from 10 m above.
+PassImages draw(const glm::vec3 (&corners)[4], const Frame& frame, const Material& material = kPlain,
+                const Image& base_color = {}) {
+  return run_pass(receiver_map_pass().definition,
+                  {.width = 4,
+                   .height = 4,
+                   .uniforms = uniform_bytes(receiver_map_uniforms(frame, material)),
+                   .textures = {base_color},
+                   .mesh = quad(corners, {0.0f, 1.0f, 0.0f})});
+}
+
+const glm::vec3 kFloor[4] = {{-2, 2, 2}, {2, 2, 2}, {2, 2, -2}, {-2, 2, -2}};
+
+}  // namespace
+
+TEST_CASE("receiver_map: a floor fills the map with the positions of its texel centres") {
+  // A window of 2 m in 4 texels: centres at -0.75, -0.25, 0.25, 0.75; right is +x, up is -z.
+  const Image map = draw(kFloor, down(1.0, 10.0, 20.0))["receiver_position"];
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const glm::vec4 p = texel(map, x, y);
+      CHECK(p.x == Approx(-0.75 + 0.5 * x));
+      CHECK(p.y == Approx(2.0));
+      CHECK(p.z == Approx(0.75 - 0.5 * y));
+      CHECK(p.w == 1.0f);
+    }
+}
+
+TEST_CASE("receiver_map: what nothing covers has w = 0") {
+  const glm::vec3 left_half[4] = {{-2, 2, 2}, {0, 2, 2}, {0, 2, -2}, {-2, 2, -2}};
+  const Image map = draw(left_half, down(1.0, 10.0, 20.0))["receiver_position"];
+  CHECK(map.at(1, 0, 3) == 1.0f);
+  CHECK(map.at(2, 0, 3) == 0.0f);
+  CHECK(map.at(2, 0, 0) == 0.0f);
+}
+
+TEST_CASE("receiver_map: what lies before the near plane is left out") {
+  Frame frame = down(1.0, 10.0, 20.0);
+  frame.near = 9.0;  // at height 1, below the floor at height 2
+  CHECK(draw(kFloor, frame)["receiver_position"].at(1, 1, 3) == 0.0f);
+}
+
+TEST_CASE("receiver_map: an alpha mask cuts holes") {
+  // The texture's left half is transparent; the quad spans 4 m, the window its middle 2 m.
+  Image base_color(Format::RGBA16F, 2, 1);
+  base_color.at(1, 0, 3) = 1.0f;
+  Material material;
+  material.alpha_mode = AlphaMode::Mask;
+  material.base_color_texture.image = 0;
+  const Image map = draw(kFloor, down(1.0, 10.0, 20.0), material, base_color)["receiver_position"];
+  CHECK(map.at(1, 2, 3) == 0.0f);
+  CHECK(map.at(2, 2, 3) == 1.0f);
+}
+
+TEST_CASE("receiver_map: a point light's frame sees positions in perspective") {
+  // From 10 m above, the floor at height 2 is 8 m away: a window of tangent 0.5 spans +-4 m there.
+  Frame frame = down(0.5, 10.0, 20.0);
+  frame.perspective = true;
+  frame.near = 0.1;
+  const glm::vec3 wide[4] = {{-9, 2, 9}, {9, 2, 9}, {9, 2, -9}, {-9, 2, -9}};
+  const glm::vec4 p = texel(draw(wide, frame)["receiver_position"], 3, 0);
+  CHECK(p.x == Approx(3.0));
+  CHECK(p.z == Approx(3.0));
+}

@@ -1,0 +1,189 @@
+#include "pipeline/scene/gltf/textures.hpp"
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/gltf/resources.hpp"
+
+namespace caustics::gltf {
+
+namespace {
+
+// Texel channel c of four, whatever the file's channels: grey spreads, missing alpha is opaque.
+std::size_t source_channel(int c, int channels) {
+  if (c == 3) return static_cast<std::size_t>(channels) - 1;
+  return channels < 3 ? 0 : static_cast<std::size_t>(c);
+}
+bool has_alpha(int channels) { return channels == 2 || channels == 4; }
+
+std::vector<float> color_table(double largest) {
+  std::vector<float> table(static_cast<std::size_t>(largest) + 1);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double linear = exact::srgb_to_linear(static_cast<double>(i) / largest);
+    table[i] = stored_value(Format::RGBA16F, static_cast<float>(linear));
+  }
+  return table;
+}
+
+std::vector<float> plain_table(double largest, Format format) {
+  std::vector<float> table(static_cast<std::size_t>(largest) + 1);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    table[i] = stored_value(format, static_cast<float>(static_cast<double>(i) / largest));
+  }
+  return table;
+}
+
+Image to_image(const Pixels& pixels, bool is_normal) {
+  const Format format = is_normal ? Format::RGBA8 : Format::RGBA16F;
+  const std::vector<float> plain = plain_table(pixels.largest, format);
+  const std::vector<float> color = is_normal ? plain : color_table(pixels.largest);
+  Image image(format, pixels.width, pixels.height);
+  const auto channels = static_cast<std::size_t>(pixels.channels);
+  const auto width = static_cast<std::size_t>(pixels.width);
+  float* out = image.values.data();
+  for (int y = pixels.height - 1; y >= 0; --y) {  // row 0 is the bottom one
+    const std::uint16_t* texel =
+        pixels.integers.data() + static_cast<std::size_t>(y) * width * channels;
+    for (std::size_t x = 0; x < width; ++x, texel += channels) {
+      for (int c = 0; c < 3; ++c) *out++ = color[texel[source_channel(c, pixels.channels)]];
+      *out++ = has_alpha(pixels.channels) ? plain[texel[source_channel(3, pixels.channels)]] : 1;
+    }
+  }
+  return image;
+}
+
+// KHR_texture_transform, then v counted from the bottom. The extension turns textures
+// counter-clockwise as seen with v pointing down.
+glm::mat3 uv_transform(const Cursor& info) {
+  const Cursor transform = info.member("extensions").member("KHR_texture_transform");
+  const std::vector<double> offset = transform.member("offset").numbers(2);
+  const std::vector<double> scale = transform.member("scale").numbers(2);
+  double angle = transform.member("rotation").number(0.0);
+  if (!(angle > -1e5 && angle < 1e5)) angle = 0;
+  double sine = 0, cosine = 1;
+  exact::sin_cos(angle, sine, cosine);
+  const double sx = scale.empty() ? 1 : scale[0], sy = scale.empty() ? 1 : scale[1];
+  const double ox = offset.empty() ? 0 : offset[0], oy = offset.empty() ? 0 : offset[1];
+  // u' = sx cos u + sy sin v + ox; v' = 1 - (-sx sin u + sy cos v + oy); columns of the matrix:
+  return glm::mat3(glm::vec3(sx * cosine, sx * sine, 0), glm::vec3(sy * sine, -sy * cosine, 0),
+                   glm::vec3(ox, 1 - oy, 1));
+}
+
+// The note of a failed resource: its message without the file's name and the advice.
+std::string reason(const Context& context, const Error& error) {
+  std::string what = error.what();
+  const std::string file = printable(context.path().string(), 400) + ": ";
+  if (what.compare(0, file.size(), file) == 0) what = what.substr(file.size());
+  return what.substr(0, what.rfind("; "));
+}
+
+}  // namespace
+
+int Textures::uv_set(const Cursor& info) {
+  const Cursor transform = info.member("extensions").member("KHR_texture_transform");
+  return static_cast<int>(
+      transform.member("texCoord").integer(0, 1000, info.member("texCoord").integer(0, 1000, 0)));
+}
+
+std::optional<int> Textures::image_index(const Cursor& info) {
+  const Cursor textures = root_.member("textures");
+  const int index = info.member("index").index("textures", textures.size());
+  const Cursor texture = textures.element(static_cast<std::size_t>(index));
+  const auto source =
+      texture.member("source").optional_index("images", root_.member("images").size());
+  if (!source) context_.note(texture.path() + " has no PNG or JPEG image and is left out.");
+  const Cursor samplers = root_.member("samplers");
+  const auto sampler = texture.member("sampler").optional_index("samplers", samplers.size());
+  if (sampler) {
+    const Cursor wrap = samplers.element(static_cast<std::size_t>(*sampler));
+    if (wrap.member("wrapS").integer(0, 65535, 10497) != 10497 ||
+        wrap.member("wrapT").integer(0, 65535, 10497) != 10497) {
+      context_.note("Textures always repeat; other wrap modes of samplers are ignored.");
+    }
+  }
+  return source;
+}
+
+Bytes Textures::image_bytes(const Cursor& image) {
+  const Cursor view = image.member("bufferView");
+  if (!view.present()) return read_uri(context_, image.member("uri"));
+  const auto& v = model_.bufferViews[static_cast<std::size_t>(
+      view.index("bufferViews", model_.bufferViews.size()))];
+  const auto begin = model_.buffers[static_cast<std::size_t>(v.buffer)].data.begin() +
+                     static_cast<std::ptrdiff_t>(v.byteOffset);
+  return Bytes(begin, begin + static_cast<std::ptrdiff_t>(v.byteLength));
+}
+
+bool Textures::decode(int index, Pixels& pixels) {
+  const Cursor image = root_.member("images").element(static_cast<std::size_t>(index));
+  std::string problem;
+  try {
+    const Bytes bytes = image_bytes(image);
+    const ImageHeader header = sniff_image(bytes);
+    problem = header.problem;
+    if (header.kind == ImageKind::Hdr || header.kind == ImageKind::Exr) {
+      problem = "is no PNG or JPEG";
+    }
+    if (problem.empty() && decode_image(bytes, header.kind, context_.options().max_image_side,
+                                        pixels_left_, pixels, problem)) {
+      pixels_left_ -=
+          static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height);
+      return true;
+    }
+    problem = image.path() + " " + problem;
+  } catch (const Error& error) {
+    problem = reason(context_, error);
+  }
+  context_.note(problem + "; textures that use it are left out.");
+  return false;
+}
+
+TextureUse Textures::use(const Cursor& info, bool is_normal) {
+  TextureUse result;
+  if (!info.present()) return result;
+  const auto source = image_index(info);
+  if (!source) return result;
+  result.uv_transform = uv_transform(info);
+  const auto key = std::make_pair(*source, is_normal);
+  const auto known = loaded_.find(key);
+  if (known != loaded_.end()) {
+    result.image = known->second;
+    return result;
+  }
+  Pixels pixels;
+  if (decode(*source, pixels)) {
+    result.image = static_cast<int>(images_.size());
+    images_.push_back(to_image(pixels, is_normal));
+  }
+  loaded_[key] = result.image;
+  return result;
+}
+
+std::optional<double> Textures::mean(const Cursor& info, int channel) {
+  if (!info.present()) return std::nullopt;
+  const auto source = image_index(info);
+  if (!source) return std::nullopt;
+  auto known = means_.find(*source);
+  if (known == means_.end()) {
+    std::array<double, 4> means{-1, -1, -1, -1};
+    Pixels pixels;
+    if (decode(*source, pixels)) {
+      const auto channels = static_cast<std::size_t>(pixels.channels);
+      for (int c = 0; c < 3; ++c) {
+        // A sum of integers: exact, so the order does not matter.
+        std::uint64_t sum = 0;
+        for (std::size_t i = source_channel(c, pixels.channels); i < pixels.integers.size();
+             i += channels) {
+          sum += pixels.integers[i];
+        }
+        means[static_cast<std::size_t>(c)] =
+            static_cast<double>(sum) /
+            (pixels.largest * (static_cast<double>(pixels.integers.size()) / channels));
+      }
+    }
+    known = means_.emplace(*source, means).first;
+  }
+  const double value = known->second[static_cast<std::size_t>(channel)];
+  return value < 0 ? std::nullopt : std::optional<double>(value);
+}
+
+}  // namespace caustics::gltf

@@ -1,0 +1,282 @@
+// Coverage, depth, interpolation, shading and blending of one tile. Included once for each instruction
+// set, in a namespace of its own; uses nothing whose inline functions the linker could share.
+//
+// Primitives come in API order. Their fragments are collected sixteen at a time, across primitives, so
+// that small triangles fill the lanes too; within a pixel the order stays the API's because depth is
+// tested while collecting, or after shading lane by lane, and blending runs lane by lane.
+#pragma once
+#include "raster/tile_job.hpp"
+
+namespace caustics::raster::CAUSTICS_TILE_NAMESPACE {
+
+inline int larger(int a, int b) { return a > b ? a : b; }
+inline int smaller(int a, int b) { return a < b ? a : b; }
+
+inline float evaluate(const Plane& plane, float x, float y) {
+  return __builtin_fmaf(plane.per_y, y, __builtin_fmaf(plane.per_x, x, plane.origin));
+}
+
+inline bool passes(Compare compare, float incoming, float stored) {
+  switch (compare) {
+    case Compare::Always:
+      return true;
+    case Compare::Less:
+      return incoming < stored;
+    case Compare::LessEqual:
+      return incoming <= stored;
+    case Compare::Greater:
+      return incoming > stored;
+    case Compare::GreaterEqual:
+      return incoming >= stored;
+    case Compare::Equal:
+      return incoming == stored;
+    case Compare::Never:
+      return false;
+  }
+  return false;
+}
+
+// ---- half and 8-bit targets: the rounding of pipeline/gpu/format.cpp, which lives outside this
+// instruction set and is called through the linker.
+inline float quantized(Format format, float value) {
+  return format == Format::RGBA16F || format == Format::RGBA8 ? stored_value(format, value) : value;
+}
+
+inline float factor_of(BlendFactor factor, const float* source, const float* destination,
+                       int channel) {
+  switch (factor) {
+    case BlendFactor::Zero:
+      return 0.0f;
+    case BlendFactor::One:
+      return 1.0f;
+    case BlendFactor::SourceColor:
+      return source[channel];
+    case BlendFactor::SourceAlpha:
+      return source[3];
+    case BlendFactor::OneMinusSourceAlpha:
+      return 1.0f - source[3];
+    case BlendFactor::DestinationColor:
+      return destination[channel];
+  }
+  return 0.0f;
+}
+
+// A term of the Add equation; a factor of 0 gives 0 and of 1 the value itself.
+inline float weighted(BlendFactor factor, float value, const float* source,
+                      const float* destination, int channel) {
+  if (factor == BlendFactor::Zero) return 0.0f;
+  if (factor == BlendFactor::One) return value;
+  return value * factor_of(factor, source, destination, channel);
+}
+
+inline float blended(const BlendState& blend, const float* source, const float* destination,
+                     int channel) {
+  const float s = source[channel], d = destination[channel];
+  // A NaN loses against a number in Min and Max, as on llvmpipe.
+  if (blend.equation == BlendEquation::Min) return s < d || d != d ? s : d;
+  if (blend.equation == BlendEquation::Max) return s > d || d != d ? s : d;
+  return weighted(blend.source, s, source, destination, channel) +
+         weighted(blend.destination, d, source, destination, channel);
+}
+
+inline void write_color(const TileColor& target, float* texel, const float* color) {
+  const bool unorm = target.format == Format::RGBA8;
+  float source[4], result[4];
+  for (int c = 0; c < 4; ++c) {
+    source[c] = color[c];
+    // Fixed-point targets clamp before blending (17.3.6.1).
+    if (unorm) source[c] = source[c] >= 0.0f ? (source[c] <= 1.0f ? source[c] : 1.0f) : 0.0f;
+  }
+  for (int c = 0; c < 4; ++c)
+    result[c] = target.blend.enabled ? blended(target.blend, source, texel, c) : source[c];
+  for (int c = 0; c < 4; ++c)
+    if (target.mask[c]) texel[c] = quantized(target.format, result[c]);
+}
+
+class TileRenderer {
+ public:
+  TileRenderer(const TileJob& job, TileCounters& counters) : job_(job), counters_(counters) {
+    for (int i = 0; i < job.color_count; ++i) {
+      const TileColor& t = job.colors[i];
+      plain_add_[i] = t.format == Format::RGBA32F && t.blend.enabled &&
+                      t.blend.equation == BlendEquation::Add &&
+                      t.blend.source == BlendFactor::One &&
+                      t.blend.destination == BlendFactor::One && t.mask[0] && t.mask[1] &&
+                      t.mask[2] && t.mask[3];
+    }
+  }
+
+  void run() {
+    for (int c = 0; c < job_.chunk_count; ++c) {
+      const PrimitiveChunk& chunk = job_.chunks[c];
+      for (std::uint32_t i = 0; i < chunk.count; ++i) {
+        if (job_.is_points)
+          draw_point(chunk.points[chunk.touching[i]]);
+        else
+          draw_triangle(chunk.triangles[chunk.touching[i]]);
+      }
+    }
+    flush();
+  }
+
+ private:
+  void draw_point(const PointRecord& point) {
+    const int x_last = smaller(point.x_last, job_.x + job_.width - 1);
+    const int y_last = smaller(point.y_last, job_.y + job_.height - 1);
+    for (int y = larger(point.y_first, job_.y); y <= y_last; ++y)
+      for (int x = larger(point.x_first, job_.x); x <= x_last; ++x)
+        add(x, y, point.z, nullptr, point.varyings, -1);
+  }
+
+  void draw_triangle(const TriangleRecord& t) {
+    const int x_first = larger(t.x_first, job_.x), y_first = larger(t.y_first, job_.y);
+    const int x_last = smaller(t.x_last, job_.x + job_.width - 1);
+    const int y_last = smaller(t.y_last, job_.y + job_.height - 1);
+    if (x_first > x_last || y_first > y_last) return;
+    // Edge values at the first pixel. Over a tile they change by less than 2^28, so an edge farther from
+    // 0 than that contains all of it or none, and the rest fits 32 bits.
+    std::int32_t row[3], dx[3], dy[3];
+    int edges = 0;
+    for (int i = 0; i < 3; ++i) {
+      const std::int64_t e = t.c[i] + std::int64_t{t.dx[i]} * y_first - std::int64_t{t.dy[i]} * x_first;
+      const std::int64_t across = -std::int64_t{t.dy[i]} * (x_last - x_first);
+      const std::int64_t up = std::int64_t{t.dx[i]} * (y_last - y_first);
+      const std::int64_t lowest = e + (across < 0 ? across : 0) + (up < 0 ? up : 0);
+      const std::int64_t highest = e + (across > 0 ? across : 0) + (up > 0 ? up : 0);
+      if (highest < 0) return;
+      if (lowest >= 0) continue;
+      row[edges] = static_cast<std::int32_t>(e);
+      dx[edges] = t.dx[i];
+      dy[edges] = t.dy[i];
+      ++edges;
+    }
+    for (int i = edges; i < 3; ++i) row[i] = dx[i] = dy[i] = 0;
+    for (int y = y_first; y <= y_last; ++y) {
+      std::int32_t a = row[0], b = row[1], c = row[2];
+      for (int x = x_first; x <= x_last; ++x) {
+        if ((a | b | c) >= 0) add_of_triangle(x, y, t);
+        a -= dy[0];
+        b -= dy[1];
+        c -= dy[2];
+      }
+      row[0] += dx[0];
+      row[1] += dx[1];
+      row[2] += dx[2];
+    }
+  }
+
+  void add_of_triangle(int x, int y, const TriangleRecord& t) {
+    const float z = job_.depth
+                        ? evaluate(t.planes[0], static_cast<float>(x), static_cast<float>(y))
+                        : 0.0f;
+    add(x, y, z, t.planes, t.provoking, t.front_facing);
+  }
+
+  bool depth_passes(int pixel, float z) {
+    if (!job_.depth) return true;
+    if (!passes(job_.depth_state.compare, z, job_.depth[pixel])) return false;
+    if (job_.depth_state.write) job_.depth[pixel] = z;
+    return true;
+  }
+
+  void add(int x, int y, float z, const Plane* planes, const float* constant, std::int32_t front) {
+    const int pixel = (y - job_.y) * kTile + (x - job_.x);
+    if (!job_.test_depth_late && !depth_passes(pixel, z)) return;
+    const int lane = count_++;
+    pixel_[lane] = pixel;
+    x_[lane] = static_cast<float>(x);
+    y_[lane] = static_cast<float>(y);
+    z_[lane] = z;
+    planes_[lane] = planes;
+    constant_[lane] = constant;
+    front_[lane] = front;
+    if (count_ == kBlock) flush();
+  }
+
+  void flush() {
+    if (count_ == 0) return;
+    for (int lane = count_; lane < kBlock; ++lane) {
+      x_[lane] = x_[0];
+      y_[lane] = y_[0];
+      planes_[lane] = planes_[0];
+      constant_[lane] = constant_[0];
+      front_[lane] = front_[0];
+    }
+    interpolate();
+    shade();
+    merge();
+    counters_.fragments += static_cast<std::uint64_t>(count_);
+    count_ = 0;
+  }
+
+  void interpolate() {
+    if (job_.varying_count == 0) return;
+    bool one_triangle = planes_[0] != nullptr;
+    for (int lane = 1; lane < kBlock; ++lane) one_triangle &= planes_[lane] == planes_[0];
+    float w[kBlock];
+    if (planes_[0])
+      for (int lane = 0; lane < kBlock; ++lane)
+        w[lane] = 1.0f / evaluate(planes_[lane][1], x_[lane], y_[lane]);
+    for (int c = 0; c < job_.varying_count; ++c) {
+      float* out = varyings_[c];
+      if (!planes_[0] || job_.varying_flat[c]) {
+        for (int lane = 0; lane < kBlock; ++lane) out[lane] = constant_[lane][c];
+      } else if (one_triangle) {
+        const Plane plane = planes_[0][2 + c];
+        for (int lane = 0; lane < kBlock; ++lane)
+          out[lane] = evaluate(plane, x_[lane], y_[lane]) * w[lane];
+      } else {
+        for (int lane = 0; lane < kBlock; ++lane)
+          out[lane] = evaluate(planes_[lane][2 + c], x_[lane], y_[lane]) * w[lane];
+      }
+    }
+  }
+
+  void shade() {
+    float center_x[kBlock], center_y[kBlock];
+    for (int lane = 0; lane < kBlock; ++lane) {
+      center_x[lane] = x_[lane] + 0.5f;
+      center_y[lane] = y_[lane] + 0.5f;
+      discarded_[lane] = 0;
+    }
+    job_.fragment({job_.uniforms, job_.textures, center_x, center_y, front_, varyings_, outputs_,
+                   discarded_, nullptr});
+  }
+
+  void merge() {
+    for (int lane = 0; lane < count_; ++lane) {
+      if (discarded_[lane]) continue;
+      if (job_.test_depth_late && !depth_passes(pixel_[lane], z_[lane])) continue;
+      ++counters_.samples_passed;
+      for (int i = 0; i < job_.color_count; ++i) {
+        const TileColor& target = job_.colors[i];
+        float* texel = target.texels[pixel_[lane]];
+        float color[4];
+        for (int c = 0; c < 4; ++c) color[c] = outputs_[4 * i + c][lane];
+        if (plain_add_[i]) {
+          for (int c = 0; c < 4; ++c) texel[c] = color[c] + texel[c];
+        } else {
+          write_color(target, texel, color);
+        }
+      }
+    }
+  }
+
+  const TileJob& job_;
+  TileCounters& counters_;
+  bool plain_add_[kMaxColors] = {};
+  int count_ = 0;
+  int pixel_[kBlock];
+  alignas(64) float x_[kBlock], y_[kBlock], z_[kBlock];
+  const Plane* planes_[kBlock];
+  const float* constant_[kBlock];
+  alignas(64) std::int32_t front_[kBlock], discarded_[kBlock];
+  alignas(64) float varyings_[64][kBlock];
+  alignas(64) float outputs_[4 * kMaxColors][kBlock];
+};
+
+inline void render(const TileJob& job, TileCounters& counters) {
+  TileRenderer(job, counters).run();
+}
+
+}  // namespace caustics::raster::CAUSTICS_TILE_NAMESPACE

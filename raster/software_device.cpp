@@ -1,0 +1,202 @@
+#include "raster/software_device.hpp"
+
+#include <chrono>
+#include <map>
+#include <string>
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/validate.hpp"
+#include "raster/lane_dispatch.hpp"
+#include "raster/primitives.hpp"
+#include "raster/target.hpp"
+#include "raster/workers.hpp"
+
+namespace caustics {
+
+namespace raster {
+
+namespace {
+
+constexpr int kMaxTextureSize = 16384;
+
+class SoftwareDevice final : public Device {
+ public:
+  explicit SoftwareDevice(const SoftwareOptions& options)
+      : workers_(options.threads), lanes_(options.lanes ? *options.lanes : default_lanes()) {
+    if (!is_supported(lanes_))
+      throw Error(ExitCode::WrongUsage, "lane width '" + std::string(lanes_name(lanes_)) +
+                                            "' is not supported by this processor or build");
+  }
+
+  std::string description() const override {
+    static constexpr int kWidth[kLanesCount] = {1, 4, 4, 8, 16};
+    return "software, " + std::to_string(kWidth[static_cast<int>(lanes_)]) + " lanes (" +
+           std::string(lanes_name(lanes_)) + "), " + std::to_string(workers_.threads()) +
+           (workers_.threads() == 1 ? " thread" : " threads");
+  }
+
+  int max_texture_size() const override { return kMaxTextureSize; }
+
+  TextureId create_texture(Format format, int width, int height) override {
+    if (width < 1 || height < 1 || width > kMaxTextureSize || height > kMaxTextureSize)
+      throw Error(ExitCode::WrongUsage, "a texture of " + std::to_string(width) + " x " +
+                                            std::to_string(height) + " is not between 1 x 1 and " +
+                                            std::to_string(kMaxTextureSize) + " squared");
+    return upload(Image(format, width, height));
+  }
+
+  TextureId upload(const Image& image) override {
+    const auto id = static_cast<TextureId>(++last_texture_);
+    textures_.emplace(id, image);
+    return id;
+  }
+
+  void destroy(TextureId texture) override { textures_.erase(texture); }
+
+  MeshId create_mesh(const MeshData& mesh) override {
+    const std::size_t count = mesh.vertex_count();
+    for (const std::uint32_t index : mesh.indices)
+      if (index >= count)
+        throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
+                                                 " is beyond its " + std::to_string(count) +
+                                                 " vertices");
+    const auto id = static_cast<MeshId>(++last_mesh_);
+    meshes_.emplace(id, mesh);
+    return id;
+  }
+
+  void destroy(MeshId mesh) override { meshes_.erase(mesh); }
+  Image read_back(TextureId texture) override { return texture_of(texture); }
+  ImageShape shape(TextureId texture) const override { return texture_of(texture).shape; }
+
+  const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const override {
+    for (const MeshData::Attribute& attribute : mesh_of(mesh).layout)
+      if (attribute.name == name) return &attribute;
+    return nullptr;
+  }
+
+  PassResult run(const PassRun& run) override {
+    const auto start = std::chrono::steady_clock::now();
+    validate(run, *this);
+    PassResult result = execute(run);
+    result.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
+ private:
+  const Image& texture_of(TextureId id) const {
+    const auto found = textures_.find(id);
+    if (found == textures_.end())
+      throw Error(ExitCode::InternalError, "a texture that does not exist is used");
+    return found->second;
+  }
+
+  const MeshData& mesh_of(MeshId id) const {
+    const auto found = meshes_.find(id);
+    if (found == meshes_.end())
+      throw Error(ExitCode::InternalError, "a mesh that does not exist is used");
+    return found->second;
+  }
+
+  PassResult execute(const PassRun& run) {
+    const PassDefinition& definition = *run.definition;
+    RenderTarget target;
+    for (std::size_t i = 0; i < run.colors.size(); ++i)
+      target.colors.push_back({&textures_.at(run.colors[i]), &definition.writes[i],
+                               !run.keep.empty() && run.keep[i]});
+    if (definition.depth) {
+      target.depth = &textures_.at(run.depth);
+      target.depth_clear = definition.depth->clear;
+      target.keep_depth = !run.keep.empty() && run.keep.back();
+    }
+    const ImageShape size = target.depth ? target.depth->shape : target.colors[0].image->shape;
+    PassResult result;
+    if (run.draws.empty()) target.clear();
+    for (const Draw& draw : run.draws) {
+      execute_draw(run, draw, target, TileGrid(size.width, size.height), result);
+      target.keep_all();
+    }
+    if (!definition.count_samples) result.samples_passed = 0;
+    return result;
+  }
+
+  void execute_draw(const PassRun& run, const Draw& draw, const RenderTarget& target,
+                    const TileGrid& grid, PassResult& result) {
+    const PassDefinition& definition = *run.definition;
+    const ShaderInterface interface = reflect(definition.shader->text);
+    const std::vector<TextureView> views = bound_textures(draw);
+    const MeshData* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
+    const auto lanes = static_cast<std::size_t>(lanes_);
+    const ShadedVertices vertices = shade_vertices(
+        {&interface, definition.shader->kernels.vertex[lanes], draw.uniforms.data(), views.data(),
+         mesh,
+         mesh ? mesh->vertex_count() : static_cast<std::size_t>(std::max(0, draw.vertex_count))},
+        workers_);
+    const std::size_t corners =
+        mesh && !mesh->indices.empty() ? mesh->indices.size() : vertices.count;
+    const std::vector<std::uint8_t> flat = flat_components(interface);
+    const PrimitiveStage stage{
+        .topology = definition.topology,
+        .options = {definition.cull, interface.varying_components(), flat.data()},
+        .vertices = &vertices,
+        .indices = mesh ? &mesh->indices : nullptr,
+        .primitive_count = definition.topology == Topology::Points ? corners : corners / 3};
+    const std::vector<BinnedChunk> chunks = bin_primitives(stage, grid, workers_);
+    const FragmentWork work{
+        .definition = &definition,
+        .fragment = definition.shader->kernels.fragment[lanes],
+        .uniforms = draw.uniforms.data(),
+        .textures = views.data(),
+        .varying_count = interface.varying_components(),
+        .varying_flat = flat.data(),
+        .may_discard = definition.shader->text.find("discard_if(") != std::string_view::npos,
+        .kernel = tile_kernel(lanes_)};
+    const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
+    result.vertices += vertices.count;
+    result.primitives += stage.primitive_count;
+    result.fragments += counters.fragments;
+    result.samples_passed += counters.samples_passed;
+  }
+
+  std::vector<TextureView> bound_textures(const Draw& draw) const {
+    static constexpr float kZeros[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    std::vector<TextureView> views;
+    for (const TextureId id : draw.textures) {
+      if (id == TextureId::None) {
+        views.push_back({kZeros, 1, 1, 4});
+        continue;
+      }
+      const Image& image = texture_of(id);
+      views.push_back({image.values.data(), image.width(), image.height(), image.channels()});
+    }
+    return views;
+  }
+
+  static std::vector<std::uint8_t> flat_components(const ShaderInterface& interface) {
+    std::vector<std::uint8_t> flat;
+    for (const ShaderVariable& varying : interface.varyings)
+      flat.insert(flat.end(), static_cast<std::size_t>(varying.components),
+                  varying.interpolation == Interpolation::Flat ? 1 : 0);
+    return flat;
+  }
+
+  Workers workers_;
+  Lanes lanes_;
+  std::uint32_t last_texture_ = 0, last_mesh_ = 0;
+  std::map<TextureId, Image> textures_;
+  std::map<MeshId, MeshData> meshes_;
+};
+
+}  // namespace
+
+}  // namespace raster
+
+std::unique_ptr<Device> make_software_device(const SoftwareOptions& options) {
+  if (options.threads < 0)
+    throw Error(ExitCode::WrongUsage, "the number of threads is " +
+                                          std::to_string(options.threads) + "; give 0 or more");
+  return std::make_unique<raster::SoftwareDevice>(options);
+}
+
+}  // namespace caustics

@@ -1,0 +1,28 @@
+// The software Device: a deterministic tile rasterizer that executes pass definitions on the CPU.
+//
+// It does what the OpenGL 4.5 specification asks of the part of the pipeline that the contract names,
+// and resolves what the specification leaves open as Mesa's llvmpipe does: 8 sub-pixel bits rounded to
+// even, left and bottom edges inclusive in y-up coordinates, clipping at all six planes without a guard
+// band. The result is the same to the bit for every number of threads and every lane width. It knows no
+// pass, does not multisample, and has no mipmaps, stencil or lines.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "pipeline/gpu/device.hpp"
+
+namespace caustics {
+
+struct SoftwareOptions {
+  int threads = 0;               // 0: all that the machine has
+  std::optional<Lanes> lanes{};  // none: CAUSTICS_LANES from the environment, else the widest
+};
+
+// Throws Error (WrongUsage) for lanes that this build or processor lacks, or a negative thread count.
+std::unique_ptr<Device> make_software_device(const SoftwareOptions& options = {});
+
+// The lane widths that are compiled in and that this processor can run, narrowest first.
+std::vector<Lanes> supported_lanes();
+
+}  // namespace caustics

@@ -1,0 +1,172 @@
+#include "raster/target.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+namespace caustics::raster {
+
+namespace {
+
+float cleared(const ColorWrite& write, int channel) {
+  return stored_value(write.format, write.clear[static_cast<std::size_t>(channel)]);
+}
+
+// A tile's attachments while it is drawn: compact, so that they stay in the cache.
+struct TileStorage {
+  alignas(64) float color[kMaxColors][kTile * kTile][4];
+  alignas(64) float depth[kTile * kTile];
+};
+
+class Tile {
+ public:
+  Tile(const TileGrid& grid, int index, const RenderTarget& target, TileStorage& storage)
+      : target_(target), storage_(storage) {
+    x_ = index % grid.columns * kTile;
+    y_ = index / grid.columns * kTile;
+    width_ = std::min(kTile, grid.width - x_);
+    height_ = std::min(kTile, grid.height - y_);
+  }
+
+  void load() {
+    for (std::size_t i = 0; i < target_.colors.size(); ++i) load_color(i);
+    if (!target_.depth) return;
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x)
+        storage_.depth[y * kTile + x] =
+            target_.keep_depth ? target_.depth->at(x_ + x, y_ + y, 0) : target_.depth_clear;
+  }
+
+  void store() {
+    for (std::size_t i = 0; i < target_.colors.size(); ++i) {
+      Image& image = *target_.colors[i].image;
+      const int channels = image.channels();
+      for (int y = 0; y < height_; ++y) {
+        float* out = &image.at(x_, y_ + y, 0);
+        for (int x = 0; x < width_; ++x)
+          for (int c = 0; c < channels; ++c) *out++ = storage_.color[i][y * kTile + x][c];
+      }
+    }
+    if (!target_.depth) return;
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x)
+        target_.depth->at(x_ + x, y_ + y, 0) = storage_.depth[y * kTile + x];
+  }
+
+  TileJob job(const FragmentWork& work, const std::vector<PrimitiveChunk>& chunks) {
+    TileJob job{};
+    job.x = x_;
+    job.y = y_;
+    job.width = width_;
+    job.height = height_;
+    job.color_count = static_cast<int>(target_.colors.size());
+    for (std::size_t i = 0; i < target_.colors.size(); ++i) {
+      const ColorWrite& write = *target_.colors[i].write;
+      job.colors[i] = {storage_.color[i], write.format, write.blend, {}};
+      for (std::size_t c = 0; c < 4; ++c) job.colors[i].mask[c] = write.mask[c];
+    }
+    job.depth = target_.depth ? storage_.depth : nullptr;
+    job.depth_state = work.definition->depth_state;
+    job.test_depth_late = work.may_discard;
+    job.chunks = chunks.data();
+    job.chunk_count = static_cast<int>(chunks.size());
+    job.is_points = work.definition->topology == Topology::Points;
+    job.fragment = work.fragment;
+    job.uniforms = work.uniforms;
+    job.textures = work.textures;
+    job.varying_count = work.varying_count;
+    job.varying_flat = work.varying_flat;
+    return job;
+  }
+
+ private:
+  void load_color(std::size_t i) {
+    const RenderTarget::Color& color = target_.colors[i];
+    const int channels = color.image->channels();
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        float* texel = storage_.color[i][y * kTile + x];
+        for (int c = 0; c < 4; ++c) {
+          if (c >= channels)
+            texel[c] = c == 3 ? 1.0f : 0.0f;
+          else
+            texel[c] = color.keep ? color.image->at(x_ + x, y_ + y, c) : cleared(*color.write, c);
+        }
+      }
+  }
+
+  const RenderTarget& target_;
+  TileStorage& storage_;
+  int x_ = 0, y_ = 0, width_ = 0, height_ = 0;
+};
+
+std::vector<PrimitiveChunk> chunks_of_tile(const std::vector<BinnedChunk>& chunks,
+                                           std::size_t tile) {
+  std::vector<PrimitiveChunk> result;
+  for (const BinnedChunk& chunk : chunks) {
+    const std::uint32_t first = chunk.first[tile], last = chunk.first[tile + 1];
+    if (first == last) continue;
+    result.push_back({chunk.triangles.data(), chunk.points.data(), chunk.touching.data() + first,
+                      last - first});
+  }
+  return result;
+}
+
+// Tile numbers, the fullest first; equal ones by number.
+std::vector<int> fullest_first(const std::vector<BinnedChunk>& chunks, const TileGrid& grid) {
+  std::vector<std::uint64_t> load(static_cast<std::size_t>(grid.count()));
+  for (std::size_t t = 0; t < load.size(); ++t)
+    for (const BinnedChunk& chunk : chunks) load[t] += chunk.first[t + 1] - chunk.first[t];
+  std::vector<int> order(load.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return load[static_cast<std::size_t>(a)] > load[static_cast<std::size_t>(b)];
+  });
+  return order;
+}
+
+}  // namespace
+
+void RenderTarget::clear() {
+  for (const Color& color : colors) {
+    if (color.keep) continue;
+    const int channels = color.image->channels();
+    for (std::size_t i = 0; i < color.image->values.size(); ++i)
+      color.image->values[i] =
+          cleared(*color.write, static_cast<int>(i % static_cast<std::size_t>(channels)));
+  }
+  if (depth && !keep_depth) std::fill(depth->values.begin(), depth->values.end(), depth_clear);
+}
+
+void RenderTarget::keep_all() {
+  for (Color& color : colors) color.keep = true;
+  keep_depth = true;
+}
+
+TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,
+                        const TileGrid& grid, const RenderTarget& target, const Workers& workers) {
+  const bool all_kept = (!target.depth || target.keep_depth) &&
+                        std::all_of(target.colors.begin(), target.colors.end(),
+                                    [](const RenderTarget::Color& c) { return c.keep; });
+  const std::vector<int> order = fullest_first(chunks, grid);
+  std::vector<TileCounters> counters(order.size());
+  workers.run(static_cast<int>(order.size()), [&](int i) {
+    thread_local const std::unique_ptr<TileStorage> storage = std::make_unique<TileStorage>();
+    const int index = order[static_cast<std::size_t>(i)];
+    const std::vector<PrimitiveChunk> touching =
+        chunks_of_tile(chunks, static_cast<std::size_t>(index));
+    if (touching.empty() && all_kept) return;
+    Tile tile(grid, index, target, *storage);
+    tile.load();
+    work.kernel(tile.job(work, touching), counters[static_cast<std::size_t>(i)]);
+    tile.store();
+  });
+  TileCounters sum;
+  for (const TileCounters& c : counters) {
+    sum.fragments += c.fragments;
+    sum.samples_passed += c.samples_passed;
+  }
+  return sum;
+}
+
+}  // namespace caustics::raster

@@ -1,0 +1,45 @@
+// The render target of a pass, and filling its tiles.
+#pragma once
+#include <vector>
+
+#include "pipeline/gpu/image.hpp"
+#include "raster/primitives.hpp"
+#include "raster/tile_job.hpp"
+#include "raster/workers.hpp"
+
+namespace caustics::raster {
+
+// The attachments of a run. What is not kept is cleared, whether or not anything is drawn there.
+struct RenderTarget {
+  struct Color {
+    Image* image = nullptr;
+    const ColorWrite* write = nullptr;
+    bool keep = false;
+  };
+  std::vector<Color> colors;
+  Image* depth = nullptr;
+  float depth_clear = 1.0f;
+  bool keep_depth = false;
+
+  void clear();     // everything that is not kept
+  void keep_all();  // from now on: the next draw goes on where this one ended
+};
+
+// How the fragments of one draw are shaded.
+struct FragmentWork {
+  const PassDefinition* definition = nullptr;
+  FragmentKernel fragment = nullptr;
+  const void* uniforms = nullptr;
+  const TextureView* textures = nullptr;
+  int varying_count = 0;
+  const std::uint8_t* varying_flat = nullptr;
+  bool may_discard = false;
+  TileKernel kernel = nullptr;
+};
+
+// Draws the chunks, in order, into every tile; the fullest tiles first, so that no thread is left with a
+// long one at the end.
+TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,
+                        const TileGrid& grid, const RenderTarget& target, const Workers& workers);
+
+}  // namespace caustics::raster

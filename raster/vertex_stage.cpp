@@ -1,0 +1,74 @@
+#include "raster/vertex_stage.hpp"
+
+#include <algorithm>
+
+namespace caustics::raster {
+
+namespace {
+
+constexpr std::size_t kVerticesPerTask = 4096;
+constexpr int kMaxComponents = 64;
+
+void shade_range(const VertexStage& stage, const std::vector<int>& offsets, std::size_t first,
+                 std::size_t last, ShadedVertices& out) {
+  alignas(64) float attributes[kMaxComponents][kBlock];
+  alignas(64) float position[4][kBlock] = {};
+  alignas(64) float point_size[kBlock];
+  alignas(64) float varyings[kMaxComponents][kBlock] = {};
+  std::int32_t id[kBlock];
+  const std::size_t floats =
+      stage.mesh ? static_cast<std::size_t>(stage.mesh->floats_per_vertex()) : 0;
+  const int varying_count = stage.interface->varying_components();
+  for (std::size_t block = first; block < last; block += kBlock) {
+    const std::size_t used = std::min<std::size_t>(kBlock, last - block);
+    for (std::size_t lane = 0; lane < kBlock; ++lane) {
+      // Lanes beyond the end repeat the last vertex, so that every lane holds sound data.
+      const std::size_t vertex = block + std::min(lane, used - 1);
+      id[lane] = static_cast<std::int32_t>(vertex);
+      point_size[lane] = 1.0f;
+      if (stage.mesh)
+        for (std::size_t c = 0; c < offsets.size(); ++c)
+          attributes[c][lane] =
+              stage.mesh->vertices[vertex * floats + static_cast<std::size_t>(offsets[c])];
+    }
+    stage.kernel({stage.uniforms, stage.textures, attributes, id, position, point_size, varyings});
+    for (std::size_t lane = 0; lane < used; ++lane) {
+      float* v = out.values.data() + (block + lane) * static_cast<std::size_t>(out.stride);
+      for (int c = 0; c < 4; ++c) v[c] = position[c][lane];
+      v[4] = point_size[lane];
+      for (int c = 0; c < varying_count; ++c) v[ShadedVertices::kHeader + c] = varyings[c][lane];
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<int> attribute_offsets(const ShaderInterface& interface, const MeshData& mesh) {
+  std::vector<int> offsets;
+  for (const ShaderVariable& wanted : interface.attributes) {
+    int offset = 0;
+    for (const MeshData::Attribute& attribute : mesh.layout) {
+      if (attribute.name == wanted.name)
+        for (int c = 0; c < wanted.components; ++c) offsets.push_back(offset + c);
+      offset += attribute.components;
+    }
+  }
+  return offsets;
+}
+
+ShadedVertices shade_vertices(const VertexStage& stage, const Workers& workers) {
+  ShadedVertices out;
+  out.stride = ShadedVertices::kHeader + stage.interface->varying_components();
+  out.count = stage.vertex_count;
+  out.values.resize(out.count * static_cast<std::size_t>(out.stride));
+  const std::vector<int> offsets =
+      stage.mesh ? attribute_offsets(*stage.interface, *stage.mesh) : std::vector<int>{};
+  const std::size_t tasks = (out.count + kVerticesPerTask - 1) / kVerticesPerTask;
+  workers.run(static_cast<int>(tasks), [&](int task) {
+    const std::size_t first = static_cast<std::size_t>(task) * kVerticesPerTask;
+    shade_range(stage, offsets, first, std::min(first + kVerticesPerTask, out.count), out);
+  });
+  return out;
+}
+
+}  // namespace caustics::raster

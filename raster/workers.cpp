@@ -1,0 +1,79 @@
+#include "raster/workers.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+#if CAUSTICS_HAS_TBB
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace caustics::raster {
+
+FlushDenormals::FlushDenormals() {
+#if defined(__SSE2__)
+  saved_ = _mm_getcsr();
+  // Flush-to-zero and denormals-are-zero set, rounding to nearest even, all exceptions masked.
+  _mm_setcsr((saved_ & ~0x6000u) | 0x8040u | 0x1f80u);
+#endif
+}
+
+FlushDenormals::~FlushDenormals() {
+#if defined(__SSE2__)
+  _mm_setcsr(saved_);
+#endif
+}
+
+#if CAUSTICS_HAS_TBB
+
+// Asks for as many threads as were wished even where the machine has fewer cores.
+struct Workers::Arena {
+  explicit Arena(int threads)
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
+        arena(threads) {}
+  tbb::global_control control;
+  tbb::task_arena arena;
+};
+
+Workers::Workers(int threads)
+    : threads_(threads > 0
+                   ? threads
+                   : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
+      arena_(std::make_unique<Arena>(threads_)) {}
+
+void Workers::run(int count, const std::function<void(int)>& task) const {
+  // Each thread takes the next number, so that a caller who sorts by cost gets the longest first.
+  std::atomic<int> next{0};
+  const auto work = [&](int) {
+    const FlushDenormals mode;
+    for (int i = next++; i < count; i = next++) task(i);
+  };
+  const int threads = std::min(threads_, count);
+  if (threads <= 1) {
+    work(0);
+    return;
+  }
+  arena_->arena.execute([&] { tbb::parallel_for(0, threads, work, tbb::simple_partitioner()); });
+}
+
+#else
+
+struct Workers::Arena {};
+
+Workers::Workers(int) {}
+
+void Workers::run(int count, const std::function<void(int)>& task) const {
+  const FlushDenormals mode;
+  for (int i = 0; i < count; ++i) task(i);
+}
+
+#endif
+
+Workers::~Workers() = default;
+
+}  // namespace caustics::raster

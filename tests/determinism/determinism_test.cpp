@@ -1,0 +1,55 @@
+// The same bits for every number of threads and every lane width, over all attachments of a frame.
+#include "tests/support/catch.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+Scene lively_scene() {
+  Scene scene = sphere_scene(1.5f, 4);
+  scene.materials[1].attenuation_distance = 0.5f;
+  scene.materials[1].attenuation_color = {0.9f, 0.5f, 0.3f};
+  scene.meshes.push_back(box({-1.0, 0.0, -0.9}, {-0.6, 0.5, -0.4}, 0));
+  scene.meshes.push_back(box({0.4, 0.2, 0.3}, {0.9, 0.6, 0.7}, 1));
+  scene.lights = {sun({0.3, -1.0, -0.2}, 2.0f)};
+  Light point{.name = "point", .type = LightType::Point, .intensity = 3.0f};
+  point.position = {-0.8, 2.0, 0.6};
+  scene.lights.push_back(point);
+  return scene;
+}
+
+std::map<std::string, std::string> digests(SoftwareOptions options) {
+  Settings settings = small_settings(96, 96, 75);
+  settings.height = 51;
+  const Rendering r =
+      render(lively_scene(), settings,
+             {"picture", "beauty", "aov_direct", "aov_caustic", "aov_position", "aov_normal"},
+             options);
+  std::map<std::string, std::string> result;
+  for (const auto& [name, image] : r.images) result[name] = sha256(image);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("determinism: 1, 2 and 7 threads on every lane width give the same bits") {
+  const auto expected = digests({.threads = 1, .lanes = Lanes::Scalar});
+  REQUIRE(expected.size() > 20);
+  for (const Lanes lanes : supported_lanes())
+    for (const int threads : {1, 2, 7}) {
+      INFO("lanes " << lanes_name(lanes) << ", threads " << threads);
+      CHECK(digests({.threads = threads, .lanes = lanes}) == expected);
+    }
+}
+
+TEST_CASE("determinism: no attachment holds a value that is not finite") {
+  Settings settings = small_settings(96, 96, 64);
+  const Rendering r = render(lively_scene(), settings, {"picture", "aov_direct"});
+  for (const auto& [name, image] : r.images) {
+    INFO(name);
+    CHECK(count_non_finite(image) == 0);
+  }
+}

@@ -1,0 +1,53 @@
+// Renders a scene on the software device and returns the textures asked for, by full name.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "passes/registry.hpp"
+#include "pipeline/plan/framing.hpp"
+#include "pipeline/plan/ledger.hpp"
+#include "pipeline/plan/run_plan.hpp"
+#include "raster/software_device.hpp"
+
+namespace caustics::test {
+
+struct Rendering {
+  std::map<std::string, Image> images;
+  std::vector<LightFrames> frames;
+  std::vector<PassReport> passes;
+  const Image& operator[](const std::string& name) const { return images.at(name); }
+};
+
+inline Rendering render(const Scene& scene, const Settings& settings,
+                        const std::vector<std::string>& textures, SoftwareOptions options = {}) {
+  const Effects effects = effects_of(scene, settings);
+  const std::unique_ptr<Device> device = make_software_device(options);
+  const SceneOnDevice on_device(scene, effects, *device);
+  Rendering out;
+  out.frames = fit_light_frames(on_device, effects, settings, pass_registry());
+  const FramePlan plan = make_plan(scene, effects, settings, pass_registry(), {textures});
+  const FrameTargets targets(plan, *device);
+  const FrameInputs inputs{
+      .settings = &settings,
+      .effects = &effects,
+      .frames = &out.frames,
+      .view = scene.cameras.empty() ? Frame{}
+                                    : frame_of(scene.cameras[0], settings.width, settings.height,
+                                               bounds_of(scene)),
+      .exposure = exposure_of(scene, settings)};
+  out.passes = run_plan(plan, pass_registry(), on_device, targets, inputs);
+  for (std::size_t i = 0; i < plan.textures.size(); ++i)
+    if (!plan.textures[i].external)
+      out.images[plan.textures[i].name] = device->read_back(targets[static_cast<int>(i)]);
+  return out;
+}
+
+inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light = 0) {
+  const auto own = [&](const char* name) -> const Image& { return r[light_texture(name, light)]; };
+  return make_ledger(own(kLanding), own(kLandingFlux), own(kLandingFresnel), own(kLandingAbsorbed),
+                     own(kCausticMap), r.frames[static_cast<std::size_t>(light)].caustic, settings);
+}
+
+}  // namespace caustics::test

@@ -1,0 +1,119 @@
+// What the camera sees of the floor: identities that hold whatever the numbers.
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+const std::vector<std::string> kLayers = {"aov_direct", "aov_caustic", "aov_position", "beauty"};
+
+double irradiance(const Rendering& r, int x, int y) {
+  return double(r["aov_direct"].at(x, y, 0)) + double(r["aov_caustic"].at(x, y, 0));
+}
+
+// Distance of a pixel's centre from the picture's middle, metres, over a floor of 2 x 2 m.
+double radius(int x, int y, int picture) {
+  const double px = (x + 0.5) / picture * 2.0 - 1.0, py = (y + 0.5) / picture * 2.0 - 1.0;
+  return std::sqrt(px * px + py * py);
+}
+
+}  // namespace
+
+TEST_CASE("floor: glass of index 1 leaves no trace but at the shadow's edge") {
+  // The caustic must fill the shadow exactly. The kernel's radius (2.1 texels) plus two texels of the map,
+  // 1.06 m / 256 each, is 17 mm.
+  Settings settings = small_settings(256, 256, 128);
+  const Rendering with = render(sphere_scene(1.0f), settings, kLayers);
+  double worst = 0.0;
+  bool shadowed = false;
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) {
+      if (std::fabs(radius(x, y, 128) - 0.5) < 0.018) continue;
+      worst = std::max(worst, std::fabs(irradiance(with, x, y) - 1.0));
+      shadowed |= with["aov_direct"].at(x, y, 0) == 0.0f;
+    }
+  CHECK(shadowed);
+  CHECK(worst < 1e-3);
+}
+
+TEST_CASE("floor: with point splats and coinciding frames glass of index 1 leaves no trace at all") {
+  Settings settings = small_settings(128, 128, 128);
+  settings.splat = Splat::Point;
+  settings.shared_frames = true;
+  const Rendering with = render(sphere_scene(1.0f), settings, kLayers);
+  double worst = 0.0;
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) worst = std::max(worst, std::fabs(irradiance(with, x, y) - 1.0));
+  CHECK(worst < 1e-3);
+}
+
+TEST_CASE("floor: glass of index 1.5 does leave a trace") {
+  Settings settings = small_settings(128, 128, 64);
+  const Rendering with = render(sphere_scene(1.5f), settings, kLayers);
+  CHECK(with["aov_caustic"].at(32, 32, 0) > 5.0f);
+}
+
+TEST_CASE("floor: a light twice as strong gives exactly twice the irradiance") {
+  Settings settings = small_settings(64, 64, 32);
+  Scene scene = sphere_scene(1.5f);
+  const Rendering one = render(scene, settings, kLayers);
+  scene.lights[0].intensity = 2.0f;
+  const Rendering two = render(scene, settings, kLayers);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) CHECK(irradiance(two, x, y) == 2.0 * irradiance(one, x, y));
+}
+
+TEST_CASE("floor: two equal lights give the sum of one and the other") {
+  Settings settings = small_settings(64, 64, 32);
+  Scene scene = sphere_scene(1.5f);
+  const Rendering one = render(scene, settings, kLayers);
+  scene.lights.push_back(scene.lights[0]);
+  const Rendering two = render(scene, settings, kLayers);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) CHECK(irradiance(two, x, y) == 2.0 * irradiance(one, x, y));
+}
+
+TEST_CASE("floor: a very distant point light is a directional one") {
+  // 1000 m away the rays over the sphere differ by 5e-4 rad: 0.4 mm on the floor.
+  Settings settings = small_settings(128, 128, 64);
+  Scene scene = sphere_scene(1.5f);
+  const Rendering sun_lit = render(scene, settings, kLayers);
+  Light point{.name = "point", .type = LightType::Point, .intensity = 1e6f};
+  point.position = {0.0, 1000.0, 0.0};
+  scene.lights = {point};
+  const Rendering point_lit = render(scene, settings, kLayers);
+  double difference = 0.0, total = 0.0;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      difference += std::fabs(irradiance(point_lit, x, y) - irradiance(sun_lit, x, y));
+      total += irradiance(sun_lit, x, y);
+    }
+  CHECK(difference / total < 0.02);
+}
+
+TEST_CASE("floor: from the centre of a glass sphere light leaves undeviated and loses R0") {
+  // R0 = 0.04 for n = 1.5. Right below the light, 0.8 m: E = 0.96 I / 0.64.
+  Settings settings = small_settings(128, 128, 64);
+  Scene scene = sphere_scene(1.5f);
+  Light point{.name = "point", .type = LightType::Point, .intensity = 1.0f};
+  point.position = {0.0, 0.8, 0.0};
+  scene.lights = {point};
+  const Rendering r = render(scene, settings, kLayers);
+  CHECK(irradiance(r, 32, 32) == Approx(0.96 / 0.64).epsilon(0.02));
+}
+
+TEST_CASE("floor: beauty is albedo over pi times all irradiance") {
+  Settings settings = small_settings(64, 64, 32);
+  Scene scene = sphere_scene(1.5f);
+  scene.environment = {};  // no ambient light
+  const Rendering r = render(scene, settings, kLayers);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x)
+      CHECK(double(r["beauty"].at(x, y, 0)) ==
+            Approx(0.8 / 3.14159265358979 * irradiance(r, x, y)).epsilon(1e-5).margin(1e-9));
+}
