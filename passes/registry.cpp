@@ -3,16 +3,43 @@
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/caustic_map/caustic_map.hpp"
+#include "passes/compose/compose.hpp"
+#include "passes/first_hit/first_hit.hpp"
+#include "passes/glass/glass.hpp"
 #include "passes/landing/landing.hpp"
+#include "passes/light_shading/light_shading.hpp"
 #include "passes/occluder_depth/occluder_depth.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
+#include "passes/shadow_map/shadow_map.hpp"
+#include "passes/tone_map/tone_map.hpp"
+#include "passes/view_surfaces/view_surfaces.hpp"
 
 namespace caustics {
 
 const Registry& pass_registry() {
   static const Registry registry = {
-      occluder_depth_pass(), caster_map_pass(), caster_exit_map_pass(),
-      receiver_map_pass(),   landing_pass(),    caustic_map_pass(),
+      // Of each light: what its casters do.
+      occluder_depth_pass(),
+      caster_map_pass(),
+      caster_exit_map_pass(),
+      receiver_map_pass(),
+      landing_pass(),
+      caustic_map_pass(),
+      shadow_map_pass(),
+      // Of the camera: the scene without glass, in the picture and around it.
+      view_surfaces_pass(),
+      wide_surfaces_pass(),
+      light_shading_pass(),
+      wide_shading_pass(),
+      compose_pass(),
+      compose_beauty_pass(),
+      wide_compose_pass(),
+      // And with it.
+      view_caster_map_pass(),
+      view_exit_map_pass(),
+      glass_pass(),
+      first_hit_pass(),
+      tone_map_pass(),
   };
   return registry;
 }

@@ -13,20 +13,16 @@ namespace {
   throw Error(ExitCode::InternalError, "pass '" + definition.name + "': " + why);
 }
 
-// Compares the names a definition lists with those its shader declares.
+// Compares how many a definition lists with how many its shader declares. They are matched by order: one
+// shader may serve several definitions, which name their own textures.
 template <class Listed>
-void require_same_names(const PassDefinition& definition, const Listed& listed,
+void require_same_count(const PassDefinition& definition, const Listed& listed,
                         const std::vector<std::string>& declared, const std::string& what,
                         const std::string& keyword) {
   if (listed.size() != declared.size())
     refuse(definition, "lists " + std::to_string(listed.size()) + " " + what +
                            ", its shader declares " + std::to_string(declared.size()) +
                            "; make the definition and the shader's " + keyword + " lines agree");
-  for (std::size_t i = 0; i < listed.size(); ++i)
-    if (listed[i].name != declared[i])
-      refuse(definition, what + " " + std::to_string(i) + " is '" + listed[i].name +
-                             "' in the definition and '" + declared[i] +
-                             "' in the shader; name both alike");
 }
 
 void require_distinct_names(const PassDefinition& definition) {
@@ -45,8 +41,8 @@ void validate(const PassDefinition& definition) {
   if (definition.name.empty()) throw Error(ExitCode::InternalError, "a pass has no name");
   if (!definition.shader) refuse(definition, "has no shader; set `shader`");
   const ShaderInterface interface = reflect(definition.shader->text);
-  require_same_names(definition, definition.reads, interface.textures, "reads", "TEXTURE");
-  require_same_names(definition, definition.writes, interface.outputs, "writes", "OUTPUT");
+  require_same_count(definition, definition.reads, interface.textures, "reads", "TEXTURE");
+  require_same_count(definition, definition.writes, interface.outputs, "writes", "OUTPUT");
   if (definition.writes.empty() && !definition.depth)
     refuse(definition, "writes nothing; add an attachment");
   if (definition.writes.size() > 8)

@@ -5,8 +5,8 @@
 namespace caustics {
 
 // Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do".
-// Checks: a shader is set; reads and writes match the text's TEXTURE and OUTPUT lines by order and
-// name; at least one attachment and at most 8 colours; no duplicate names; depth state only with a
+// Checks: a shader is set; there are as many reads and writes as TEXTURE and OUTPUT lines in the
+// text (matched by order); at least one attachment and at most 8 colours; no duplicate names; depth state only with a
 // depth attachment; no blending on formats that cannot blend.
 void validate(const PassDefinition& definition);
 

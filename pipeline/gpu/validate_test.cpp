@@ -45,8 +45,8 @@ TEST_CASE("validate: each wrong definition is refused in a line that names the p
   d.reads.clear();
   refused(d, "declares 1");
   d = sound();
-  d.writes[0].name = "other";
-  refused(d, "'other'");
+  d.writes.push_back({.name = "other", .meaning = "m"});
+  refused(d, "declares 1");
   d = sound();
   d.writes[0].format = Format::Depth32F;
   refused(d, "depth format");

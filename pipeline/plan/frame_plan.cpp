@@ -35,6 +35,7 @@ struct Size {
 Size size_of(Extent extent, const Settings& settings) {
   switch (extent) {
     case Extent::Picture:
+    case Extent::Wide:
       return {settings.width, settings.height};
     case Extent::Grid:
       return {settings.grid, settings.grid};

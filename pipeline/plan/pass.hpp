@@ -25,7 +25,8 @@ enum class DrawSet : std::uint8_t {
 };
 
 // Size of a pass's targets.
-enum class Extent : std::uint8_t { Picture, Grid, Map, Shadow };
+// Wide is the picture's size over three times its view, for what glass shows of the surroundings.
+enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow };
 
 // The frames of one light. All share origin and axes; only the windows and depth ranges differ.
 struct LightFrames {
@@ -42,6 +43,7 @@ struct PassContext {
   const Effects* effects = nullptr;
   const LightFrames* frames = nullptr;  // Each::Light only
   const Frame* view = nullptr;          // the camera's
+  const Frame* wide = nullptr;          // three times as wide and high
   const Light* light = nullptr;         // Each::Light only
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;

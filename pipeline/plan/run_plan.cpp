@@ -37,7 +37,8 @@ class PassRunner {
  public:
   PassRunner(const FramePlan& plan, const Registry& registry, const SceneOnDevice& scene,
              const FrameTargets& targets, const FrameInputs& inputs)
-      : plan_(plan), registry_(registry), scene_(scene), targets_(targets), inputs_(inputs) {}
+      : plan_(plan), registry_(registry), scene_(scene), targets_(targets), inputs_(inputs),
+        wide_(widened(inputs.view, 3.0)) {}
 
   PassRun prepare(const PlannedPass& planned) const {
     const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
@@ -68,6 +69,7 @@ class PassRunner {
                         .settings = inputs_.settings,
                         .effects = inputs_.effects,
                         .view = &inputs_.view,
+                        .wide = &wide_,
                         .exposure = inputs_.exposure};
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);
@@ -119,6 +121,7 @@ class PassRunner {
   const SceneOnDevice& scene_;
   const FrameTargets& targets_;
   const FrameInputs& inputs_;
+  Frame wide_;
 };
 
 }  // namespace

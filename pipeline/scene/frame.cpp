@@ -71,6 +71,14 @@ FrameUniforms pack(const Frame& frame) {
   return uniforms;
 }
 
+Frame widened(const Frame& frame, double factor) {
+  Frame wide = frame;
+  const glm::dvec2 centre = 0.5 * (frame.window_lower + frame.window_upper);
+  wide.window_lower = centre + factor * (frame.window_lower - centre);
+  wide.window_upper = centre + factor * (frame.window_upper - centre);
+  return wide;
+}
+
 Frame frame_along(const glm::dvec3& origin, const glm::dvec3& forward) {
   const glm::dvec3 size{std::fabs(forward.x), std::fabs(forward.y), std::fabs(forward.z)};
   // Looking mostly down or up: map the picture's up to -z, as on a map of the floor.

@@ -36,6 +36,9 @@ struct FrameUniforms {
 };
 FrameUniforms pack(const Frame& frame);
 
+// The same view through a window `factor` times as wide and high.
+Frame widened(const Frame& frame, double factor);
+
 // A right-handed frame that looks along `forward`, with an `up` chosen without any branch cut near
 // the usual directions: the coordinate axis least aligned with `forward`, made orthogonal.
 Frame frame_along(const glm::dvec3& origin, const glm::dvec3& forward);

@@ -9,6 +9,7 @@
 #define Texture sampler2D
 #define OUT(T) out T
 #define TRACE(label, value)
+#define any_lane(condition) (condition)
 
 #define UNIFORMS_BEGIN layout(std140, binding = 0) uniform UniformBlock {
 #define UNIFORMS_END } u;

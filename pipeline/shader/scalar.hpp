@@ -11,6 +11,8 @@ inline float sqrt(float a) { return __builtin_sqrtf(a); }
 inline float floor(float a) { return __builtin_floorf(a); }
 inline float abs(float a) { return __builtin_fabsf(a); }
 
+inline bool any_lane(bool c) { return c; }
+
 inline void load(const float* p, float& v) { v = *p; }
 inline void load(const std::int32_t* p, int& v) { v = *p; }
 inline void load_mask(const std::int32_t* p, bool& v) { v = *p != 0; }

@@ -71,6 +71,13 @@ inline void load_mask(const std::int32_t* p, Bool& b) { __builtin_memcpy(&b.v, p
 inline void store(float* p, Float f) { __builtin_memcpy(p, &f.v, sizeof f.v); }
 inline void store_mask(std::int32_t* p, Bool b) { __builtin_memcpy(p, &b.v, sizeof b.v); }
 
+// Whether the condition holds on any lane; only for skipping work whose results no other lane uses.
+inline bool any_lane(Bool c) {
+  bool any = false;
+  for (int i = 0; i < kLanes; ++i) any |= c.v[i] != 0;
+  return any;
+}
+
 inline Float abs(Float a) { return sel(a < 0.0f, -a, a.v + 0.0f); }
 
 #if CAUSTICS_LANES == 16

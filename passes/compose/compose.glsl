@@ -1,0 +1,54 @@
+// What the camera sees without the glass: diffuse surfaces under all their light, before the sky.
+UNIFORMS_BEGIN
+#include "passes/compose/compose_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, view_position)
+TEXTURE(1, view_normal)
+TEXTURE(2, view_albedo)
+TEXTURE(3, view_emission)
+TEXTURE(4, direct)
+TEXTURE(5, caustic)
+TEXTURE(6, environment)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, scene_color)
+#include "passes/shared/sky.glsl"
+
+// Irradiance from the environment. The gradient counts as two uniform hemispheres, for which a surface
+// leaning by n.y sees (1 + n.y) / 2 of the upper one; the upper one's mean under the cosine is a third of
+// the horizon's radiance and two thirds of the zenith's.
+Vec3 ambient_irradiance(Vec3 n) {
+  Vec3 above = (Vec3(u.sky_horizon) + Vec3(u.sky_zenith) * 2.0f) / Float(3.0f);
+  Vec3 below = Vec3(u.sky_ground);
+  Vec3 radiance = below + (above - below) * ((1.0f + n.y) * 0.5f);
+  if (u.sky_horizon.w > 0.5f) {
+    radiance = Vec3(u.ambient_0) + Vec3(u.ambient_1) * n.y + Vec3(u.ambient_2) * n.z +
+               Vec3(u.ambient_3) * n.x + Vec3(u.ambient_4) * (n.x * n.y) +
+               Vec3(u.ambient_5) * (n.y * n.z) + Vec3(u.ambient_6) * (3.0f * n.z * n.z - 1.0f) +
+               Vec3(u.ambient_7) * (n.x * n.z) + Vec3(u.ambient_8) * (n.x * n.x - n.y * n.y);
+    radiance = Vec3(max_of(radiance.x, 0.0f), max_of(radiance.y, 0.0f), max_of(radiance.z, 0.0f));
+  }
+  return radiance * 3.14159265f;
+}
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Bool covered = texel_fetch(view_position, column, row).w != 0.0f;
+  Vec3 n = Vec3(texel_fetch(view_normal, column, row));
+  Vec3 albedo = Vec3(texel_fetch(view_albedo, column, row));
+  Vec3 emission = Vec3(texel_fetch(view_emission, column, row));
+  Vec3 irradiance = Vec3(texel_fetch(direct, column, row)) +
+                    Vec3(texel_fetch(caustic, column, row)) + ambient_irradiance(n);
+  Vec3 surface = emission + albedo * irradiance * 0.318309886f;
+
+  Vec3 ray = Vec3(u.forward);
+  if (u.forward.w > 0.5f)
+    ray = normalize_or(Vec3(u.forward) + Vec3(u.right) * (frag_x() * u.pixel.x + u.pixel.z) +
+                           Vec3(u.up) * (frag_y() * u.pixel.y + u.pixel.w),
+                       Vec3(u.forward));
+  scene_color = Vec4(sel(covered, surface, sky_radiance(ray)), Float(1.0f));
+}
+#endif

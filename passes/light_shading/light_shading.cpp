@@ -1,0 +1,110 @@
+#include "passes/light_shading/light_shading.hpp"
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "passes/shared/light_uniforms.hpp"
+
+namespace caustics {
+
+extern const Shader light_shading_shader;
+
+namespace {
+
+struct LightShadingUniforms {
+  using vec4 = glm::vec4;
+  using mat4 = glm::mat4;
+#include "passes/light_shading/light_shading_uniforms.glsl"
+};
+
+bool throws_caustic(const PassContext& context) {
+  for (const Expectation& e : context.effects->expectations)
+    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light)
+      return true;
+  return false;
+}
+
+UniformBytes uniforms(const PassContext& context) {
+  const LightFrames& frames = *context.frames;
+  const Light& light = *context.light;
+  const FrameUniforms caster = pack(frames.caster), receiver = pack(frames.receiver);
+  const FrameUniforms caustic = pack(frames.caustic), shadow = pack(frames.shadow);
+  const LightCone cone = light_cone(light);
+  const bool directional = light.type == LightType::Directional;
+  const bool caustics = context.effects->active("caustics") && throws_caustic(context);
+  const double texels =
+      static_cast<double>(context.settings->map) * static_cast<double>(context.settings->map);
+  return uniform_bytes(LightShadingUniforms{
+      .from_scene = shadow.from_scene,
+      .caster_window = caster.window,
+      .caster_depth = caster.depth,
+      .receiver_window = receiver.window,
+      .receiver_depth = receiver.depth,
+      .caustic_window = caustic.window,
+      .caustic_depth = caustic.depth,
+      .shadow_window = shadow.window,
+      .shadow_range = shadow.depth,
+      .light = glm::vec4(glm::vec3(directional ? frames.shadow.forward : light.position),
+                         directional ? 0.0f : 1.0f),
+      .cone_axis = cone.axis,
+      .cone = cone.scale_offset,
+      .intensity = glm::vec4(light.color * light.intensity,
+                             !directional && std::isfinite(light.range) ? light.range : 0.0f),
+      .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), 0.0f, 0.0f, 0.0f},
+      .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
+               caustics ? 1.0f : 0.0f, 0.0f},
+  });
+}
+
+PassDefinition definition(const std::string& view, const std::string& name,
+                          const std::string& direct, const std::string& caustic) {
+  return {
+      .name = name,
+      .purpose = "adds what one light gives to the surfaces in view, directly and by its caustics",
+      .reads = {{.name = view + "_position", .meaning = "the surfaces"},
+                {.name = view + "_normal", .meaning = "their normals"},
+                {.name = "shadow_depth", .meaning = "what shadows them", .optional = true},
+                {.name = "caster_position",
+                 .meaning = "the casters, which shadow them too",
+                 .optional = true},
+                {.name = "receiver_position",
+                 .meaning = "which surfaces the caustic map belongs to",
+                 .optional = true},
+                {.name = "caustic_map", .meaning = "the casters' light", .optional = true}},
+      .writes = {{.name = direct,
+                  .meaning = "rgb: direct irradiance after shadows, lux",
+                  .blend = kAccumulate},
+                 {.name = caustic,
+                  .meaning = "rgb: irradiance from caustics, lux",
+                  .blend = kAccumulate}},
+      .shader = &light_shading_shader,
+  };
+}
+
+}  // namespace
+
+Pass light_shading_pass() {
+  return {.definition = definition("view", "light_shading", "direct", "caustic"),
+          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+            if (!effects.active("light")) return {};
+            return "the light shines on what the camera sees";
+          },
+          .each = Each::Light,
+          .extent = Extent::Picture,
+          .uniforms = uniforms,
+          .sums_over_lights = true};
+}
+
+Pass wide_shading_pass() {
+  return {.definition = definition("wide", "wide_shading", "wide_direct", "wide_caustic"),
+          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+            if (!effects.active("light") || !effects.active("seen refraction")) return {};
+            return "the light shines on what glass shows";
+          },
+          .each = Each::Light,
+          .extent = Extent::Wide,
+          .uniforms = uniforms,
+          .sums_over_lights = true};
+}
+
+}  // namespace caustics

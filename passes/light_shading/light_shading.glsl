@@ -1,0 +1,189 @@
+// What one light gives to the surfaces that the camera sees: direct irradiance after shadows, and
+// irradiance from its caustics.
+UNIFORMS_BEGIN
+#include "passes/light_shading/light_shading_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, view_position)
+TEXTURE(1, view_normal)
+TEXTURE(2, shadow_depth)
+TEXTURE(3, caster_position)
+TEXTURE(4, receiver_position)
+TEXTURE(5, caustic_map)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, direct)
+OUTPUT(1, Vec4, caustic)
+#include "passes/shared/frame_space.glsl"
+#include "passes/shared/light_intensity.glsl"
+
+// The surface's tangent plane in frame coordinates, to compare depths where a map's texel is instead of
+// where the shaded point is: that leaves nothing of the usual slope for a bias to hide.
+struct TangentPlane {
+  Vec3 q;       // the point
+  Vec3 normal;  // in frame axes
+};
+
+// z of the plane at window coordinates, kept within half and twice the point's own.
+Float plane_z(TangentPlane p, Float x, Float y) {
+  Float offset = dot3(p.normal, p.q);
+  Float slope = p.normal.z;
+  Float z = p.q.z;
+  if (u.light.w > 0.5f) {
+    Float along = p.normal.x * x + p.normal.y * y + p.normal.z;
+    Bool sound = abs(along) > 0.02f;
+    z = sel(sound, offset / sel(sound, along, Float(1.0f)), p.q.z);
+    z = clamp_to(z, p.q.z * 0.5f, p.q.z * 2.0f);
+  } else {
+    Bool sound = abs(slope) > 0.02f;
+    z = sel(sound, (offset - p.normal.x * x - p.normal.y * y) / sel(sound, slope, Float(1.0f)), p.q.z);
+  }
+  return z;
+}
+
+// Bilinear weights and texels around map coordinates.
+struct Corners {
+  Int x0;
+  Int y0;
+  Float fx;
+  Float fy;
+};
+
+Corners corners_at(Vec2 uv, int width, int height) {
+  Corners c;
+  Float x = uv.x * float(width) - 0.5f;
+  Float y = uv.y * float(height) - 0.5f;
+  c.x0 = floor_to_int(x);
+  c.y0 = floor_to_int(y);
+  c.fx = clamp_to(x - Float(c.x0), 0.0f, 1.0f);
+  c.fy = clamp_to(y - Float(c.y0), 0.0f, 1.0f);
+  return c;
+}
+
+// Window coordinate of a texel's centre.
+Float window_of(Int texel, int size, float scale, float offset) {
+  return ((Float(texel) + 0.5f) / float(size) - offset) / scale;
+}
+
+Bool in_map(Int x, Int y, int width, int height) {
+  return x >= 0 && x < width && y >= 0 && y < height;
+}
+
+// 1 where an opaque surface at this texel lies before the plane, else 0.
+Float occluded(TangentPlane p, Int x, Int y, Float bias) {
+  int width = texture_width(shadow_depth);
+  int height = texture_height(shadow_depth);
+  Float z = plane_z(p, window_of(x, width, u.shadow_window.x, u.shadow_window.z),
+                    window_of(y, height, u.shadow_window.y, u.shadow_window.w));
+  Float stored = fetch_clamped(shadow_depth, x, y).x;
+  Bool blocked = in_map(x, y, width, height) && stored < z - bias;
+  return sel(blocked, Float(1.0f), Float(0.0f));
+}
+
+Float shadow_share(TangentPlane p) {
+  int width = texture_width(shadow_depth);
+  int height = texture_height(shadow_depth);
+  Vec2 uv = frame_uv(p.q, u.shadow_window, u.shadow_range);
+  Corners c = corners_at(uv, width, height);
+  // Curvature and rounding remain: a texel's extent.
+  Float bias = frame_w(p.q, u.shadow_range) *
+               max_of(Float(1.0f / (u.shadow_window.x * float(width))),
+                      Float(1.0f / (u.shadow_window.y * float(height))));
+  Float bottom = occluded(p, c.x0, c.y0, bias) * (1.0f - c.fx) + occluded(p, c.x0 + 1, c.y0, bias) * c.fx;
+  Float top = occluded(p, c.x0, c.y0 + 1, bias) * (1.0f - c.fx) +
+              occluded(p, c.x0 + 1, c.y0 + 1, bias) * c.fx;
+  return sel(frame_w(p.q, u.shadow_range) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
+}
+
+// 1 where a caster covers this texel before the point, else 0.
+Float covered_by_caster(TangentPlane p, Int x, Int y) {
+  Vec4 caster = fetch_clamped(caster_position, x, y);
+  Float z = frame_coordinates(u.from_scene, Vec3(caster)).z;
+  Bool blocked = in_map(x, y, texture_width(caster_position), texture_height(caster_position)) &&
+                 caster.w != 0.0f && z < p.q.z;
+  return sel(blocked, Float(1.0f), Float(0.0f));
+}
+
+Float caster_share(TangentPlane p) {
+  Vec2 uv = frame_uv(p.q, u.caster_window, u.caster_depth);
+  Corners c = corners_at(uv, texture_width(caster_position), texture_height(caster_position));
+  Float bottom = covered_by_caster(p, c.x0, c.y0) * (1.0f - c.fx) +
+                 covered_by_caster(p, c.x0 + 1, c.y0) * c.fx;
+  Float top = covered_by_caster(p, c.x0, c.y0 + 1) * (1.0f - c.fx) +
+              covered_by_caster(p, c.x0 + 1, c.y0 + 1) * c.fx;
+  return sel(frame_w(p.q, u.caster_depth) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
+}
+
+// Does the receiver map see this point, and not something before it? Two texels' extents may lie between.
+Bool receives(TangentPlane p) {
+  Vec2 uv = frame_uv(p.q, u.receiver_window, u.receiver_depth);
+  int width = texture_width(receiver_position);
+  int height = texture_height(receiver_position);
+  Int x = floor_to_int(uv.x * float(width));
+  Int y = floor_to_int(uv.y * float(height));
+  Vec4 receiver = fetch_clamped(receiver_position, x, y);
+  Float seen = frame_coordinates(u.from_scene, Vec3(receiver)).z;
+  Float z = plane_z(p, window_of(x, width, u.receiver_window.x, u.receiver_window.z),
+                    window_of(y, height, u.receiver_window.y, u.receiver_window.w));
+  Float extent = frame_w(p.q, u.receiver_depth) *
+                 max_of(Float(1.0f / (u.receiver_window.x * float(width))),
+                        Float(1.0f / (u.receiver_window.y * float(height))));
+  return inside_unit(uv.x, uv.y) && p.q.z >= u.receiver_depth.x && receiver.w != 0.0f &&
+         z <= seen + 2.0f * extent;
+}
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Vec4 surface = texel_fetch(view_position, column, row);
+  Vec3 n = Vec3(texel_fetch(view_normal, column, row));
+  Vec3 position = Vec3(surface);
+  Bool visible = surface.w != 0.0f;
+
+  // The light's direction, and what is left of its intensity here: lux across the light.
+  Vec3 travel = Vec3(u.light);
+  Float reaching = Float(1.0f);
+  Float distance_squared = Float(1.0f);
+  if (u.light.w > 0.5f) {
+    Vec3 path = position - Vec3(u.light);
+    distance_squared = max_of(dot3(path, path), 1.0e-20f);
+    travel = normalize_or(path, Vec3(u.cone_axis));
+    reaching = cone_falloff(travel);
+    if (u.intensity.w > 0.0f) {
+      // KHR_lights_punctual's window: 1 - (d / range)^4, clamped.
+      Float s = distance_squared / (u.intensity.w * u.intensity.w);
+      reaching = reaching * clamp_to(1.0f - s * s, 0.0f, 1.0f);
+    }
+  }
+  Float facing = max_of(-dot3(n, travel), 0.0f);
+  TangentPlane p;
+  p.q = frame_coordinates(u.from_scene, position);
+  p.normal = transform_vector(u.from_scene, n);
+
+  Float lit = Float(1.0f);
+  if (u.uses.x > 0.5f) lit = 1.0f - shadow_share(p);
+  if (u.uses.y > 0.5f) lit = lit * (1.0f - caster_share(p));
+  Float irradiance = facing * reaching * lit / distance_squared;
+  irradiance = sel(visible, irradiance, Float(0.0f));
+  direct = Vec4(Vec3(u.intensity) * irradiance, Float(0.0f));
+
+  // Flux in a texel over the receiver's area under it: texel area / |n.l|, or solid angle r^2 / |n.l|.
+  Vec3 caught = Vec3(0.0f);
+  if (u.uses.z > 0.5f) {
+    Vec2 uv = frame_uv(p.q, u.caustic_window, u.caustic_depth);
+    Vec3 flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
+    Float area = Float(u.caustic_texel.x);
+    if (u.light.w > 0.5f) {
+      Float z = sel(p.q.z > 0.0f, p.q.z, Float(1.0f));
+      Float x = p.q.x / z;
+      Float y = p.q.y / z;
+      Float squared = 1.0f + x * x + y * y;
+      area = u.caustic_texel.x / (squared * sqrt(squared)) * distance_squared;
+    }
+    Bool takes = visible && inside_unit(uv.x, uv.y) && receives(p);
+    caught = sel(takes, flux * (facing / area), Vec3(0.0f));
+  }
+  caustic = Vec4(Vec3(u.intensity) * caught, Float(0.0f));
+}
+#endif

@@ -1,0 +1,15 @@
+mat4 from_scene;         // origin and axes, shared by all frames of the light
+vec4 caster_window;
+vec4 caster_depth;
+vec4 receiver_window;
+vec4 receiver_depth;
+vec4 caustic_window;
+vec4 caustic_depth;
+vec4 shadow_window;
+vec4 shadow_range;       // the shadow frame's depth
+vec4 light;              // xyz: direction of travel (directional) or position; w: 1 for a position
+vec4 cone_axis;
+vec4 cone;
+vec4 intensity;          // rgb: lux (directional) or candela; w: range in metres, 0 for none
+vec4 caustic_texel;      // x: area of a caustic map texel in window units squared
+vec4 uses;               // 1 where there is a shadow map, a caster map, a caustic map; w unused

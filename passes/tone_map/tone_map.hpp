@@ -1,0 +1,9 @@
+#pragma once
+#include "pipeline/plan/pass.hpp"
+
+namespace caustics {
+
+// tone_map.md says what this pass is for, what is read and written, and what can go wrong.
+Pass tone_map_pass();
+
+}  // namespace caustics

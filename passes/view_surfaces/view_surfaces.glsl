@@ -1,0 +1,71 @@
+// The first opaque surface that the camera sees: position, normal, colour, light of its own.
+UNIFORMS_BEGIN
+#include "passes/view_surfaces/view_surfaces_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, base_color)
+TEXTURE(1, normal_texture)
+TEXTURE(2, emissive)
+VARYING_SMOOTH(0, Vec3, surface_position)
+VARYING_SMOOTH(3, Vec3, surface_normal)
+VARYING_SMOOTH(6, Vec4, surface_tangent)
+VARYING_SMOOTH(10, Vec2, surface_uv)
+
+#ifdef VERTEX_STAGE
+ATTRIBUTE(0, Vec3, position)
+ATTRIBUTE(3, Vec3, normal)
+ATTRIBUTE(6, Vec4, tangent)
+ATTRIBUTE(10, Vec2, uv)
+#include "passes/shared/frame_space.glsl"
+
+void main() {
+  surface_position = position;
+  surface_normal = normal;
+  surface_tangent = tangent;
+  surface_uv = uv;
+  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+}
+#else
+OUTPUT(0, Vec4, view_position)
+OUTPUT(1, Vec4, view_normal)
+OUTPUT(2, Vec4, view_albedo)
+OUTPUT(3, Vec4, view_emission)
+#include "passes/shared/frame_space.glsl"
+#include "passes/shared/material.glsl"
+
+// The normal texture's normal in scene space (glTF 2.0, 3.9.3).
+Vec3 textured_normal(Vec3 n) {
+  Vec2 uv = transformed_uv(u.normal_row0, u.normal_row1, surface_uv);
+  Vec4 texel = fetch_repeat(normal_texture, uv.x, uv.y);
+  Vec3 local = Vec3((texel.x * 2.0f - 1.0f) * u.uses.w, (texel.y * 2.0f - 1.0f) * u.uses.w,
+                    texel.z * 2.0f - 1.0f);
+  Vec3 raw = Vec3(surface_tangent);
+  Vec3 t = normalize_or(raw - n * dot3(n, raw), Vec3(1.0f, 0.0f, 0.0f));
+  Vec3 b = cross3(n, t) * surface_tangent.w;
+  return normalize_or(t * local.x + b * local.y + n * local.z, n);
+}
+
+void main() {
+  Vec2 uv = transformed_uv(u.uv_row0, u.uv_row1, surface_uv);
+  Vec4 base = Vec4(u.base_factor);
+  if (u.uses.x > 0.5f) base = base * fetch_repeat(base_color, uv.x, uv.y);
+  discard_if(base.w < u.alpha.y);
+
+  Vec3 to_eye = Vec3(u.eye) - surface_position;
+  if (u.eye.w < 0.5f) to_eye = -Vec3(u.forward);
+  Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
+  // A surface seen from behind shows its other side.
+  Bool behind = !front_facing();
+  n = sel(behind, -n, n);
+  if (u.uses.y > 0.5f) n = textured_normal(n);
+
+  Vec3 emission = Vec3(u.emissive_factor);
+  if (u.uses.z > 0.5f) {
+    Vec2 at = transformed_uv(u.emissive_row0, u.emissive_row1, surface_uv);
+    emission = emission * Vec3(fetch_repeat(emissive, at.x, at.y));
+  }
+  view_position = Vec4(surface_position, Float(1.0f));
+  view_normal = Vec4(n, frame_coordinates(u.from_scene, surface_position).z);
+  view_albedo = Vec4(base.x, base.y, base.z, Float(1.0f));
+  view_emission = Vec4(emission, Float(1.0f));
+}
+#endif

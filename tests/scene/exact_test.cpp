@@ -1,0 +1,57 @@
+// The exact arithmetic against the C library, which is only a witness here.
+#include "pipeline/scene/exact.hpp"
+
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+
+using namespace caustics::exact;
+
+TEST_CASE("Sine and cosine agree with the C library to a few units in the last place") {
+  for (int i = -2000; i <= 2000; ++i) {
+    const double angle = i * 0.37;
+    double s = 0, c = 0;
+    sin_cos(angle, s, c);
+    CHECK(std::abs(s - std::sin(angle)) < 1e-13);
+    CHECK(std::abs(c - std::cos(angle)) < 1e-13);
+  }
+}
+
+TEST_CASE("The sRGB curve agrees with the C library's pow") {
+  for (int i = 0; i <= 255; ++i) {
+    const double x = i / 255.0;
+    const double expected = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+    CHECK(std::abs(srgb_to_linear(x) - expected) < 1e-15);
+  }
+  CHECK(srgb_to_linear(1.0) == 1.0);
+}
+
+TEST_CASE("Lengths neither overflow nor underflow") {
+  CHECK(length({3e200, 4e200, 0}) == Approx(5e200));
+  CHECK(length({3e-200, 4e-200, 0}) == Approx(5e-200));
+  CHECK(length({0, 0, 0}) == 0.0);
+  CHECK(normalise({0, 0, 1e-300}, {1, 0, 0}) == glm::dvec3(0, 0, 1));
+  CHECK(normalise({0, 0, 0}, {1, 0, 0}) == glm::dvec3(1, 0, 0));
+}
+
+TEST_CASE("A perpendicular is one, whatever the direction") {
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dvec3 n =
+        normalise({(i % 10) - 4.5, ((i / 10) % 10) - 4.5, (i / 100) - 4.5}, {1, 0, 0});
+    CHECK(std::abs(dot(n, perpendicular(n))) < 1e-15);
+    CHECK(length(perpendicular(n)) == Approx(1));
+  }
+  for (const glm::dvec3& axis : {glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {0.8, 0.6, 0}}) {
+    CHECK(std::abs(dot(axis, perpendicular(axis))) < 1e-15);
+    CHECK(length(perpendicular(axis)) == Approx(1));
+  }
+}
+
+TEST_CASE("Normals stay perpendicular to surfaces that are stretched and mirrored") {
+  Affine stretch;
+  stretch.x = {-3, 0, 0};
+  stretch.y = {1, 2, 0};
+  const glm::dvec3 in_surface = stretch.direction({0, 1, 0});
+  CHECK(dot(stretch.normal({1, 0, 0}), in_surface) == Approx(0).margin(1e-12));
+  CHECK(stretch.normal({1, 0, 0}).x < 0);
+}

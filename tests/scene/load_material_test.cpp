@@ -1,0 +1,197 @@
+// Materials and textures.
+#include "tests/scene/gltf_builder.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+Scene with_material(const std::string& material, const std::string& more = "") {
+  Gltf gltf = triangle();
+  gltf.mesh += R"(,"material":0)";
+  gltf.rest = R"(,"materials":[{)" + material + "}]" + more;
+  return load(gltf);
+}
+
+std::string refused_material(const std::string& material) {
+  Gltf gltf = triangle();
+  gltf.rest = R"(,"materials":[{)" + material + "}]";
+  return refusal(gltf);
+}
+
+std::string extension(const std::string& name, const std::string& members) {
+  return R"("extensions":{")" + name + R"(":{)" + members + "}}";
+}
+
+// A PNG of 2x2 texels: red 255, 0 in the top row; 188, 188 in the bottom row; green and blue 0,
+// alpha 128.
+const char* kPng =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAFElEQVR42mP4z8DQwADCe4AECAMAKNEEeM/2"
+    "UfoAAAAASUVORK5CYII=";
+
+std::string textured(const std::string& material, const std::string& uri) {
+  Gltf gltf = triangle();
+  gltf.add<float>({0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
+  gltf.mesh = R"("attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0)";
+  gltf.rest = R"(,"materials":[{)" + material +
+              R"(}],"textures":[{"source":0}],"images":[{"uri":")" + uri + R"("}])";
+  return gltf.json();
+}
+const std::string kBase = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}})";
+
+}  // namespace
+
+TEST_CASE("A material without members has the defaults of the specifications") {
+  const Material m = with_material("").materials.at(0);
+  CHECK(m.base_color == glm::vec4(1));
+  CHECK(m.metallic == 1.0f);
+  CHECK(m.roughness == 1.0f);
+  CHECK(m.ior == 1.5f);
+  CHECK(m.transmission == 0.0f);
+  CHECK(m.thickness == 0.0f);
+  CHECK(m.dispersion == 0.0f);
+  CHECK(m.attenuation_distance == std::numeric_limits<float>::infinity());
+  CHECK(m.alpha_mode == AlphaMode::Opaque);
+  CHECK_FALSE(m.base_color_texture.present());
+}
+
+TEST_CASE("Glass is read from its four extensions") {
+  const Material m = with_material(R"("name":"glass","extensions":{
+      "KHR_materials_transmission":{"transmissionFactor":1},
+      "KHR_materials_ior":{"ior":2},
+      "KHR_materials_volume":{"thicknessFactor":0.5,"attenuationDistance":3,
+                              "attenuationColor":[0.1,0.5,0.9]},
+      "KHR_materials_dispersion":{"dispersion":0.36}})")
+                         .materials.at(0);
+  CHECK(m.name == "glass");
+  CHECK(m.transmission == 1.0f);
+  CHECK(m.ior == 2.0f);
+  CHECK(m.thickness == 0.5f);
+  CHECK(m.attenuation_distance == 3.0f);
+  CHECK(m.attenuation_color == glm::vec3(0.1f, 0.5f, 0.9f));
+  CHECK(m.dispersion == 0.36f);
+}
+
+TEST_CASE("Factors beyond their range are clamped, with a note that names them") {
+  const Scene scene = with_material(R"("pbrMetallicRoughness":{"roughnessFactor":3})");
+  CHECK(scene.materials.at(0).roughness == 1.0f);
+  CHECK(has_note(scene, "materials[0].pbrMetallicRoughness.roughnessFactor is 3; 1 is used."));
+}
+
+TEST_CASE("An index of refraction is 0, above 0, or refused") {
+  const auto ior = [](const std::string& value) {
+    return extension("KHR_materials_ior", R"("ior":)" + value);
+  };
+  CHECK(with_material(ior("0")).materials.at(0).ior == 0.0f);
+  const Scene bubble = with_material(ior("0.75"));
+  CHECK(bubble.materials.at(0).ior == 0.75f);
+  CHECK(has_note(bubble, "below 1"));
+  const std::string path = "materials[0].extensions.KHR_materials_ior.ior: ";
+  CHECK(contains(refused_material(ior("-1.5")), path));
+  CHECK(contains(refused_material(ior("\"glass\"")), path));
+  CHECK(contains(refused_material(ior("null")), path));
+  CHECK(contains(refused_material(ior("1e999")), "is not a glTF file"));
+  CHECK(contains(refused_material(R"("extensions":{"KHR_materials_ior":[]})"),
+                 "materials[0].extensions.KHR_materials_ior: must be an object"));
+}
+
+TEST_CASE("An attenuation distance of 0 absorbs nothing and is noted") {
+  const Scene scene = with_material(
+      extension("KHR_materials_volume", R"("thicknessFactor":1,"attenuationDistance":0)"));
+  CHECK(scene.materials.at(0).attenuation_distance == std::numeric_limits<float>::infinity());
+  CHECK(has_note(scene, "attenuationDistance is 0"));
+}
+
+TEST_CASE("Emission is the factor times its strength, unlit is kept") {
+  const Material m = with_material(R"("emissiveFactor":[1,0.5,0],"extensions":{
+      "KHR_materials_emissive_strength":{"emissiveStrength":100},"KHR_materials_unlit":{}})")
+                         .materials.at(0);
+  CHECK(m.emissive == glm::vec3(100, 50, 0));
+  CHECK(m.unlit);
+}
+
+TEST_CASE("Extensions that we lack are refused when required, noted when used") {
+  const std::string draco = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";
+  Gltf gltf = triangle();
+  gltf.rest = draco;
+  CHECK(contains(refusal(gltf), "extensionsRequired[0]: "));
+  CHECK(contains(refusal(gltf), "gltf-transform copy in.glb out.glb"));
+  gltf.rest = R"(,"extensionsUsed":["KHR_materials_sheen"])";
+  CHECK(has_note(load(gltf), "The extension KHR_materials_sheen is ignored."));
+}
+
+TEST_CASE("A colour texture is decoded to linear half floats with its bottom row first") {
+  const Scene scene = load_text(textured(kBase, std::string("data:image/png;base64,") + kPng));
+  REQUIRE(scene.images.size() == 1);
+  const Image& image = scene.images[0];
+  CHECK(image.shape == ImageShape{Format::RGBA16F, 2, 2});
+  CHECK(image.at(0, 1, 0) == 1.0f);
+  CHECK(image.at(1, 1, 0) == 0.0f);
+  // sRGB 188 is 0.502886 linear; the nearest half is 0.50293.
+  CHECK(image.at(0, 0, 0) == Approx(0.502886).margin(2.5e-4));
+  CHECK(image.at(0, 0, 0) == stored_value(Format::RGBA16F, image.at(0, 0, 0)));
+  CHECK(image.at(0, 0, 3) == stored_value(Format::RGBA16F, 128.0f / 255.0f));
+  CHECK(scene.meshes.at(0).has_uv);
+  const glm::vec3 corner =
+      scene.materials.at(0).base_color_texture.uv_transform * glm::vec3(0, 0, 1);
+  CHECK(corner == glm::vec3(0, 1, 1));
+}
+
+TEST_CASE("A normal texture stays as it is and brings tangents") {
+  const Scene scene = load_text(textured(R"("normalTexture":{"index":0,"scale":0.5})",
+                                         std::string("data:image/png;base64,") + kPng));
+  CHECK(scene.images.at(0).shape.format == Format::RGBA8);
+  CHECK(scene.images[0].at(0, 0, 0) == stored_value(Format::RGBA8, 188.0f / 255.0f));
+  CHECK(scene.materials.at(0).normal_scale == 0.5f);
+  // u grows along +x; v points down in the picture and grows along +y: a mirrored frame.
+  const Vertex& vertex = scene.meshes.at(0).vertices[0];
+  CHECK(vertex.tangent == glm::vec4(1, 0, 0, -1));
+}
+
+TEST_CASE("A metallic-roughness texture counts with its mean") {
+  const Scene scene =
+      load_text(textured(R"("pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}})",
+                         std::string("data:image/png;base64,") + kPng));
+  CHECK(scene.materials.at(0).roughness == 0.0f);
+  CHECK(scene.materials.at(0).metallic == 0.0f);
+  const Scene glass =
+      load_text(textured(extension("KHR_materials_transmission",
+                                   R"("transmissionFactor":1,"transmissionTexture":{"index":0})"),
+                         std::string("data:image/png;base64,") + kPng));
+  CHECK(glass.materials.at(0).transmission == Approx((255 + 0 + 188 + 188) / (4 * 255.0)));
+}
+
+TEST_CASE("KHR_texture_transform turns as its own example says") {
+  // The lower left quadrant, turned clockwise by a quarter (the example of the extension's text).
+  const Scene scene = load_text(textured(
+      R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{
+         "KHR_texture_transform":{"offset":[0,1],"rotation":1.57079632679489662,
+                                  "scale":[0.5,0.5]}}}})",
+      std::string("data:image/png;base64,") + kPng));
+  const glm::mat3 m = scene.materials.at(0).base_color_texture.uv_transform;
+  const glm::vec3 a = m * glm::vec3(0, 0, 1), b = m * glm::vec3(1, 1, 1);
+  CHECK(a.x == Approx(0).margin(1e-6));
+  CHECK(a.y == Approx(0).margin(1e-6));
+  CHECK(b.x == Approx(0.5));
+  CHECK(b.y == Approx(0.5));
+}
+
+TEST_CASE("A texture that cannot be read is left out with a note") {
+  const auto note_of = [](const std::string& uri) {
+    const Scene scene = load_text(textured(kBase, uri));
+    CHECK(scene.meshes.size() == 1);
+    CHECK(scene.images.empty());
+    CHECK_FALSE(scene.materials.at(0).base_color_texture.present());
+    return scene.notes.empty() ? "" : scene.notes[0];
+  };
+  CHECK(contains(note_of("missing.png"), "images[0].uri: file not found"));
+  CHECK(contains(note_of("../up.png"), "images[0].uri: leaves the glTF file's folder"));
+  CHECK(contains(note_of("http://example.org/a.png"), "images[0].uri: only data: URIs"));
+  CHECK(contains(note_of("data:image/gif;base64," + base64("GIF89a......")), "is a GIF"));
+  const std::string truncated = "data:image/png;base64," + std::string(kPng).substr(0, 60);
+  CHECK(contains(note_of(truncated), "images[0] is a PNG that was cut short"));
+  // A header that promises 65535 x 65535 texels.
+  std::string bomb = "\x89PNG\r\n\x1a\n" + std::string("\0\0\0\rIHDR\0\0\xff\xff\0\0\xff\xff", 16);
+  bomb += std::string("\x08\x06\0\0\0\0\0\0\0\0\0\0\0IEND\xae\x42\x60\x82", 21);
+  CHECK(contains(note_of("data:image/png;base64," + base64(bomb)), "larger than 16384"));
+}
