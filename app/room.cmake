@@ -1,0 +1,19 @@
+# The program `caustics`.
+# pipeline/room.cmake has found OpenImageIO and nlohmann_json.
+find_package(CLI11 REQUIRED)
+
+file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
+add_executable(caustics_app ${app_sources})
+set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)
+caustics_target_options(caustics_app)
+target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gltf
+  OpenImageIO::OpenImageIO nlohmann_json::nlohmann_json CLI11::CLI11)
+target_compile_definitions(caustics_app PRIVATE CAUSTICS_VERSION="${PROJECT_VERSION}")
+if(TARGET TBB::tbb)
+  target_compile_definitions(caustics_app PRIVATE CAUSTICS_TBB_VERSION="${TBB_VERSION}")
+endif()
+
+include(GNUInstallDirs)
+install(TARGETS caustics_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/caustics/scenes
+  FILES_MATCHING PATTERN *.glb PATTERN *.gltf PATTERN *.bin PATTERN *.png PATTERN *.jpg)

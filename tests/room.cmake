@@ -1,0 +1,38 @@
+# Every room's tests in one program, and the tests that drive the program from outside.
+find_package(Catch2 REQUIRED)
+include(Catch)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+file(GLOB_RECURSE caustics_test_sources CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/pipeline/*_test.cpp ${PROJECT_SOURCE_DIR}/passes/*_test.cpp
+  ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
+if(NOT CAUSTICS_BUILD_APP)
+  list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/")
+endif()
+add_executable(caustics_tests ${caustics_test_sources})
+caustics_target_options(caustics_tests)
+target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_reference
+  caustics_pipeline)
+if(CAUSTICS_BUILD_APP)
+  target_link_libraries(caustics_tests PRIVATE caustics_gltf nlohmann_json::nlohmann_json
+    OpenImageIO::OpenImageIO)
+endif()
+if(TARGET Catch2::Catch2WithMain)
+  target_link_libraries(caustics_tests PRIVATE Catch2::Catch2WithMain)
+else()
+  target_link_libraries(caustics_tests PRIVATE Catch2::Catch2)
+  target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/catch2_main.cpp)
+endif()
+include(${PROJECT_SOURCE_DIR}/tests/raster/room.cmake OPTIONAL)
+catch_discover_tests(caustics_tests)
+
+add_test(NAME architecture.include_arrows
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/include_arrows.py)
+add_test(NAME architecture.headers_compile_alone
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/headers.py ${CMAKE_CXX_COMPILER})
+add_test(NAME architecture.shaders_are_glsl
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shaders.py)
+if(CAUSTICS_BUILD_APP)
+  include(${PROJECT_SOURCE_DIR}/tests/program/room.cmake OPTIONAL)
+endif()
+include(${PROJECT_SOURCE_DIR}/tests/package/room.cmake OPTIONAL)

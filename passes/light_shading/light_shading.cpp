@@ -50,6 +50,8 @@ UniformBytes uniforms(const PassContext& context) {
       .cone = cone.scale_offset,
       .intensity = glm::vec4(light.color * light.intensity,
                              !directional && std::isfinite(light.range) ? light.range : 0.0f),
+      .column = caster.window,
+      .column_depth = glm::vec4(glm::vec3(caster.depth), static_cast<float>(frames.casters_nearest)),
       .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), 0.0f, 0.0f, 0.0f},
       .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
                caustics ? 1.0f : 0.0f, 0.0f},

@@ -17,6 +17,7 @@ OUTPUT(0, Vec4, direct)
 OUTPUT(1, Vec4, caustic)
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/light_intensity.glsl"
+#include "passes/shared/column.glsl"
 
 // The surface's tangent plane in frame coordinates, to compare depths where a map's texel is instead of
 // where the shaded point is: that leaves nothing of the usual slope for a bias to hide.
@@ -129,7 +130,7 @@ Bool receives(TangentPlane p) {
   Float extent = frame_w(p.q, u.receiver_depth) *
                  max_of(Float(1.0f / (u.receiver_window.x * float(width))),
                         Float(1.0f / (u.receiver_window.y * float(height))));
-  return inside_unit(uv.x, uv.y) && p.q.z >= u.receiver_depth.x && receiver.w != 0.0f &&
+  return inside_unit(uv.x, uv.y) && !stands_before_casters(p.q) && receiver.w != 0.0f &&
          z <= seen + 2.0f * extent;
 }
 

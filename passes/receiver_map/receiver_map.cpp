@@ -4,9 +4,12 @@ namespace caustics {
 
 extern const Shader receiver_map_shader;
 
-ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& material) {
+ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& material,
+                                          const LightFrames* frames) {
   const FrameUniforms f = pack(frame);
   const glm::mat3& uv = material.base_color_texture.uv_transform;
+  const FrameUniforms column = frames ? pack(frames->caster) : f;
+  const float nearest = frames ? static_cast<float>(frames->casters_nearest) : -1e30f;
   const bool masked = material.alpha_mode == AlphaMode::Mask;
   return {
       .from_scene = f.from_scene,
@@ -16,6 +19,8 @@ ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& ma
                 masked && material.base_color_texture.present() ? 1.0f : 0.0f, 0.0f},
       .uv_row0 = {uv[0][0], uv[1][0], uv[2][0], 0.0f},
       .uv_row1 = {uv[0][1], uv[1][1], uv[2][1], 0.0f},
+      .column = column.window,
+      .column_depth = glm::vec4(glm::vec3(column.depth), nearest),
   };
 }
 
@@ -47,7 +52,7 @@ Pass receiver_map_pass() {
       .uniforms =
           [](const PassContext& context) {
             return uniform_bytes(
-                receiver_map_uniforms(context.frames->receiver, *context.material));
+                receiver_map_uniforms(context.frames->receiver, *context.material, context.frames));
           },
   };
 }

@@ -19,9 +19,12 @@ void main() {
 #else
 OUTPUT(0, Vec4, receiver_position)
 #include "passes/shared/cutout.glsl"
+#include "passes/shared/frame_space.glsl"
+#include "passes/shared/column.glsl"
 
 void main() {
-  discard_if(cut_out(surface_uv));
+  discard_if(cut_out(surface_uv) ||
+             stands_before_casters(frame_coordinates(u.from_scene, surface_position)));
   receiver_position = Vec4(surface_position, Float(1.0f));
 }
 #endif

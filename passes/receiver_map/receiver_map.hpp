@@ -11,7 +11,9 @@ struct ReceiverMapUniforms {
   using mat4 = glm::mat4;
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
 };
-ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& material);
+// `frames`: keep the space between light and casters free; null: keep all.
+ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& material,
+                                          const LightFrames* frames = nullptr);
 
 // receiver_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass receiver_map_pass();

@@ -46,10 +46,23 @@ TEST_CASE("receiver_map: what nothing covers has w = 0") {
   CHECK(map.at(2, 0, 0) == 0.0f);
 }
 
-TEST_CASE("receiver_map: what lies before the near plane is left out") {
-  Frame frame = down(1.0, 10.0, 20.0);
-  frame.near = 9.0;  // at height 1, below the floor at height 2
-  CHECK(draw(kFloor, frame)["receiver_position"].at(1, 1, 3) == 0.0f);
+TEST_CASE("receiver_map: what stands between the light and the casters is left out, what stands beside is not") {
+  // Casters in the middle quarter, their top at height 1; the quad at height 2 covers everything.
+  LightFrames frames;
+  frames.caster = down(0.5, 10.0, 20.0);
+  frames.casters_nearest = 9.0;
+  const Frame frame = down(1.0, 10.0, 20.0);
+  const Image map = run_pass(receiver_map_pass().definition,
+                             {.width = 4,
+                              .height = 4,
+                              .uniforms = uniform_bytes(receiver_map_uniforms(frame, kPlain, &frames)),
+                              .textures = {Image{}},
+                              .mesh = quad(kFloor, {0.0f, 1.0f, 0.0f})})["receiver_position"];
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const bool middle = (x == 1 || x == 2) && (y == 1 || y == 2);
+      CHECK(map.at(x, y, 3) == (middle ? 0.0f : 1.0f));
+    }
 }
 
 TEST_CASE("receiver_map: an alpha mask cuts holes") {

@@ -114,6 +114,7 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
   Float high = Float(0.0f);
   Float gap_high = Float(0.0f);
   Bool bracketed = Bool(false);
+  Bool strayed = Bool(false);
   Int last_side = Int(0);
   Float last = Float(0.0f);
   Float last_gap = gap_low;
@@ -130,15 +131,21 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
     } else {
       value = sel(gap.covered, value, gap_low);
     }
-    Bool behind = value >= 0.0f;
+    // Outside the window nothing is known: halve the way back, and leave the bracket as it is.
+    Bool known = gap.inside;
+    if (beyond_is_behind) known = Bool(true);
+    strayed = strayed || !known;
+    Float halfway = 0.5f * (low + t);
+    Bool behind = known && value >= 0.0f;
+    Bool before = known && value < 0.0f;
     gap_low = sel(behind && last_side == 1, gap_low * 0.5f, gap_low);
-    gap_high = sel(!behind && last_side == -1, gap_high * 0.5f, gap_high);
+    gap_high = sel(before && last_side == -1, gap_high * 0.5f, gap_high);
     high = sel(behind, t, high);
     gap_high = sel(behind, value, gap_high);
-    low = sel(behind, low, t);
-    gap_low = sel(behind, gap_low, value);
+    low = sel(before, t, low);
+    gap_low = sel(before, value, gap_low);
     bracketed = bracketed || behind;
-    last_side = sel(behind, Int(1), Int(-1));
+    last_side = sel(behind, Int(1), sel(before, Int(-1), last_side));
     Float step = t - last;
     Float rise = value - last_gap;
     Bool rising = rise * step > 0.0f;
@@ -149,9 +156,9 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
     Float ahead = low + clamp_to(sel(rising, secant - low, step), 0.0f,
                                  4.0f * max_of(step, reach * 1.0e-3f));
     Float next = sel(bracketed, sel(rising && secant >= low && secant <= high, secant, within), ahead);
-    last = t;
-    last_gap = value;
-    t = next;
+    last = sel(known, t, last);
+    last_gap = sel(known, value, last_gap);
+    t = sel(known, next, halfway);
   }
   gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale, true);
   TRACE(distance, t);
@@ -159,7 +166,8 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
   Hit hit;
   hit.distance = t;
   hit.residual = abs(gap.value);
-  hit.inside = gap.inside;
+  // A ray that never came behind a surface and strayed out of the window has left it.
+  hit.inside = gap.inside && (bracketed || !strayed);
   hit.covered = gap.covered;
   return hit;
 }

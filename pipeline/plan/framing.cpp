@@ -142,7 +142,8 @@ LightFrames widest_frames(const LightExtents& extents, int grid) {
   Extents all = extents.casters;
   if (!extents.receivers.empty()) all.add(extents.receivers);
   set_window(frames.receiver, all.lower, all.upper, 0.01);
-  set_depth(frames.receiver, extents.casters.nearest, all.farthest);
+  set_depth(frames.receiver, all.nearest, all.farthest);
+  frames.casters_nearest = extents.casters.nearest;
   frames.caustic = frames.receiver;
   return frames;
 }
@@ -286,7 +287,7 @@ float exposure_of(const Scene& scene, const Settings& settings) {
   const double sky =
       exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
   const double white = std::max(brightest, sky) / exact::kPi;
-  double exposure = white > 0.0 ? 0.8 / white : 1.0;
+  double exposure = white > 0.0 ? 0.45 / white : 1.0;
   const double ev = settings.exposure ? static_cast<double>(*settings.exposure) : 0.0;
   // 2^ev by whole steps and a series for the rest.
   double whole = std::floor(ev);

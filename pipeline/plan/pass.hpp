@@ -34,6 +34,9 @@ struct LightFrames {
   Frame receiver;  // from the casters to where their light lands: receiver map
   Frame caustic;   // on where the light lands: caustic map
   Frame shadow;    // on everything that can throw or catch a shadow
+  // z of the casters' nearest point: what lies before it within the caster frame's window stands
+  // between light and casters, and is no receiver of their light.
+  double casters_nearest = 0.0;
 };
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.

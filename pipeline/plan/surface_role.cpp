@@ -47,15 +47,16 @@ InterfaceChoice interfaces_of(const Mesh& mesh, const Settings& settings) {
   if (settings.interfaces == Interfaces::Two) {
     return {true, "two interfaces as asked for: light enters and leaves"};
   }
-  if (mesh.closedness >= 1.0f) return {true, "closed mesh: light enters and leaves"};
+  const double holes = 1.0 - static_cast<double>(mesh.closedness);
+  if (holes <= 0.0) return {true, "closed mesh: light enters and leaves"};
+  const std::string share =
+      " (holes of " + number_text(std::max(holes * 100.0, 0.001)) + "% of its area)";
   if (!mesh.closed()) {
-    return {false, "open mesh (" + number_text(mesh.closedness * 100.0) +
-                       "% of its edges are closed): one interface, as a water surface"};
+    return {false, "open mesh" + share + ": one interface, as a water surface"};
   }
-  const double holes = std::max((1.0 - static_cast<double>(mesh.closedness)) * 100.0, 0.001);
-  return {true, "nearly closed mesh (" + number_text(holes) +
-                    "% of its edges are open): taken as closed, light enters and leaves; rays "
-                    "through the holes may be lost"};
+  return {true, "nearly closed mesh" + share +
+                    ": taken as closed, light enters and leaves; rays through the holes may be "
+                    "lost"};
 }
 
 Judgement judge_glass(const Mesh& mesh, const Material& material, const std::string& name,

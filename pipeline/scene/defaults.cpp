@@ -17,7 +17,7 @@ const glm::dvec3 kViewFrom{0.48, 0.6, 0.64};  // unit: from the objects to the c
 constexpr double kFov = 0.7, kSinHalfFov = 0.34289780745545137;
 constexpr double kGroundWidths = 6.0;
 constexpr float kGroundGrey = 0.7f;
-constexpr double kSkyShare = 0.15;
+constexpr double kSkyShare = 0.3;
 
 bool has_receiver(const Scene& scene) {
   return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
@@ -131,11 +131,11 @@ void add_sky(Scene& scene) {
   if (given) return;
   // A sky of radiance L everywhere lights a horizontal surface with pi L.
   const double mean = kSkyShare * light_level(scene) / exact::kPi;
-  sky.zenith = glm::vec3(static_cast<float>(0.8 * mean));
-  sky.horizon = glm::vec3(static_cast<float>(1.4 * mean));
-  sky.ground = glm::vec3(static_cast<float>(0.4 * mean));
+  sky.zenith = glm::vec3(static_cast<float>(0.6 * mean));
+  sky.horizon = glm::vec3(static_cast<float>(1.8 * mean));
+  sky.ground = glm::vec3(static_cast<float>(0.5 * mean));
   scene.notes.push_back(
-      "No environment image was given: a neutral sky lights the scene with 15 % of "
+      "No environment image was given: a neutral sky lights the scene with 30 % of "
       "what its lights give.");
 }
 

@@ -66,9 +66,10 @@ struct Mesh {
   std::vector<std::uint32_t> indices;  // three a triangle
   int material = 0;       // index into Scene::materials
   int object = 0;         // primitives of one node share an object
-  // Share of edges with exactly two neighbouring triangles, after welding equal positions; 1 is closed.
+  // 1 less the area of the surface's holes over its own area, judged for all primitives of the object
+  // with this material together, after welding (positions within 1e-6 of the extent); 1 is closed.
   float closedness = 0.0f;
-  bool closed() const { return closedness >= 0.98f; }
+  bool closed() const { return closedness >= 0.9f; }
   glm::vec3 lower{0.0f}, upper{0.0f};  // bounds
   bool has_uv = false;
 };

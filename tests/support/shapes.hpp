@@ -1,5 +1,6 @@
 // Shapes and scenes made in memory, for tests that need exact geometry.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <map>

@@ -106,10 +106,69 @@ struct Edges {
   std::vector<Neighbours> pairs;
 };
 
-Edges examine_edges(const std::vector<Face>& faces) {
+// Where each welded corner is, by its number.
+std::vector<glm::dvec3> corner_positions(const std::vector<Shape*>& group,
+                                         const std::vector<Face>& faces) {
+  std::vector<glm::dvec3> positions;
+  for (const Face& face : faces) {
+    const Shape& shape = *group[face.shape];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t corner = face.corners[k];
+      if (positions.size() <= corner) positions.resize(corner + 1);
+      positions[corner] = shape.positions[shape.triangles[face.triangle][k]];
+    }
+  }
+  return positions;
+}
+
+// Groups numbers that have been joined; a group goes by its lowest member.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  std::uint32_t of(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = of(a);
+    b = of(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+// The area that would have to be added to close the surface, over the area that is there: each
+// connected border spans the vector area 1/2 sum p x q over its edges. A scan's holes are small
+// shares; an open sheet's border spans as much as the sheet.
+double hole_share(const std::vector<Shape*>& group, const std::vector<Face>& faces,
+                  const std::vector<HalfEdge>& borders) {
+  if (borders.empty()) return 0.0;
+  const std::vector<glm::dvec3> p = corner_positions(group, faces);
+  double area = 0.0;
+  for (const Face& f : faces)
+    area += 0.5 * exact::length(exact::cross(p[f.corners[1]] - p[f.corners[0]],
+                                             p[f.corners[2]] - p[f.corners[0]]));
+  Groups groups(p.size());
+  for (const HalfEdge& edge : borders) groups.join(edge.low, edge.high);
+  std::vector<glm::dvec3> spanned(p.size(), glm::dvec3(0.0));
+  for (const HalfEdge& edge : borders) {
+    const std::uint32_t border = groups.of(edge.low);
+    const glm::dvec3 a = p[edge.low] - p[border], b = p[edge.high] - p[border];
+    spanned[border] += (edge.forward ? 0.5 : -0.5) * exact::cross(a, b);
+  }
+  double holes = 0.0;
+  for (const glm::dvec3& s : spanned) holes += exact::length(s);
+  return area > 0.0 ? std::min(holes / area, 1.0) : 1.0;
+}
+
+Edges examine_edges(const std::vector<Shape*>& group, const std::vector<Face>& faces) {
   const std::vector<HalfEdge> edges = sorted_edges(faces);
   Edges result;
-  std::size_t total = 0;
+  std::vector<HalfEdge> borders;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i + 1;
     while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
@@ -117,12 +176,11 @@ Edges examine_edges(const std::vector<Face>& faces) {
       result.pairs.push_back(
           {edges[i].face, edges[i + 1].face, edges[i].forward != edges[i + 1].forward});
     }
-    ++total;
+    if (end - i == 1) borders.push_back(edges[i]);
     i = end;
   }
-  if (total > 0) {
-    result.closedness =
-        static_cast<float>(static_cast<double>(result.pairs.size()) / static_cast<double>(total));
+  if (!faces.empty()) {
+    result.closedness = static_cast<float>(1.0 - hole_share(group, faces, borders));
   }
   return result;
 }
@@ -240,9 +298,9 @@ void join_group(Context& context, const std::vector<Shape*>& group, bool solid) 
   if (const std::size_t doubles = drop_doubles(group, faces)) {
     context.note(name + ": " + std::to_string(doubles) + " triangles given twice were dropped.");
   }
-  const Edges edges = examine_edges(faces);
+  const Edges edges = examine_edges(group, faces);
   for (Shape* shape : group) shape->closedness = edges.closedness;
-  if (!solid || edges.closedness < 0.98f) return;
+  if (!solid || edges.closedness < 0.9f) return;
   Orientation orientation(group, faces);
   const std::size_t turned = orientation.reconcile(edges.pairs);
   if (turned > 0) {

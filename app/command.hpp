@@ -1,0 +1,26 @@
+// The sub-commands of `caustics`, one file each.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/error.hpp"
+
+namespace caustics::app {
+
+// What follows the sub-command's name.
+using Arguments = std::vector<std::string>;
+
+struct Command {
+  const char* name;
+  const char* summary;
+  ExitCode (*run)(const Arguments& arguments);
+};
+
+// Each throws Error, or returns Done (AnswerIsNo where the command asks a question).
+ExitCode run_render(const Arguments& arguments);
+ExitCode run_plan_command(const Arguments& arguments);
+ExitCode run_probe(const Arguments& arguments);
+ExitCode run_digest(const Arguments& arguments);
+ExitCode run_doctor(const Arguments& arguments);
+
+}  // namespace caustics::app

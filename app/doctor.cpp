@@ -1,0 +1,82 @@
+// caustics doctor: what this build is made of and what this machine lets it use.
+#include <OpenImageIO/imageio.h>
+
+#include <CLI/Version.hpp>
+#include <cstdio>
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/parser.hpp"
+#include "app/version.hpp"
+#include "passes/registry.hpp"
+#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/shader.hpp"
+#include "raster/software_device.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+void line(const char* what, const std::string& value) {
+  std::printf("%-22s %s\n", what, value.c_str());
+}
+
+std::string instruction_sets(const std::vector<Lanes>& lanes) {
+  std::string text;
+  for (const Lanes l : lanes) text += (text.empty() ? "" : ", ") + std::string(lanes_name(l));
+  return text;
+}
+
+std::vector<Lanes> compiled_lanes() {
+  std::vector<Lanes> lanes;
+  const ShaderKernels& kernels = pass_registry().front().definition.shader->kernels;
+  for (int l = 0; l < kLanesCount; ++l) {
+    if (kernels.vertex[static_cast<std::size_t>(l)]) lanes.push_back(static_cast<Lanes>(l));
+  }
+  return lanes;
+}
+
+// Whether attributes are interpolated with fused multiply-add instructions (FINDINGS: the result is
+// the same either way, only slower without).
+std::string fused_multiply_add() {
+#if defined(__x86_64__) || defined(__i386__)
+  return __builtin_cpu_supports("fma") ? "yes" : "no: computed in software, slower";
+#else
+  return "as this architecture has it";
+#endif
+}
+
+}  // namespace
+
+ExitCode run_doctor(const Arguments& arguments) {
+  Parser parser("doctor", "Says what this build is made of and what this machine lets it use.",
+                "  caustics doctor\n");
+  if (!parser.parse(arguments)) return ExitCode::Done;
+  line("version", version());
+  line("compiler", compiler());
+  line("threads", std::to_string(std::max(1u, std::thread::hardware_concurrency())));
+  line("instructions compiled", instruction_sets(compiled_lanes()));
+  line("instructions usable", instruction_sets(supported_lanes()));
+  line("fused multiply-add", fused_multiply_add());
+  const auto device = make_software_device({});
+  line("software backend", device->description());
+  line("largest texture", std::to_string(device->max_texture_size()));
+  line("gl backend", "not in this build");
+  line("passes", std::to_string(pass_registry().size()));
+  line("OpenImageIO", OIIO_VERSION_STRING);
+  line("CLI11", CLI11_VERSION);
+  line("nlohmann-json", std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
+                            std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +
+                            std::to_string(NLOHMANN_JSON_VERSION_PATCH));
+  line("GLM", std::to_string(GLM_VERSION_MAJOR) + "." + std::to_string(GLM_VERSION_MINOR) + "." +
+                  std::to_string(GLM_VERSION_PATCH) + "." + std::to_string(GLM_VERSION_REVISION));
+#if defined(CAUSTICS_TBB_VERSION)
+  line("oneTBB", CAUSTICS_TBB_VERSION);
+#else
+  line("oneTBB", "not in this build: one thread");
+#endif
+  return ExitCode::Done;
+}
+
+}  // namespace caustics::app

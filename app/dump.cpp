@@ -1,0 +1,64 @@
+#include "app/dump.hpp"
+
+#include "app/atomic_file.hpp"
+#include "app/image_file.hpp"
+#include "app/stats.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// A label as part of a file's name: whatever is not a plain letter or digit becomes '_'.
+std::string file_part(const std::string& label) {
+  std::string part = label.substr(0, 80);
+  for (char& c : part) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (!plain && c != '-') c = '_';
+  }
+  while (!part.empty() && part.back() == '_') part.pop_back();
+  return part;
+}
+
+}  // namespace
+
+void for_each_attachment(
+    const RenderedFrame& frame, const PlannedPass& pass,
+    const std::function<void(const PlannedTexture& texture, const Image& image)>& use) {
+  std::vector<int> attachments = pass.writes;
+  if (pass.depth >= 0) attachments.push_back(pass.depth);
+  for (const int index : attachments) {
+    use(frame.plan().textures[static_cast<std::size_t>(index)], frame.read(index));
+  }
+}
+
+Dump::Dump(const std::filesystem::path& folder) : folder_(folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw Error(ExitCode::CannotWrite, folder.string() + ": cannot make this folder: " +
+                                           (error ? error.message() : "a file is in its place"));
+  }
+  require_writable(folder / "manifest.json");
+  std::filesystem::remove(folder / "manifest.json", error);
+  manifest_["attachments"] = nlohmann::ordered_json::array();
+}
+
+void Dump::add(const RenderedFrame& frame, const PlannedPass& pass) {
+  for_each_attachment(frame, pass, [&](const PlannedTexture& texture, const Image& image) {
+    const std::size_t number = manifest_["attachments"].size();
+    const std::string file = (number < 10 ? "0" : "") + std::to_string(number) + "_" +
+                             file_part(pass.label) + "." + file_part(texture.name) + ".exr";
+    write_exr(folder_ / file, channels_of(image));
+    manifest_["attachments"].push_back({{"pass", pass.label},
+                                        {"attachment", texture.name},
+                                        {"format", format_name(texture.format)},
+                                        {"width", texture.width},
+                                        {"height", texture.height},
+                                        {"sha256", sha256(image)},
+                                        {"file", file}});
+  });
+}
+
+void Dump::finish() { write_atomically(folder_ / "manifest.json", json_text(manifest_)); }
+
+}  // namespace caustics::app

@@ -1,0 +1,30 @@
+// --dump: every attachment of every pass as an EXR file, and a manifest of their hashes.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "app/frame.hpp"
+
+namespace caustics::app {
+
+// Calls `use` with each attachment that the pass wrote, colours first, depth last.
+void for_each_attachment(
+    const RenderedFrame& frame, const PlannedPass& pass,
+    const std::function<void(const PlannedTexture& texture, const Image& image)>& use);
+
+class Dump {
+ public:
+  // Makes the folder; throws Error (CannotWrite).
+  explicit Dump(const std::filesystem::path& folder);
+  // Called right after the pass, because later passes may add to the same textures.
+  void add(const RenderedFrame& frame, const PlannedPass& pass);
+  // The manifest comes last, so that a folder with one is complete.
+  void finish();
+
+ private:
+  std::filesystem::path folder_;
+  nlohmann::ordered_json manifest_;
+};
+
+}  // namespace caustics::app

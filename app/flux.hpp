@@ -1,0 +1,32 @@
+// The flux ledgers of a rendered frame, for the summary and the statistics.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/frame.hpp"
+#include "pipeline/plan/ledger.hpp"
+
+namespace caustics::app {
+
+struct LightLedger {
+  int light = 0;
+  Ledger ledger;
+};
+
+// The textures that ledgers are made from.
+std::vector<std::string> ledger_textures();
+// One for each light whose caustic passes ran, in the order of the lights.
+std::vector<LightLedger> read_ledgers(const RenderedFrame& frame);
+
+// A ledger's accounts with the names that users see, `entered` first.
+std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger);
+double sum(const FluxRgb& flux);
+
+// "'sun'", or "1" where the light has no name.
+std::string light_label(const Scene& scene, int light);
+// "m2 (lumen per lux)" or "sr (lumen per candela)".
+const char* flux_unit(const Light& light);
+const char* intensity_unit(const Light& light);
+
+}  // namespace caustics::app

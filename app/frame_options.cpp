@@ -1,0 +1,98 @@
+#include "app/frame_options.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// An option that is the short form of a `-D` key.
+struct SettingOption {
+  const char* names;
+  const char* key;
+  const char* value;
+  const char* help;
+};
+
+constexpr SettingOption kMethod[] = {
+    {"--grid", "grid", "N", "grid vertices a side, one ray each; 1..8192 (default 512)"},
+    {"--map", "map", "N", "texels a side of the caustic map; 1..8192 (default 512)"},
+    {"--iterations", "iterations", "N", "estimator's steps at each surface; 1..1000 (default 5)"},
+    {"--estimator", "estimator", "NAME", "paper or secant: finds where rays land (default secant)"},
+    {"--splat", "splat", "NAME", "point or gaussian: how a ray's light is laid (default gaussian)"},
+    {"--interfaces", "interfaces", "N",
+     "1 or 2 surfaces that bend, or auto: 2 for closed meshes (default auto)"},
+    {"--weights", "weights", "NAME", "physical, or the paper's equation 6 (default physical)"},
+};
+
+void add_setting(Parser& parser, Settings& settings, const SettingOption& option) {
+  parser.option(option.names, option.value, option.help,
+                [&settings, key = option.key](const std::string& value) {
+                  set_option(settings, key, value);
+                });
+}
+
+void assign(Settings& settings, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw Error(ExitCode::WrongUsage,
+                "-D cannot be '" + assignment.substr(0, 60) + "': key=value, as in splat.sigma=1");
+  }
+  set_option(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
+}
+
+void set_resolution(Settings& settings, const std::string& text) {
+  const Pair size = parse_pair("-r", text, 1, kMaxPicture);
+  settings.width = size.first;
+  settings.height = size.second;
+}
+
+void refuse_other_backends(const std::string& name) {
+  if (name == "software") return;
+  if (name == "gl") {
+    throw Error(ExitCode::BackendUnavailable,
+                "this build has no OpenGL backend; leave --backend out or say software");
+  }
+  throw Error(ExitCode::WrongUsage, "--backend cannot be '" + name.substr(0, 60) + "': software");
+}
+
+}  // namespace
+
+void add_frame_options(Parser& parser, FrameRequest& request) {
+  Settings& settings = request.settings;
+  parser.group("View");
+  parser.option("-r,--resolution", "WxH", "size in pixels; 1..16384 each (default 1280x720)",
+                [&](const std::string& value) { set_resolution(settings, value); });
+  add_setting(parser, settings,
+              {"--camera", "camera", "NAME|N", "the scene's camera (default the first, 0)"});
+  add_setting(
+      parser, settings,
+      {"--exposure", "exposure", "EV", "brightness in EV beside auto's, or auto (default)"});
+  parser.option("--environment", "F.hdr", "light from all around: an equirectangular image, nit",
+                [&](const std::string& value) { request.environment = value; });
+  parser.group("Method");
+  for (const SettingOption& option : kMethod) add_setting(parser, settings, option);
+  parser.flag("--assume-solid", settings.assume_solid,
+              "glass without KHR_materials_volume is solid, not a thin wall");
+  parser.repeated("-D", "KEY=VALUE", "any setting, listed below; may stand several times",
+                  [&](const std::string& value) { assign(settings, value); });
+  parser.group("Running");
+  parser.option("--backend", "NAME", "software: the only one in this build (default software)",
+                refuse_other_backends);
+  parser.option("-t,--threads", "N", "threads, 1..1024 (default one a core); changes no bit",
+                [&](const std::string& value) {
+                  request.threads = parse_integer("--threads", value, 1, 1024);
+                });
+  parser.group("Options");
+  std::string footer = "Settings for -D:\n";
+  for (const std::string& line : setting_keys()) footer += "  " + line + "\n";
+  parser.footer(footer);
+}
+
+void check_request(const FrameRequest& request, const std::string& command) {
+  if (request.scene.empty()) {
+    throw Error(ExitCode::WrongUsage,
+                "no scene given; see 'caustics " + command + " --help' for examples");
+  }
+  check(request.settings);
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,24 @@
+// The options by which every sub-command that renders says what it renders.
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "app/parser.hpp"
+#include "pipeline/plan/settings.hpp"
+
+namespace caustics::app {
+
+struct FrameRequest {
+  std::filesystem::path scene;
+  std::optional<std::filesystem::path> environment;
+  Settings settings;
+  int threads = 0;  // 0: one for each core that the process may use
+};
+
+// -r, --camera, --grid and so on, and -D; they write into `request`, which must outlive the parser.
+void add_frame_options(Parser& parser, FrameRequest& request);
+
+// Throws Error (WrongUsage) when no scene was named or a size is beyond its limits.
+void check_request(const FrameRequest& request, const std::string& command);
+
+}  // namespace caustics::app

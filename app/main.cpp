@@ -1,0 +1,124 @@
+// The program: finds the sub-command, runs it, and turns what it throws into one line and an exit
+// code.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+
+#include "app/command.hpp"
+#include "app/interrupt.hpp"
+#include "app/terminal.hpp"
+#include "app/version.hpp"
+#include "pipeline/plan/nearest.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+constexpr Command kCommands[] = {
+    {"render", "render a scene to a picture (the default: caustics SCENE)", run_render},
+    {"plan", "what a scene holds, which passes run, and which caustics to expect",
+     run_plan_command},
+    {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
+    {"digest", "hash of every attachment of every pass", run_digest},
+    {"doctor", "version, instruction sets, threads, libraries", run_doctor},
+};
+
+void print_help() {
+  std::printf(
+      "caustics renders the light patterns that glass and water throw onto other surfaces.\n"
+      "\n"
+      "Examples:\n"
+      "  caustics scene.glb                              writes scene.png, 1280x720\n"
+      "  caustics render scene.glb -o out.exr -r 640x360\n"
+      "  caustics plan scene.glb                         why is there a caustic, or none?\n"
+      "\n"
+      "Commands:\n");
+  for (const Command& command : kCommands) {
+    std::printf("  %-8s %s\n", command.name, command.summary);
+  }
+  std::printf(
+      "\n"
+      "Options:\n"
+      "  -h, --help   this text; 'caustics COMMAND --help' explains a command\n"
+      "  --version    version and build\n"
+      "\n"
+      "Exit codes: 0 done, 2 wrong usage, 3 input unreadable, 4 cannot write, 5 no such backend,\n"
+      "  7 numeric fault, 70 internal error, 130 interrupted, 143 terminated.\n");
+}
+
+// A word that can only have been meant as a command: not an option, nor anything like a file's
+// name.
+bool looks_like_command(const std::string& word) {
+  std::error_code ignored;
+  return !word.empty() && word[0] != '-' && word.find_first_of("./\\") == std::string::npos &&
+         !std::filesystem::exists(word, ignored);
+}
+
+ExitCode dispatch(const Arguments& arguments) {
+  if (arguments.empty()) {
+    throw Error(ExitCode::WrongUsage, "no scene given; try 'caustics SCENE' or 'caustics --help'");
+  }
+  const std::string& first = arguments.front();
+  if (first == "--help" || first == "-h" || (first == "help" && arguments.size() == 1)) {
+    print_help();
+    return ExitCode::Done;
+  }
+  if (first == "--version") {
+    std::printf("%s\n", version_line().c_str());
+    return ExitCode::Done;
+  }
+  if (first == "help") return dispatch({arguments[1], "--help"});
+  for (const Command& command : kCommands) {
+    if (first == command.name) return command.run({arguments.begin() + 1, arguments.end()});
+  }
+  if (looks_like_command(first)) {
+    std::vector<std::string> names;
+    for (const Command& command : kCommands) names.emplace_back(command.name);
+    throw Error(ExitCode::WrongUsage, "no command or file '" + one_line(first) +
+                                          "'; the nearest command is '" +
+                                          nearest_name(first, names) + "'");
+  }
+  return run_render(arguments);
+}
+
+int fail(ExitCode code, const std::string& line) {
+  // An interruption ends with the signal's own code, whatever it broke off.
+  if (const ExitCode signal = interruption(); signal != ExitCode::Done) {
+    complain("interrupted; no incomplete file is left");
+    return static_cast<int>(signal);
+  }
+  complain(line);
+  return static_cast<int>(code);
+}
+
+int guarded(const Arguments& arguments) {
+  try {
+    return static_cast<int>(dispatch(arguments));
+  } catch (const Error& error) {
+    return fail(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::WrongUsage,
+                "out of memory: choose a smaller -r, --grid or --map, or a smaller scene");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::InternalError, std::string("internal error: ") + error.what());
+  } catch (...) {
+    return fail(ExitCode::InternalError, "internal error of an unknown kind");
+  }
+}
+
+}  // namespace
+
+}  // namespace caustics::app
+
+int main(int count, char** values) {
+  using namespace caustics::app;
+  watch_for_interruption();
+  const int code = guarded(Arguments(values + std::min(count, 1), values + count));
+  // Standard output may be a full disk or a closed pipe; then what was printed did not arrive.
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && code == 0) {
+    complain("standard output cannot be written");
+    return static_cast<int>(caustics::ExitCode::CannotWrite);
+  }
+  return code;
+}

@@ -1,0 +1,115 @@
+#include "app/flux.hpp"
+#include "app/plan_report.hpp"
+#include "app/stats.hpp"
+#include "app/version.hpp"
+
+namespace caustics::app {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json scene_json(const Scene& scene) {
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.indices.size() / 3;
+  const Bounds bounds = bounds_of(scene);
+  Json json = {{"file", scene.file},
+               {"meshes", scene.meshes.size()},
+               {"triangles", triangles},
+               {"materials", scene.materials.size()},
+               {"cameras", Json::array()}};
+  for (const Camera& camera : scene.cameras) json["cameras"].push_back(camera.name);
+  if (!bounds.empty()) {
+    const glm::dvec3 lower = bounds.lower + scene.origin, upper = bounds.upper + scene.origin;
+    json["bounds_metres"] = {{lower.x, lower.y, lower.z}, {upper.x, upper.y, upper.z}};
+  }
+  return json;
+}
+
+Json surfaces_json(const Scene& scene, const Effects& effects) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Mesh& mesh = scene.meshes[i];
+    const SurfaceRole& surface = effects.surfaces[i];
+    list.push_back(
+        {{"mesh", mesh.name},
+         {"material", scene.materials[static_cast<std::size_t>(mesh.material)].name},
+         {"triangles", mesh.indices.size() / 3},
+         {"closedness", mesh.closedness},
+         {"role", caustics::name_of(surface.role)},
+         {"interfaces", surface.role == Role::Refractor ? surface.two_interfaces + 1 : 0},
+         {"reason", surface.reason}});
+  }
+  return list;
+}
+
+Json lights_json(const Scene& scene) {
+  Json list = Json::array();
+  for (const Light& light : scene.lights) {
+    list.push_back({{"name", light.name},
+                    {"type", name_of(light.type)},
+                    {"intensity", light.intensity},
+                    {"unit", intensity_unit(light)},
+                    {"color", {light.color.x, light.color.y, light.color.z}}});
+  }
+  return list;
+}
+
+Json texture_json(const PlannedTexture& texture) {
+  return {{"name", texture.name},
+          {"format", format_name(texture.format)},
+          {"width", texture.width},
+          {"height", texture.height}};
+}
+
+Json passes_json(const FramePlan& plan) {
+  Json list = Json::array();
+  for (const PlannedPass& pass : plan.passes) {
+    Json reads = Json::array(), writes = Json::array();
+    for (const int read : pass.reads) {
+      if (read >= 0) reads.push_back(plan.textures[static_cast<std::size_t>(read)].name);
+    }
+    for (const int write : pass.writes) {
+      writes.push_back(texture_json(plan.textures[static_cast<std::size_t>(write)]));
+    }
+    if (pass.depth >= 0) {
+      writes.push_back(texture_json(plan.textures[static_cast<std::size_t>(pass.depth)]));
+    }
+    list.push_back(
+        {{"pass", pass.label}, {"reason", pass.reason}, {"reads", reads}, {"writes", writes}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string plan_json(const PlanReport& report) {
+  const Scene& scene = report.judged.scene;
+  const Effects& effects = report.judged.effects;
+  Json document = {{"format", 1},
+                   {"program", version_line()},
+                   {"scene", scene_json(scene)},
+                   {"settings", settings_json(report.settings)},
+                   {"camera", report.judged.camera->name},
+                   {"surfaces", surfaces_json(scene, effects)},
+                   {"lights", lights_json(scene)},
+                   {"expectations", Json::array()},
+                   {"effects", Json::array()},
+                   {"passes", passes_json(report.plan)},
+                   {"skipped", Json::array()},
+                   {"texture_bytes", report.plan.bytes()},
+                   {"notes", scene.notes}};
+  for (const Expectation& e : effects.expectations) {
+    document["expectations"].push_back(
+        {{"light", e.light}, {"mesh", e.mesh}, {"expected", e.expected}, {"reason", e.reason}});
+  }
+  for (const Effect& e : effects.list) {
+    document["effects"].push_back({{"name", e.name}, {"active", e.active}, {"reason", e.reason}});
+  }
+  for (const SkippedPass& pass : report.plan.skipped) {
+    document["skipped"].push_back({{"pass", pass.name}, {"reason", pass.reason}});
+  }
+  return json_text(document);
+}
+
+}  // namespace caustics::app

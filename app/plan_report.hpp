@@ -1,0 +1,20 @@
+// What `plan` prints, for people and for programs.
+#pragma once
+#include <string>
+
+#include "app/frame.hpp"
+
+namespace caustics::app {
+
+struct PlanReport {
+  const JudgedScene& judged;
+  const Settings& settings;
+  const FramePlan& plan;
+};
+
+std::string plan_text(const PlanReport& report, bool colour);
+std::string plan_json(const PlanReport& report);
+
+const char* name_of(LightType type);
+
+}  // namespace caustics::app

@@ -1,0 +1,114 @@
+// caustics probe: one grid vertex's way through the landing pass, every intermediate value printed.
+#include <cstdio>
+
+#include "app/flux.hpp"
+#include "app/probe_texel.hpp"
+#include "app/terminal.hpp"
+#include "passes/registry.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+struct ProbeRequest {
+  FrameRequest frame;
+  int x = -1, y = -1, light = 0;
+};
+
+bool parse(const Arguments& arguments, ProbeRequest& request) {
+  Parser parser(
+      "probe",
+      "Follows the light of one grid vertex: what the landing pass reads, every value it\n"
+      "computes, and what it stores.",
+      "  caustics probe scene.glb --texel 256,256\n"
+      "  caustics probe scene.glb --texel 100,60 --light 1 --estimator paper\n");
+  std::string scene;
+  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.group("What to probe");
+  parser.option("--texel", "X,Y", "grid vertex, from the left and the bottom, each 0..grid-1",
+                [&](const std::string& value) {
+                  const Pair texel = parse_pair("--texel", value, 0, kMaxGrid - 1);
+                  request.x = texel.first;
+                  request.y = texel.second;
+                });
+  parser.option("--light", "N", "the light, as numbered by 'caustics plan' (default 0)",
+                [&](const std::string& value) {
+                  request.light = parse_integer("--light", value, 0, 1'000'000);
+                });
+  add_frame_options(parser, request.frame);
+  if (!parser.parse(arguments)) return false;
+  request.frame.scene = scene;
+  check_request(request.frame, "probe");
+  if (request.x < 0) {
+    throw Error(ExitCode::WrongUsage, "no grid vertex given; add --texel X,Y");
+  }
+  const int grid = request.frame.settings.grid;
+  if (request.x >= grid || request.y >= grid) {
+    throw Error(ExitCode::WrongUsage, "--texel must be 0.." + std::to_string(grid - 1) +
+                                          " in both: the grid has " + std::to_string(grid) +
+                                          " vertices a side");
+  }
+  return true;
+}
+
+const PlannedPass& find_landing(const RenderedFrame& frame, int light) {
+  for (const PlannedPass& pass : frame.plan().passes) {
+    const PassDefinition& definition =
+        pass_registry()[static_cast<std::size_t>(pass.pass)].definition;
+    if (definition.name == kLanding && pass.light == light) return pass;
+  }
+  throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), light) +
+                                        " throws no caustic here; 'caustics plan' says why");
+}
+
+void print_values(const std::string& label, const float* values, int count) {
+  std::string line = "  " + label;
+  line.resize(std::max<std::size_t>(line.size() + 1, 26), ' ');
+  for (int i = 0; i < count; ++i) {
+    std::string value = significant(static_cast<double>(values[i]), 9);
+    value.insert(0, value.size() < 16 ? 16 - value.size() : 1, ' ');
+    line += value;
+  }
+  std::printf("%s\n", line.c_str());
+}
+
+void print_probe(const RenderedFrame& frame, const ProbeRequest& request,
+                 const ProbedTexel& probed) {
+  std::printf("grid vertex %d,%d of light %s, grid %dx%d; metres, scene space\n", request.x,
+              request.y, light_label(frame.scene(), request.light).c_str(), frame.settings().grid,
+              frame.settings().grid);
+  std::printf("\nthis texel of what the pass reads\n");
+  for (const NamedValues& v : probed.inputs) print_values(v.name, v.values.data(), v.count);
+  std::printf("\nwhat it computes, in order\n");
+  for (const NamedValues& v : probed.trace) print_values(v.name, v.values.data(), v.count);
+  std::printf("\nwhat it stores\n");
+  for (const NamedValues& v : probed.stored) print_values(v.name, v.values.data(), v.count);
+  const auto status = static_cast<LandingStatus>(static_cast<int>(probed.stored[0].values[3]));
+  std::printf("\nstatus: %s\n", std::string(name_of(status)).c_str());
+  std::printf("the probe and the rendered texel %s\n",
+              probed.agrees ? "agree to the bit" : "DIFFER");
+}
+
+}  // namespace
+
+ExitCode run_probe(const Arguments& arguments) {
+  ProbeRequest request;
+  if (!parse(arguments, request)) return ExitCode::Done;
+  std::unique_ptr<JudgedScene> judged = load_scene(request.frame);
+  const std::size_t lights = judged->scene.lights.size();
+  if (static_cast<std::size_t>(request.light) >= lights) {
+    throw Error(ExitCode::WrongUsage, "--light must be 0.." + std::to_string(lights - 1) +
+                                          ": the scene has " + std::to_string(lights) + " lights");
+  }
+  RenderedFrame frame(request.frame, std::move(judged), {{kLanding}});
+  const PlannedPass& landing = find_landing(frame, request.light);
+  frame.run();
+  const ProbedTexel probed = probe_texel(frame, landing, request.x, request.y);
+  print_probe(frame, request, probed);
+  if (!probed.agrees) {
+    throw Error(ExitCode::InternalError, "the probe does not agree with the rendered texel");
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace caustics::app

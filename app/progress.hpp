@@ -1,0 +1,38 @@
+// What a person sees while a frame is rendered: one line that renews itself on a terminal, plain
+// lines elsewhere once a run takes longer than two seconds, nothing when quiet.
+#pragma once
+#include <chrono>
+#include <string>
+
+namespace caustics::app {
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_)
+        .count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class Progress {
+ public:
+  explicit Progress(bool quiet);
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // "loading", "rendering (3 of 14: caster_map[sun])", ...
+  void show(const std::string& step);
+  // Takes the terminal's line away.
+  void clear();
+
+ private:
+  bool quiet_, terminal_, shown_ = false;
+  double last_ = 0.0;
+  Stopwatch watch_;
+};
+
+}  // namespace caustics::app

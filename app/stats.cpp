@@ -1,0 +1,90 @@
+#include "app/stats.hpp"
+
+#include "app/version.hpp"
+
+namespace caustics::app {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json pass_json(const PassReport& report) {
+  return {{"pass", report.label},
+          {"milliseconds", report.result.milliseconds},
+          {"vertices", report.result.vertices},
+          {"primitives", report.result.primitives},
+          {"fragments", report.result.fragments},
+          {"samples_passed", report.result.samples_passed}};
+}
+
+Json ledger_json(const Scene& scene, const LightLedger& entry) {
+  const Light& light = scene.lights[static_cast<std::size_t>(entry.light)];
+  Json flux = {{"unit", flux_unit(light)}};
+  for (const auto& [name, value] : accounts(entry.ledger)) flux[name] = value;
+  flux["residual"] = entry.ledger.residual();
+  Json vertices;
+  for (int s = 0; s < kLandingStatuses; ++s) {
+    vertices[std::string(name_of(static_cast<LandingStatus>(s)))] =
+        entry.ledger.vertices[static_cast<std::size_t>(s)];
+  }
+  return {{"light", entry.light},
+          {"name", light.name},
+          {"intensity", light.intensity},
+          {"intensity_unit", intensity_unit(light)},
+          {"flux", flux},
+          {"vertices", vertices}};
+}
+
+}  // namespace
+
+Json settings_json(const Settings& s) {
+  return {{"width", s.width},
+          {"height", s.height},
+          {"grid", s.grid},
+          {"map", s.map},
+          {"shadow", s.shadow},
+          {"iterations", s.iterations},
+          {"estimator", name_of(s.estimator)},
+          {"splat", name_of(s.splat)},
+          {"splat.sigma", s.gaussian_sigma},
+          {"interfaces", name_of(s.interfaces)},
+          {"weights", name_of(s.weights)},
+          {"frames", s.shared_frames ? "shared" : "fitted"},
+          {"outside_share", s.outside_share},
+          {"assume_solid", s.assume_solid ? "yes" : "no"},
+          {"exposure", s.exposure ? Json(*s.exposure) : Json("auto")},
+          {"camera", s.camera},
+          {"mirror.metallic", s.mirror_metallic},
+          {"mirror.roughness", s.mirror_roughness},
+          {"glass.roughness", s.glass_roughness}};
+}
+
+std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
+                       const std::vector<LightLedger>& ledgers, const Timing& timing) {
+  Json document = {{"format", 1},
+                   {"program", version_line()},
+                   {"scene", frame.scene().file},
+                   {"device", frame.device().description()},
+                   {"settings", settings_json(frame.settings())},
+                   {"milliseconds",
+                    {{"load", timing.load},
+                     {"prepare", timing.prepare},
+                     {"passes", timing.passes},
+                     {"write", timing.write},
+                     {"total", timing.total}}},
+                   {"texture_bytes", frame.plan().bytes()}};
+  document["passes"] = Json::array();
+  for (const PassReport& report : reports) document["passes"].push_back(pass_json(report));
+  document["lights"] = Json::array();
+  for (const LightLedger& ledger : ledgers) {
+    document["lights"].push_back(ledger_json(frame.scene(), ledger));
+  }
+  document["notes"] = frame.scene().notes;
+  return json_text(document);
+}
+
+std::string json_text(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,23 @@
+// --stats: what ran, how long it took, and where the light went, as JSON.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/flux.hpp"
+
+namespace caustics::app {
+
+// Milliseconds of the steps around the passes.
+struct Timing {
+  double load = 0.0, prepare = 0.0, passes = 0.0, write = 0.0, total = 0.0;
+};
+
+nlohmann::ordered_json settings_json(const Settings& settings);
+std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
+                       const std::vector<LightLedger>& ledgers, const Timing& timing);
+
+// A JSON document with a line break at its end; invalid UTF-8 from file names is replaced.
+std::string json_text(const nlohmann::ordered_json& document);
+
+}  // namespace caustics::app

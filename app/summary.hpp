@@ -1,0 +1,19 @@
+// The closing lines of `render`, on stderr.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "app/stats.hpp"
+
+namespace caustics::app {
+
+void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
+                   const Timing& timing, const std::vector<std::filesystem::path>& outputs);
+
+// Why some caster throws no caustic, one sentence each, equal reasons gathered: "light 'sun'
+// through 'pane': thin wall ...".
+std::vector<std::string> missing_caustics(const Scene& scene, const Effects& effects);
+
+std::string mesh_label(const Scene& scene, int mesh);
+
+}  // namespace caustics::app

@@ -1,0 +1,121 @@
+# What ./caustics and ./test share: packages, configuring, building. Sourced by bash; needs $root, the
+# repository's folder. Talk goes to stderr, one line a phase; the compilers' talk goes to a log file.
+
+say() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; }
+
+# Prints why, the end of a log file, and leaves with an exit code.
+give_up() {
+  local code=$1 why=$2 log=${3:-}
+  say "$why"
+  if [[ -n $log && -s $log ]]; then
+    tail -n 25 "$log" >&2
+    say "the whole log: $log"
+  fi
+  exit "$code"
+}
+
+# Packages of packages.txt, and those named, that are not installed; one a line. Systems without dpkg
+# bring them in their own way, and CMake says what it misses.
+missing_packages() {
+  command -v dpkg-query > /dev/null || return 0
+  local wanted
+  mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$root/packages.txt")
+  wanted+=("$@")
+  comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
+    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2> /dev/null |
+      sed -n 's/^installed //p' | sort -u)
+}
+
+# Installs what is missing. Without the right to, prints the line that does it and leaves with 5.
+ensure_packages() {
+  local missing as_root=() log
+  mapfile -t missing < <(missing_packages "$@")
+  if ((${#missing[@]} == 0)); then return; fi
+  local line="apt-get update && apt-get install --no-install-recommends -y ${missing[*]}"
+  if ((EUID != 0)); then
+    if ! command -v sudo > /dev/null || ! { [[ -t 0 && -t 2 ]] || sudo -n true 2> /dev/null; }; then
+      give_up 5 "packages are missing; as root: $line"
+    fi
+    as_root=(sudo)
+  fi
+  say "installing ${#missing[@]} packages: ${missing[*]}"
+  mkdir -p "$root/build"
+  log=$root/build/packages.log
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
+  { "${apt[@]}" update && "${apt[@]}" install --no-install-recommends -y "${missing[@]}"; } \
+    > "$log" 2>&1 < /dev/null || give_up 5 "could not install packages; as root: $line" "$log"
+}
+
+# Compilers at a time: one a core, and no more than the memory holds at about 1 GiB each.
+build_jobs() {
+  local cores memory
+  cores=$(nproc 2> /dev/null || echo 2)
+  memory=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo 2> /dev/null || true)
+  memory=${memory:-$cores}
+  ((memory < 1)) && memory=1
+  echo $((memory < cores ? memory : cores))
+}
+
+# configure FOLDER [CMAKE ARGUMENT ...]
+configure() {
+  local folder=$1 log=$1/configure.log
+  shift
+  mkdir -p "$folder"
+  # A cache from another place (a moved or mounted checkout) is of no use.
+  if [[ -f $folder/CMakeCache.txt ]] &&
+    ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+    rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles"
+  fi
+  cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" \
+    > "$log" 2>&1 < /dev/null || return 1
+}
+
+# Hands Ninja's lines on to a log file; on a terminal one line counts the steps.
+watch_steps() {
+  local line
+  while IFS= read -r line; do
+    printf '%s\n' "$line"
+    if [[ -t 2 && $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+      printf '\r  %s of %s ' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+    fi
+  done > "$1"
+  if [[ -t 2 ]]; then printf '\r                    \r' >&2; fi
+}
+
+# build FOLDER TARGET ...; false when it fails, FOLDER/build.log says why.
+build() {
+  local folder=$1
+  shift
+  cmake --build "$folder" --parallel "$(build_jobs)" --target "$@" 2>&1 < /dev/null |
+    watch_steps "$folder/build.log"
+}
+
+# The program is fresh when nothing that it is made of is newer than the stamp, folders included: they
+# change when a file comes or goes.
+program_is_fresh() {
+  local stamp=$release/.built part parts=()
+  [[ -x $release/caustics && -f $stamp ]] || return 1
+  for part in pipeline passes raster reference gl_backend app cmake CMakeLists.txt; do
+    if [[ -e $root/$part ]]; then parts+=("$root/$part"); fi
+  done
+  [[ -z $(find "${parts[@]}" -newer "$stamp" ! -name '*_test.cpp' ! -name '*.md' -print -quit) ]]
+}
+
+# Runs a command that makes build/release, and remembers when it began if it succeeds.
+stamped() {
+  touch "$release/.built.new"
+  "$@" || return 1
+  mv "$release/.built.new" "$release/.built"
+}
+
+# One at a time in a build folder: the lock is held until this shell ends or calls unlock.
+lock() {
+  mkdir -p "$1" 2> /dev/null && { exec 9> "$1/.lock"; } 2> /dev/null ||
+    give_up 4 "cannot write to $1; make a copy of the repository that you own"
+  flock -n 9 && return
+  say "another build is running in $1; waiting for it"
+  flock 9
+}
+unlock() { exec 9>&-; }
+
+release=$root/build/release

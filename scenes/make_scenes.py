@@ -1,0 +1,443 @@
+#!/usr/bin/env python3
+"""Makes the sample scenes: python3 scenes/make_scenes.py. Needs nothing but Python.
+
+Every scene is a function that returns a Scene; lengths in metres, y up, light in lux.
+scenes/README.md has the exact numbers that tests and readers rely on.
+"""
+import json
+import math
+import os
+import struct
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+# ---------------------------------------------------------------- vectors
+
+def add(a, b): return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+def sub(a, b): return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+def mul(a, s): return (a[0] * s, a[1] * s, a[2] * s)
+def dot(a, b): return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+def unit(a): return mul(a, 1.0 / math.sqrt(dot(a, a)))
+
+
+def rotation_to(forward, up=(0.0, 1.0, 0.0)):
+    """Quaternion (x, y, z, w) of a node whose -z looks along `forward`."""
+    z = mul(unit(forward), -1.0)
+    hint = up if abs(dot(z, up)) < 0.999 else (0.0, 0.0, -1.0)
+    x = unit(cross(hint, z))
+    y = cross(z, x)
+    m = ((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))
+    trace = m[0][0] + m[1][1] + m[2][2]
+    if trace > 0:
+        s = 2 * math.sqrt(trace + 1)
+        q = ((m[2][1] - m[1][2]) / s, (m[0][2] - m[2][0]) / s, (m[1][0] - m[0][1]) / s, s / 4)
+    else:
+        i = max(range(3), key=lambda k: m[k][k])
+        j, k = (i + 1) % 3, (i + 2) % 3
+        s = 2 * math.sqrt(1 + m[i][i] - m[j][j] - m[k][k])
+        v = [0.0] * 4
+        v[i] = s / 4
+        v[j] = (m[j][i] + m[i][j]) / s
+        v[k] = (m[k][i] + m[i][k]) / s
+        v[3] = (m[k][j] - m[j][k]) / s
+        q = tuple(v)
+    return [round(c, 9) for c in q]
+
+
+# ---------------------------------------------------------------- shapes: (positions, normals, indices)
+
+def square(half, y=0.0):
+    p = [(-half, y, half), (half, y, half), (half, y, -half), (-half, y, -half)]
+    return p, [(0.0, 1.0, 0.0)] * 4, [0, 1, 2, 0, 2, 3]
+
+
+def icosphere(centre, radius, levels):
+    """20 * 4^levels triangles with the sphere's own normals."""
+    g = (1 + math.sqrt(5)) / 2
+    points = [unit(p) for p in ((-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
+                                (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1))]
+    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2),
+             (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5),
+             (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    for _ in range(levels):
+        middles = {}
+
+        def middle(a, b):
+            key = (min(a, b), max(a, b))
+            if key not in middles:
+                middles[key] = len(points)
+                points.append(unit(add(points[a], points[b])))
+            return middles[key]
+
+        finer = []
+        for a, b, c in faces:
+            ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+            finer += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+        faces = finer
+    return ([add(centre, mul(p, radius)) for p in points], points, [i for f in faces for i in f])
+
+
+def flat_faces(polygons):
+    """A closed body of flat polygons, each counter-clockwise from outside."""
+    positions, normals, indices = [], [], []
+    for polygon in polygons:
+        n = unit(cross(sub(polygon[1], polygon[0]), sub(polygon[2], polygon[0])))
+        first = len(positions)
+        positions += polygon
+        normals += [n] * len(polygon)
+        for i in range(2, len(polygon)):
+            indices += [first, first + i - 1, first + i]
+    return positions, normals, indices
+
+
+def box(lower, upper):
+    (a, b, c), (d, e, f) = lower, upper
+    return flat_faces([[(a, e, f), (d, e, f), (d, e, c), (a, e, c)], [(a, b, c), (d, b, c), (d, b, f), (a, b, f)],
+                       [(a, b, f), (d, b, f), (d, e, f), (a, e, f)], [(d, b, c), (a, b, c), (a, e, c), (d, e, c)],
+                       [(d, b, f), (d, b, c), (d, e, c), (d, e, f)], [(a, b, c), (a, b, f), (a, e, f), (a, e, c)]])
+
+
+def sheet(half, height, slope, cells):
+    """An open surface y = height(x, z) with exact normals; slope(x, z) gives its two derivatives."""
+    positions, normals, indices = [], [], []
+    for j in range(cells + 1):
+        for i in range(cells + 1):
+            x, z = -half + 2 * half * i / cells, half - 2 * half * j / cells
+            dx, dz = slope(x, z)
+            positions.append((x, height(x, z), z))
+            normals.append(unit((-dx, 1.0, -dz)))
+    for j in range(cells):
+        for i in range(cells):
+            a = j * (cells + 1) + i
+            b, c, d = a + 1, a + cells + 2, a + cells + 1
+            indices += [a, b, c, a, c, d]
+    return positions, normals, indices
+
+
+def surface_of(field, lower, upper, cells):
+    """The closed surface field = 0 (negative inside) by surface nets: one vertex a cell that the surface
+    crosses, moved onto it; normals from the field's gradient."""
+    size = [upper[k] - lower[k] for k in range(3)]
+    step = max(size) / cells
+    n = [int(math.ceil(size[k] / step)) + 1 for k in range(3)]
+
+    def at(i, j, k): return (lower[0] + i * step, lower[1] + j * step, lower[2] + k * step)
+
+    def gradient(p):
+        h = 0.25 * step
+        return unit(tuple((field(add(p, d)) - field(sub(p, d)))
+                          for d in ((h, 0, 0), (0, h, 0), (0, 0, h))))
+
+    values = [[[field(at(i, j, k)) for k in range(n[2])] for j in range(n[1])] for i in range(n[0])]
+    positions, normals, indices, vertex = [], [], [], {}
+
+    def vertex_of(i, j, k):
+        if (i, j, k) in vertex:
+            return vertex[(i, j, k)]
+        crossings = []
+        corners = [(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)]
+        for a in corners:
+            for axis in range(3):
+                if a[axis]:
+                    continue
+                b = tuple(a[m] + (m == axis) for m in range(3))
+                fa = values[i + a[0]][j + a[1]][k + a[2]]
+                fb = values[i + b[0]][j + b[1]][k + b[2]]
+                if (fa < 0) != (fb < 0):
+                    t = fa / (fa - fb)
+                    crossings.append(tuple(a[m] + t * (b[m] - a[m]) for m in range(3)))
+        p = at(*(x + sum(c[m] for c in crossings) / len(crossings)
+                 for m, x in enumerate((i, j, k))))
+        for _ in range(3):  # onto the surface
+            g = gradient(p)
+            p = sub(p, mul(g, field(p)))
+        vertex[(i, j, k)] = len(positions)
+        positions.append(p)
+        normals.append(gradient(p))
+        return vertex[(i, j, k)]
+
+    for i in range(n[0] - 1):
+        for j in range(n[1] - 1):
+            for k in range(n[2] - 1):
+                for axis in range(3):
+                    here = (i, j, k)
+                    there = tuple(here[m] + (m == axis) for m in range(3))
+                    a, b = values[i][j][k], values[there[0]][there[1]][there[2]]
+                    if (a < 0) == (b < 0):
+                        continue
+                    u, v = (axis + 1) % 3, (axis + 2) % 3
+                    cells_around = []
+                    for du, dv in ((0, 0), (-1, 0), (-1, -1), (0, -1)):
+                        cell = list(here)
+                        cell[u] += du
+                        cell[v] += dv
+                        cells_around.append(vertex_of(*cell))
+                    if a >= 0:
+                        cells_around.reverse()
+                    q = cells_around
+                    indices += [q[0], q[1], q[2], q[0], q[2], q[3]]
+    edges = {}
+    for t in range(0, len(indices), 3):
+        for e in range(3):
+            pair = (indices[t + e], indices[t + (e + 1) % 3])
+            edges[pair] = edges.get(pair, 0) + 1
+    assert all(edges.get((b, a)) == count == 1 for (a, b), count in edges.items()), 'not a closed manifold'
+    return positions, normals, indices
+
+
+# ---------------------------------------------------------------- glTF
+
+def diffuse(name, albedo):
+    rgb = albedo if isinstance(albedo, tuple) else (albedo,) * 3
+    return {'name': name, 'pbrMetallicRoughness': {'baseColorFactor': [*rgb, 1], 'metallicFactor': 0,
+                                                   'roughnessFactor': 1}}
+
+
+def glass(name, ior, attenuation=None, dispersion=None):
+    volume = {'thicknessFactor': 1}
+    if attenuation:
+        volume['attenuationColor'], volume['attenuationDistance'] = list(attenuation[0]), attenuation[1]
+    extensions = {'KHR_materials_transmission': {'transmissionFactor': 1}, 'KHR_materials_ior': {'ior': ior},
+                  'KHR_materials_volume': volume}
+    if dispersion:
+        extensions['KHR_materials_dispersion'] = {'dispersion': dispersion}
+    return {'name': name, 'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 0},
+            'extensions': extensions}
+
+
+class Scene:
+    def __init__(self):
+        self.gltf = {'asset': {'version': '2.0', 'generator': 'scenes/make_scenes.py'}, 'scene': 0,
+                     'scenes': [{'nodes': []}], 'nodes': [], 'meshes': [], 'materials': [], 'accessors': [],
+                     'bufferViews': [], 'cameras': []}
+        self.binary = bytearray()
+        self.extensions = set()
+
+    def node(self, **fields):
+        self.gltf['scenes'][0]['nodes'].append(len(self.gltf['nodes']))
+        self.gltf['nodes'].append(fields)
+
+    def view(self, data, target):
+        while len(self.binary) % 4:
+            self.binary.append(0)
+        self.gltf['bufferViews'].append({'buffer': 0, 'byteOffset': len(self.binary), 'byteLength': len(data),
+                                         'target': target})
+        self.binary += data
+        return len(self.gltf['bufferViews']) - 1
+
+    def accessor(self, **fields):
+        self.gltf['accessors'].append(fields)
+        return len(self.gltf['accessors']) - 1
+
+    def mesh(self, name, shape, material):
+        positions, normals, indices = shape
+        if material not in self.gltf['materials']:
+            self.gltf['materials'].append(material)
+            self.extensions |= set(material.get('extensions', {}))
+        position = self.view(b''.join(struct.pack('<3f', *p) for p in positions), 34962)
+        normal = self.view(b''.join(struct.pack('<3f', *n) for n in normals), 34962)
+        small = len(positions) < 65535
+        index = self.view(struct.pack('<%d%s' % (len(indices), 'H' if small else 'I'), *indices), 34963)
+        stored = [struct.unpack('<3f', struct.pack('<3f', *p)) for p in positions]
+        primitive = {
+            'attributes': {
+                'POSITION': self.accessor(bufferView=position, componentType=5126, count=len(positions),
+                                          type='VEC3', min=[min(p[k] for p in stored) for k in range(3)],
+                                          max=[max(p[k] for p in stored) for k in range(3)]),
+                'NORMAL': self.accessor(bufferView=normal, componentType=5126, count=len(normals), type='VEC3')},
+            'indices': self.accessor(bufferView=index, componentType=5123 if small else 5125,
+                                     count=len(indices), type='SCALAR'),
+            'material': self.gltf['materials'].index(material)}
+        self.gltf['meshes'].append({'name': name, 'primitives': [primitive]})
+        self.node(name=name, mesh=len(self.gltf['meshes']) - 1)
+
+    def sun(self, travel, lux):
+        self.extensions.add('KHR_lights_punctual')
+        lights = self.gltf.setdefault('extensions', {}).setdefault('KHR_lights_punctual', {'lights': []})['lights']
+        lights.append({'name': 'sun', 'type': 'directional', 'intensity': lux})
+        self.node(name='sun', rotation=rotation_to(travel, (0.0, 0.0, -1.0)),
+                  extensions={'KHR_lights_punctual': {'light': len(lights) - 1}})
+
+    def camera(self, name, eye, target, fov_degrees):
+        self.gltf['cameras'].append({'name': name, 'type': 'perspective', 'perspective': {
+            'yfov': math.radians(fov_degrees), 'znear': 0.01, 'aspectRatio': 16 / 9}})
+        self.node(name=name, camera=len(self.gltf['cameras']) - 1, translation=list(eye),
+                  rotation=rotation_to(sub(target, eye)))
+
+    def camera_down(self, name, eye, half):
+        self.gltf['cameras'].append({'name': name, 'type': 'orthographic', 'orthographic': {
+            'xmag': half, 'ymag': half, 'znear': 0.001, 'zfar': 10}})
+        self.node(name=name, camera=len(self.gltf['cameras']) - 1, translation=list(eye),
+                  rotation=rotation_to((0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
+
+    def write(self, file_name):
+        while len(self.binary) % 4:
+            self.binary.append(0)
+        self.gltf['buffers'] = [{'byteLength': len(self.binary)}]
+        self.gltf['extensionsUsed'] = sorted(self.extensions)
+        text = json.dumps(self.gltf, separators=(',', ':')).encode()
+        text += b' ' * (-len(text) % 4)
+        with open(os.path.join(HERE, file_name), 'wb') as out:
+            out.write(struct.pack('<4sII', b'glTF', 2, 12 + 8 + len(text) + 8 + len(self.binary)))
+            out.write(struct.pack('<I4s', len(text), b'JSON') + text)
+            out.write(struct.pack('<I4s', len(self.binary), b'BIN\0') + bytes(self.binary))
+
+
+# ---------------------------------------------------------------- the scenes
+
+FLOOR = diffuse('floor', 0.8)
+
+
+def glass_sphere():
+    s = Scene()
+    s.mesh('sphere', icosphere((0.0, 0.8, 0.0), 0.5, 5), glass('glass', 1.5))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((0.0, -1.0, 0.0), 1.0)
+    s.camera('view', (1.55, 1.75, 2.35), (0.0, 0.42, 0.0), 38)
+    s.camera_down('floor', (0.0, 0.2, 0.0), 1.0)
+    return s
+
+
+def smooth_min(a, b, k):
+    h = max(k - abs(a - b), 0.0) / k
+    return min(a, b) - h * h * k / 4
+
+
+def ellipsoid(p, centre, radii):
+    q = sub(p, centre)
+    a = math.sqrt(sum((q[k] / radii[k]) ** 2 for k in range(3)))
+    b = math.sqrt(sum((q[k] / radii[k] ** 2) ** 2 for k in range(3)))
+    return a * (a - 1) / b if b > 1e-9 else -min(radii)
+
+
+def capsule(p, a, b, ra, rb):
+    ab, ap = sub(b, a), sub(p, a)
+    t = min(1.0, max(0.0, dot(ap, ab) / dot(ab, ab)))
+    d = sub(ap, mul(ab, t))
+    return math.sqrt(dot(d, d)) - (ra + (rb - ra) * t)
+
+
+def sitting_cat(p):
+    """Signed distance (nearly) of a sitting cat, 1 m tall, facing +x and a little +z."""
+    x, y, z = p
+    m = (x, y, abs(z))  # two of each leg and ear
+    d = ellipsoid(p, (-0.08, 0.30, 0.0), (0.27, 0.29, 0.24))                       # haunches
+    d = smooth_min(d, capsule(p, (0.0, 0.40, 0.0), (0.10, 0.62, 0.0), 0.21, 0.145), 0.12)  # chest
+    d = smooth_min(d, ellipsoid(p, (0.17, 0.80, 0.0), (0.165, 0.145, 0.16)), 0.07)  # head
+    d = smooth_min(d, ellipsoid(p, (0.315, 0.765, 0.0), (0.06, 0.05, 0.07)), 0.05)  # muzzle
+    d = smooth_min(d, capsule(m, (0.14, 0.87, 0.08), (0.13, 0.985, 0.115), 0.075, 0.022), 0.05)  # ears
+    d = smooth_min(d, capsule(m, (0.14, 0.42, 0.09), (0.21, 0.06, 0.085), 0.075, 0.052), 0.06)  # forelegs
+    d = smooth_min(d, ellipsoid(m, (0.25, 0.045, 0.085), (0.075, 0.045, 0.052)), 0.04)  # forepaws
+    d = smooth_min(d, ellipsoid(m, (0.02, 0.16, 0.20), (0.19, 0.15, 0.10)), 0.07)   # thighs
+    d = smooth_min(d, ellipsoid(m, (0.16, 0.045, 0.215), (0.10, 0.045, 0.055)), 0.05)  # hind paws
+    tail, previous = 1e9, None
+    for i in range(13):  # an arc around the haunches, thinning towards its tip
+        turn = math.radians(195 - 11 * i)
+        point = (-0.08 + 0.40 * math.cos(turn), 0.075 - 0.02 * i / 12, 0.08 + 0.40 * math.sin(turn))
+        if previous:
+            tail = smooth_min(tail, capsule(p, previous, point, 0.07 - 0.0028 * (i - 1), 0.07 - 0.0028 * i), 0.02)
+        previous = point
+    d = smooth_min(d, tail, 0.06)
+    return d
+
+
+def glass_figure():
+    s = Scene()
+    shape = surface_of(sitting_cat, (-0.62, -0.08, -0.44), (0.48, 1.10, 0.62), 84)
+    lowest = min(p[1] for p in shape[0])
+    shape = ([(x, y - lowest + 0.002, z) for x, y, z in shape[0]], shape[1], shape[2])
+    s.mesh('cat', shape, glass('amber glass', 1.5, ((0.98, 0.60, 0.16), 0.6)))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((-0.62, -0.70, 0.38), 10.0)
+    s.camera('view', (0.75, 1.25, 2.35), (-0.26, 0.40, 0.08), 33)
+    return s
+
+
+WAVES = ((0.012, (5.1, 1.3), 0.4), (0.009, (-2.7, 6.2), 1.9), (0.007, (8.3, -4.1), 3.3), (0.004, (9.4, 9.9), 0.7))
+
+
+def water_patch():
+    def height(x, z): return 1.0 + sum(a * math.cos(k[0] * x + k[1] * z + p) for a, k, p in WAVES)
+
+    def slope(x, z):
+        return tuple(sum(-a * k[i] * math.sin(k[0] * x + k[1] * z + p) for a, k, p in WAVES) for i in (0, 1))
+
+    s = Scene()
+    s.mesh('water', sheet(1.0, height, slope, 128), glass('water', 1.33))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((0.0, -1.0, 0.0), 1.0)
+    s.camera('view', (1.6, 2.3, 2.9), (0.0, 0.35, 0.0), 40)
+    s.camera_down('floor', (0.0, 0.5, 0.0), 1.0)
+    return s
+
+
+def water_sine():
+    # Wave number k, amplitude a with a k = 0.3; depth 0.6 of the first focus n / ((n - 1) a k^2).
+    k = 2 * math.pi / 0.5
+    a = 0.3 / k
+    depth = 0.6 * 1.33 / (0.33 * a * k * k)
+    s = Scene()
+    s.mesh('water', sheet(1.0, lambda x, z: depth + a * math.cos(k * x), lambda x, z: (-a * k * math.sin(k * x), 0.0),
+                          128), glass('water', 1.33))
+    s.mesh('floor', square(2.5), FLOOR)
+    s.sun((0.0, -1.0, 0.0), 1.0)
+    s.camera_down('floor', (0.0, 0.5 * depth, 0.0), 0.5)
+    return s
+
+
+def slab(ior):
+    s = Scene()
+    s.mesh('slab', box((-0.5, 0.5, -0.5), (0.5, 0.8, 0.5)), glass('glass', ior))
+    s.mesh('floor', square(4.0), FLOOR)
+    s.sun((math.sin(math.radians(40)), -math.cos(math.radians(40)), 0.0), 1.0)
+    s.camera('view', (0.7, 2.2, 3.0), (0.3, 0.25, 0.0), 38)
+    s.camera_down('floor', (0.5, 0.4, 0.0), 1.0)
+    return s
+
+
+def prism():
+    """An equilateral prism, edges of 0.3 m along z. Its left face leans so that the light meets it at 50
+    degrees; the light is deviated by 38.65 degrees (n = 1.5168) and falls onto the floor."""
+    s = Scene()
+    h = 0.3 * math.sqrt(3) / 2
+    # The cross-section, turned about its middle so that the entry face's normal makes 50 degrees with the light.
+    travel = unit((math.cos(math.radians(20)), -math.sin(math.radians(20)), 0.0))
+    corners = [(-0.15, -h / 3), (0.15, -h / 3), (0.0, 2 * h / 3)]
+    normal_angle = math.atan2(travel[1], travel[0]) + math.pi - math.radians(50)
+    turn = normal_angle - math.radians(150)  # the left face's outward normal is at 150 degrees
+
+    def placed(x, y, z):
+        c, w = math.cos(turn), math.sin(turn)
+        return (c * x - w * y, w * x + c * y + 0.55, z)
+
+    front = [placed(x, y, 0.4) for x, y in corners]
+    back = [placed(x, y, -0.4) for x, y in corners]
+    faces = [front, [back[0], back[2], back[1]]]
+    for i in range(3):
+        j = (i + 1) % 3
+        faces.append([front[i], back[i], back[j], front[j]])
+    s.mesh('prism', flat_faces(faces), glass('BK7', 1.5168, dispersion=20 / 64.17))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun(travel, 10.0)
+    s.camera('view', (0.2, 1.6, 2.6), (0.35, 0.25, 0.0), 40)
+    s.camera_down('floor', (0.5, 0.1, 0.0), 1.0)
+    return s
+
+
+def main():
+    scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
+              'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
+              'prism.glb': prism}
+    for name, make in scenes.items():
+        scene = make()
+        scene.write(name)
+        triangles = sum(a['count'] // 3 for a in scene.gltf['accessors'] if a['type'] == 'SCALAR')
+        size = os.path.getsize(os.path.join(HERE, name)) // 1024
+        print(f'{name:20} {triangles:6} triangles {size:5} KB')
+
+
+if __name__ == '__main__':
+    main()

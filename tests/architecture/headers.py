@@ -1,0 +1,32 @@
+#!/usr/bin/env python3
+"""Every header compiles alone. Left out: the bodies that pipeline/shader/stage.hpp and the tile kernels
+include inside a namespace of their lane width, which have no guard on purpose."""
+import concurrent.futures
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BODIES = {'pipeline/shader/vectors.hpp', 'pipeline/shader/scalar.hpp', 'pipeline/shader/wide.hpp',
+          'pipeline/shader/stage.hpp', 'raster/lanes/tile_renderer.hpp'}
+
+
+def complaint(header):
+    code = f'#include "{header}"\n#include "{header}"\nint main() {{}}\n'
+    result = subprocess.run([sys.argv[1], '-std=c++20', '-fsyntax-only', '-x', 'c++', '-I', str(ROOT), '-'],
+                            input=code, text=True, capture_output=True)
+    return f'{header}: {result.stderr.splitlines()[0]}' if result.returncode else None
+
+
+def main():
+    headers = [str(h.relative_to(ROOT)) for room in ('pipeline', 'passes', 'raster', 'reference', 'app', 'tests')
+               for h in sorted((ROOT / room).rglob('*.hpp'))]
+    headers = [h for h in headers if h not in BODIES and 'catch2_main' not in h]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        wrong = [c for c in pool.map(complaint, headers) if c]
+    print('\n'.join(wrong) or f'{len(headers)} headers compile alone')
+    return 1 if wrong or len(headers) < 30 else 0
+
+
+sys.exit(main())

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""Keeps the arrows between the rooms: who may include whom (README, "Where things are")."""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MAY = {
+    'pipeline/gpu': set(),
+    'pipeline/shader': {'pipeline/gpu'},
+    'pipeline/scene': {'pipeline/gpu'},
+    'pipeline/plan': {'pipeline/scene', 'pipeline/gpu'},
+    'passes': {'pipeline'},
+    'raster': {'pipeline'},
+    'gl_backend': {'pipeline'},
+    'reference': {'pipeline'},
+    'app': {'passes', 'raster', 'gl_backend', 'reference', 'pipeline'},
+}
+
+
+def room_of(path):
+    return next((room for room in sorted(MAY, key=len, reverse=True) if path.startswith(room + '/')), None)
+
+
+def main():
+    wrong, seen = [], 0
+    for room in MAY:
+        for file in sorted((ROOT / room).rglob('*')):
+            if file.suffix not in ('.hpp', '.cpp', '.glsl', '.in') or file.name.endswith('_test.cpp'):
+                continue
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                match = re.match(r'\s*#include "([^"@]+)"', line)
+                if not match:
+                    continue
+                seen += 1
+                target = room_of(match.group(1))
+                allowed = target and (target == room or target in MAY[room]
+                                      or any(target.startswith(m + '/') for m in MAY[room]))
+                if not allowed:
+                    wrong.append(f'{file.relative_to(ROOT)}:{number}: {room} may not include {match.group(1)}')
+    print('\n'.join(wrong) or f'{seen} includes keep the arrows')
+    return 1 if wrong or seen < 100 else 0
+
+
+sys.exit(main())

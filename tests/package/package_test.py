@@ -1,0 +1,37 @@
+"""The install tree is enough for another project: installs the built project into a scratch folder,
+builds tests/package/consumer against it and runs it.
+Usage: package_test.py CMAKE BUILD_FOLDER COMPILER [LINK FLAG]"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+CONSUMER = pathlib.Path(__file__).resolve().parent / "consumer"
+
+
+def run(*command):
+    result = subprocess.run([str(word) for word in command], text=True, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if result.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{result.stdout}exit {result.returncode}")
+    return result.stdout
+
+
+def main():
+    cmake, built, compiler, flags = sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4:]
+    with tempfile.TemporaryDirectory() as scratch:
+        installed, folder = pathlib.Path(scratch, "installed"), pathlib.Path(scratch, "consumer")
+        run(cmake, "--install", built, "--prefix", installed)
+        headers = [path.name for path in installed.rglob("*.hpp")]
+        if "software_device.hpp" not in headers or any("_test" in name for name in headers):
+            sys.exit(f"wrong headers in the install tree: {headers}")
+        run(cmake, "-S", CONSUMER, "-B", folder, f"-DCMAKE_PREFIX_PATH={installed}",
+            f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={' '.join(flags)}",
+            "-DCMAKE_BUILD_TYPE=Release")
+        run(cmake, "--build", folder)
+        print(run(folder / "consumer"), end="")
+
+
+if __name__ == "__main__":
+    main()

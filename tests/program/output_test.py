@@ -1,0 +1,150 @@
+"""What render, digest and probe write: complete files, equal bytes, and nothing beside them."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+import glb
+from program import PROGRAM, SMALL, ProgramTest
+
+
+class Outputs(ProgramTest):
+    def test_default_output_is_named_after_the_scene(self):
+        result = self.succeeds("ball.glb", *SMALL)
+        self.assertEqual(self.files(), ["ball.glb", "ball.png"])
+        self.assertEqual(result.stdout, "")
+        self.assertIn("ball.png: 64x48 in ", result.stderr)
+        self.assertNotIn("\033", result.stderr)
+
+    def test_quiet_says_nothing(self):
+        result = self.succeeds("ball.glb", *SMALL, "--quiet")
+        self.assertEqual(result.stdout + result.stderr, "")
+
+    def test_one_pixel(self):
+        self.succeeds("ball.glb", "-r", "1x1", "--grid", "1", "--map", "1", "-o", "dot.png")
+        self.assertTrue((self.folder / "dot.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_too_large_for_the_machine_is_refused_before_rendering(self):
+        if os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") > 64 << 30:
+            self.skipTest("this machine can render it")
+        self.fails(2, "ball.glb", "-r", "16384x16384", "--grid", "8192", "--map", "8192",
+                   "-o", "all.exr", "--aov", "beauty,caustic,direct,position,normal",
+                   saying="of memory")
+
+    def test_bytes_do_not_depend_on_threads_or_run(self):
+        files = []
+        for number, threads in enumerate((1, 2, 7, 1)):
+            png, exr = f"{number}.png", f"{number}.exr"
+            self.succeeds("ball.glb", *SMALL, "-t", threads, "-o", png, "-o", exr,
+                          "--aov", "beauty,caustic,direct,position,normal,depth,coverage")
+            files.append([(self.folder / name).read_bytes() for name in (png, exr)])
+        for other in files[1:]:
+            self.assertEqual(files[0], other)
+
+    def test_stats_and_dump(self):
+        self.succeeds("ball.glb", *SMALL, "--stats", "s.json", "--dump", "passes/of/ball")
+        stats = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual(stats["settings"]["grid"], 32)
+        self.assertGreater(len(stats["passes"]), 4)
+        light = stats["lights"][0]
+        self.assertEqual(sum(light["vertices"].values()), 32 * 32)
+        flux = light["flux"]
+        lost = sum(flux[name][0] for name in flux
+                   if name not in ("unit", "entered", "residual"))
+        self.assertAlmostEqual(lost / flux["entered"][0], 1.0, places=3)
+        folder = self.folder / "passes/of/ball"
+        manifest = json.loads((folder / "manifest.json").read_text())
+        self.assertEqual(sorted(a["file"] for a in manifest["attachments"]) + ["manifest.json"],
+                         sorted(p.name for p in folder.iterdir()))
+        for attachment in manifest["attachments"]:
+            self.assertRegex(attachment["sha256"], r"\A[0-9a-f]{64}\Z")
+
+    def test_replaces_a_file_and_keeps_a_link(self):
+        (self.folder / "old.png").write_text("old")
+        (self.folder / "link.png").symlink_to("old.png")
+        self.succeeds("ball.glb", *SMALL, "-o", "link.png")
+        self.assertTrue((self.folder / "link.png").is_symlink())
+        self.assertTrue((self.folder / "old.png").read_bytes().startswith(b"\x89PNG"))
+
+
+class NumericFault(ProgramTest):
+    def test_names_the_pixel_and_writes_no_picture(self):
+        # The largest values that a Radiance file can hold: their sum over the sky overflows.
+        (self.folder / "bright.hdr").write_bytes(
+            b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + b"\xff\xff\xff\xff" * 128)
+        self.fails(7, "ball.glb", *SMALL, "--environment", "bright.hdr", "--quiet",
+                   saying="beauty is inf at pixel 0,")
+
+
+class Unwritable(ProgramTest):
+    def test_is_found_out_before_rendering(self):
+        (self.folder / "folder.png").mkdir()
+        os.mkfifo(self.folder / "pipe.png")
+        for name in ("folder.png", "pipe.png", "missing/a.png", "/dev/null/a.png"):
+            for option in ("-o", "--stats"):
+                self.fails(4, "ball.glb", "-r", "4096x4096", option, name)
+        self.fails(4, "ball.glb", *SMALL, "--dump", "ball.glb")
+
+    def test_a_file_that_is_cut_short_by_a_limit_is_not_left(self):
+        def limit_files():
+            import resource
+            resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512))
+        (self.folder / "old.png").write_text("old")
+        self.fails(4, "ball.glb", *SMALL, "-o", "old.png", "--quiet", preexec_fn=limit_files)
+        self.assertEqual((self.folder / "old.png").read_text(), "old")
+
+    def test_full_standard_output(self):
+        if not pathlib.Path("/dev/full").exists():
+            self.skipTest("no /dev/full here")
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "plan", "ball.glb"], cwd=self.folder, stdout=full,
+                                    stderr=subprocess.PIPE, text=True)
+        self.assertEqual(result.returncode, 4, result.stderr)
+
+
+class Signals(ProgramTest):
+    def test_stops_without_leaving_anything(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.subTest(signal=number):
+                process = subprocess.Popen(
+                    [PROGRAM, "ball.glb", "-r", "1600x1600", "--grid", "1024", "--map", "1024",
+                     "-t", "1", "-o", "large.png", "-o", "large.exr"],
+                    cwd=self.folder, stderr=subprocess.PIPE, text=True)
+                time.sleep(0.3)
+                process.send_signal(number)
+                _, talk = process.communicate(timeout=120)
+                self.assertEqual(process.returncode, code, talk)
+                self.assertIn("interrupted", talk)
+                self.assertEqual(self.files(), ["ball.glb"])
+
+
+class Tools(ProgramTest):
+    def test_digest_is_the_same_for_every_number_of_threads(self):
+        first = self.succeeds("digest", "ball.glb", "ball.glb", "-t", "1").stdout.splitlines()
+        self.assertEqual(first[:len(first) // 2], first[len(first) // 2:])
+        for line in first:
+            self.assertRegex(line, r"\Aball\.glb \S+ \S+ [0-9a-f]{64}\Z")
+        second = self.succeeds("digest", "ball.glb", "-t", "3").stdout.splitlines()
+        self.assertEqual(first[:len(first) // 2], second)
+
+    def test_probe_agrees_with_the_rendered_texel(self):
+        for texel in ("16,16", "10,20", "0,0", "31,31"):
+            text = self.succeeds("probe", "ball.glb", *SMALL, "--texel", texel).stdout
+            self.assertIn("agree to the bit", text)
+        self.assertIn("status: landed", self.succeeds(
+            "probe", "ball.glb", *SMALL, "--texel", "16,16").stdout)
+
+    def test_probe_refuses_what_is_not_there(self):
+        self.fails(2, "probe", "ball.glb", *SMALL, "--texel", "32,0", saying="0..31")
+        self.fails(2, "probe", "ball.glb", *SMALL, saying="--texel")
+        self.fails(2, "probe", "ball.glb", "--texel", "1,1", "--light", "1", saying="0..0")
+        (self.folder / "thin.glb").write_bytes(glb.scene(glb.glass()))
+        self.fails(2, "probe", "thin.glb", "--texel", "1,1", saying="throws no caustic")
+
+
+if __name__ == "__main__":
+    unittest.main()
