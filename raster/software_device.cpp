@@ -9,6 +9,7 @@
 #include "raster/lane_dispatch.hpp"
 #include "raster/primitives.hpp"
 #include "raster/target.hpp"
+#include "raster/texture.hpp"
 #include "raster/workers.hpp"
 
 namespace caustics {
@@ -42,13 +43,11 @@ class SoftwareDevice final : public Device {
       throw Error(ExitCode::WrongUsage, "a texture of " + std::to_string(width) + " x " +
                                             std::to_string(height) + " is not between 1 x 1 and " +
                                             std::to_string(kMaxTextureSize) + " squared");
-    return upload(Image(format, width, height));
+    return insert(Texture(ImageShape{format, width, height}));
   }
 
   TextureId upload(const Image& image) override {
-    const auto id = static_cast<TextureId>(++last_texture_);
-    textures_.emplace(id, image);
-    return id;
+    return insert(Texture(image));
   }
 
   void destroy(TextureId texture) override { textures_.erase(texture); }
@@ -66,7 +65,7 @@ class SoftwareDevice final : public Device {
   }
 
   void destroy(MeshId mesh) override { meshes_.erase(mesh); }
-  Image read_back(TextureId texture) override { return texture_of(texture); }
+  Image read_back(TextureId texture) override { return texture_of(texture).image(); }
   ImageShape shape(TextureId texture) const override { return texture_of(texture).shape; }
 
   const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const override {
@@ -85,7 +84,13 @@ class SoftwareDevice final : public Device {
   }
 
  private:
-  const Image& texture_of(TextureId id) const {
+  TextureId insert(Texture texture) {
+    const auto id = static_cast<TextureId>(++last_texture_);
+    textures_.emplace(id, std::move(texture));
+    return id;
+  }
+
+  const Texture& texture_of(TextureId id) const {
     const auto found = textures_.find(id);
     if (found == textures_.end())
       throw Error(ExitCode::InternalError, "a texture that does not exist is used");
@@ -110,7 +115,7 @@ class SoftwareDevice final : public Device {
       target.depth_clear = definition.depth->clear;
       target.keep_depth = !run.keep.empty() && run.keep.back();
     }
-    const ImageShape size = target.depth ? target.depth->shape : target.colors[0].image->shape;
+    const ImageShape size = target.depth ? target.depth->shape : target.colors[0].texture->shape;
     PassResult result;
     if (run.draws.empty()) target.clear();
     for (const Draw& draw : run.draws) {
@@ -167,8 +172,9 @@ class SoftwareDevice final : public Device {
         views.push_back({kZeros, 1, 1, 4});
         continue;
       }
-      const Image& image = texture_of(id);
-      views.push_back({image.values.data(), image.width(), image.height(), image.channels()});
+      const Texture& texture = texture_of(id);
+      views.push_back({texture.values.get(), texture.shape.width, texture.shape.height,
+                       texture.channels()});
     }
     return views;
   }
@@ -184,7 +190,7 @@ class SoftwareDevice final : public Device {
   Workers workers_;
   Lanes lanes_;
   std::uint32_t last_texture_ = 0, last_mesh_ = 0;
-  std::map<TextureId, Image> textures_;
+  std::map<TextureId, Texture> textures_;
   std::map<MeshId, MeshData> meshes_;
 };
 

@@ -34,15 +34,15 @@ class Tile {
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x)
         storage_.depth[y * kTile + x] =
-            target_.keep_depth ? target_.depth->at(x_ + x, y_ + y, 0) : target_.depth_clear;
+            target_.keep_depth ? *target_.depth->texel(x_ + x, y_ + y) : target_.depth_clear;
   }
 
   void store() {
     for (std::size_t i = 0; i < target_.colors.size(); ++i) {
-      Image& image = *target_.colors[i].image;
-      const int channels = image.channels();
+      Texture& texture = *target_.colors[i].texture;
+      const int channels = texture.channels();
       for (int y = 0; y < height_; ++y) {
-        float* out = &image.at(x_, y_ + y, 0);
+        float* out = texture.texel(x_, y_ + y);
         for (int x = 0; x < width_; ++x)
           for (int c = 0; c < channels; ++c) *out++ = storage_.color[i][y * kTile + x][c];
       }
@@ -50,7 +50,7 @@ class Tile {
     if (!target_.depth) return;
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x)
-        target_.depth->at(x_ + x, y_ + y, 0) = storage_.depth[y * kTile + x];
+        *target_.depth->texel(x_ + x, y_ + y) = storage_.depth[y * kTile + x];
   }
 
   TileJob job(const FragmentWork& work, const std::vector<PrimitiveChunk>& chunks) {
@@ -82,7 +82,7 @@ class Tile {
  private:
   void load_color(std::size_t i) {
     const RenderTarget::Color& color = target_.colors[i];
-    const int channels = color.image->channels();
+    const int channels = color.texture->channels();
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x) {
         float* texel = storage_.color[i][y * kTile + x];
@@ -90,7 +90,7 @@ class Tile {
           if (c >= channels)
             texel[c] = c == 3 ? 1.0f : 0.0f;
           else
-            texel[c] = color.keep ? color.image->at(x_ + x, y_ + y, c) : cleared(*color.write, c);
+            texel[c] = color.keep ? color.texture->texel(x_ + x, y_ + y)[c] : cleared(*color.write, c);
         }
       }
   }
@@ -130,12 +130,12 @@ std::vector<int> fullest_first(const std::vector<BinnedChunk>& chunks, const Til
 void RenderTarget::clear() {
   for (const Color& color : colors) {
     if (color.keep) continue;
-    const int channels = color.image->channels();
-    for (std::size_t i = 0; i < color.image->values.size(); ++i)
-      color.image->values[i] =
-          cleared(*color.write, static_cast<int>(i % static_cast<std::size_t>(channels)));
+    const auto channels = static_cast<std::size_t>(color.texture->channels());
+    for (std::size_t i = 0; i < color.texture->value_count(); ++i)
+      color.texture->values[i] = cleared(*color.write, static_cast<int>(i % channels));
   }
-  if (depth && !keep_depth) std::fill(depth->values.begin(), depth->values.end(), depth_clear);
+  if (depth && !keep_depth)
+    std::fill_n(depth->values.get(), depth->value_count(), depth_clear);
 }
 
 void RenderTarget::keep_all() {

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/gpu/image.hpp"
 #include "raster/primitives.hpp"
+#include "raster/texture.hpp"
 #include "raster/tile_job.hpp"
 #include "raster/workers.hpp"
 
@@ -12,12 +12,12 @@ namespace caustics::raster {
 // The attachments of a run. What is not kept is cleared, whether or not anything is drawn there.
 struct RenderTarget {
   struct Color {
-    Image* image = nullptr;
+    Texture* texture = nullptr;
     const ColorWrite* write = nullptr;
     bool keep = false;
   };
   std::vector<Color> colors;
-  Image* depth = nullptr;
+  Texture* depth = nullptr;
   float depth_clear = 1.0f;
   bool keep_depth = false;
 

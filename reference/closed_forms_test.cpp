@@ -188,11 +188,12 @@ TEST_CASE("Sphere: pixel means agree with the profile, with traced rays, and kee
     constexpr int kSide = 2000;
     std::vector<double> traced(40 * 40, 0.0);
     double flux = 0.0;
+    const double largest = s.largest_impact();
     for (int i = 0; i < kSide * kSide; ++i) {
       const double x = 2.0 * (i % kSide + jitter(random)) / kSide - 1.0;
       const double y = 2.0 * (i / kSide + jitter(random)) / kSide - 1.0;
       const double b = std::hypot(x, y);
-      if (b >= s.largest_impact() || b == 0.0) continue;
+      if (b >= largest || b == 0.0) continue;
       const double scale = traced_sphere_landing(b, s) / b;
       const int px = static_cast<int>(std::floor((x * scale + 0.5) * 40.0));
       const int py = static_cast<int>(std::floor((y * scale + 0.5) * 40.0));
@@ -215,9 +216,10 @@ TEST_CASE("Sphere: pixel means agree with the profile, with traced rays, and kee
 
 TEST_CASE("Sphere: all flux that is not sent beyond the square lies in it") {
   const GlassSphere s{.radius = 0.5, .index = 1.5, .distance = 0.8};
-  const FloorIrradiance picture = irradiance_average(s, {.pixels = 16});
-  CHECK(picture.flux < kPi * 0.25 * s.transmitted_share());
-  CHECK(picture.flux == Approx(kPi * 0.25 * s.transmitted_share()).epsilon(0.002));
+  // Rays near the rim go far: 1 % of the flux lands more than a metre from the axis.
+  const double share = kPi * 0.25 * s.transmitted_share();
+  CHECK(irradiance_average(s, {.pixels = 16}).flux < 0.99 * share);
+  CHECK(irradiance_average(s, {glm::dvec2(-50.0), 100.0, 16}).flux == Approx(share).epsilon(1e-3));
   const GlassSphere air{.radius = 0.5, .index = 1.0, .distance = 0.8};
   const FloorIrradiance shadow = irradiance_average(air, {.pixels = 20});
   CHECK(shadow.flux == Approx(kPi * 0.25).epsilon(1e-9));
@@ -261,7 +263,7 @@ TEST_CASE("Water: strip means keep the flux, before and behind the focus") {
 TEST_CASE("Slab: shift and transmittance") {
   CHECK(slab_offset(radians(40.0), 1.5, 0.7) == Approx(0.195628).margin(1e-6));
   CHECK(slab_floor_shift(radians(40.0), 1.5, 0.7) == Approx(0.255375).margin(1e-6));
-  CHECK(slab_floor_shift(radians(40.0), 1.0, 0.7) == 0.0);
+  CHECK(slab_floor_shift(radians(40.0), 1.0, 0.7) == Approx(0.0).margin(1e-15));
   CHECK(slab_transmittance(0.0, 1.5, 0.3) == Approx(0.96 * 0.96).epsilon(1e-12));
   CHECK(slab_transmittance_all_bounces(0.0, 1.5) == Approx(0.96 / 1.04).epsilon(1e-12));
   const double inside = *refraction_angle(0.7, 1.0, 1.5);

@@ -35,7 +35,7 @@ double disc_integral(const GlassSphere& sphere, double largest, const F& f) {
 // Flux in rings of the plane: ring k lies between k and k + 1 times `width`.
 struct Rings {
   double width = 0.0;
-  std::vector<double> flux;  // square metres times E_perp
+  std::vector<double> flux{};  // square metres times E_perp
 
   // Spreads flux evenly over the radii from r0 to r1; what lies outside the last ring is left out.
   void add(double r0, double r1, double amount) {

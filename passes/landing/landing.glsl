@@ -53,12 +53,8 @@ Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
 
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
-void main() {
-  Int column = floor_to_int(frag_x());
-  Int row = floor_to_int(frag_y());
-  Vec4 entry = texel_fetch(caster_position, column, row);
-  Vec4 entry_normal = texel_fetch(caster_normal, column, row);
-  Bool covered = entry.w != 0.0f;
+// Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros.
+void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Bool from_inside = entry.w < 0.0f;
   Vec3 p1 = Vec3(entry);
   Int material = floor_to_int(entry_normal.w + 0.5f);
@@ -171,5 +167,17 @@ void main() {
   landing_flux = sel(covered, Vec4(carried, hit.residual), Vec4(0.0f));
   landing_fresnel = sel(covered, Vec4(Vec3(entered * r1) + after_medium * r2, entered), Vec4(0.0f));
   landing_absorbed = sel(covered, Vec4(absorbed, inside_length), Vec4(0.0f));
+}
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Vec4 entry = texel_fetch(caster_position, column, row);
+  Bool covered = entry.w != 0.0f;
+  landing = Vec4(0.0f);
+  landing_flux = Vec4(0.0f);
+  landing_fresnel = Vec4(0.0f);
+  landing_absorbed = Vec4(0.0f);
+  if (any_lane(covered)) follow(entry, texel_fetch(caster_normal, column, row), covered);
 }
 #endif

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/surface_role.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/frame.hpp"
@@ -118,6 +119,19 @@ void add_expectations(const Scene& scene, const std::vector<Judgement>& judgemen
   }
 }
 
+// Whether, for some light, a diffuse or mirroring surface could shadow another or a caster.
+bool anything_shadows(const Scene& scene, const Effects& effects) {
+  for (const Light& light : scene.lights) {
+    if (dark(light)) continue;
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+      const Role role = effects.surfaces[m].role;
+      if (role != Role::Receiver && role != Role::Mirror) continue;
+      if (!is_backdrop(scene, m, light)) return true;
+    }
+  }
+  return false;
+}
+
 void add_light_effects(const Scene& scene, Effects& effects) {
   const std::size_t lit = static_cast<std::size_t>(std::count_if(
       scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !dark(light); }));
@@ -151,10 +165,10 @@ void add_light_effects(const Scene& scene, Effects& effects) {
                                   [](const auto& s) { return s.two_interfaces; });
   const bool exits = solid != effects.surfaces.end();
   add("exit surface", exits, exits ? solid->reason : "no refractor has a second surface");
-  const bool occluders = receivers > 0 && lit > 0;
+  const bool occluders = lit > 0 && anything_shadows(scene, effects);
   add("occluders", occluders,
-      occluders ? diffuse_surfaces + " can stand in the light's way"
-                : "nothing can shadow anything");
+      occluders ? "an opaque surface can stand in the light's way"
+                : "no opaque surface can shadow another or a caster");
   add("seen refraction", refractors > 0,
       refractors > 0 ? count(refractors, "refractor", "refractors") + " to look through"
                      : "no refractor to look through");

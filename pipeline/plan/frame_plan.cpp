@@ -35,8 +35,9 @@ struct Size {
 Size size_of(Extent extent, const Settings& settings) {
   switch (extent) {
     case Extent::Picture:
-    case Extent::Wide:
       return {settings.width, settings.height};
+    case Extent::Wide:
+      return {(settings.width + 1) / 2, (settings.height + 1) / 2};
     case Extent::Grid:
       return {settings.grid, settings.grid};
     case Extent::Map:

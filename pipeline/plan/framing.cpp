@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/plan/ledger.hpp"
 #include "pipeline/plan/run_plan.hpp"
@@ -73,26 +74,6 @@ void set_depth(Frame& frame, double nearest, double farthest) {
   if (frame.perspective) frame.near = std::max(frame.near, frame.far * 1e-4);
 }
 
-// A flat mesh that has every other mesh on its lit side throws no shadow on anything.
-bool is_backdrop(const Scene& scene, std::size_t index, const Frame& axes) {
-  const Mesh& mesh = scene.meshes[index];
-  if (mesh.vertices.empty()) return true;
-  const glm::dvec3 point{mesh.vertices[0].position};
-  glm::dvec3 normal{mesh.vertices[0].normal};
-  const double size = std::max(bounds_of(scene).radius(), 1e-30);
-  for (const Vertex& v : mesh.vertices)
-    if (std::fabs(exact::dot(glm::dvec3(v.position) - point, normal)) > 1e-4 * size) return false;
-  const glm::dvec3 travel =
-      axes.perspective ? glm::dvec3(mesh.lower + mesh.upper) * 0.5 - axes.origin : axes.forward;
-  if (exact::dot(normal, travel) > 0.0) normal = -normal;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (i == index) continue;
-    for (const Vertex& v : scene.meshes[i].vertices)
-      if (exact::dot(glm::dvec3(v.position) - point, normal) < -1e-4 * size) return false;
-  }
-  return true;
-}
-
 struct LightExtents {
   Frame axes;
   Extents casters, receivers, occluders, everything;
@@ -122,7 +103,7 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
       result.casters.add(extents);
     } else if (effects.surfaces[i].role != Role::ThinPane) {
       result.receivers.add(extents);
-      if (!is_backdrop(scene, i, result.axes)) result.occluders.add(extents);
+      if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
     }
   }
   return result;

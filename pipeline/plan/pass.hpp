@@ -25,7 +25,7 @@ enum class DrawSet : std::uint8_t {
 };
 
 // Size of a pass's targets.
-// Wide is the picture's size over three times its view, for what glass shows of the surroundings.
+// Wide is half the picture's size over three times its view, for what glass shows of the surroundings.
 enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow };
 
 // The frames of one light. All share origin and axes; only the windows and depth ranges differ.
@@ -52,6 +52,7 @@ struct PassContext {
   const Material* material = nullptr;
   int material_row = 0;   // row of `caster_materials`: the mesh's material
   int mesh_index = 0;
+  int width = 0, height = 0;  // of the pass's targets
   float exposure = 1.0f;  // factor from nit to display white
 };
 

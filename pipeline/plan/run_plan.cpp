@@ -70,6 +70,8 @@ class PassRunner {
                         .effects = inputs_.effects,
                         .view = &inputs_.view,
                         .wide = &wide_,
+                        .width = planned.width,
+                        .height = planned.height,
                         .exposure = inputs_.exposure};
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);

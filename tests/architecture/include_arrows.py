@@ -17,6 +17,14 @@ MAY = {
     'app': {'passes', 'raster', 'gl_backend', 'reference', 'pipeline'},
 }
 
+# Libraries that only some rooms may name: the others build and run without them.
+OWNED = {
+    'epoxy/': {'gl_backend'}, 'EGL/': {'gl_backend'}, 'GL/': {'gl_backend'},
+    'tbb/': {'raster'}, 'oneapi/': {'raster'}, 'embree': {'reference'}, 'CLI/': {'app'},
+    'tiny_gltf.h': {'pipeline/scene'}, 'nlohmann/': {'pipeline/scene', 'app'},
+    'OpenImageIO/': {'pipeline/scene', 'app'},
+}
+
 
 def room_of(path):
     return next((room for room in sorted(MAY, key=len, reverse=True) if path.startswith(room + '/')), None)
@@ -29,6 +37,10 @@ def main():
             if file.suffix not in ('.hpp', '.cpp', '.glsl', '.in') or file.name.endswith('_test.cpp'):
                 continue
             for number, line in enumerate(file.read_text().splitlines(), 1):
+                library = re.match(r'\s*#include <([^>]+)>', line)
+                for prefix, owners in OWNED.items():
+                    if library and library.group(1).startswith(prefix) and room not in owners:
+                        wrong.append(f'{file.relative_to(ROOT)}:{number}: {room} may not name {prefix}')
                 match = re.match(r'\s*#include "([^"@]+)"', line)
                 if not match:
                     continue

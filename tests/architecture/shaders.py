@@ -16,6 +16,8 @@ def expanded(path):
 def complaints(text_path, defines):
     body = expanded('pipeline/shader/functions.glsl') + expanded(text_path)
     prelude = expanded('pipeline/shader/prelude.glsl')
+    if not (prelude + body).isascii():
+        yield f'{text_path}: GLSL is ASCII, and a character here is not'
     for stage, macro in (('vert', 'VERTEX_STAGE'), ('frag', 'FRAGMENT_STAGE')):
         head = f'#version 450 core\n#define {macro} 1\n'
         head += ''.join(f'#define {d.replace("=", " ")}\n' for d in defines)

@@ -48,7 +48,10 @@ inline Mesh sphere(const glm::dvec3& centre, double radius, int levels, int mate
     }
     faces = std::move(finer);
   }
-  Mesh mesh{.name = "sphere", .indices = faces, .material = material};
+  Mesh mesh;
+  mesh.name = "sphere";
+  mesh.indices = faces;
+  mesh.material = material;
   for (const glm::dvec3& p : points)
     mesh.vertices.push_back({.position = glm::vec3(centre + radius * p), .normal = glm::vec3(p)});
   finish(mesh, 1.0f);
@@ -57,7 +60,10 @@ inline Mesh sphere(const glm::dvec3& centre, double radius, int levels, int mate
 
 // A square in the plane y = height, facing up.
 inline Mesh floor(double half, double height, int material) {
-  Mesh mesh{.name = "floor", .indices = {0, 1, 2, 0, 2, 3}, .material = material};
+  Mesh mesh;
+  mesh.name = "floor";
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  mesh.material = material;
   const float h = static_cast<float>(half), y = static_cast<float>(height);
   for (const glm::vec3& p : {glm::vec3(-h, y, h), {h, y, h}, {h, y, -h}, {-h, y, -h}})
     mesh.vertices.push_back({.position = p, .normal = {0.0f, 1.0f, 0.0f}});
@@ -67,7 +73,9 @@ inline Mesh floor(double half, double height, int material) {
 
 // A closed box with flat normals.
 inline Mesh box(const glm::dvec3& lower, const glm::dvec3& upper, int material) {
-  Mesh mesh{.name = "box", .material = material};
+  Mesh mesh;
+  mesh.name = "box";
+  mesh.material = material;
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side) {
       const int b = (axis + 1) % 3, c = (axis + 2) % 3;
@@ -91,7 +99,9 @@ inline Mesh box(const glm::dvec3& lower, const glm::dvec3& upper, int material) 
 // An open sheet y = height + amplitude cos(k x) over [-half, half]^2, with exact normals.
 inline Mesh wave_sheet(double half, double height, double amplitude, double k, int cells,
                        int material) {
-  Mesh mesh{.name = "water", .material = material};
+  Mesh mesh;
+  mesh.name = "water";
+  mesh.material = material;
   for (int j = 0; j <= cells; ++j)
     for (int i = 0; i <= cells; ++i) {
       const double x = -half + 2.0 * half * i / cells, z = half - 2.0 * half * j / cells;
@@ -111,14 +121,16 @@ inline Mesh wave_sheet(double half, double height, double amplitude, double k, i
 }
 
 inline Material diffuse(float albedo) {
-  Material m{.name = "diffuse"};
+  Material m;
+  m.name = "diffuse";
   m.base_color = glm::vec4(albedo, albedo, albedo, 1.0f);
   m.metallic = 0.0f;
   return m;
 }
 
 inline Material glass(float ior) {
-  Material m{.name = "glass"};
+  Material m;
+  m.name = "glass";
   m.metallic = 0.0f;
   m.roughness = 0.0f;
   m.transmission = 1.0f;

@@ -82,6 +82,7 @@ TEST_CASE("ledger: a caster in an opaque shadow throws no caustic") {
   Mesh lid = floor(1.0, 2.0, 0);
   scene.meshes.push_back(lid);
   const Ledger l = ledger(scene, small_settings(64, 64, 16));
+  REQUIRE(l.vertices.size() == kLandingStatuses);
   CHECK(l.entered[0] == 0.0);
   CHECK(l.vertices[static_cast<std::size_t>(LandingStatus::Empty)] == 64u * 64u);
 }

@@ -1,0 +1,41 @@
+// A texture or render target of the software Device.
+#pragma once
+#include <algorithm>
+#include <memory>
+
+#include "pipeline/gpu/image.hpp"
+
+namespace caustics::raster {
+
+// Texels as an Image holds them, but of undefined contents when made, as on a GPU: large targets cost
+// nothing before they are drawn into.
+struct Texture {
+  ImageShape shape;
+  std::unique_ptr<float[]> values;
+
+  explicit Texture(const ImageShape& s)
+      : shape(s), values(std::make_unique_for_overwrite<float[]>(value_count())) {}
+  explicit Texture(const Image& image) : Texture(image.shape) {
+    std::copy(image.values.begin(), image.values.end(), values.get());
+  }
+
+  int channels() const { return channel_count(shape.format); }
+  std::size_t value_count() const {
+    return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height) *
+           static_cast<std::size_t>(channels());
+  }
+  // The texel at x, y, its channels one after the other; the row goes on behind it.
+  float* texel(int x, int y) {
+    return values.get() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(shape.width) +
+                           static_cast<std::size_t>(x)) *
+                              static_cast<std::size_t>(channels());
+  }
+  Image image() const {
+    Image copy;
+    copy.shape = shape;
+    copy.values.assign(values.get(), values.get() + value_count());
+    return copy;
+  }
+};
+
+}  // namespace caustics::raster
