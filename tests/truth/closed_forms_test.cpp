@@ -1,0 +1,210 @@
+// Whole frames against closed forms that share no code with the passes (reference/closed_forms.hpp).
+#include "reference/closed_forms.hpp"
+
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// Irradiance in lux that reaches each pixel of the orthographic picture, rows from -z (up) reversed to
+// match row 0 at the bottom: x to the right, y = -z upwards.
+std::vector<double> floor_irradiance(const Scene& scene, const Settings& settings) {
+  const Rendering r = render(scene, settings, {"aov_direct", "aov_caustic"});
+  std::vector<double> values;
+  for (int y = 0; y < settings.height; ++y)
+    for (int x = 0; x < settings.width; ++x)
+      values.push_back(double(r["aov_direct"].at(x, y, 0)) + double(r["aov_caustic"].at(x, y, 0)));
+  return values;
+}
+
+struct Comparison {
+  double relative_l1_in_shadow = 0.0;  // sum |difference| / sum of the truth, r < radius
+  double flux_ratio = 0.0;             // over the whole square
+};
+
+// The sphere scene's floor against the closed form with T^2, averaged per pixel. Outside the shadow the
+// direct light adds 1, by the share of the pixel that is outside.
+Comparison compare_sphere(const std::vector<double>& picture, int pixels) {
+  const double radius = 0.5;
+  const GlassSphere sphere{.radius = radius, .index = 1.5, .distance = 0.8};
+  const FloorSquare square{.lower = glm::dvec2(-1.0), .side = 2.0, .pixels = pixels};
+  const FloorIrradiance truth = irradiance_average(sphere, square);
+  const double side = 2.0 / pixels;
+  double difference = 0.0, inside = 0.0, picture_flux = 0.0, truth_flux = 0.0;
+  for (int y = 0; y < pixels; ++y)
+    for (int x = 0; x < pixels; ++x) {
+      const auto i = static_cast<std::size_t>(y * pixels + x);
+      const glm::dvec2 lower = square.lower + side * glm::dvec2(x, y), upper = lower + side;
+      const double shadowed = disc_in_box(radius, lower, upper) / (side * side);
+      const double expected = truth.values[i] + 1.0 - shadowed;
+      picture_flux += picture[i];
+      truth_flux += expected;
+      if (shadowed < 1.0) continue;
+      difference += std::fabs(picture[i] - expected);
+      inside += expected;
+    }
+  return {difference / inside, picture_flux / truth_flux};
+}
+
+}  // namespace
+
+TEST_CASE("truth: the caustic of a glass sphere, point and Gaussian splats") {
+  // The bounds are what is reached at this size with some room; at grid and map 512 see
+  // docs/measurements.md.
+  const int pixels = 128;
+  Settings settings = small_settings(256, 256, pixels);
+  settings.splat = Splat::Gaussian;
+  const Comparison gaussian = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  INFO("Gaussian: relative L1 " << gaussian.relative_l1_in_shadow << ", flux " << gaussian.flux_ratio);
+  CHECK(gaussian.relative_l1_in_shadow < 0.11);
+  CHECK(gaussian.flux_ratio == Approx(1.0).epsilon(0.01));
+  settings.splat = Splat::Point;
+  const Comparison point = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  INFO("point: relative L1 " << point.relative_l1_in_shadow << ", flux " << point.flux_ratio);
+  CHECK(point.relative_l1_in_shadow < 0.07);
+  CHECK(point.flux_ratio == Approx(1.0).epsilon(0.01));
+}
+
+TEST_CASE("truth: figures of the glass sphere at full size", "[.figures]") {
+  // Not part of a run by default: caustics_tests "[.figures]" prints the figures of docs/measurements.md.
+  const int pixels = 512;
+  for (const int grid : {128, 256, 512, 1024})
+    for (const Splat splat : {Splat::Point, Splat::Gaussian}) {
+      Settings settings = small_settings(grid, grid, pixels);
+      settings.splat = splat;
+      const Comparison c = compare_sphere(floor_irradiance(sphere_scene(1.5f, 6), settings), pixels);
+      WARN("grid = map = " << grid << ", " << name_of(splat) << ": relative L1 "
+                           << c.relative_l1_in_shadow << ", flux ratio " << c.flux_ratio);
+    }
+}
+
+TEST_CASE("truth: a slab of glass shifts slanting light and dims it") {
+  // Thickness 0.3 m, its lower face 0.5 m above the floor, 2 m wide; light at 40 degrees. On the floor the
+  // light through the slab is shifted back by t (tan 40 - tan theta_t) and dimmed by T(40)^2.
+  const double angle = 40.0 * 3.14159265358979323846 / 180.0, thickness = 0.3, n = 1.5;
+  Scene scene;
+  scene.materials = {diffuse(0.8f), glass(1.5f)};
+  scene.meshes = {floor(4.0, 0.0, 0), box({-1.0, 0.5, -1.0}, {1.0, 0.8, 1.0}, 1)};
+  scene.lights = {sun({std::sin(angle), -std::cos(angle), 0.0}, 1.0f)};
+  scene.cameras = {camera_down(0.4, 2.0)};
+  Settings settings = small_settings(512, 512, 256);
+  const std::vector<double> picture = floor_irradiance(scene, settings);
+  const double side = 4.0 / 256, shift = slab_floor_shift(angle, n, thickness);
+  // The middle of the lit patch, in which light that entered the top and left the bottom lands.
+  const auto at = [&](double x, double z) {
+    return picture[static_cast<std::size_t>(static_cast<int>((2.0 - z) / side) * 256 +
+                                            static_cast<int>((x + 2.0) / side))];
+  };
+  const double direct = std::cos(angle), middle = 0.5 * std::tan(angle);
+  CHECK(at(middle, 0.0) / direct == Approx(slab_transmittance(angle, n, thickness)).epsilon(0.005));
+  // The patch's left end: the top's left edge at x = -1, y = 0.8 lands at -1 + 0.8 tan - shift. Light that
+  // met the left face lies elsewhere. From the middle of the patch leftwards, where it falls to half.
+  const double expected = -1.0 + 0.8 * std::tan(angle) - shift;
+  double found = middle;
+  while (at(found, 0.0) > 0.5 * direct * slab_transmittance(angle, n, thickness)) found -= 0.1 * side;
+  CHECK(std::fabs(found - expected) < 2.0 * side);
+}
+
+TEST_CASE("truth: a sine wave of water focuses as its closed form says") {
+  // a k = 0.3, floor at 0.6 of the first focus' depth: one branch everywhere.
+  const double k = 2.0 * 3.14159265358979323846 / 0.5, amplitude = 0.3 / k;
+  WaterWave wave{.amplitude = amplitude, .wave_number = k, .index = 1.33, .depth = 1.0};
+  wave.depth = 0.6 * wave.first_focus();
+  Scene scene;
+  scene.materials = {diffuse(0.8f), glass(1.33f)};
+  scene.meshes = {floor(2.0, 0.0, 0), wave_sheet(1.0, wave.depth, amplitude, k, 200, 1)};
+  scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
+  scene.cameras = {camera_down(0.5 * wave.depth, 0.5)};
+  Settings settings = small_settings(512, 512, 64);
+  const std::vector<double> picture = floor_irradiance(scene, settings);
+  const std::vector<double> truth = irradiance_average(wave, -0.5, 0.5, 64, 1.0);
+  double difference = 0.0, total = 0.0, brightest = 0.0;
+  for (std::size_t x = 0; x < 64; ++x) {
+    difference += std::fabs(picture[32 * 64 + x] - truth[x]);
+    total += truth[x];
+    brightest = std::max(brightest, truth[x]);
+  }
+  INFO("relative L1 " << difference / total);
+  CHECK(brightest > 1.5);
+  CHECK(difference / total < 0.03);
+}
+
+TEST_CASE("truth: a prism turns light by its deviation") {
+  // Apex 60 degrees, n = 1.5, incidence 50 degrees. Light along -y enters the face whose normal leans 50
+  // degrees from up; the beam leaves turned by the deviation towards the base and lands where that says.
+  const double deg = 3.14159265358979323846 / 180.0;
+  const std::optional<double> deviation = prism_deviation(60.0 * deg, 1.5, 50.0 * deg);
+  REQUIRE(deviation);
+  // Cross-section with the entry face's outward normal at 90 + 50 degrees, the exit face's 120 degrees on.
+  const double entry = 140.0 * deg, exit = entry + 120.0 * deg, inner = 0.1;
+  const auto corner = [&](double a, double b) {
+    // Where the lines normal(a).p = inner and normal(b).p = inner meet.
+    const double d = std::cos(a) * std::sin(b) - std::sin(a) * std::cos(b);
+    return glm::dvec2(inner * (std::sin(b) - std::sin(a)) / d, inner * (std::cos(a) - std::cos(b)) / d);
+  };
+  const double base = exit + 120.0 * deg;
+  const glm::dvec2 c[3] = {corner(base, entry), corner(entry, exit), corner(exit, base)};
+  Mesh mesh;
+  mesh.name = "prism";
+  mesh.material = 1;
+  const auto polygon = [&](const std::vector<glm::dvec3>& points) {
+    const glm::dvec3 n = glm::normalize(glm::cross(points[1] - points[0], points[2] - points[0]));
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const glm::dvec3& p : points) {
+      Vertex v;
+      v.position = glm::vec3(p);
+      v.normal = glm::vec3(n);
+      mesh.vertices.push_back(v);
+    }
+    for (std::uint32_t i = 2; i < points.size(); ++i)
+      for (const std::uint32_t j : {0u, i - 1, i}) mesh.indices.push_back(first + j);
+  };
+  const double height = 0.6, half = 0.4;
+  const auto at = [&](int i, double z) { return glm::dvec3(c[i].x, c[i].y + height, z); };
+  polygon({at(0, half), at(1, half), at(2, half)});
+  polygon({at(0, -half), at(2, -half), at(1, -half)});
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    polygon({at(i, -half), at(j, -half), at(j, half), at(i, half)});
+  }
+  finish(mesh, 1.0f);
+  Scene scene;
+  scene.materials = {diffuse(0.8f), glass(1.5f)};
+  scene.meshes = {floor(4.0, 0.0, 0), mesh};
+  scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
+  const Rendering r = render(scene, small_settings(128, 128, 8), {kLanding, kCausticMap});
+  const Image& landing = r[light_texture(kLanding, 0)];
+  const Image& position = r[light_texture("caster_position", 0)];
+  const Image& normal = r[light_texture("caster_normal", 0)];
+  // Every grid vertex on the entry face, followed by hand in the cross-section's plane: Snell at the entry,
+  // straight to the exit face's line, Snell again, straight to the floor.
+  const glm::dvec3 n1(std::cos(entry), std::sin(entry), 0.0), n2(std::cos(exit), std::sin(exit), 0.0);
+  const glm::dvec3 down(0.0, -1.0, 0.0), middle(0.0, height, 0.0);
+  int compared = 0;
+  double worst = 0.0;
+  for (int x = 0; x < 128; ++x) {
+    const glm::dvec3 p1{position.at(x, 64, 0), position.at(x, 64, 1), 0.0};
+    if (position.at(x, 64, 3) == 0.0f || std::fabs(normal.at(x, 64, 0) - n1.x) > 1e-3) continue;
+    const glm::dvec3 d1 = *refract_direction(down, n1, 1.0 / 1.5);
+    const double to_exit = (inner - glm::dot(p1 - middle, n2)) / glm::dot(d1, n2);
+    const glm::dvec3 p2 = p1 + to_exit * d1;
+    const glm::dvec3 base_normal(std::cos(base), std::sin(base), 0.0);
+    if (glm::dot(p2 - middle, base_normal) > inner - 1e-3) continue;  // leaves through the base
+    const glm::dvec3 d2 = *refract_direction(d1, -n2, 1.5);
+    CHECK(std::acos(glm::dot(d2, down)) == Approx(*deviation).epsilon(1e-9));
+    const double expected = p2.x - d2.x / d2.y * p2.y;
+    REQUIRE(landing.at(x, 64, 3) == float(LandingStatus::Landed));
+    worst = std::max(worst, std::fabs(double(landing.at(x, 64, 0)) - expected));
+    ++compared;
+  }
+  CHECK(compared > 10);
+  // A texel of the caustic map.
+  const Frame& map = r.frames[0].caustic;
+  CHECK(worst < (map.window_upper.x - map.window_lower.x) / 128);
+}
