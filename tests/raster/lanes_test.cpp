@@ -1,0 +1,71 @@
+// Lane widths and threads never show: random triangles and points, seeded, hashed.
+#include <random>
+
+#include "pipeline/gpu/error.hpp"
+#include "tests/raster/raster_bench.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// Uniform in [-1, 1) from the generator's bits alone: the library's distributions differ.
+float random_value(std::mt19937& bits) {
+  return static_cast<float>(bits() >> 8) * 0x1p-23f - 1.0f;
+}
+
+std::string digest(Topology topology, SoftwareOptions options) {
+  std::mt19937 bits(20260u + static_cast<unsigned>(topology));
+  RasterBench b;
+  b.width = 117;
+  b.height = 85;
+  b.options = options;
+  b.definition.topology = topology;
+  b.definition.writes[0] = {.name = "a", .meaning = "m", .blend = kAccumulate};
+  b.definition.depth = DepthWrite{.name = "depth", .meaning = "m"};
+  b.definition.depth_state = {Compare::LessEqual, true};
+  std::vector<RasterVertex> v(topology == Topology::Points ? 20000 : 9000);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const float spread = i / 3 % 4 == 0 ? 2.5f : 1.05f;
+    v[i].w = 1.0f + 0.9f * random_value(bits);
+    v[i].x = spread * random_value(bits) * v[i].w;
+    v[i].y = spread * random_value(bits) * v[i].w;
+    v[i].z = (0.5f + 0.6f * random_value(bits)) * v[i].w;
+    v[i].red = random_value(bits);
+    v[i].green = 1e-38f * random_value(bits);  // denormals on the way
+    v[i].size = 3.0f + 4.0f * random_value(bits);
+  }
+  std::string all;
+  for (const Image& image : b.draw(v)) all += sha256(image);
+  CHECK(b.result.fragments > 1000);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("lanes: random triangles and points give the same bits on every width and thread count") {
+  for (const Topology topology : {Topology::Triangles, Topology::Points}) {
+    const std::string expected = digest(topology, {.threads = 1, .lanes = Lanes::Scalar});
+    for (const Lanes lanes : supported_lanes())
+      for (const int threads : {1, 2, 7}) {
+        INFO(lanes_name(lanes) << ", " << threads << " threads");
+        CHECK(digest(topology, {.threads = threads, .lanes = lanes}) == expected);
+      }
+  }
+}
+
+TEST_CASE("lanes: a width that the processor lacks, and a senseless number of threads, are refused") {
+  CHECK(supported_lanes().size() >= 2);
+  CHECK_THROWS_AS(make_software_device({.threads = -1}), Error);
+}
+
+TEST_CASE("device: sizes beyond the limit are refused, one texel is enough") {
+  const auto device = make_software_device({.threads = 1});
+  CHECK_THROWS_AS(device->create_texture(Format::R32F, 0, 1), Error);
+  CHECK_THROWS_AS(device->create_texture(Format::R32F, 1, 16385), Error);
+  RasterBench b;
+  b.width = b.height = 1;
+  CHECK(b.draw({b.at(0, 0, 4.0f), b.at(2, 0, 4.0f), b.at(0, 2, 4.0f)})[0].values ==
+        std::vector<float>{4.0f});
+}

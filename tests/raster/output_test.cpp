@@ -1,0 +1,213 @@
+// What becomes of a fragment: interpolation, depth, blending, formats, masks, several targets, queries.
+#include <cmath>
+
+#include "tests/raster/raster_bench.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// Full-screen triangles of these values at these depths, in order.
+std::vector<RasterVertex> layers(const RasterBench& b, const std::vector<float>& values,
+                                 const std::vector<float>& depths = {}) {
+  std::vector<RasterVertex> v;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float z = depths.empty() ? 0.5f : depths[i];
+    v.push_back(b.at(0, 0, values[i], z));
+    v.push_back(b.at(2 * b.width, 0, values[i], z));
+    v.push_back(b.at(0, 2 * b.height, values[i], z));
+  }
+  return v;
+}
+
+RasterBench with_depth(Compare compare, float clear, bool write = true) {
+  RasterBench b;
+  b.width = b.height = 2;
+  b.definition.depth = DepthWrite{.name = "depth", .meaning = "m", .clear = clear};
+  b.definition.depth_state = {compare, write};
+  b.definition.count_samples = true;
+  return b;
+}
+
+RasterBench with_format(Format format, const BlendState& blend, std::array<float, 4> clear = {}) {
+  RasterBench b;
+  b.width = b.height = 1;
+  b.definition.writes[0].format = format;
+  b.definition.writes[0].blend = blend;
+  b.definition.writes[0].clear = clear;
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("interpolation: perspective-correct, within a few ulp of double precision") {
+  // A triangle with w of 1, 2 and 4: at each pixel the barycentric weights of clip space, by double
+  // precision from the window coordinates.
+  RasterBench b;
+  b.width = b.height = 16;
+  const double window[3][2] = {{0.3, 0.7}, {15.6, 1.2}, {6.4, 15.1}}, w[3] = {1, 2, 4};
+  const float value[3] = {1.0f, 5.0f, 2.0f};
+  std::vector<RasterVertex> v;
+  for (int i = 0; i < 3; ++i) {
+    RasterVertex r = b.at(window[i][0], window[i][1], value[i]);
+    r.x *= static_cast<float>(w[i]);
+    r.y *= static_cast<float>(w[i]);
+    r.z *= static_cast<float>(w[i]);
+    r.w = static_cast<float>(w[i]);
+    v.push_back(r);
+  }
+  const Image image = b.draw(v)[0];
+  int compared = 0;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      if (image.at(x, y, 0) == 0.0f) continue;
+      double area[3], sum = 0.0, weighted = 0.0;
+      for (int i = 0; i < 3; ++i) {
+        const double* p = window[(i + 1) % 3];
+        const double* q = window[(i + 2) % 3];
+        area[i] = ((q[0] - p[0]) * (y + 0.5 - p[1]) - (q[1] - p[1]) * (x + 0.5 - p[0])) / w[i];
+        sum += area[i];
+      }
+      for (int i = 0; i < 3; ++i) weighted += area[i] / sum * double(value[i]);
+      CHECK(image.at(x, y, 0) == Approx(weighted).epsilon(2e-6));
+      ++compared;
+    }
+  CHECK(compared > 80);
+}
+
+TEST_CASE("interpolation: a flat varying has the last vertex's value") {
+  RasterBench b;
+  b.width = b.height = 4;
+  b.definition.shader = &raster_two_targets_shader;
+  b.definition.writes = {{.name = "a", .meaning = "m"}, {.name = "b", .meaning = "m"}};
+  const std::vector<Image> images =
+      b.draw({b.at(0, 0, 1.0f), b.at(8, 0, 2.0f), b.at(0, 8, 3.0f)});
+  CHECK(images[1].at(1, 1, 0) == 3.0f);
+  CHECK(images[1].at(1, 1, 2) == 1.0f);
+  CHECK(images[0].at(1, 1, 0) == Approx(1.0 + 1.5 / 8.0 + 2.0 * 1.5 / 8.0));
+}
+
+TEST_CASE("depth: every comparison passes as its name says") {
+  // Stored 0.5 (cleared); incoming 0.25, 0.5 and 0.75 in turn, without writing.
+  struct Expected {
+    Compare compare;
+    unsigned passed[3];
+  };
+  for (const Expected& e : {Expected{Compare::Always, {4, 4, 4}}, Expected{Compare::Less, {4, 0, 0}},
+                            Expected{Compare::LessEqual, {4, 4, 0}},
+                            Expected{Compare::Greater, {0, 0, 4}},
+                            Expected{Compare::GreaterEqual, {0, 4, 4}},
+                            Expected{Compare::Equal, {0, 4, 0}}, Expected{Compare::Never, {0, 0, 0}}})
+    for (int i = 0; i < 3; ++i) {
+      RasterBench b = with_depth(e.compare, 0.5f, false);
+      b.draw(layers(b, {1.0f}, {0.25f + 0.25f * static_cast<float>(i)}));
+      CHECK(b.result.samples_passed == e.passed[i]);
+    }
+}
+
+TEST_CASE("depth: the nearest wins in any order, the first of equals wins") {
+  RasterBench b = with_depth(Compare::Less, 1.0f);
+  CHECK(b.draw(layers(b, {1, 2, 3}, {0.5f, 0.25f, 0.75f}))[0].at(0, 0, 0) == 2.0f);
+  CHECK(b.draw(layers(b, {1, 2}, {0.5f, 0.5f}))[0].at(0, 0, 0) == 1.0f);
+  const std::vector<Image> images = b.draw(layers(b, {1, 2}, {0.5f, 0.25f}));
+  CHECK(images[1].at(1, 1, 0) == 0.25f);
+  CHECK(b.result.samples_passed == 8);
+}
+
+TEST_CASE("depth: a discarded fragment neither passes nor writes") {
+  RasterBench b = with_depth(Compare::Less, 1.0f);
+  b.definition.shader = &raster_discard_shader;
+  const std::vector<Image> images = b.draw(layers(b, {0.0f, 3.0f}, {0.25f, 0.5f}));
+  CHECK(images[0].at(0, 0, 0) == 3.0f);
+  CHECK(images[1].at(0, 0, 0) == 0.5f);
+  CHECK(b.result.samples_passed == 4);
+}
+
+TEST_CASE("blending: sums run in drawing order") {
+  // 2^24 + 1 + 1 in single precision stays 2^24; 1 + 1 + 2^24 is 2^24 + 2.
+  RasterBench b = with_format(Format::R32F, kAccumulate);
+  CHECK(b.draw(layers(b, {16777216.0f, 1.0f, 1.0f}))[0].at(0, 0, 0) == 16777216.0f);
+  CHECK(b.draw(layers(b, {1.0f, 1.0f, 16777216.0f}))[0].at(0, 0, 0) == 16777218.0f);
+}
+
+TEST_CASE("blending: min, max, multiply and alpha") {
+  const auto blended = [](BlendState blend, float clear, float value) {
+    RasterBench b = with_format(Format::RGBA32F, blend, {clear, clear, clear, clear});
+    return b.draw(layers(b, {value}))[0].at(0, 0, 0);
+  };
+  CHECK(blended({true, BlendEquation::Min}, 2.0f, 3.0f) == 2.0f);
+  CHECK(blended({true, BlendEquation::Max}, 2.0f, 3.0f) == 3.0f);
+  CHECK(blended(kMultiply, 2.0f, 3.0f) == 6.0f);
+  // source 0.25 with alpha 0.25 over 1: 0.25 * 0.25 + 1 * 0.75.
+  CHECK(blended({true, BlendEquation::Add, BlendFactor::SourceAlpha, BlendFactor::OneMinusSourceAlpha},
+                1.0f, 0.25f) == 0.8125f);
+  CHECK(blended(kReplace, 2.0f, 3.0f) == 3.0f);
+}
+
+TEST_CASE("blending: NaN poisons a sum and loses against a number in min and max") {
+  const auto blended = [](BlendState blend) {
+    RasterBench b = with_format(Format::R32F, blend, {0.0f, 0.0f, 0.0f, 0.0f});
+    return b.draw(layers(b, {std::nanf("")}))[0].at(0, 0, 0);
+  };
+  CHECK(std::isnan(blended(kAccumulate)));
+  CHECK(blended({true, BlendEquation::Min}) == 0.0f);
+  CHECK(blended({true, BlendEquation::Max}) == 0.0f);
+}
+
+TEST_CASE("formats: a half target rounds after every blend") {
+  // Halves above 2048 are 2 apart: 2048 + 1 is a tie and stays 2048, again and again.
+  RasterBench b = with_format(Format::RGBA16F, kAccumulate);
+  CHECK(b.draw(layers(b, {2048.0f, 1.0f, 1.0f, 1.0f}))[0].at(0, 0, 0) == 2048.0f);
+  CHECK(b.draw(layers(b, {1.0f, 1.0f, 2048.0f}))[0].at(0, 0, 0) == 2050.0f);
+  CHECK(b.draw(layers(b, {60000.0f, 60000.0f}))[0].at(0, 0, 0) == 65504.0f);
+}
+
+TEST_CASE("formats: an 8-bit target clamps and rounds") {
+  RasterBench b = with_format(Format::RGBA8, kReplace);
+  CHECK(b.draw(layers(b, {0.5f}))[0].at(0, 0, 0) == 128.0f / 255.0f);
+  CHECK(b.draw(layers(b, {7.0f}))[0].at(0, 0, 0) == 1.0f);
+  CHECK(b.draw(layers(b, {-1.0f}))[0].at(0, 0, 0) == 0.0f);
+}
+
+TEST_CASE("targets: a colour mask keeps channels, and each target takes its own output") {
+  RasterBench b;
+  b.width = b.height = 1;
+  b.definition.shader = &raster_two_targets_shader;
+  b.definition.writes = {{.name = "a",
+                          .meaning = "m",
+                          .clear = {9, 9, 9, 9},
+                          .mask = {true, false, false, true}},
+                         {.name = "b", .format = Format::RG32F, .meaning = "m"}};
+  RasterVertex v = b.at(0, 0);
+  v.red = 1, v.green = 2, v.blue = 3, v.alpha = 4;
+  RasterVertex p = v, q = v;
+  p.x = 3.0f, q.y = 3.0f;
+  const std::vector<Image> images = b.draw({v, p, q});
+  CHECK(images[0].values == std::vector<float>{1, 9, 9, 4});
+  CHECK(images[1].values == std::vector<float>{1, 2});
+}
+
+TEST_CASE("targets: what is kept is drawn onto, what is not is cleared") {
+  Image before(Format::R32F, 2, 2);
+  before.values = {1, 2, 3, 4};
+  RasterBench b = counting(2, 2);
+  b.keep = {true};
+  CHECK(b.draw(layers(b, {10.0f}), &before)[0].values == std::vector<float>{11, 12, 13, 14});
+  b.keep = {false};
+  b.definition.writes[0].clear = {5, 0, 0, 0};
+  CHECK(b.draw(layers(b, {10.0f}), &before)[0].values == std::vector<float>{15, 15, 15, 15});
+  // Without a fragment anywhere.
+  CHECK(b.draw({b.at(0, 0), b.at(0, 0), b.at(0, 0)}, &before)[0].values ==
+        std::vector<float>{5, 5, 5, 5});
+}
+
+TEST_CASE("queries: samples passed count covered texels, layer by layer") {
+  RasterBench b = with_depth(Compare::Always, 1.0f, false);
+  b.width = b.height = 64;
+  b.draw({b.at(0, 0), b.at(64, 0), b.at(64, 64), b.at(0, 0), b.at(64, 64), b.at(0, 64)});
+  CHECK(b.result.samples_passed == 4096);
+  CHECK(b.result.primitives == 2);
+  CHECK(b.result.vertices == 6);
+}

@@ -1,0 +1,88 @@
+// Draws hand-made vertices on the software device, in window or clip coordinates.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "pipeline/gpu/device.hpp"
+#include "raster/software_device.hpp"
+
+namespace caustics {
+extern const Shader raster_probe_shader;
+extern const Shader raster_two_targets_shader;
+extern const Shader raster_discard_shader;
+}  // namespace caustics
+
+namespace caustics::test {
+
+struct RasterVertex {
+  float x = 0, y = 0, z = 0.5f, w = 1.0f;  // clip coordinates
+  float red = 1, green = 1, blue = 1, alpha = 1;
+  float size = 1.0f;
+};
+
+struct RasterBench {
+  int width = 8, height = 8;
+  PassDefinition definition{.name = "test",
+                            .purpose = "test",
+                            .writes = {{.name = "color", .format = Format::R32F, .meaning = "m"}},
+                            .shader = &raster_probe_shader};
+  SoftwareOptions options{.threads = 1};
+  std::vector<bool> keep{};
+  PassResult result{};
+
+  // A vertex at window coordinates (pixels, y up) and window depth.
+  RasterVertex at(double x, double y, float value = 1.0f, float z = 0.5f) const {
+    RasterVertex v;
+    v.x = static_cast<float>(2.0 * x / width - 1.0);
+    v.y = static_cast<float>(2.0 * y / height - 1.0);
+    v.z = z;
+    v.red = v.green = v.blue = v.alpha = value;
+    return v;
+  }
+
+  // All colour targets after one draw of these vertices; `before` fills the first target beforehand.
+  std::vector<Image> draw(const std::vector<RasterVertex>& vertices, const Image* before = nullptr) {
+    const std::unique_ptr<Device> device = make_software_device(options);
+    MeshData mesh;
+    mesh.layout = {{"position", 4}, {"color", 4}, {"size", 1}};
+    for (const RasterVertex& v : vertices)
+      for (const float f : {v.x, v.y, v.z, v.w, v.red, v.green, v.blue, v.alpha, v.size})
+        mesh.vertices.push_back(f);
+    PassRun run;
+    run.definition = &definition;
+    for (const ColorWrite& write : definition.writes)
+      run.colors.push_back(before && run.colors.empty()
+                               ? device->upload(*before)
+                               : device->create_texture(write.format, width, height));
+    if (definition.depth)
+      run.depth = device->create_texture(Format::Depth32F, width, height);
+    run.keep = keep;
+    Draw draw;
+    draw.mesh = device->create_mesh(mesh);
+    run.draws.push_back(draw);
+    result = device->run(run);
+    std::vector<Image> images;
+    for (const TextureId color : run.colors) images.push_back(device->read_back(color));
+    if (run.depth != TextureId::None) images.push_back(device->read_back(run.depth));
+    return images;
+  }
+
+  // The sum of the first target's first channel, and how many texels are not 0.
+  static double sum(const Image& image) {
+    double total = 0.0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) total += static_cast<double>(image.at(x, y, 0));
+    return total;
+  }
+};
+
+// A bench that adds up how often each texel is covered.
+inline RasterBench counting(int width = 8, int height = 8) {
+  RasterBench bench;
+  bench.width = width;
+  bench.height = height;
+  bench.definition.writes[0].blend = kAccumulate;
+  return bench;
+}
+
+}  // namespace caustics::test

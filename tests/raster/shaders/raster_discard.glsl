@@ -1,0 +1,14 @@
+// Discards what has a red of 0.
+VARYING_SMOOTH(0, Vec4, smooth_color)
+VARYING_FLAT(4, Vec4, flat_color)
+
+#ifdef VERTEX_STAGE
+#include "tests/raster/shaders/raster_vertex.glsl"
+#else
+OUTPUT(0, Vec4, smooth_out)
+
+void main() {
+  discard_if(smooth_color.x == 0.0f);
+  smooth_out = smooth_color;
+}
+#endif
