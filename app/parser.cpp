@@ -44,8 +44,8 @@ void Parser::flag(const std::string& names, bool& target, const std::string& hel
 }
 
 void Parser::option(const std::string& names, const std::string& value_name,
-                    const std::string& help, std::function<void(const std::string&)> use) {
-  app_.add_option_function<std::string>(names, std::move(use), help)
+                    const std::string& help, const std::function<void(const std::string&)>& use) {
+  app_.add_option_function<std::string>(names, use, help)
       ->type_name(value_name)
       ->group(group_)
       ->take_last();

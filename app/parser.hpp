@@ -16,10 +16,10 @@ class Parser {
   void flag(const std::string& names, bool& target, const std::string& help);
   // An option with a value; the last of several counts.
   void option(const std::string& names, const std::string& value_name, const std::string& help,
-              std::function<void(const std::string&)> use);
+              const std::function<void(const std::string&)>& use);
   // An option that may stand several times.
   void repeated(const std::string& names, const std::string& value_name, const std::string& help,
-                std::function<void(const std::string&)> use);
+                const std::function<void(const std::string&)>& use);
   void positional(const std::string& name, const std::string& help, std::string& target);
   void positionals(const std::string& name, const std::string& help,
                    std::vector<std::string>& target);

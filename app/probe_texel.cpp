@@ -27,6 +27,7 @@ Image input_image(const RenderedFrame& frame, TextureId texture) {
 
 std::vector<TextureView> views_of(const std::vector<Image>& images) {
   std::vector<TextureView> views;
+  views.reserve(images.size());
   for (const Image& image : images) {
     views.push_back({image.values.data(), image.width(), image.height(), image.channels()});
   }

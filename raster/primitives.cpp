@@ -76,7 +76,8 @@ class ChunkBuilder {
     const auto each_tile = [&](const Record& r, const auto& visit) {
       for (int row = r.y_first / kTile; row <= r.y_last / kTile; ++row)
         for (int column = r.x_first / kTile; column <= r.x_last / kTile; ++column)
-          visit(static_cast<std::size_t>(row * grid_.columns + column));
+          visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +
+                static_cast<std::size_t>(column));
     };
     chunk_.first.assign(static_cast<std::size_t>(grid_.count()) + 1, 0);
     for (const Record& r : records) each_tile(r, [&](std::size_t t) { ++chunk_.first[t + 1]; });

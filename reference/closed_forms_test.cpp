@@ -190,8 +190,9 @@ TEST_CASE("Sphere: pixel means agree with the profile, with traced rays, and kee
     double flux = 0.0;
     const double largest = s.largest_impact();
     for (int i = 0; i < kSide * kSide; ++i) {
-      const double x = 2.0 * (i % kSide + jitter(random)) / kSide - 1.0;
-      const double y = 2.0 * (i / kSide + jitter(random)) / kSide - 1.0;
+      const int column = i % kSide, row = i / kSide;
+      const double x = 2.0 * (column + jitter(random)) / kSide - 1.0;
+      const double y = 2.0 * (row + jitter(random)) / kSide - 1.0;
       const double b = std::hypot(x, y);
       if (b >= largest || b == 0.0) continue;
       const double scale = traced_sphere_landing(b, s) / b;
@@ -199,7 +200,8 @@ TEST_CASE("Sphere: pixel means agree with the profile, with traced rays, and kee
       const int py = static_cast<int>(std::floor((y * scale + 0.5) * 40.0));
       if (px < 0 || px >= 40 || py < 0 || py >= 40) continue;
       const double amount = 4.0 / (double(kSide) * kSide) * s.transmittance(b);
-      traced[static_cast<std::size_t>(py * 40 + px)] += amount / (0.025 * 0.025);
+      traced[static_cast<std::size_t>(py) * 40 + static_cast<std::size_t>(px)] +=
+          amount / (0.025 * 0.025);
       flux += amount;
     }
     CHECK(exact.flux == Approx(flux).epsilon(5e-4));

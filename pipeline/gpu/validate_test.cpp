@@ -32,7 +32,7 @@ std::string complaint(const PassDefinition& definition) {
 TEST_CASE("validate: a sound definition passes") { CHECK(complaint(sound()).empty()); }
 
 TEST_CASE("validate: each wrong definition is refused in a line that names the pass") {
-  const auto refused = [](PassDefinition definition, const std::string& part) {
+  const auto refused = [](const PassDefinition& definition, const std::string& part) {
     const std::string text = complaint(definition);
     CHECK(text.find("pass 'copy'") != std::string::npos);
     CHECK(text.find(part) != std::string::npos);

@@ -106,6 +106,16 @@ class Unwritable(ProgramTest):
         self.assertEqual(result.returncode, 4, result.stderr)
 
 
+def wait_until_it_listens(process, number):
+    """Until the program has a handler for the signal: the mask of caught signals in its status says so."""
+    for _ in range(6000):
+        for line in pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines():
+            if line.startswith("SigCgt:") and int(line.split()[1], 16) >> (number - 1) & 1:
+                return
+        time.sleep(0.01)
+    raise AssertionError("the program never watched for the signal")
+
+
 class Signals(ProgramTest):
     def test_stops_without_leaving_anything(self):
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
@@ -114,7 +124,7 @@ class Signals(ProgramTest):
                     [PROGRAM, "ball.glb", "-r", "1600x1600", "--grid", "1024", "--map", "1024",
                      "-t", "1", "-o", "large.png", "-o", "large.exr"],
                     cwd=self.folder, stderr=subprocess.PIPE, text=True)
-                time.sleep(0.3)
+                wait_until_it_listens(process, number)
                 process.send_signal(number)
                 _, talk = process.communicate(timeout=120)
                 self.assertEqual(process.returncode, code, talk)
