@@ -52,10 +52,10 @@ void Parser::option(const std::string& names, const std::string& value_name,
 }
 
 void Parser::repeated(const std::string& names, const std::string& value_name,
-                      const std::string& help, std::function<void(const std::string&)> use) {
+                      const std::string& help, const std::function<void(const std::string&)>& use) {
   app_.add_option_function<std::vector<std::string>>(
           names,
-          [use = std::move(use)](const std::vector<std::string>& values) {
+          [use](const std::vector<std::string>& values) {
             for (const std::string& value : values) use(value);
           },
           help)
