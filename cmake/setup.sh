@@ -18,18 +18,19 @@ give_up() {
 # bring them in their own way, and CMake says what it misses.
 missing_packages() {
   command -v dpkg-query > /dev/null || return 0
-  local wanted
-  mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$root/packages.txt")
-  wanted+=("$@")
-  comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
-    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2> /dev/null |
-      sed -n 's/^installed //p' | sort -u)
+  local wanted installed package
+  wanted="$(sed -e 's/#.*//' "$root/packages.txt") $*"
+  # shellcheck disable=SC2086 -- a list of words
+  installed=" $(dpkg-query -W -f '${db:Status-Status}:${Package} ' $wanted 2> /dev/null || true)"
+  for package in $wanted; do
+    if [[ $installed != *" installed:$package "* ]]; then echo "$package"; fi
+  done
 }
 
 # Installs what is missing. Without the right to, prints the line that does it and leaves with 5.
 ensure_packages() {
-  local missing as_root=() log
-  mapfile -t missing < <(missing_packages "$@")
+  local missing=() package as_root=() log
+  for package in $(missing_packages "$@"); do missing+=("$package"); done
   if ((${#missing[@]} == 0)); then return; fi
   local line="apt-get update && apt-get install --no-install-recommends -y ${missing[*]}"
   if ((EUID != 0)); then

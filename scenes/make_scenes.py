@@ -288,7 +288,7 @@ class Scene:
 
 # ---------------------------------------------------------------- the scenes
 
-FLOOR = diffuse('floor', 0.8)
+FLOOR = diffuse('floor', (0.80, 0.72, 0.62))
 
 
 def glass_sphere():
@@ -333,6 +333,8 @@ def sitting_cat(p):
     d = smooth_min(d, ellipsoid(m, (0.25, 0.045, 0.085), (0.075, 0.045, 0.052)), 0.04)  # forepaws
     d = smooth_min(d, ellipsoid(m, (0.02, 0.16, 0.20), (0.19, 0.15, 0.10)), 0.07)   # thighs
     d = smooth_min(d, ellipsoid(m, (0.16, 0.045, 0.215), (0.10, 0.045, 0.055)), 0.05)  # hind paws
+    if y > 0.3:
+        return d  # far above the tail
     tail, previous = 1e9, None
     for i in range(13):  # an arc around the haunches, thinning towards its tip
         turn = math.radians(195 - 11 * i)

@@ -40,8 +40,9 @@ void main() {
   Vec3 n = Vec3(texel_fetch(view_normal, column, row));
   Vec3 albedo = Vec3(texel_fetch(view_albedo, column, row));
   Vec3 emission = Vec3(texel_fetch(view_emission, column, row));
-  Vec3 irradiance = Vec3(texel_fetch(direct, column, row)) +
-                    Vec3(texel_fetch(caustic, column, row)) + ambient_irradiance(n);
+  // Without lights these are one texel of zeros.
+  Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
+                    Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
   Vec3 surface = emission + albedo * irradiance * 0.318309886f;
 
   Vec3 ray = Vec3(u.forward);

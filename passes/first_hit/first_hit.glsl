@@ -23,14 +23,15 @@ void main() {
   Int row = floor_to_int(frag_y());
   Vec4 surface = texel_fetch(view_position, column, row);
   Vec4 normal = texel_fetch(view_normal, column, row);
+  // What the frame lacks is one texel of zeros.
   Vec4 caster = fetch_clamped(view_caster_position, column, row);
   Vec4 caster_normal = fetch_clamped(view_caster_normal, column, row);
   Float z = frame_coordinates(u.from_scene, Vec3(caster)).z;
   Bool glass = caster.w != 0.0f && (surface.w == 0.0f || z < normal.w);
   Vec3 toward = sel(caster.w < 0.0f, -Vec3(caster_normal), Vec3(caster_normal));
   Vec4 nothing = Vec4(0.0f);
-  aov_direct = sel(glass, nothing, texel_fetch(direct, column, row));
-  aov_caustic = sel(glass, nothing, texel_fetch(caustic, column, row));
+  aov_direct = sel(glass, nothing, fetch_clamped(direct, column, row));
+  aov_caustic = sel(glass, nothing, fetch_clamped(caustic, column, row));
   aov_position = sel(glass, Vec4(Vec3(caster), Float(1.0f)), surface);
   aov_normal = sel(glass, Vec4(toward, z), normal);
 }

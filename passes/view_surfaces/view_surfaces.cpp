@@ -26,8 +26,6 @@ UniformBytes uniforms(const Frame& frame, const Material& m) {
       .from_scene = f.from_scene,
       .window = f.window,
       .depth = f.depth,
-      .eye = glm::vec4(glm::vec3(frame.origin), frame.perspective ? 1.0f : 0.0f),
-      .forward = glm::vec4(glm::vec3(frame.forward), 0.0f),
       .base_factor = m.base_color,
       .alpha = {m.base_color.a, m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f, 0.0f, 0.0f},
       .emissive_factor = glm::vec4(m.emissive, 0.0f),

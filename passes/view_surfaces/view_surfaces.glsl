@@ -50,13 +50,11 @@ void main() {
   if (u.uses.x > 0.5f) base = base * fetch_repeat(base_color, uv.x, uv.y);
   discard_if(base.w < u.alpha.y);
 
-  Vec3 to_eye = Vec3(u.eye) - surface_position;
-  if (u.eye.w < 0.5f) to_eye = -Vec3(u.forward);
   Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
-  // A surface seen from behind shows its other side.
+  if (u.uses.y > 0.5f) n = textured_normal(n);
+  // A surface seen from behind shows its other side: the textured normal as a whole is reversed.
   Bool behind = !front_facing();
   n = sel(behind, -n, n);
-  if (u.uses.y > 0.5f) n = textured_normal(n);
 
   Vec3 emission = Vec3(u.emissive_factor);
   if (u.uses.z > 0.5f) {

@@ -1,8 +1,6 @@
 mat4 from_scene;      // the camera's frame
 vec4 window;
 vec4 depth;
-vec4 eye;             // xyz: the camera's position; w: 1 in a perspective frame
-vec4 forward;         // xyz: the way the camera looks
 vec4 base_factor;     // rgb albedo, a opacity
 vec4 alpha;           // opacity, cutoff (0 in opaque materials), unused, unused
 vec4 emissive_factor; // rgb nit; w unused

@@ -1,0 +1,168 @@
+#include "passes/compose/compose.hpp"
+
+#include <cmath>
+
+#include "passes/compose/environment_irradiance.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+// One colour for every pixel of a picture of diffuse surfaces.
+struct Bench {
+  Scene scene;
+  Frame view = down(1.0, 10.0, 20.0);
+  int width = 1, height = 1;
+  float covered = 1.0f;
+  glm::vec3 normal{0.0f, 1.0f, 0.0f}, albedo{0.5f}, emission{0.0f};
+  glm::vec3 direct{0.0f}, caustic{0.0f};
+  bool lights = true;
+
+  Image image() const {
+    const auto all = [&](const glm::vec3& rgb, float w) { return filled(width, height, {rgb, w}); };
+    const Pass pass = compose_pass();
+    return run_pass(pass.definition,
+                    {.width = width,
+                     .height = height,
+                     .uniforms = pass.uniforms({.scene = &scene, .view = &view, .width = width,
+                                                .height = height}),
+                     .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f),
+                                  all(albedo, 1.0f), all(emission, 1.0f),
+                                  lights ? all(direct, 0.0f) : Image{},
+                                  lights ? all(caustic, 0.0f) : Image{},
+                                  scene.environment.image.value_or(Image{})}})["scene_color"];
+  }
+  glm::vec3 color(int x = 0, int y = 0) const { return glm::vec3(texel(image(), x, y)); }
+};
+
+void check_color(const glm::vec3& found, const glm::vec3& expected) {
+  for (int c = 0; c < 3; ++c) CHECK(found[c] == Approx(expected[c]).epsilon(1e-5).margin(1e-7));
+}
+
+// Looks along -z with up = +y, in perspective.
+Frame level_view() {
+  Frame frame = frame_along({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0});
+  frame.perspective = true;
+  frame.near = 0.1;
+  return frame;
+}
+
+}  // namespace
+
+TEST_CASE("compose: a diffuse surface sends albedo / pi of its irradiance, and its own light") {
+  Bench bench;
+  bench.albedo = {0.5f, 0.25f, 1.0f};
+  bench.direct = {kPi, 2.0f * kPi, 0.0f};
+  bench.caustic = {3.0f * kPi, 0.0f, kPi};
+  bench.emission = {0.0f, 10.0f, 0.5f};
+  // (1 + 3) * 0.5; 10 + 2 * 0.25; 0.5 + 1.
+  check_color(bench.color(), {2.0f, 10.5f, 1.5f});
+}
+
+TEST_CASE("compose: a picture without lights shows what shines by itself in every pixel") {
+  Bench bench;
+  bench.width = bench.height = 8;
+  bench.lights = false;
+  bench.emission = {1.0f, 2.0f, 3.0f};
+  const Image image = bench.image();
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) CHECK(texel(image, x, y) == glm::vec4(1.0f, 2.0f, 3.0f, 1.0f));
+}
+
+TEST_CASE("compose: the gradient's ambient light depends on which way a surface faces") {
+  // Facing up: a third of the horizon and two thirds of the zenith, (3 + 2 * 6) / 3 = 5. Down: the ground, 1.
+  // Sideways: their mean, 3. The irradiance is pi times that, so the surface shows albedo times it.
+  Bench bench;
+  bench.scene.environment.zenith = glm::vec3(6.0f);
+  bench.scene.environment.horizon = glm::vec3(3.0f);
+  bench.scene.environment.ground = glm::vec3(1.0f);
+  check_color(bench.color(), glm::vec3(2.5f));
+  bench.normal = {0.0f, -1.0f, 0.0f};
+  check_color(bench.color(), glm::vec3(0.5f));
+  bench.normal = {1.0f, 0.0f, 0.0f};
+  check_color(bench.color(), glm::vec3(1.5f));
+}
+
+TEST_CASE("compose: where nothing is covered the sky is seen along the pixel's ray") {
+  Bench bench;
+  bench.covered = 0.0f;
+  bench.scene.environment.zenith = {0.0f, 0.0f, 4.0f};
+  bench.scene.environment.horizon = {2.0f, 2.0f, 2.0f};
+  bench.scene.environment.ground = {1.0f, 0.0f, 0.0f};
+  check_color(bench.color(), {1.0f, 0.0f, 0.0f});  // straight down
+  bench.view = level_view();
+  check_color(bench.color(), {2.0f, 2.0f, 2.0f});  // level
+  // Two pixels above one another look up and down by 0.5 in 1: sine 0.44721 of the way to the zenith, and
+  // five times that, more than all the way, to the ground.
+  bench.height = 2;
+  check_color(bench.color(0, 0), {1.0f, 0.0f, 0.0f});
+  const float up = 0.5f / std::sqrt(1.25f);
+  check_color(bench.color(0, 1), {2.0f - 2.0f * up, 2.0f - 2.0f * up, 2.0f + 2.0f * up});
+}
+
+TEST_CASE("compose: an environment image is the sky, its middle straight ahead along -z") {
+  // Four columns: 0 and 1 left of -z, 2 and 3 right. Straight ahead lies between columns 1 and 2.
+  Bench bench;
+  bench.covered = 0.0f;
+  bench.view = level_view();
+  Image image(Format::RGBA32F, 4, 1);
+  for (int x = 0; x < 4; ++x) image.at(x, 0, 0) = static_cast<float>(x);
+  bench.scene.environment.image = image;
+  CHECK(bench.color().x == Approx(1.5));
+  // A window from 0 to 2 has its middle at tangent 1, 45 degrees to the right: the centre of column 2.
+  bench.view.window_lower = {0.0, -1.0};
+  bench.view.window_upper = {2.0, 1.0};
+  CHECK(bench.color().x == Approx(2.0).epsilon(1e-5));
+}
+
+TEST_CASE("compose: an environment image of one colour gives pi times its radiance to every normal") {
+  Bench bench;
+  bench.scene.environment.image = filled(128, 64, {2.0f, 4.0f, 6.0f, 1.0f});
+  for (const glm::vec3& n : {glm::vec3(0, 1, 0), {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, {0.6f, 0.8f, 0}}) {
+    bench.normal = n;
+    const glm::vec3 color = bench.color();
+    CHECK(color.x == Approx(1.0).epsilon(2e-4));
+    CHECK(color.y == Approx(2.0).epsilon(2e-4));
+    CHECK(color.z == Approx(3.0).epsilon(2e-4));
+  }
+}
+
+TEST_CASE("compose: of a constant environment only the first coefficient is left") {
+  const auto c = environment_irradiance(filled(256, 128, {3.0f, 2.0f, 1.0f, 1.0f}));
+  for (int channel = 0; channel < 3; ++channel) {
+    CHECK(c[0][channel] == Approx(3.0 - channel));
+    for (std::size_t i = 1; i < 9; ++i) CHECK(std::fabs(c[i][channel]) < 1e-4);
+  }
+}
+
+TEST_CASE("compose: an environment that grows with height lights surfaces by two thirds of its slope") {
+  // Radiance y, the sine of the elevation: a surface facing up receives 2 pi times the integral of cos^2 sin,
+  // 2 pi / 3 over the upper half, which is pi times 2/3. By symmetry nothing else remains.
+  Image image(Format::RGBA32F, 256, 128);
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 256; ++x)
+      image.at(x, y, 0) = static_cast<float>(std::sin(((y + 0.5) / 128 - 0.5) * 3.14159265358979));
+  const auto c = environment_irradiance(image);
+  CHECK(c[1].x == Approx(2.0 / 3.0).epsilon(2e-4));
+  for (const std::size_t i : {0, 2, 3, 4, 5, 6, 7, 8}) CHECK(std::fabs(c[i].x) < 1e-5);
+}
+
+TEST_CASE("compose: beauty and the wide view are composed by the same rule") {
+  // Irradiance pi on albedo 0.5.
+  const std::vector<Image> textures = {filled(1, 1, glm::vec4(1.0f)), filled(1, 1, {0, 1, 0, 1}),
+                                       filled(1, 1, glm::vec4(0.5f)), filled(1, 1, glm::vec4(0.0f)),
+                                       filled(1, 1, glm::vec4(kPi)), Image{}, Image{}};
+  const Scene scene;
+  const Frame view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
+  const PassContext context{.scene = &scene, .view = &view, .wide = &wide, .width = 1, .height = 1};
+  const Pass beauty = compose_beauty_pass(), around = wide_compose_pass();
+  CHECK(run_pass(beauty.definition, {.uniforms = beauty.uniforms(context), .textures = textures})["beauty"]
+            .at(0, 0, 1) == Approx(0.5));
+  CHECK(run_pass(around.definition, {.uniforms = around.uniforms(context),
+                                     .textures = textures})["wide_color"].at(0, 0, 1) == Approx(0.5));
+}

@@ -1,0 +1,218 @@
+#include "passes/glass/glass.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+const glm::vec4 kNothing{0.0f};
+
+// A camera 10 m up looks down on +-4 m in 8 x 8 pixels: a floor at height 0, glass at height 5 in every
+// pixel, the back of it at height 4 where it is solid.
+struct Bench {
+  Frame view = down(4.0, 10.0, 20.0);
+  Scene scene;
+  float ior = 1.5f;
+  bool solid = true;
+  glm::vec3 absorption{0.0f}, tint{1.0f}, normal{0.0f, 1.0f, 0.0f};
+  float facing = 1.0f, glass_height = 5.0f;
+  Image scene_color = filled(8, 8, glm::vec4(1.0f));
+  Image floor = level(view, 0.0, 1.0f);
+  Image wide_color = filled(8, 8, kNothing), wide_floor = filled(8, 8, kNothing);
+
+  // Positions of the plane at this height, seen through the pixels' centres.
+  static Image level(const Frame& frame, double height, float w) {
+    Image image(Format::RGBA32F, 8, 8);
+    const glm::dvec2 size = frame.window_upper - frame.window_lower;
+    const double away = frame.perspective ? frame.origin.y - height : 1.0;
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x) {
+        image.at(x, y, 0) = static_cast<float>((frame.window_lower.x + size.x * (x + 0.5) / 8) * away);
+        image.at(x, y, 1) = static_cast<float>(height);
+        image.at(x, y, 2) = static_cast<float>(-(frame.window_lower.y + size.y * (y + 0.5) / 8) * away);
+        image.at(x, y, 3) = w;
+      }
+    return image;
+  }
+
+  Image run() const {
+    Image materials(Format::RGBA32F, 3, 2);
+    for (int c = 0; c < 3; ++c) {
+      materials.at(0, 1, c) = ior;
+      materials.at(1, 1, c) = absorption[c];
+      materials.at(2, 1, c) = tint[c];
+    }
+    materials.at(1, 1, 3) = solid ? 1.0f : 0.0f;
+    const Frame wide = widened(view, 3.0);
+    const Pass pass = glass_pass();
+    return run_pass(pass.definition,
+                    {.width = 8,
+                     .height = 8,
+                     .uniforms = pass.uniforms({.scene = &scene, .view = &view, .wide = &wide}),
+                     .textures = {scene_color, floor, wide_color, wide_floor,
+                                  level(view, glass_height, facing), filled(8, 8, {normal, 1.0f}),
+                                  solid ? level(view, 4.0, 1.0f) : Image{},
+                                  solid ? filled(8, 8, {0.0f, -1.0f, 0.0f, 1.0f}) : Image{},
+                                  materials, scene.environment.image.value_or(Image{})}})["beauty"];
+  }
+};
+
+// A different colour in each pixel.
+Image pattern() {
+  Image image(Format::RGBA32F, 8, 8);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      image.at(x, y, 0) = static_cast<float>(x);
+      image.at(x, y, 1) = static_cast<float>(y);
+      image.at(x, y, 2) = static_cast<float>((3 * x + 5 * y) % 7);
+      image.at(x, y, 3) = 1.0f;
+    }
+  return image;
+}
+
+void check_same(const Image& found, const Image& expected) {
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      for (int c = 0; c < 4; ++c)
+        CHECK(found.at(x, y, c) == Approx(expected.at(x, y, c)).epsilon(1e-4).margin(1e-4));
+}
+
+}  // namespace
+
+TEST_CASE("glass: a slab of index 1 shows exactly what is behind it") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.scene_color = pattern();
+  check_same(bench.run(), bench.scene_color);
+  bench.solid = false;
+  check_same(bench.run(), bench.scene_color);
+}
+
+TEST_CASE("glass: a slab of index 1 vanishes for a perspective camera too") {
+  Bench bench;
+  bench.view = down(0.5, 10.0, 20.0);
+  bench.view.perspective = true;
+  bench.view.near = 0.1;
+  bench.floor = Bench::level(bench.view, 0.0, 1.0f);
+  bench.ior = 1.0f;
+  bench.scene_color = pattern();
+  check_same(bench.run(), bench.scene_color);
+}
+
+TEST_CASE("glass: pixels without glass, or with glass behind a surface, stay bit for bit") {
+  Bench none, hidden;
+  none.scene_color = hidden.scene_color = pattern();
+  none.facing = 0.0f;
+  hidden.glass_height = -1.0f;
+  CHECK(none.run().values == none.scene_color.values);
+  CHECK(hidden.run().values == hidden.scene_color.values);
+}
+
+TEST_CASE("glass: straight through a solid, 1 - R and half of the second R are lost") {
+  // R = (0.5 / 2.5)^2 = 0.04 at either surface: (1 - 0.04) (1 - 0.02) = 0.9408 of the radiance behind.
+  Bench bench;
+  CHECK(bench.run().at(3, 3, 0) == Approx(0.9408));
+  // What the first surface mirrors comes from the sky's zenith: 0.04 * 10 more.
+  bench.scene.environment.zenith = glm::vec3(10.0f);
+  CHECK(bench.run().at(3, 3, 0) == Approx(1.3408));
+}
+
+TEST_CASE("glass: straight through an open surface, 1 - R is left") {
+  Bench bench;
+  bench.solid = false;
+  CHECK(bench.run().at(3, 3, 0) == Approx(0.96));
+}
+
+TEST_CASE("glass: the path inside absorbs, the base colour tints") {
+  // 1 m from height 5 to 4: exp(-2) on red.
+  Bench bench;
+  bench.absorption = {2.0f, 0.0f, 0.0f};
+  bench.tint = {1.0f, 0.5f, 0.0f};
+  const glm::vec4 color = texel(bench.run(), 4, 2);
+  CHECK(color.x == Approx(0.9408 * std::exp(-2.0)).epsilon(1e-5));
+  CHECK(color.y == Approx(0.4704));
+  CHECK(color.z == 0.0f);
+  CHECK(color.w == 1.0f);
+}
+
+TEST_CASE("glass: a leaning surface shifts the view by Snell's law") {
+  // Normal 45 degrees towards +x: the refracted ray leans by 45 - asin(sin 45 / 1.5) = 16.874 degrees towards -x
+  // and lands 5 tan = 1.51669 m, as many pixels, further left. Red counts pixels, so 7 becomes 5.48331. R at 45
+  // degrees is 0.050240. What is mirrored flies level to the right, into a black sky.
+  Bench bench;
+  bench.solid = false;
+  bench.normal = {std::sqrt(0.5f), std::sqrt(0.5f), 0.0f};
+  bench.scene_color = pattern();
+  CHECK(bench.run().at(7, 3, 0) == Approx((1.0 - 0.050240) * (7.0 - 1.51669)).epsilon(1e-4));
+  CHECK(bench.run().at(3, 3, 0) == Approx((1.0 - 0.050240) * (3.0 - 1.51669)).epsilon(1e-4));
+}
+
+TEST_CASE("glass: what leaves the picture is found in the wide view, and beyond that is sky") {
+  // As above from pixel 0, at x = -3.5: lands at -5.02, outside of -4 but inside the wide view's -12.
+  Bench bench;
+  bench.solid = false;
+  bench.normal = {std::sqrt(0.5f), std::sqrt(0.5f), 0.0f};
+  bench.wide_floor = Bench::level(widened(bench.view, 3.0), 0.0, 1.0f);
+  bench.wide_color = filled(8, 8, {0.0f, 2.0f, 0.0f, 1.0f});
+  const glm::vec4 found = texel(bench.run(), 0, 4);
+  CHECK(found.x == Approx(0.0).margin(1e-6));
+  CHECK(found.y == Approx(2.0 * (1.0 - 0.050240)).epsilon(1e-4));
+  // Without it the ray looks down into the ground's radiance, the mirrored one level into the horizon's.
+  bench.wide_floor = filled(8, 8, kNothing);
+  bench.scene.environment.ground = glm::vec3(3.0f);
+  const glm::vec4 sky = texel(bench.run(), 0, 4);
+  CHECK(sky.x == Approx(3.0 * (1.0 - 0.050240)).epsilon(1e-4));
+}
+
+TEST_CASE("glass: from inside at a flat angle all is mirrored") {
+  // A back face leaning by 60 degrees, beyond the critical angle of 41.8. Mirrored, the view leaves 30 degrees
+  // below level, passes the floor's edge (5 m down take 8.66 m) and sees the ground; nothing is lost.
+  Bench bench;
+  bench.facing = -1.0f;
+  bench.normal = {std::sqrt(0.75f), -0.5f, 0.0f};
+  bench.scene.environment.ground = glm::vec3(8.0f);
+  CHECK(bench.run().at(3, 3, 0) == Approx(8.0).epsilon(1e-5));
+}
+
+TEST_CASE("view_caster_map: a pixel holds position, side, normal and material of the nearest glass") {
+  const Frame view = down(1.0, 10.0, 20.0);
+  const Pass pass = view_caster_map_pass();
+  const glm::vec3 corners[4] = {{-1, 2, 1}, {0, 2, 1}, {0, 2, -1}, {-1, 2, -1}};
+  const auto draw = [&](const MeshData& mesh) {
+    return run_pass(pass.definition, {.width = 4,
+                                      .height = 4,
+                                      .uniforms = pass.uniforms({.view = &view, .material_row = 3}),
+                                      .mesh = mesh});
+  };
+  MeshData mesh = quad(corners, {0.0f, 2.0f, 0.0f});
+  const PassImages front = draw(mesh);
+  CHECK(texel(front["view_caster_position"], 1, 1) == glm::vec4(-0.25f, 2.0f, 0.25f, 1.0f));
+  CHECK(texel(front["view_caster_normal"], 1, 1) == glm::vec4(0.0f, 1.0f, 0.0f, 3.0f));
+  CHECK(texel(front["view_caster_position"], 2, 1) == kNothing);
+  std::swap(mesh.indices[1], mesh.indices[2]);
+  std::swap(mesh.indices[4], mesh.indices[5]);
+  CHECK(draw(mesh)["view_caster_position"].at(1, 1, 3) == -1.0f);
+}
+
+TEST_CASE("view_exit_map: only back faces are seen") {
+  const Frame view = down(1.0, 10.0, 20.0);
+  const Pass pass = view_exit_map_pass();
+  const auto draw = [&](const MeshData& mesh) {
+    return run_pass(pass.definition, {.width = 4,
+                                      .height = 4,
+                                      .uniforms = pass.uniforms({.view = &view, .material_row = 3}),
+                                      .mesh = mesh});
+  };
+  const glm::vec3 up[4] = {{-1, 2, 1}, {1, 2, 1}, {1, 2, -1}, {-1, 2, -1}};
+  const glm::vec3 under[4] = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
+  CHECK(texel(draw(quad(up, {0, 1, 0}))["view_exit_position"], 1, 1) == kNothing);
+  const PassImages back = draw(quad(under, {0, -1, 0}));
+  CHECK(texel(back["view_exit_position"], 1, 1) == glm::vec4(-0.25f, 1.0f, 0.25f, 1.0f));
+  CHECK(texel(back["view_exit_normal"], 1, 1) == glm::vec4(0.0f, -1.0f, 0.0f, 1.0f));
+}

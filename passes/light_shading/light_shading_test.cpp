@@ -1,0 +1,271 @@
+#include "passes/light_shading/light_shading.hpp"
+
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// One surface point under one light that shines down from 10 m. All the light's frames share a window of
+// 8 m (tangent 1 for lights with a position), all its maps are 8 x 8.
+struct Bench {
+  Light light = [] {
+    Light sun;
+    sun.direction = {0.0, -1.0, 0.0};
+    sun.intensity = 100.0f;
+    return sun;
+  }();
+  glm::vec3 position{0.5f, 0.0f, -0.5f};  // over the centre of texel (4, 4) of the parallel maps
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};
+  float covered = 1.0f;
+  bool occluders = false, caustics = false;
+  double casters_nearest = 0.0;
+  Image shadow_depth{}, caster{}, receiver{}, caustic_map{};
+
+  UniformBytes uniforms(const Pass& pass) const {
+    Scene scene;
+    scene.lights = {light};
+    Settings settings;
+    settings.map = 8;
+    Effects effects;
+    effects.list = {{"occluders", occluders, ""}, {"caustics", caustics, ""}};
+    if (caustics) effects.expectations = {{0, 0, true, ""}};
+    Frame frame = down(4.0, 10.0, 20.0);
+    if (light.type != LightType::Directional) {
+      frame = down(1.0, 10.0, 20.0);
+      frame.perspective = true;
+      frame.near = 0.1;
+    }
+    LightFrames frames{.caster = frame, .receiver = frame, .caustic = frame, .shadow = frame,
+                       .casters_nearest = casters_nearest};
+    return pass.uniforms({.scene = &scene, .settings = &settings, .effects = &effects,
+                          .frames = &frames, .light = &scene.lights[0]});
+  }
+
+  std::vector<Image> textures() const {
+    return {filled(1, 1, {position, covered}), filled(1, 1, {normal, 0.0f}), shadow_depth, caster,
+            receiver, caustic_map};
+  }
+
+  PassImages run() const {
+    const Pass pass = light_shading_pass();
+    return run_pass(pass.definition, {.uniforms = uniforms(pass), .textures = textures()});
+  }
+  float direct() const { return run()["direct"].at(0, 0, 0); }
+  float caustic() const { return run()["caustic"].at(0, 0, 0); }
+};
+
+Bench lamp(LightType type = LightType::Point) {
+  Bench bench;
+  bench.light.type = type;
+  bench.light.position = {0.0, 10.0, 0.0};
+  return bench;
+}
+
+// A caustic of 0.25 square metres' worth of light in every texel, landing on a floor at height 0.
+Bench with_caustic() {
+  Bench bench;
+  bench.caustics = true;
+  bench.caster = filled(8, 8, glm::vec4(0.0f));
+  bench.receiver = filled(8, 8, {0.0f, 0.0f, 0.0f, 1.0f});
+  bench.caustic_map = filled(8, 8, {0.25f, 0.5f, 0.0f, 1.0f});
+  return bench;
+}
+
+// Left half of a map filled, right half empty.
+Image left_half(const glm::vec4& value, const glm::vec4& other) {
+  Image image = filled(8, 8, other);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 4; ++x)
+      for (int c = 0; c < 4; ++c) image.at(x, y, c) = value[c];
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("light_shading: a directional light gives lux times the cosine, by channel") {
+  Bench bench;
+  bench.light.color = {1.0f, 0.5f, 0.25f};
+  CHECK(texel(bench.run()["direct"], 0, 0) == glm::vec4(100.0f, 50.0f, 25.0f, 0.0f));
+  bench.normal = {std::sqrt(0.75f), 0.5f, 0.0f};  // leaning by 60 degrees
+  CHECK(bench.direct() == Approx(50.0));
+  CHECK(bench.caustic() == 0.0f);
+}
+
+TEST_CASE("light_shading: a point light gives candela times the cosine over the distance squared") {
+  Bench bench = lamp();
+  bench.position = {0.0f, 8.0f, 0.0f};
+  CHECK(bench.direct() == Approx(25.0));  // 100 / 2^2
+  // A path of (3, -4, 0): 5 m long, cosine 0.8 to the floor's normal; 100 * 0.8 / 25.
+  bench.position = {3.0f, 6.0f, 0.0f};
+  CHECK(bench.direct() == Approx(3.2));
+}
+
+TEST_CASE("light_shading: a spot light is whole inside its inner cone and nothing outside its outer one") {
+  Bench bench = lamp(LightType::Spot);
+  bench.light.direction = {0.0, -1.0, 0.0};
+  bench.light.inner_cone = 0.2f;
+  bench.light.outer_cone = 0.4f;
+  // At this angle from the axis on the floor 2 m below, the cosine c counts three times: 100 c^3 / 4.
+  const auto at = [&](double angle) {
+    bench.position = {static_cast<float>(2.0 * std::tan(angle)), 8.0f, 0.0f};
+    return bench.direct();
+  };
+  CHECK(at(0.0) == Approx(25.0));
+  CHECK(at(0.19) == Approx(25.0 * std::pow(std::cos(0.19), 3)).epsilon(1e-5));
+  CHECK(at(0.41) == 0.0f);
+  // Where the cosine is halfway between those of the cones, the ramp is a half and the falloff its square.
+  const double middle = 0.5 * (std::cos(0.2) + std::cos(0.4));
+  CHECK(at(std::acos(middle)) == Approx(25.0 * 0.25 * std::pow(middle, 3)).epsilon(1e-4));
+}
+
+TEST_CASE("light_shading: a range fades a light out by 1 - (d / range)^4") {
+  Bench bench = lamp();
+  bench.position = {0.0f, 8.0f, 0.0f};
+  bench.light.range = 4.0f;
+  CHECK(bench.direct() == Approx(25.0 * 15.0 / 16.0));
+  bench.light.range = 1.9f;
+  CHECK(bench.direct() == 0.0f);
+}
+
+TEST_CASE("light_shading: what faces away, and where there is no surface, gets nothing") {
+  Bench bench;
+  bench.normal = {0.6f, -0.8f, 0.0f};
+  CHECK(bench.direct() == 0.0f);
+  Bench empty;
+  empty.covered = 0.0f;
+  CHECK(empty.direct() == 0.0f);
+}
+
+TEST_CASE("light_shading: an opaque surface nearer to the light casts a shadow") {
+  // The floor lies 10 m along the light; a texel is 1 m, which is what the comparison allows.
+  Bench bench;
+  bench.occluders = true;
+  bench.shadow_depth = filled(8, 8, glm::vec4(5.0f));
+  CHECK(bench.direct() == 0.0f);
+  bench.shadow_depth = filled(8, 8, glm::vec4(9.5f));
+  CHECK(bench.direct() == Approx(100.0));
+  bench.shadow_depth = filled(8, 8, glm::vec4(1e30f));
+  CHECK(bench.direct() == Approx(100.0));
+  // Not looked at where nothing can throw a shadow.
+  bench.shadow_depth = filled(8, 8, glm::vec4(5.0f));
+  bench.occluders = false;
+  CHECK(bench.direct() == Approx(100.0));
+}
+
+TEST_CASE("light_shading: a shadow's edge is interpolated between texels") {
+  // x = 0 lies halfway between the centres of columns 3 (shadowed) and 4; x = 0.25 three quarters across.
+  Bench bench;
+  bench.occluders = true;
+  bench.shadow_depth = left_half(glm::vec4(5.0f), glm::vec4(1e30f));
+  bench.position.x = 0.0f;
+  CHECK(bench.direct() == Approx(50.0));
+  bench.position.x = 0.25f;
+  CHECK(bench.direct() == Approx(75.0));
+}
+
+TEST_CASE("light_shading: a slope does not shadow itself") {
+  // The plane y = -2 x: 2 m of depth a texel, more than the allowance of 1 m. Its own depths are 10 + 2 x.
+  Bench bench;
+  bench.occluders = true;
+  bench.normal = {2.0f / std::sqrt(5.0f), 1.0f / std::sqrt(5.0f), 0.0f};
+  bench.shadow_depth = filled(8, 8, glm::vec4(0.0f));
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      bench.shadow_depth.at(x, y, 0) = static_cast<float>(10.0 + 2.0 * (-3.5 + x));
+  for (const float x : {-1.99f, -0.4f, 0.01f, 0.5f, 0.93f}) {
+    bench.position = {x, -2.0f * x, 0.0f};
+    CHECK(bench.direct() == Approx(100.0 / std::sqrt(5.0)));
+  }
+}
+
+TEST_CASE("light_shading: a caster before the surface takes its direct light") {
+  Bench bench = with_caustic();
+  bench.caster = filled(8, 8, {0.0f, 5.0f, 0.0f, 1.0f});
+  CHECK(bench.direct() == 0.0f);
+  bench.caster = filled(8, 8, {0.0f, -5.0f, 0.0f, 1.0f});  // behind it
+  CHECK(bench.direct() == Approx(100.0));
+  bench.caster = left_half({0.0f, 5.0f, 0.0f, -1.0f}, glm::vec4(0.0f));  // half, and a back face
+  bench.position.x = 0.0f;
+  CHECK(bench.direct() == Approx(50.0));
+}
+
+TEST_CASE("light_shading: a caustic is the texel's flux over its area, times the cosine") {
+  // 8 m in 8 texels: 1 square metre each. 0.25 square metres' worth of 100 lux is 25 lumen.
+  Bench bench = with_caustic();
+  CHECK(texel(bench.run()["caustic"], 0, 0) == glm::vec4(25.0f, 50.0f, 0.0f, 0.0f));
+  bench.normal = {std::sqrt(0.75f), 0.5f, 0.0f};
+  CHECK(bench.caustic() == Approx(12.5));
+  bench.normal = {0.0f, -1.0f, 0.0f};
+  CHECK(bench.caustic() == 0.0f);
+}
+
+TEST_CASE("light_shading: a point light's caustic is spread over solid angle times distance squared") {
+  // A window of tangents +-1 in 8 texels: 1/16 steradian at the axis, 6.25 square metres 10 m below.
+  // 0.25 sr of 100 cd are 25 lumen.
+  Bench bench = with_caustic();
+  bench.light.type = LightType::Point;
+  bench.light.position = {0.0, 10.0, 0.0};
+  bench.position = {0.0f, 0.0f, 0.0f};
+  CHECK(bench.caustic() == Approx(25.0 / 6.25));
+  // 5 m aside, at tangent 0.5: solid angle / 1.25^1.5, distance squared 125, cosine 1 / sqrt(1.25). Area over
+  // cosine is what it was: a level floor is cut into equal squares.
+  bench.position = {5.0f, 0.0f, 0.0f};
+  CHECK(bench.caustic() == Approx(25.0 / 6.25));
+}
+
+TEST_CASE("light_shading: only surfaces that the receiver map sees take the caustic") {
+  Bench hidden = with_caustic();
+  hidden.receiver = filled(8, 8, {0.0f, 5.0f, 0.0f, 1.0f});  // something 5 m above the floor
+  CHECK(hidden.caustic() == 0.0f);
+  Bench hole = with_caustic();
+  hole.receiver = filled(8, 8, glm::vec4(0.0f));
+  CHECK(hole.caustic() == 0.0f);
+  Bench before = with_caustic();  // between light and casters: 10 m from the light, casters from 12 m on
+  before.casters_nearest = 12.0;
+  CHECK(before.caustic() == 0.0f);
+  Bench outside = with_caustic();
+  outside.position = {4.5f, 0.0f, 0.0f};
+  CHECK(outside.caustic() == 0.0f);
+}
+
+TEST_CASE("light_shading: a light that throws no caustic neither reads nor is blocked by the casters") {
+  Bench bench = with_caustic();
+  bench.caster = filled(8, 8, {0.0f, 5.0f, 0.0f, 1.0f});
+  bench.caustics = false;
+  CHECK(bench.direct() == Approx(100.0));
+  CHECK(bench.caustic() == 0.0f);
+}
+
+TEST_CASE("light_shading: two lights add up in one target by blending") {
+  // 100 lux straight on, and 100 candela from 2 m: 25 lux.
+  Bench sun, bulb = lamp();
+  sun.position = bulb.position = {0.0f, 8.0f, 0.0f};
+  const Pass pass = light_shading_pass();
+  CHECK(pass.sums_over_lights);
+  const std::unique_ptr<Device> device = make_software_device({.threads = 1});
+  PassRun run{.definition = &pass.definition};
+  for (const ColorWrite& write : pass.definition.writes)
+    run.colors.push_back(device->create_texture(write.format, 1, 1));
+  for (const Bench* bench : {&sun, &bulb}) {
+    Draw draw{.vertex_count = 3, .uniforms = bench->uniforms(pass)};
+    for (const Image& image : bench->textures())
+      draw.textures.push_back(image.values.empty() ? TextureId::None : device->upload(image));
+    run.draws.push_back(draw);
+  }
+  device->run(run);
+  CHECK(device->read_back(run.colors[0]).at(0, 0, 0) == Approx(125.0));
+}
+
+TEST_CASE("wide_shading: the wide view is lit by the same rule") {
+  const Bench bench = with_caustic();
+  const Pass pass = wide_shading_pass();
+  const PassImages out =
+      run_pass(pass.definition, {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
+  CHECK(out["wide_direct"].at(0, 0, 0) == Approx(100.0));
+  CHECK(out["wide_caustic"].at(0, 0, 0) == Approx(25.0));
+}

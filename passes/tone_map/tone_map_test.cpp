@@ -1,0 +1,67 @@
+#include "passes/tone_map/tone_map.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// Display levels, 0 to 255, of one pixel of this radiance.
+glm::ivec4 shown(const glm::vec4& radiance, float exposure = 1.0f) {
+  const Pass pass = tone_map_pass();
+  const Image picture = run_pass(pass.definition,
+                                 {.uniforms = pass.uniforms({.exposure = exposure}),
+                                  .textures = {filled(1, 1, radiance)}})["picture"];
+  return glm::ivec4(glm::round(texel(picture, 0, 0) * 255.0f));
+}
+
+}  // namespace
+
+TEST_CASE("tone_map: black stays black") {
+  CHECK(shown({0.0f, 0.0f, 0.0f, 1.0f}) == glm::ivec4(0, 0, 0, 255));
+}
+
+TEST_CASE("tone_map: a mid grey loses the curve's offset and takes the sRGB curve") {
+  // 0.5 - 0.04 = 0.46, below the shoulder at 0.76; 1.055 * 0.46^(1 / 2.4) - 0.055 = 0.70837, 180.6 of 255.
+  CHECK(shown(glm::vec4(0.5f)) == glm::ivec4(181, 181, 181, 255));
+}
+
+TEST_CASE("tone_map: below 0.08 the offset grows with the value") {
+  // 0.04: the offset is 0.04 - 6.25 * 0.04^2 = 0.03; 0.01 encodes to 1.055 * 0.14678 - 0.055 = 0.09985.
+  CHECK(shown(glm::vec4(0.04f)).x == 25);
+  // 0.01: 0.000625 is left, on the straight part of the sRGB curve: 12.92 * 0.000625 * 255 = 2.06.
+  CHECK(shown(glm::vec4(0.01f)).x == 2);
+}
+
+TEST_CASE("tone_map: the exposure is a factor on the radiance") {
+  CHECK(shown(glm::vec4(0.25f), 2.0f) == shown(glm::vec4(0.5f)));
+  CHECK(shown(glm::vec4(5000.0f), 1e-4f) == shown(glm::vec4(0.5f)));
+}
+
+TEST_CASE("tone_map: the shoulder presses what is brighter towards white") {
+  // 1.04 - 0.04 = 1; 1 - 0.24^2 / (1 + 0.24 - 0.76) = 0.88; 1.055 * 0.88^(1 / 2.4) - 0.055 = 0.94528: 241.0.
+  CHECK(shown(glm::vec4(1.04f)).x == 241);
+  CHECK(shown(glm::vec4(1e5f)) == glm::ivec4(255));
+  CHECK(shown(glm::vec4(std::numeric_limits<float>::infinity())) == glm::ivec4(255));
+}
+
+TEST_CASE("tone_map: dim colours keep their channels, a very bright one turns white") {
+  // The least channel is 0, so there is no offset: 1.055 * 0.2^(1 / 2.4) - 0.055 = 0.48453, 123.6 of 255.
+  CHECK(shown({0.2f, 0.0f, 0.0f, 1.0f}) == glm::ivec4(124, 0, 0, 255));
+  const glm::ivec4 glaring = shown({1e5f, 0.0f, 0.0f, 1.0f});
+  CHECK(glaring.x == 255);
+  CHECK(glaring.y > 250);
+}
+
+TEST_CASE("tone_map: what is not a number, or negative, is shown as black") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  CHECK(shown({nan, nan, nan, 1.0f}) == glm::ivec4(0, 0, 0, 255));
+  CHECK(shown({-1.0f, -2.0f, -3.0f, 1.0f}) == glm::ivec4(0, 0, 0, 255));
+  // Beside a channel of 0.46 it counts as 0, so nothing is taken off: 0.46 encodes to 181 as above.
+  CHECK(shown({nan, 0.46f, 0.46f, 1.0f}) == glm::ivec4(0, 181, 181, 255));
+}

@@ -1,0 +1,173 @@
+#include "passes/view_surfaces/view_surfaces.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// Seen from above, the first order winds counter-clockwise: the front. Both squares are level.
+const glm::vec3 kFront[4] = {{-2, 2, 2}, {2, 2, 2}, {2, 2, -2}, {-2, 2, -2}};
+const glm::vec3 kBack[4] = {{-2, 2, -2}, {2, 2, -2}, {2, 2, 2}, {-2, 2, 2}};
+const float kHalf = std::sqrt(0.5f);
+
+Material plain() {
+  Material material;
+  material.base_color = {0.8f, 0.6f, 0.4f, 1.0f};
+  return material;
+}
+
+// A camera 10 m up that looks down on +-half metres, 8 x 8 pixels.
+PassImages see(const MeshData& mesh, const Material& material, const std::vector<Image>& textures = {},
+               double half = 2.0) {
+  const Frame view = down(half, 10.0, 20.0);
+  const Pass pass = view_surfaces_pass();
+  std::vector<Image> bound = textures;
+  bound.resize(3);
+  return run_pass(pass.definition,
+                  {.width = 8,
+                   .height = 8,
+                   .uniforms = pass.uniforms({.view = &view, .material = &material}),
+                   .textures = bound,
+                   .mesh = mesh});
+}
+
+void check_direction(const glm::vec4& found, const glm::vec3& expected) {
+  CHECK(found.x == Approx(expected.x).margin(1e-6));
+  CHECK(found.y == Approx(expected.y).margin(1e-6));
+  CHECK(found.z == Approx(expected.z).margin(1e-6));
+}
+
+}  // namespace
+
+TEST_CASE("view_surfaces: a pixel holds the surface's position and depth") {
+  const PassImages out = see(quad(kFront, {0.0f, 1.0f, 0.0f}), plain());
+  // Pixels of 0.5 m: the centre of (6, 1) is x = -2 + 3.25 and, with up = -z, z = 2 - 0.75.
+  const glm::vec4 position = texel(out["view_position"], 6, 1);
+  CHECK(position.x == Approx(1.25));
+  CHECK(position.y == Approx(2.0));
+  CHECK(position.z == Approx(1.25));
+  CHECK(position.w == 1.0f);
+  CHECK(texel(out["view_normal"], 6, 1).w == Approx(8.0));
+}
+
+TEST_CASE("view_surfaces: the nearer surface is seen, and beside all of them w is 0") {
+  // A square at height 2 over x < 0 hides the one at height 1 below it.
+  MeshData mesh = quad({{-2, 2, 2}, {0, 2, 2}, {0, 2, -2}, {-2, 2, -2}}, {0.0f, 1.0f, 0.0f});
+  const MeshData lower = quad({{-2, 1, 2}, {1, 1, 2}, {1, 1, -2}, {-2, 1, -2}}, {0.0f, 1.0f, 0.0f});
+  mesh.vertices.insert(mesh.vertices.end(), lower.vertices.begin(), lower.vertices.end());
+  for (const std::uint32_t i : lower.indices) mesh.indices.push_back(i + 4);
+  const PassImages out = see(mesh, plain());
+  CHECK(out["view_normal"].at(3, 4, 3) == Approx(8.0));
+  CHECK(out["view_normal"].at(4, 4, 3) == Approx(9.0));
+  CHECK(texel(out["view_position"], 6, 4) == glm::vec4(0.0f));
+}
+
+TEST_CASE("view_surfaces: a back face shows its normal turned to the viewer") {
+  check_direction(texel(see(quad(kFront, {0, 1, 0}), plain())["view_normal"], 2, 2), {0, 1, 0});
+  check_direction(texel(see(quad(kBack, {0, -1, 0}), plain())["view_normal"], 2, 2), {0, 1, 0});
+}
+
+TEST_CASE("view_surfaces: normals come out with length 1") {
+  check_direction(texel(see(quad(kFront, {3, 3, 0}), plain())["view_normal"], 2, 2), {kHalf, kHalf, 0});
+}
+
+TEST_CASE("view_surfaces: albedo is the factor times the texture, emission likewise") {
+  Material material = plain();
+  material.emissive = {100.0f, 200.0f, 0.0f};
+  const MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
+  CHECK(texel(see(mesh, material)["view_albedo"], 2, 2) == glm::vec4(0.8f, 0.6f, 0.4f, 1.0f));
+  CHECK(texel(see(mesh, material)["view_emission"], 2, 2) == glm::vec4(100.0f, 200.0f, 0.0f, 1.0f));
+  material.base_color_texture.image = 0;
+  material.emissive_texture.image = 1;
+  const PassImages out = see(mesh, material,
+                             {filled(1, 1, {0.5f, 0.25f, 1.0f, 1.0f}), Image{},
+                              filled(1, 1, {0.5f, 0.125f, 1.0f, 1.0f})});
+  CHECK(out["view_albedo"].at(2, 2, 0) == Approx(0.4));
+  CHECK(out["view_albedo"].at(2, 2, 1) == Approx(0.15));
+  CHECK(out["view_albedo"].at(2, 2, 2) == Approx(0.4));
+  CHECK(out["view_emission"].at(2, 2, 0) == Approx(50.0));
+  CHECK(out["view_emission"].at(2, 2, 1) == Approx(25.0));
+}
+
+TEST_CASE("view_surfaces: textures repeat, and their texels are interpolated across the seam") {
+  // Texels 0 and 1, twice across the 4 m square: u = 2 (i + 0.5) / 8, so pixel centres lie a quarter of a
+  // texel from a texel's centre, on either side of it in turn. Each gets a quarter of its other neighbour.
+  Image stripes(Format::RGBA16F, 2, 1);
+  for (int c = 0; c < 4; ++c) stripes.at(1, 0, c) = 1.0f;
+  Material material = plain();
+  material.base_color = glm::vec4(1.0f);
+  material.base_color_texture.image = 0;
+  material.base_color_texture.uv_transform[0][0] = 2.0f;
+  const Image albedo =
+      see(quad(kFront, {0.0f, 1.0f, 0.0f}), material, {stripes})["view_albedo"];
+  const float expected[8] = {0.25f, 0.25f, 0.75f, 0.75f, 0.25f, 0.25f, 0.75f, 0.75f};
+  for (int x = 0; x < 8; ++x) CHECK(albedo.at(x, 3, 0) == Approx(expected[x]));
+}
+
+TEST_CASE("view_surfaces: a normal texture leans the normal in tangent space") {
+  // The square's tangent is +x, its normal +y, so the bitangent n x t is -z. Red 1 and blue 1 stand for
+  // (1, 0, 1): halfway between tangent and normal. Green likewise along the bitangent.
+  Material material = plain();
+  material.normal_texture.image = 0;
+  const MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
+  const auto with = [&](const glm::vec4& value) {
+    return texel(see(mesh, material, {Image{}, filled(1, 1, value)})["view_normal"], 2, 2);
+  };
+  check_direction(with({0.5f, 0.5f, 1.0f, 1.0f}), {0, 1, 0});
+  check_direction(with({1.0f, 0.5f, 1.0f, 1.0f}), {kHalf, kHalf, 0});
+  check_direction(with({0.5f, 1.0f, 1.0f, 1.0f}), {0, kHalf, -kHalf});
+  // Scaled by a half: (0.5, 0, 1) / sqrt(1.25).
+  material.normal_scale = 0.5f;
+  check_direction(with({1.0f, 0.5f, 1.0f, 1.0f}),
+                  {0.5f / std::sqrt(1.25f), 1.0f / std::sqrt(1.25f), 0});
+}
+
+TEST_CASE("view_surfaces: on a back face the textured normal as a whole is reversed") {
+  // glTF 2.0, 3.9.5: back faces have their normals reversed. The front's would be (1, -1, 0) / sqrt(2).
+  Material material = plain();
+  material.normal_texture.image = 0;
+  check_direction(texel(see(quad(kBack, {0, -1, 0}), material,
+                            {Image{}, filled(1, 1, {1.0f, 0.5f, 1.0f, 1.0f})})["view_normal"],
+                        2, 2),
+                  {-kHalf, kHalf, 0});
+}
+
+TEST_CASE("view_surfaces: an alpha mask cuts holes where the interpolated alpha is below the cutoff") {
+  // Left half transparent. The window shows the square's middle 2 m, u from 0.25 to 0.75, where alpha rises
+  // from 0 to 1: 0.4375 at pixel 3, 0.5625 at pixel 4; the cutoff is 0.5.
+  Image base_color(Format::RGBA16F, 2, 1);
+  base_color.at(1, 0, 3) = 1.0f;
+  Material material = plain();
+  material.alpha_mode = AlphaMode::Mask;
+  material.base_color_texture.image = 0;
+  const MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
+  const PassImages out = see(mesh, material, {base_color}, 1.0);
+  CHECK(out["view_position"].at(3, 2, 3) == 0.0f);
+  CHECK(out["view_position"].at(4, 2, 3) == 1.0f);
+  material.alpha_mode = AlphaMode::Opaque;
+  CHECK(see(mesh, material, {base_color}, 1.0)["view_position"].at(0, 2, 3) == 1.0f);
+}
+
+TEST_CASE("wide_surfaces: the same is drawn with the wide frame, under its own names") {
+  const Frame view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
+  const Material material = plain();
+  const Pass pass = wide_surfaces_pass();
+  const PassImages out = run_pass(pass.definition,
+                                  {.width = 6,
+                                   .height = 6,
+                                   .uniforms = pass.uniforms({.view = &view, .wide = &wide,
+                                                              .material = &material}),
+                                   .textures = {Image{}, Image{}, Image{}},
+                                   .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});
+  // 12 m in 6 pixels: the 4 m square covers the middle 2 x 2, centres at +-1.
+  CHECK(out["wide_position"].at(1, 2, 3) == 0.0f);
+  CHECK(texel(out["wide_position"], 3, 2) == glm::vec4(1.0f, 2.0f, 1.0f, 1.0f));
+  CHECK(out["wide_normal"].at(3, 2, 3) == Approx(8.0));
+  CHECK(out["wide_albedo"].at(3, 2, 0) == 0.8f);
+}
