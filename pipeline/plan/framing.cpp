@@ -9,6 +9,7 @@
 #include "pipeline/plan/ledger.hpp"
 #include "pipeline/plan/run_plan.hpp"
 #include "pipeline/plan/splat_kernel.hpp"
+#include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics {
@@ -251,23 +252,10 @@ std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effe
 }
 
 float exposure_of(const Scene& scene, const Settings& settings) {
-  double brightest = 0.0;
-  const Bounds bounds = bounds_of(scene);
-  const glm::dvec3 centre = bounds.empty() ? glm::dvec3(0.0) : bounds.centre();
-  for (const Light& light : scene.lights) {
-    const double color = static_cast<double>(
-        std::max({light.color.x, light.color.y, light.color.z}));
-    double illuminance = static_cast<double>(light.intensity) * color;
-    if (light.type != LightType::Directional) {
-      const glm::dvec3 d = centre - light.position;
-      illuminance /= std::max(exact::dot(d, d), 1e-12);
-    }
-    brightest = std::max(brightest, illuminance);
-  }
   const glm::vec3 horizon = scene.environment.horizon;
   const double sky =
       exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
-  const double white = std::max(brightest, sky) / exact::kPi;
+  const double white = std::max(light_level(scene), sky) / exact::kPi;
   double exposure = white > 0.0 ? 0.45 / white : 1.0;
   const double ev = settings.exposure ? static_cast<double>(*settings.exposure) : 0.0;
   // 2^ev by whole steps and a series for the rest.
