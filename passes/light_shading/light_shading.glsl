@@ -82,13 +82,16 @@ Float occluded(TangentPlane p, Int x, Int y, Float bias) {
   return sel(blocked, Float(1.0f), Float(0.0f));
 }
 
-Float shadow_share(TangentPlane p) {
+// `facing`: cosine between the surface and the light.
+Float shadow_share(TangentPlane p, Float facing) {
   int width = texture_width(shadow_depth);
   int height = texture_height(shadow_depth);
   Vec2 uv = frame_uv(p.q, u.shadow_window, u.shadow_range);
   Corners c = corners_at(uv, width, height);
-  // Curvature and rounding remain: a texel's extent.
-  Float bias = frame_w(p.q, u.shadow_range) *
+  // Curvature remains, and interpolated normals that lean away from their triangles; both grow with the
+  // slant: a texel's extent on the surface, ten at most.
+  Float slant = 1.0f / max_of(facing, 0.1f);
+  Float bias = slant * frame_w(p.q, u.shadow_range) *
                max_of(Float(1.0f / (u.shadow_window.x * float(width))),
                       Float(1.0f / (u.shadow_window.y * float(height))));
   Float bottom = occluded(p, c.x0, c.y0, bias) * (1.0f - c.fx) + occluded(p, c.x0 + 1, c.y0, bias) * c.fx;
@@ -163,7 +166,7 @@ void main() {
   p.normal = transform_vector(u.from_scene, n);
 
   Float lit = Float(1.0f);
-  if (u.uses.x > 0.5f) lit = 1.0f - shadow_share(p);
+  if (u.uses.x > 0.5f) lit = 1.0f - shadow_share(p, facing);
   if (u.uses.y > 0.5f) lit = lit * (1.0f - caster_share(p));
   Float irradiance = facing * reaching * lit / distance_squared;
   irradiance = sel(visible, irradiance, Float(0.0f));
