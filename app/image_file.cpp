@@ -23,7 +23,7 @@ class Encoder {
     if (!output_->open(std::string("memory.") + format, spec)) fail(output_->geterror());
   }
 
-  void row(int from_top, OIIO::TypeDesc type, const void* values) {
+  void row(int from_top, const OIIO::TypeDesc& type, const void* values) {
     if (!output_->write_scanline(from_top, 0, type, values)) fail(output_->geterror());
     if (from_top % 256 == 0) stop_if_interrupted();
   }
@@ -54,7 +54,7 @@ void write_png(const std::filesystem::path& path, const Image& picture) {
   for (int y = 0; y < picture.height(); ++y) {
     for (int x = 0; x < picture.width(); ++x) {
       for (int c = 0; c < 3; ++c) {
-        row[static_cast<std::size_t>(3 * x + c)] =
+        row[static_cast<std::size_t>(x) * 3 + static_cast<std::size_t>(c)] =
             unorm8_from_float(picture.at(x, picture.height() - 1 - y, c));
       }
     }
@@ -96,6 +96,7 @@ void write_exr(const std::filesystem::path& path, const std::vector<ExrChannel>&
 std::vector<ExrChannel> channels_of(const Image& image) {
   constexpr const char* kNames[] = {"R", "G", "B", "A"};
   std::vector<ExrChannel> channels;
+  channels.reserve(4);
   for (int c = 0; c < image.channels(); ++c) {
     channels.push_back({is_depth(image.shape.format) ? "Z" : kNames[c], &image, c, 0.0, -1});
   }

@@ -70,7 +70,7 @@ fs::path confined(const Context& context, const Cursor& uri, const std::string& 
   if (parent.empty()) parent = ".";
   const fs::path folder = fs::canonical(parent, error);
   if (error) uri.fail("the glTF file's folder cannot be read: " + error.message());
-  const fs::path file = fs::canonical(folder / relative, error);
+  fs::path file = fs::canonical(folder / relative, error);
   if (error) uri.fail("file not found: " + text, "put it beside the glTF file");
   if (!inside(file, folder)) uri.fail("leaves the glTF file's folder by a link: " + text, advice);
   return file;
