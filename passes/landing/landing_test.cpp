@@ -184,7 +184,7 @@ TEST_CASE("landing: the secant meets a tilted plane exactly") {
 }
 
 TEST_CASE("landing: the paper's estimator contracts by the squared sine on a level plane") {
-  // x_{k+1}^2 - x*^2 = sin^2(theta) (x_k^2 - x*^2), started at 0 (METHOD: derivation with x^2 = h^2 +
+  // x_{k+1}^2 - x*^2 = sin^2(theta) (x_k^2 - x*^2), started at 0 (from x_{k+1}^2 = h^2 +
   // (x_k sin theta)^2). After k steps x^2 = x*^2 (1 - sin^(2k) theta); with nearest texels of 1/8 m at
   // theta = 10.5 degrees the quantisation of the look-up is what remains.
   Bench bench;

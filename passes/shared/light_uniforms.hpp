@@ -2,7 +2,8 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "pipeline/scene/frame.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/scene.hpp"
 
 namespace caustics {
 
@@ -17,8 +18,9 @@ inline LightCone light_cone(const Light& light) {
   LightCone cone;
   cone.axis = glm::vec4(glm::vec3(light.direction), 0.0f);
   if (light.type != LightType::Spot) return cone;
-  const double cos_outer = exact_cos(static_cast<double>(light.outer_cone));
-  const double cos_inner = exact_cos(static_cast<double>(light.inner_cone));
+  double sine, cos_outer, cos_inner;
+  exact::sin_cos(static_cast<double>(light.outer_cone), sine, cos_outer);
+  exact::sin_cos(static_cast<double>(light.inner_cone), sine, cos_inner);
   const double scale = 1.0 / (cos_inner - cos_outer > 0.001 ? cos_inner - cos_outer : 0.001);
   cone.scale_offset =
       glm::vec4(static_cast<float>(scale), static_cast<float>(-cos_outer * scale), 0.0f, 0.0f);

@@ -35,8 +35,8 @@ bool cone_misses(const Light& light, const Sphere& sphere) {
   const glm::dvec3 to = sphere.centre - light.position;
   const double along = exact::dot(to, light.direction);
   const double across = std::sqrt(std::max(exact::dot(to, to) - along * along, 0.0));
-  const double cosine = exact_cos(static_cast<double>(light.outer_cone));
-  const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+  double sine, cosine;
+  exact::sin_cos(static_cast<double>(light.outer_cone), sine, cosine);
   return along < -sphere.radius || across * cosine - along * sine > sphere.radius;
 }
 

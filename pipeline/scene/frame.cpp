@@ -3,39 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/scene/exact.hpp"
+
 namespace caustics {
-
-namespace {
-
-// Taylor series of sine and cosine for |x| <= pi/4; the next term is below 1e-17.
-double sine_series(double x) {
-  const double z = x * x;
-  double sum = 1.0;
-  for (int n = 19; n >= 3; n -= 2) sum = 1.0 - sum * z / static_cast<double>(n * (n - 1));
-  return x * sum;
-}
-
-double cosine_series(double x) {
-  const double z = x * x;
-  double sum = 1.0;
-  for (int n = 20; n >= 2; n -= 2) sum = 1.0 - sum * z / static_cast<double>(n * (n - 1));
-  return sum;
-}
-
-constexpr double kHalfPi = 1.57079632679489661923;
-
-}  // namespace
-
-double exact_cos(double radians) {
-  if (radians > kHalfPi) return -exact_cos(2.0 * kHalfPi - radians);
-  if (radians > 0.5 * kHalfPi) return sine_series(kHalfPi - radians);
-  return cosine_series(radians);
-}
-
-double exact_tan(double radians) {
-  if (radians > 0.5 * kHalfPi) return 1.0 / exact_tan(kHalfPi - radians);
-  return sine_series(radians) / cosine_series(radians);
-}
 
 glm::dvec3 Frame::coordinates(const glm::dvec3& p) const {
   const glm::dvec3 d = p - origin;
@@ -109,7 +79,9 @@ Frame frame_of(const Camera& camera, int width, int height, const Bounds& bounds
   double half_height = camera.half_height;
   double half_width = camera.half_height * aspect;
   if (frame.perspective) {
-    half_height = exact_tan(0.5 * camera.vertical_fov);
+    double sine, cosine;
+    exact::sin_cos(0.5 * camera.vertical_fov, sine, cosine);
+    half_height = sine / cosine;
     half_width = half_height * aspect;
   } else if (half_width < camera.half_width) {
     half_width = camera.half_width;

@@ -47,9 +47,4 @@ Frame frame_along(const glm::dvec3& origin, const glm::dvec3& forward);
 // orthographic one keeps its smaller extent. Far is drawn in to just behind `bounds`.
 Frame frame_of(const Camera& camera, int width, int height, const Bounds& bounds);
 
-// tan of an angle in (0, pi/2), radians, by +, -, *, / only; relative error below 1e-12.
-double exact_tan(double radians);
-// cos of an angle in [0, pi], radians, by +, -, *, / only; absolute error below 1e-14.
-double exact_cos(double radians);
-
 }  // namespace caustics

@@ -33,11 +33,3 @@ TEST_CASE("frame: packed uniforms map the window's corners to 0 and 1") {
   CHECK(3.0f * u.window.x + u.window.z == Approx(1.0f));
   CHECK(2.0f * u.window.y + u.window.w == Approx(1.0f));
 }
-
-TEST_CASE("frame: exact tan and cos agree with the library's") {
-  for (double a = 0.01; a < 1.56; a += 0.013) {
-    CHECK(exact_tan(a) == Approx(std::tan(a)).epsilon(1e-12));
-    CHECK(exact_cos(a) == Approx(std::cos(a)).margin(1e-13));
-    CHECK(exact_cos(a + 1.57) == Approx(std::cos(a + 1.57)).margin(1e-13));
-  }
-}

@@ -1,4 +1,4 @@
-// The flux ledger end to end: METHOD's invariants I1 to I4, I8 and I16 on whole frames.
+// The flux ledger end to end: what enters is in the map or in a named loss, on whole frames.
 #include <cmath>
 
 #include "tests/support/catch.hpp"
