@@ -186,7 +186,7 @@ TEST_CASE("Sphere: pixel means agree with the profile, with traced rays, and kee
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> jitter(0.0, 1.0);
     constexpr int kSide = 2000;
-    std::vector<double> traced(40 * 40, 0.0);
+    std::vector<double> traced(1600, 0.0);  // 40 x 40 pixels
     double flux = 0.0;
     const double largest = s.largest_impact();
     for (int i = 0; i < kSide * kSide; ++i) {
