@@ -18,27 +18,37 @@ OUTPUT(1, Vec4, caustic)
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/light_intensity.glsl"
 #include "passes/shared/column.glsl"
+#include "passes/shared/surface_plane.glsl"
 
 // The surface's tangent plane in frame coordinates, to compare depths where a map's texel is instead of
-// where the shaded point is: that leaves nothing of the usual slope for a bias to hide.
+// where the shaded point is: that leaves nothing of the usual slope for a bias to hide. It is the
+// triangle's plane, which is what the maps drew; shading normals lean away from it.
 struct TangentPlane {
   Vec3 q;       // the point
   Vec3 normal;  // in frame axes
 };
 
-// z of the plane at window coordinates, kept within half and twice the point's own.
-Float plane_z(TangentPlane p, Float x, Float y) {
-  Float offset = dot3(p.normal, p.q);
+// A plane steeper than 1 in 500 against the light counts as that steep: what is left of it is rounding.
+Float steep_limited(Float slope) {
+  return sel(slope < 0.0f, min_of(slope, Float(-0.002f)), max_of(slope, Float(0.002f)));
+}
+
+// Cosine between the plane's normal and the light's axis, or the ray from a light with a position.
+Float plane_slope(TangentPlane p) {
   Float slope = p.normal.z;
+  if (u.light.w > 0.5f) slope = dot3(p.normal, p.q) / max_of(length3(p.q), 1.0e-20f);
+  return slope;
+}
+
+// z of the plane at window coordinates; in a perspective frame within half and twice the point's own.
+Float plane_z(TangentPlane p, Float x, Float y) {
   Float z = p.q.z;
   if (u.light.w > 0.5f) {
-    Float along = p.normal.x * x + p.normal.y * y + p.normal.z;
-    Bool sound = abs(along) > 0.02f;
-    z = sel(sound, offset / sel(sound, along, Float(1.0f)), p.q.z);
-    z = clamp_to(z, p.q.z * 0.5f, p.q.z * 2.0f);
+    Float along = steep_limited(p.normal.x * x + p.normal.y * y + p.normal.z);
+    z = clamp_to(dot3(p.normal, p.q) / along, p.q.z * 0.5f, p.q.z * 2.0f);
   } else {
-    Bool sound = abs(slope) > 0.02f;
-    z = sel(sound, (offset - p.normal.x * x - p.normal.y * y) / sel(sound, slope, Float(1.0f)), p.q.z);
+    // From the point, so that no large numbers cancel.
+    z = p.q.z - (p.normal.x * (x - p.q.x) + p.normal.y * (y - p.q.y)) / steep_limited(p.normal.z);
   }
   return z;
 }
@@ -78,19 +88,19 @@ Float occluded(TangentPlane p, Int x, Int y, Float bias) {
   Float z = plane_z(p, window_of(x, width, u.shadow_window.x, u.shadow_window.z),
                     window_of(y, height, u.shadow_window.y, u.shadow_window.w));
   Float stored = fetch_clamped(shadow_depth, x, y).x;
-  Bool blocked = in_map(x, y, width, height) && stored < z - bias;
+  // What lies behind the point cannot shadow it, even where the plane runs on far behind.
+  Bool blocked = in_map(x, y, width, height) && stored < min_of(z, p.q.z) - bias;
   return sel(blocked, Float(1.0f), Float(0.0f));
 }
 
-// `facing`: cosine between the surface and the light.
-Float shadow_share(TangentPlane p, Float facing) {
+Float shadow_share(TangentPlane p) {
   int width = texture_width(shadow_depth);
   int height = texture_height(shadow_depth);
   Vec2 uv = frame_uv(p.q, u.shadow_window, u.shadow_range);
   Corners c = corners_at(uv, width, height);
-  // Curvature remains, and interpolated normals that lean away from their triangles; both grow with the
-  // slant: a texel's extent on the surface, ten at most.
-  Float slant = 1.0f / max_of(facing, 0.1f);
+  // A map knows where a surface lies to a texel's extent across the light. What is nearer to the plane
+  // than that, measured across the plane, is the surface itself: along the light, the extent over the slope.
+  Float slant = 1.0f / max_of(abs(plane_slope(p)), 0.02f);
   Float bias = slant * frame_w(p.q, u.shadow_range) *
                max_of(Float(1.0f / (u.shadow_window.x * float(width))),
                       Float(1.0f / (u.shadow_window.y * float(height))));
@@ -163,10 +173,13 @@ void main() {
   Float facing = max_of(-dot3(n, travel), 0.0f);
   TangentPlane p;
   p.q = frame_coordinates(u.from_scene, position);
-  p.normal = transform_vector(u.from_scene, n);
+  Vec3 plane = plane_normal(view_position, column, row, position, n);
+  p.normal = transform_vector(u.from_scene, plane);
 
   Float lit = Float(1.0f);
-  if (u.uses.x > 0.5f) lit = 1.0f - shadow_share(p, facing);
+  Float turned = -dot3(plane, travel);
+  Bool away = turned * dot3(plane, n) <= 0.0f;
+  if (u.uses.x > 0.5f) lit = sel(away, Float(0.0f), 1.0f - shadow_share(p));
   if (u.uses.y > 0.5f) lit = lit * (1.0f - caster_share(p));
   Float irradiance = facing * reaching * lit / distance_squared;
   irradiance = sel(visible, irradiance, Float(0.0f));
