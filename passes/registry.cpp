@@ -9,6 +9,7 @@
 #include "passes/landing/landing.hpp"
 #include "passes/light_shading/light_shading.hpp"
 #include "passes/occluder_depth/occluder_depth.hpp"
+#include "passes/panes/panes.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
 #include "passes/shadow_map/shadow_map.hpp"
 #include "passes/tone_map/tone_map.hpp"
@@ -26,6 +27,7 @@ const Registry& pass_registry() {
       landing_pass(),
       caustic_map_pass(),
       shadow_map_pass(),
+      pane_light_pass(),
       // Of the camera: the scene without glass, in the picture and around it.
       view_surfaces_pass(),
       wide_surfaces_pass(),
@@ -38,6 +40,8 @@ const Registry& pass_registry() {
       view_caster_map_pass(),
       view_exit_map_pass(),
       glass_pass(),
+      view_panes_pass(),
+      view_pane_mirror_pass(),
       first_hit_pass(),
       tone_map_pass(),
   };

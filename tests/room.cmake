@@ -28,6 +28,8 @@ catch_discover_tests(caustics_tests)
 
 add_test(NAME architecture.include_arrows
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/include_arrows.py)
+add_test(NAME architecture.test_names
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/test_names.py)
 add_test(NAME architecture.headers_compile_alone
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/headers.py ${CMAKE_CXX_COMPILER})
 add_test(NAME architecture.shaders_are_glsl

@@ -29,6 +29,7 @@ UniformBytes uniforms(const PassContext& context) {
   const Light& light = *context.light;
   const FrameUniforms caster = pack(frames.caster), receiver = pack(frames.receiver);
   const FrameUniforms caustic = pack(frames.caustic), shadow = pack(frames.shadow);
+  const FrameUniforms panes = pack(frames.panes);
   const LightCone cone = light_cone(light);
   const bool directional = light.type == LightType::Directional;
   const bool caustics = context.effects->active("caustics") && throws_caustic(context);
@@ -44,6 +45,8 @@ UniformBytes uniforms(const PassContext& context) {
       .caustic_depth = caustic.depth,
       .shadow_window = shadow.window,
       .shadow_range = shadow.depth,
+      .pane_window = panes.window,
+      .pane_depth = panes.depth,
       .light = glm::vec4(glm::vec3(directional ? frames.shadow.forward : light.position),
                          directional ? 0.0f : 1.0f),
       .cone_axis = cone.axis,
@@ -54,7 +57,7 @@ UniformBytes uniforms(const PassContext& context) {
       .column_depth = glm::vec4(glm::vec3(caster.depth), static_cast<float>(frames.casters_nearest)),
       .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), 0.0f, 0.0f, 0.0f},
       .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
-               caustics ? 1.0f : 0.0f, 0.0f},
+               caustics ? 1.0f : 0.0f, context.effects->active("thin panes") ? 1.0f : 0.0f},
   });
 }
 
@@ -72,7 +75,10 @@ PassDefinition definition(const std::string& view, const std::string& name,
                 {.name = "receiver_position",
                  .meaning = "which surfaces the caustic map belongs to",
                  .optional = true},
-                {.name = "caustic_map", .meaning = "the casters' light", .optional = true}},
+                {.name = "caustic_map", .meaning = "the casters' light", .optional = true},
+                {.name = "pane_transmittance",
+                 .meaning = "what thin panes let through",
+                 .optional = true}},
       .writes = {{.name = direct,
                   .meaning = "rgb: direct irradiance after shadows, lux",
                   .blend = kAccumulate},

@@ -9,6 +9,7 @@ TEXTURE(2, shadow_depth)
 TEXTURE(3, caster_position)
 TEXTURE(4, receiver_position)
 TEXTURE(5, caustic_map)
+TEXTURE(6, pane_transmittance)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -129,6 +130,13 @@ Float caster_share(TangentPlane p) {
   return sel(frame_w(p.q, u.caster_depth) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
 }
 
+// What thin panes leave of the direct light.
+Vec3 through_panes(TangentPlane p) {
+  Vec2 uv = frame_uv(p.q, u.pane_window, u.pane_depth);
+  Bool inside = inside_unit(uv.x, uv.y) && frame_w(p.q, u.pane_depth) > 0.0f;
+  return sel(inside, Vec3(fetch_bilinear(pane_transmittance, uv.x, uv.y)), Vec3(1.0f));
+}
+
 // Does the receiver map see this point, and not something before it? Two texels' extents may lie between.
 Bool receives(TangentPlane p) {
   Vec2 uv = frame_uv(p.q, u.receiver_window, u.receiver_depth);
@@ -183,7 +191,9 @@ void main() {
   if (u.uses.y > 0.5f) lit = lit * (1.0f - caster_share(p));
   Float irradiance = facing * reaching * lit / distance_squared;
   irradiance = sel(visible, irradiance, Float(0.0f));
-  direct = Vec4(Vec3(u.intensity) * irradiance, Float(0.0f));
+  Vec3 tint = Vec3(1.0f);
+  if (u.uses.w > 0.5f) tint = through_panes(p);
+  direct = Vec4(Vec3(u.intensity) * tint * irradiance, Float(0.0f));
 
   // Flux in a texel over the receiver's area under it: texel area / |n.l|, or solid angle r^2 / |n.l|.
   Vec3 caught = Vec3(0.0f);

@@ -24,7 +24,7 @@ struct Bench {
   float covered = 1.0f;
   bool occluders = false, caustics = false;
   double casters_nearest = 0.0;
-  Image shadow_depth{}, caster{}, receiver{}, caustic_map{};
+  Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, panes{};
 
   UniformBytes uniforms(const Pass& pass) const {
     Scene scene;
@@ -32,7 +32,8 @@ struct Bench {
     Settings settings;
     settings.map = 8;
     Effects effects;
-    effects.list = {{"occluders", occluders, ""}, {"caustics", caustics, ""}};
+    effects.list = {{"occluders", occluders, ""}, {"caustics", caustics, ""},
+                    {"thin panes", !panes.values.empty(), ""}};
     if (caustics) effects.expectations = {{0, 0, true, ""}};
     Frame frame = down(4.0, 10.0, 20.0);
     if (light.type != LightType::Directional) {
@@ -41,14 +42,14 @@ struct Bench {
       frame.near = 0.1;
     }
     LightFrames frames{.caster = frame, .receiver = frame, .caustic = frame, .shadow = frame,
-                       .casters_nearest = casters_nearest};
+                       .panes = frame, .casters_nearest = casters_nearest};
     return pass.uniforms({.scene = &scene, .settings = &settings, .effects = &effects,
                           .frames = &frames, .light = &scene.lights[0]});
   }
 
   std::vector<Image> textures() const {
     return {filled(1, 1, {position, covered}), filled(1, 1, {normal, 0.0f}), shadow_depth, caster,
-            receiver, caustic_map};
+            receiver, caustic_map, panes};
   }
 
   PassImages run() const {
@@ -259,6 +260,19 @@ TEST_CASE("light_shading: two lights add up in one target by blending") {
   }
   device->run(run);
   CHECK(device->read_back(run.colors[0]).at(0, 0, 0) == Approx(125.0));
+}
+
+TEST_CASE("light_shading: thin panes tint the direct light under them, not the caustic") {
+  Bench bench = with_caustic();
+  bench.panes = left_half({0.5f, 0.25f, 0.0f, 1.0f}, glm::vec4(1.0f));
+  bench.position.x = -2.5f;
+  CHECK(texel(bench.run()["direct"], 0, 0) == glm::vec4(50.0f, 25.0f, 0.0f, 0.0f));
+  CHECK(bench.caustic() == Approx(25.0));
+  bench.position.x = 2.5f;
+  CHECK(bench.direct() == 100.0f);
+  // Beyond the panes' frame nothing is tinted.
+  bench.position.x = -4.5f;
+  CHECK(bench.direct() == 100.0f);
 }
 
 TEST_CASE("wide_shading: the wide view is lit by the same rule") {

@@ -7,6 +7,8 @@ vec4 caustic_window;
 vec4 caustic_depth;
 vec4 shadow_window;
 vec4 shadow_range;       // the shadow frame's depth
+vec4 pane_window;
+vec4 pane_depth;
 vec4 light;              // xyz: direction of travel (directional) or position; w: 1 for a position
 vec4 cone_axis;
 vec4 cone;
@@ -14,4 +16,4 @@ vec4 intensity;          // rgb: lux (directional) or candela; w: range in metre
 vec4 column;             // the caster frame's window again, and
 vec4 column_depth;       // its depth range; w: z of the casters' nearest point
 vec4 caustic_texel;      // x: area of a caustic map texel in window units squared
-vec4 uses;               // 1 where there is a shadow map, a caster map, a caustic map; w unused
+vec4 uses;               // 1 where there is a shadow map, a caster map, a caustic map, thin panes

@@ -169,6 +169,10 @@ void add_light_effects(const Scene& scene, Effects& effects) {
   add("occluders", occluders,
       occluders ? "an opaque surface can stand in the light's way"
                 : "no opaque surface can shadow another or a caster");
+  const std::size_t panes = count_roles(effects, Role::ThinPane);
+  add("thin panes", panes > 0,
+      panes > 0 ? count(panes, "thin pane", "thin panes") + " that tint what passes straight through"
+                : "none in the scene");
   add("seen refraction", refractors > 0,
       refractors > 0 ? count(refractors, "refractor", "refractors") + " to look through"
                      : "no refractor to look through");
@@ -181,9 +185,6 @@ void add_missing_effects(const Scene& scene, const std::vector<Judgement>& judge
                        const std::string& consequence) {
     effects.list.push_back({name, false, found == 0 ? "none in the scene" : what + consequence});
   };
-  const std::size_t panes = count_roles(effects, Role::ThinPane);
-  add("thin panes", panes, count(panes, "thin pane", "thin panes"),
-      ": not simulated yet; light passes through as if nothing were there");
   const std::size_t mirrors = count_roles(effects, Role::Mirror);
   add("mirrors", mirrors, count(mirrors, "mirror", "mirrors"),
       ": not simulated yet; drawn as diffuse, and no light is reflected onto other surfaces");

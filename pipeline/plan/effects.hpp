@@ -55,7 +55,8 @@ struct Effects {
 //   "exit surface"    a refractor with two interfaces
 //   "occluders"       diffuse surfaces that can shadow others or a caster
 //   "seen refraction" a refractor, so the camera sees through it
-//   "thin panes", "mirrors", "dispersion", "rough glass": found and left to later; inactive, with the reason
+//   "thin panes"      a transmissive surface without a volume
+//   "mirrors", "dispersion", "rough glass": found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 
 }  // namespace caustics

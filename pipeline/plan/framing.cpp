@@ -77,7 +77,7 @@ void set_depth(Frame& frame, double nearest, double farthest) {
 
 struct LightExtents {
   Frame axes;
-  Extents casters, receivers, occluders, everything;
+  Extents casters, receivers, occluders, panes, everything;
 };
 
 LightExtents measure(const Scene& scene, const Effects& effects, const Light& light) {
@@ -102,7 +102,9 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
     result.everything.add(extents);
     if (effects.surfaces[i].role == Role::Refractor) {
       result.casters.add(extents);
-    } else if (effects.surfaces[i].role != Role::ThinPane) {
+    } else if (effects.surfaces[i].role == Role::ThinPane) {
+      result.panes.add(extents);
+    } else {
       result.receivers.add(extents);
       if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
     }
@@ -112,11 +114,15 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
 
 // The frames before anything is known of the landings: the receiver map sees everything.
 LightFrames widest_frames(const LightExtents& extents, int grid) {
-  LightFrames frames{extents.axes, extents.axes, extents.axes, extents.axes};
+  LightFrames frames{extents.axes, extents.axes, extents.axes, extents.axes, extents.axes};
   const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
   if (!shadow.empty()) {
     set_window(frames.shadow, shadow.lower, shadow.upper, 0.01);
     set_depth(frames.shadow, extents.everything.nearest, extents.everything.farthest);
+  }
+  if (!extents.panes.empty()) {
+    set_window(frames.panes, extents.panes.lower, extents.panes.upper, 0.01);
+    set_depth(frames.panes, extents.everything.nearest, extents.everything.farthest);
   }
   if (extents.casters.empty()) return frames;
   set_window(frames.caster, extents.casters.lower, extents.casters.upper, 4.0 / grid);

@@ -21,6 +21,7 @@ enum class DrawSet : std::uint8_t {
   Receivers,       // every mesh that is a Receiver
   Casters,         // every Refractor
   SolidCasters,    // every Refractor with two interfaces
+  ThinPanes,       // every ThinPane
   GridVertices,    // grid * grid points
 };
 
@@ -34,6 +35,7 @@ struct LightFrames {
   Frame receiver;  // from the casters to where their light lands: receiver map
   Frame caustic;   // on where the light lands: caustic map
   Frame shadow;    // on everything that can throw or catch a shadow
+  Frame panes;     // on the thin panes
   // z of the casters' nearest point: what lies before it within the caster frame's window stands
   // between light and casters, and is no receiver of their light.
   double casters_nearest = 0.0;

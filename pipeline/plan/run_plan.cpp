@@ -26,6 +26,8 @@ bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
       return role.role == Role::Refractor;
     case DrawSet::SolidCasters:
       return role.role == Role::Refractor && role.two_interfaces;
+    case DrawSet::ThinPanes:
+      return role.role == Role::ThinPane;
     case DrawSet::FullScreen:
     case DrawSet::GridVertices:
       return false;
@@ -57,6 +59,7 @@ class PassRunner {
       case DrawSet::Receivers:
       case DrawSet::Casters:
       case DrawSet::SolidCasters:
+      case DrawSet::ThinPanes:
         add_mesh_draws(pass, planned, context, run);
         break;
     }

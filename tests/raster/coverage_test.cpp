@@ -113,7 +113,7 @@ TEST_CASE("coverage: degenerate and sub-pixel triangles that miss all centres co
   CHECK(RasterBench::sum(b.draw({b.at(1.4, 1.4), b.at(1.7, 1.4), b.at(1.4, 1.7)})[0]) == 1.0);
 }
 
-TEST_CASE("coverage: counter-clockwise triangles face the viewer; culling drops one side") {
+TEST_CASE("coverage: counter-clockwise triangles face the viewer, and culling drops one side") {
   RasterBench b = counting(4, 4);
   const std::vector<RasterVertex> front = {b.at(0, 0), b.at(4, 0), b.at(4, 4)};
   const std::vector<RasterVertex> back = {b.at(0, 0), b.at(4, 4), b.at(4, 0)};

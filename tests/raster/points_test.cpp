@@ -55,7 +55,7 @@ TEST_CASE("points: sizes below 1 are drawn as 1") {
     CHECK(RasterBench::sum(b.draw({point(b, 3.5, 3.5, size)})[0]) == 1.0);
 }
 
-TEST_CASE("points: a point at the border is cut, not dropped; one whose centre lies outside is dropped whole") {
+TEST_CASE("points: a point at the border is cut, not dropped, and one whose centre lies outside is dropped whole") {
   RasterBench b = points(8, 8);
   CHECK(RasterBench::sum(b.draw({point(b, 0.5, 0.5, 5.0f)})[0]) == 9.0);
   CHECK(RasterBench::sum(b.draw({point(b, 7.5, 4.5, 5.0f)})[0]) == 15.0);

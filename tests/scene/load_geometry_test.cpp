@@ -184,7 +184,7 @@ TEST_CASE("Glass that is split over two primitives is closed when both together 
   CHECK(scene.meshes[0].object == scene.meshes[1].object);
 }
 
-TEST_CASE("Seams that differ by rounding are welded; an open box is open") {
+TEST_CASE("Seams that differ by rounding are welded, but an open box is open") {
   std::vector<float> corners = cube_corners();
   const std::vector<float> copy = corners;
   corners.insert(corners.end(), copy.begin(), copy.end());

@@ -57,7 +57,7 @@ TEST_CASE("Spot cones are put in order, with a note") {
   CHECK(has_note(swapped, "innerConeAngle"));
 }
 
-TEST_CASE("A negative intensity switches the light off; unknown types are refused") {
+TEST_CASE("A negative intensity switches the light off, and unknown types are refused") {
   const Scene off = load(lit(R"("type":"point","intensity":-3)"));
   CHECK(off.lights.at(0).intensity == 0.0f);
   CHECK(has_note(off, kLight + ".intensity is negative"));
@@ -75,7 +75,7 @@ TEST_CASE("A node cannot refer to a light that is not there, nor aim one without
   CHECK(contains(refusal(lit(R"("type":"directional")", flat)), "nodes[1]: "));
 }
 
-TEST_CASE("A perspective camera keeps its angle; without zfar it sees to infinity") {
+TEST_CASE("A perspective camera keeps its angle, and without zfar it sees to infinity") {
   const Scene scene =
       load(seen(R"("name":"eye","type":"perspective","perspective":{"yfov":0.7,"znear":0.1})",
                 R"(,"translation":[0,0,5],"scale":[2,-2,2])"));

@@ -117,3 +117,25 @@ TEST_CASE("floor: beauty is albedo over pi times all irradiance") {
       CHECK(double(r["beauty"].at(x, y, 0)) ==
             Approx(0.8 / 3.14159265358979 * irradiance(r, x, y)).epsilon(1e-5).margin(1e-9));
 }
+
+TEST_CASE("floor: a thin pane tints its shadow and leaves the rest alone") {
+  // A level pane of +-0.5 m: a vertical ray keeps 0.96 / 1.04 of its light, times the pane's colour.
+  Scene scene = without_casters(sphere_scene(1.5f));
+  Material pane = glass(1.5f);
+  pane.thickness = 0.0f;
+  pane.base_color = {0.2f, 0.4f, 0.8f, 1.0f};
+  scene.materials.push_back(pane);
+  scene.meshes.push_back(floor(0.5, 0.8, 2));
+  const Rendering r = render(scene, small_settings(64, 64, 64), kLayers);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const double px = std::fabs((x + 0.5) / 32.0 - 1.0), py = std::fabs((y + 0.5) / 32.0 - 1.0);
+      if (std::fabs(px - 0.5) < 0.02 || std::fabs(py - 0.5) < 0.02) continue;
+      const bool under = px < 0.5 && py < 0.5;
+      for (int c = 0; c < 3; ++c) {
+        const double tint = under ? pane.base_color[c] * 0.96 / 1.04 : 1.0;
+        CHECK(r["aov_direct"].at(x, y, c) == Approx(tint).epsilon(1e-5));
+      }
+      CHECK(r["aov_caustic"].at(x, y, 0) == 0.0f);
+    }
+}

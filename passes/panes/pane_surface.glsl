@@ -1,0 +1,50 @@
+// A thin pane drawn into a frame: vertex stage, and what a ray through it keeps. Expects the texture
+// base_color and the uniforms of pane_uniforms.glsl.
+VARYING_SMOOTH(0, Vec3, surface_position)
+VARYING_SMOOTH(3, Vec3, surface_normal)
+VARYING_SMOOTH(6, Vec2, surface_uv)
+
+#ifdef VERTEX_STAGE
+ATTRIBUTE(0, Vec3, position)
+ATTRIBUTE(3, Vec3, normal)
+ATTRIBUTE(6, Vec2, uv)
+#include "passes/shared/frame_space.glsl"
+
+void main() {
+  surface_position = position;
+  surface_normal = normal;
+  surface_uv = uv;
+  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+}
+#else
+#include "passes/shared/cutout.glsl"
+#include "passes/shared/frame_space.glsl"
+#include "passes/shared/material.glsl"
+#include "passes/shared/optics.glsl"
+
+// Direction of the frame's ray through the drawn point.
+Vec3 ray_direction() {
+  Vec3 forward = Vec3(u.forward);
+  if (u.eye.w > 0.5f) forward = normalize_or(surface_position - Vec3(u.eye), forward);
+  return forward;
+}
+
+// Reflectance of one of the pane's two faces for a ray along d.
+Float face_reflectance(Vec3 d) {
+  Float cosine = abs(dot3(normalize_or(surface_normal, d), d));
+  Float eta = Float(1.0f / u.tint.w);
+  return fresnel_reflectance(eta, cosine, sqrt(max_of(transmitted_cosine_squared(eta, cosine), 0.0f)));
+}
+
+// What light keeps on its way through: between two parallel faces the reflections add up to
+// (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once.
+Vec3 pane_transmittance(Vec3 d) {
+  Float r = face_reflectance(d);
+  Vec3 color = Vec3(u.tint);
+  if (u.uses.x > 0.5f) {
+    Vec2 at = transformed_uv(u.uv_row0, u.uv_row1, surface_uv);
+    color = color * Vec3(fetch_repeat(base_color, at.x, at.y));
+  }
+  return color * ((1.0f - r) / (1.0f + r));
+}
+#endif

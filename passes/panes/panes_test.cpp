@@ -1,0 +1,134 @@
+#include "passes/panes/panes.hpp"
+
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// At normal incidence a face of index 1.5 mirrors (0.5 / 2.5)^2 = 0.04: a pane passes 0.96 / 1.04 and
+// mirrors 0.08 / 1.04.
+constexpr float kPasses = 0.96f / 1.04f, kMirrors = 0.08f / 1.04f;
+
+Material pane_material() {
+  Material m;
+  m.base_color = {1.0f, 0.5f, 0.25f, 1.0f};
+  m.transmission = 1.0f;
+  m.ior = 1.5f;
+  return m;
+}
+
+MeshData level(float height) {
+  return quad({{-4, height, 4}, {4, height, 4}, {4, height, -4}, {-4, height, -4}}, {0, 1, 0});
+}
+
+// A light 10 m up that shines straight down through a level pane at height 4.
+struct LightBench {
+  Material material = pane_material();
+  MeshData mesh = level(4.0f);
+  float opaque_distance = 1e30f;  // of the nearest opaque surface, from the light
+
+  glm::vec4 transmittance() const {
+    LightFrames frames;
+    frames.panes = frames.shadow = down(1.0, 10.0, 20.0);
+    Effects effects;
+    effects.list = {{"occluders", true, ""}};
+    const Scene scene;
+    const Light light;
+    const Pass pass = pane_light_pass();
+    return texel(run_pass(pass.definition,
+                          {.uniforms = pass.uniforms({.scene = &scene,
+                                                      .effects = &effects,
+                                                      .frames = &frames,
+                                                      .light = &light,
+                                                      .material = &material}),
+                           .textures = {Image{}, filled(1, 1, glm::vec4(opaque_distance))},
+                           .mesh = mesh})["pane_transmittance"],
+                 0, 0);
+  }
+};
+
+// A camera 10 m up that looks down on a level pane at height 4, over a picture of radiance 1.
+struct ViewBench {
+  Material material = pane_material();
+  Scene scene;
+  glm::vec4 surface{0.0f}, caster{0.0f};
+  float depth = 0.0f;
+
+  glm::vec3 after(Pass pass) const {
+    const Frame view = down(1.0, 10.0, 20.0);
+    pass.definition.writes[0].clear = {1.0f, 1.0f, 1.0f, 1.0f};
+    return glm::vec3(texel(
+        run_pass(pass.definition,
+                 {.uniforms = pass.uniforms({.scene = &scene, .view = &view, .material = &material}),
+                  .textures = {Image{}, filled(1, 1, surface), filled(1, 1, {0, 1, 0, depth}),
+                               filled(1, 1, caster), Image{}},
+                  .mesh = level(4.0f)})["beauty"],
+        0, 0));
+  }
+};
+
+void check_color(const glm::vec3& found, const glm::vec3& expected) {
+  for (int c = 0; c < 3; ++c) CHECK(found[c] == Approx(expected[c]).epsilon(1e-5));
+}
+
+}  // namespace
+
+TEST_CASE("pane_light: a pane passes its colour, less what both faces mirror") {
+  check_color(LightBench{}.transmittance(), kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
+}
+
+TEST_CASE("pane_light: a steep pane passes less") {
+  // 60 degrees, sin = 0.8660254, inside cos = sqrt(1 - 0.75 / 2.25) = 0.8164966:
+  // rs = ((0.5 - 1.2247449) / 1.7247449)^2 = 0.1765719, rp = ((0.75 - 0.8164966) / 1.5664966)^2 =
+  // 0.0018020, r = 0.0891870, (1 - r) / (1 + r) = 0.8362323.
+  LightBench bench;
+  bench.mesh = quad({{-4, 4, 4}, {4, 4, 4}, {4, 4, -4}, {-4, 4, -4}}, {0.8660254f, 0.5f, 0.0f});
+  check_color(bench.transmittance(), 0.8362323f * glm::vec3(1.0f, 0.5f, 0.25f));
+}
+
+TEST_CASE("pane_light: two panes multiply") {
+  LightBench bench;
+  const MeshData second = level(2.0f);
+  bench.mesh.vertices.insert(bench.mesh.vertices.end(), second.vertices.begin(), second.vertices.end());
+  for (const std::uint32_t i : second.indices) bench.mesh.indices.push_back(4 + i);
+  check_color(bench.transmittance(), kPasses * kPasses * glm::vec3(1.0f, 0.25f, 0.0625f));
+}
+
+TEST_CASE("pane_light: a pane behind an opaque surface takes nothing from its light") {
+  LightBench bench;
+  bench.opaque_distance = 3.0f;  // the pane is 6 m away, two texels' extents are 4 m
+  CHECK(bench.transmittance() != glm::vec4(1.0f));
+  bench.opaque_distance = 1.5f;
+  CHECK(bench.transmittance() == glm::vec4(1.0f));
+}
+
+TEST_CASE("pane_light: what an alpha mask cuts out takes nothing") {
+  LightBench bench;
+  bench.material.alpha_mode = AlphaMode::Mask;
+  bench.material.base_color.a = 0.4f;
+  CHECK(bench.transmittance() == glm::vec4(1.0f));
+}
+
+TEST_CASE("view_panes: what lies behind a pane is tinted, before it stays") {
+  ViewBench bench;
+  check_color(bench.after(view_panes_pass()), kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
+  bench.surface.w = 1.0f;
+  bench.depth = 10.0f;  // on the ground
+  check_color(bench.after(view_panes_pass()), kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
+  bench.depth = 5.0f;  // at height 5
+  check_color(bench.after(view_panes_pass()), glm::vec3(1.0f));
+  bench.depth = 10.0f;
+  bench.caster = {0.0f, 5.0f, 0.0f, 1.0f};
+  check_color(bench.after(view_panes_pass()), glm::vec3(1.0f));
+}
+
+TEST_CASE("view_pane_mirror: a level pane mirrors the zenith on top of what is seen") {
+  ViewBench bench;
+  bench.scene.environment.zenith = {10.0f, 20.0f, 30.0f};
+  bench.scene.environment.horizon = bench.scene.environment.ground = glm::vec3(1.0f);
+  check_color(bench.after(view_pane_mirror_pass()),
+              glm::vec3(1.0f) + kMirrors * glm::vec3(10.0f, 20.0f, 30.0f));
+}
