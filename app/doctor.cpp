@@ -37,8 +37,8 @@ std::vector<Lanes> compiled_lanes() {
   return lanes;
 }
 
-// Whether attributes are interpolated with fused multiply-add instructions (FINDINGS: the result is
-// the same either way, only slower without).
+// Whether attributes are interpolated with fused multiply-add instructions: the result is
+// the same either way, only slower without.
 std::string fused_multiply_add() {
 #if defined(__x86_64__) || defined(__i386__)
   return __builtin_cpu_supports("fma") ? "yes" : "no: computed in software, slower";

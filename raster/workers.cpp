@@ -31,6 +31,29 @@ FlushDenormals::~FlushDenormals() {
 
 #if CAUSTICS_HAS_TBB
 
+namespace {
+
+// What happens before work starts, and what it leaves behind, as the thread sanitizer has to be told:
+// it cannot see into an oneTBB that was built without it.
+#if defined(__SANITIZE_THREAD__)
+#define CAUSTICS_THREAD_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define CAUSTICS_THREAD_SANITIZER 1
+#endif
+#endif
+#if CAUSTICS_THREAD_SANITIZER
+extern "C" void __tsan_acquire(void*);
+extern "C" void __tsan_release(void*);
+void happens_before(void* tag) { __tsan_release(tag); }
+void happens_after(void* tag) { __tsan_acquire(tag); }
+#else
+void happens_before(void*) {}
+void happens_after(void*) {}
+#endif
+
+}  // namespace
+
 // Asks for as many threads as were wished even where the machine has fewer cores.
 struct Workers::Arena {
   explicit Arena(int threads)
@@ -49,16 +72,21 @@ Workers::Workers(int threads)
 void Workers::run(int count, const std::function<void(int)>& task) const {
   // Each thread takes the next number, so that a caller who sorts by cost gets the longest first.
   std::atomic<int> next{0};
+  char start = 0, end = 0;
   const auto work = [&](int) {
+    happens_after(&start);
     const FlushDenormals mode;
     for (int i = next++; i < count; i = next++) task(i);
+    happens_before(&end);
   };
   const int threads = std::min(threads_, count);
   if (threads <= 1) {
     work(0);
     return;
   }
+  happens_before(&start);
   arena_->arena.execute([&] { tbb::parallel_for(0, threads, work, tbb::simple_partitioner()); });
+  happens_after(&end);
 }
 
 #else
