@@ -11,7 +11,7 @@ if(NOT CAUSTICS_BUILD_APP)
 endif()
 add_executable(caustics_tests ${caustics_test_sources})
 caustics_target_options(caustics_tests)
-target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_reference
+target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_reference
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
   target_link_libraries(caustics_tests PRIVATE caustics_gltf nlohmann_json::nlohmann_json
@@ -24,6 +24,7 @@ else()
   target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/catch2_main.cpp)
 endif()
 include(${PROJECT_SOURCE_DIR}/tests/raster/room.cmake OPTIONAL)
+include(${PROJECT_SOURCE_DIR}/tests/gl/room.cmake OPTIONAL)
 catch_discover_tests(caustics_tests)
 
 add_test(NAME architecture.include_arrows

@@ -19,10 +19,16 @@ def complaint(header):
     return f'{header}: {result.stderr.splitlines()[0]}' if result.returncode else None
 
 
+def has_epoxy():
+    return complaint('epoxy/gl.h') is None
+
+
 def main():
-    headers = [str(h.relative_to(ROOT)) for room in ('pipeline', 'passes', 'raster', 'reference', 'app', 'tests')
+    headers = [str(h.relative_to(ROOT)) for room in ('pipeline', 'passes', 'raster', 'gl_backend', 'reference', 'app', 'tests')
                for h in sorted((ROOT / room).rglob('*.hpp'))]
     headers = [h for h in headers if h not in BODIES and 'catch2_main' not in h]
+    if not has_epoxy():  # the room is a stub then, with this one header
+        headers = [h for h in headers if not h.startswith('gl_backend/') or h.endswith('/gl_device.hpp')]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         wrong = [c for c in pool.map(complaint, headers) if c]
     print('\n'.join(wrong) or f'{len(headers)} headers compile alone')

@@ -1,4 +1,4 @@
-// Draws hand-made vertices on the software device, in window or clip coordinates.
+// Draws hand-made vertices, in window or clip coordinates, on the software device or another.
 #pragma once
 #include <memory>
 #include <vector>
@@ -27,6 +27,7 @@ struct RasterBench {
                             .writes = {{.name = "color", .format = Format::R32F, .meaning = "m"}},
                             .shader = &raster_probe_shader};
   SoftwareOptions options{.threads = 1};
+  Device* on = nullptr;  // none: a software device with these options
   std::vector<bool> keep{};
   PassResult result{};
 
@@ -40,9 +41,12 @@ struct RasterBench {
     return v;
   }
 
-  // All colour targets after one draw of these vertices; `before` fills the first target beforehand.
-  std::vector<Image> draw(const std::vector<RasterVertex>& vertices, const Image* before = nullptr) {
-    const std::unique_ptr<Device> device = make_software_device(options);
+  // All colour targets after one draw of these vertices; `before` fills the first target
+  // beforehand.
+  std::vector<Image> draw(const std::vector<RasterVertex>& vertices,
+                          const Image* before = nullptr) {
+    const std::unique_ptr<Device> own = on ? nullptr : make_software_device(options);
+    Device* const device = on ? on : own.get();
     MeshData mesh;
     mesh.layout = {{"position", 4}, {"color", 4}, {"size", 1}};
     for (const RasterVertex& v : vertices)
@@ -54,8 +58,7 @@ struct RasterBench {
       run.colors.push_back(before && run.colors.empty()
                                ? device->upload(*before)
                                : device->create_texture(write.format, width, height));
-    if (definition.depth)
-      run.depth = device->create_texture(Format::Depth32F, width, height);
+    if (definition.depth) run.depth = device->create_texture(Format::Depth32F, width, height);
     run.keep = keep;
     Draw draw;
     draw.mesh = device->create_mesh(mesh);
@@ -64,6 +67,9 @@ struct RasterBench {
     std::vector<Image> images;
     for (const TextureId color : run.colors) images.push_back(device->read_back(color));
     if (run.depth != TextureId::None) images.push_back(device->read_back(run.depth));
+    for (const TextureId color : run.colors) device->destroy(color);
+    if (run.depth != TextureId::None) device->destroy(run.depth);
+    device->destroy(draw.mesh);
     return images;
   }
 

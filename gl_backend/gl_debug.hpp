@@ -1,0 +1,27 @@
+// Faults that OpenGL reports, as Errors.
+#pragma once
+#include <string>
+
+namespace caustics::gl {
+
+// Collects the driver's debug messages of type error or of high severity in the current context,
+// which must outlive it. Messages come while the faulty call runs.
+class DebugLog {
+ public:
+  DebugLog();
+  ~DebugLog();
+  DebugLog(const DebugLog&) = delete;
+  DebugLog& operator=(const DebugLog&) = delete;
+  // Called by the driver.
+  void add(const char* message);
+  // Throws what has gone wrong since the last call, `what` in front ("pass 'caustic_map'"): Error
+  // (BackendUnavailable) for a lost context and for memory that has run out, else (InternalError).
+  void check(const std::string& what);
+  // Drops what has been collected, where the caller reports the fault itself.
+  void forget();
+
+ private:
+  std::string first_;
+};
+
+}  // namespace caustics::gl

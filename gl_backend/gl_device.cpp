@@ -1,0 +1,343 @@
+#include "gl_backend/gl_device.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "gl_backend/egl_context.hpp"
+#include "gl_backend/gl_debug.hpp"
+#include "gl_backend/gl_framebuffer.hpp"
+#include "gl_backend/gl_mesh.hpp"
+#include "gl_backend/gl_meter.hpp"
+#include "gl_backend/gl_program.hpp"
+#include "gl_backend/gl_state.hpp"
+#include "gl_backend/gl_texture.hpp"
+#include "gl_backend/gl_uniforms.hpp"
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/validate.hpp"
+
+namespace caustics {
+
+namespace gl {
+
+namespace {
+
+std::string text_of(GLenum what) {
+  const GLubyte* text = glGetString(what);
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+bool is_software(const std::string& renderer) {
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
+    if (renderer.find(name) != std::string::npos) return true;
+  return false;
+}
+
+int smallest_limit() {
+  GLint limit = 0, viewport[2] = {0, 0}, width = 0, height = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+  glGetIntegerv(GL_MAX_FRAMEBUFFER_WIDTH, &width);
+  glGetIntegerv(GL_MAX_FRAMEBUFFER_HEIGHT, &height);
+  return std::min({limit, viewport[0], viewport[1], width, height});
+}
+
+VertexArrayObject make_empty_vertex_array() {
+  GLuint id = 0;
+  glCreateVertexArrays(1, &id);
+  return VertexArrayObject(id);
+}
+
+class OpenGlDevice final : public GlDevice {
+ public:
+  OpenGlDevice(const EglCandidate& candidate, const GlOptions& options)
+      : context_(candidate, options.debug),
+        platform_(candidate.name),
+        renderer_(text_of(GL_RENDERER)),
+        meter_(options.timed, is_software(renderer_)),
+        no_vertices_(make_empty_vertex_array()),
+        max_texture_size_(smallest_limit()) {
+    set_common_state();
+    zeros_ = make_texture({Format::RGBA32F, 1, 1});
+    write_texels(zeros_, Image(Format::RGBA32F, 1, 1));
+    debug_.check("starting OpenGL");
+  }
+
+  // What is made of OpenGL objects goes first, while the context is current.
+  ~OpenGlDevice() override { context_.try_make_current(); }
+
+  OpenGlDevice(const OpenGlDevice&) = delete;
+  OpenGlDevice& operator=(const OpenGlDevice&) = delete;
+
+  std::string description() const override { return "OpenGL, " + renderer_ + ", " + platform_; }
+  std::string renderer() const override { return renderer_; }
+  GlCounters counters() const override { return counters_; }
+  int max_texture_size() const override { return max_texture_size_; }
+
+  TextureId create_texture(Format format, int width, int height) override {
+    context_.make_current();
+    if (width < 1 || height < 1 || width > max_texture_size_ || height > max_texture_size_)
+      throw Error(ExitCode::WrongUsage, "a texture of " + std::to_string(width) + " x " +
+                                            std::to_string(height) + " is not between 1 x 1 and " +
+                                            std::to_string(max_texture_size_) + " squared");
+    Texture texture = make_texture({format, width, height});
+    debug_.check("making a texture of " + std::to_string(width) + " x " + std::to_string(height));
+    const auto id = static_cast<TextureId>(++last_texture_);
+    textures_.emplace(id, std::move(texture));
+    ++counters_.textures;
+    return id;
+  }
+
+  TextureId upload(const Image& image) override {
+    const TextureId id = create_texture(image.shape.format, image.width(), image.height());
+    write_texels(texture_of(id), image);
+    debug_.check("filling a texture");
+    return id;
+  }
+
+  void destroy(TextureId texture) override {
+    context_.make_current();
+    std::erase_if(framebuffers_, [&](const auto& entry) {
+      return std::find(entry.first.begin(), entry.first.end(), texture) != entry.first.end();
+    });
+    textures_.erase(texture);
+  }
+
+  MeshId create_mesh(const MeshData& data) override {
+    context_.make_current();
+    Mesh mesh = make_mesh(data);
+    debug_.check("making a mesh of " + std::to_string(mesh.vertex_count) + " vertices");
+    counters_.buffers += (mesh.vertices.id() ? 1u : 0u) + (mesh.indices.id() ? 1u : 0u);
+    const auto id = static_cast<MeshId>(++last_mesh_);
+    meshes_.emplace(id, std::move(mesh));
+    return id;
+  }
+
+  void destroy(MeshId mesh) override {
+    context_.make_current();
+    meshes_.erase(mesh);
+  }
+
+  Image read_back(TextureId texture) override {
+    context_.make_current();
+    Image image = read_texels(texture_of(texture));
+    debug_.check("reading a texture back");
+    ++counters_.read_backs;
+    return image;
+  }
+
+  ImageShape shape(TextureId texture) const override { return texture_of(texture).shape; }
+
+  const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const override {
+    for (const MeshData::Attribute& attribute : mesh_of(mesh).layout)
+      if (attribute.name == name) return &attribute;
+    return nullptr;
+  }
+
+  PassResult run(const PassRun& run) override {
+    validate(run, *this);
+    context_.make_current();
+    const std::string what = "pass '" + run.definition->name + "'";
+    // All that can fail comes before the queries begin.
+    const Program& program = program_of(*run.definition->shader);
+    const GLuint framebuffer = framebuffer_of(run);
+    prepare_draws(run, program);
+    debug_.check(what);
+    PassResult result = counted(run);
+    meter_.begin(run.definition->count_samples);
+    begin_targets(run, framebuffer);
+    glUseProgram(program.object.id());
+    for (std::size_t i = 0; i < run.draws.size(); ++i) draw(run, i);
+    meter_.end(result);
+    debug_.check(what);
+    return result;
+  }
+
+ private:
+  const Texture& texture_of(TextureId id) const {
+    const auto found = textures_.find(id);
+    if (found == textures_.end())
+      throw Error(ExitCode::InternalError, "a texture that does not exist is used");
+    return found->second;
+  }
+
+  const Mesh& mesh_of(MeshId id) const {
+    const auto found = meshes_.find(id);
+    if (found == meshes_.end())
+      throw Error(ExitCode::InternalError, "a mesh that does not exist is used");
+    return found->second;
+  }
+
+  Program compiled(const Shader& shader) {
+    try {
+      return make_program(shader);
+    } catch (...) {
+      debug_.forget();  // the compiler's messages, which the Error repeats
+      throw;
+    }
+  }
+
+  const Program& program_of(const Shader& shader) {
+    const auto found = programs_.find(&shader);
+    if (found != programs_.end()) return found->second;
+    Program program = compiled(shader);
+    debug_.check("shader '" + std::string(shader.name) + "'");
+    ++counters_.programs;
+    return programs_.emplace(&shader, std::move(program)).first->second;
+  }
+
+  GLuint framebuffer_of(const PassRun& run) {
+    Attachments key = run.colors;
+    key.push_back(run.depth);
+    const auto found = framebuffers_.find(key);
+    if (found != framebuffers_.end()) return found->second.id();
+    std::vector<GLuint> names;
+    for (const TextureId id : key)
+      names.push_back(id == TextureId::None ? 0 : texture_of(id).object.id());
+    ++counters_.framebuffers;
+    return framebuffers_.emplace(std::move(key), make_framebuffer(names)).first->second.id();
+  }
+
+  // Uniform blocks, vertex arrays and the existence of all textures.
+  void prepare_draws(const PassRun& run, const Program& program) {
+    uniforms_.clear();
+    for (const Draw& draw : run.draws) {
+      uniforms_.add(draw.uniforms, program.uniform_bytes);
+      for (const TextureId id : draw.textures)
+        if (id != TextureId::None) texture_of(id);
+      if (draw.mesh == MeshId::None) continue;
+      mesh_of(draw.mesh);
+      Mesh& mesh = meshes_.at(draw.mesh);
+      if (mesh.arrays.count(run.definition->shader)) continue;
+      mesh.arrays.emplace(run.definition->shader, make_vertex_array(mesh, program.interface));
+      ++counters_.vertex_layouts;
+    }
+    if (uniforms_.upload()) ++counters_.buffers;
+  }
+
+  // What is known without the driver.
+  PassResult counted(const PassRun& run) const {
+    PassResult result;
+    for (const Draw& draw : run.draws) {
+      const Mesh* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
+      const auto loose = static_cast<std::uint64_t>(std::max(0, draw.vertex_count));
+      const std::uint64_t corners = mesh ? mesh->corner_count() : loose;
+      result.vertices += mesh ? mesh->vertex_count : loose;
+      result.primitives += run.definition->topology == Topology::Points ? corners : corners / 3;
+    }
+    return result;
+  }
+
+  void begin_targets(const PassRun& run, GLuint framebuffer) {
+    const ImageShape size = shape(run.colors.empty() ? run.depth : run.colors[0]);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size.width, size.height);
+    open_masks();
+    clear_targets(framebuffer, run);
+    set_pass_state(*run.definition);
+  }
+
+  void draw(const PassRun& run, std::size_t i) {
+    const Draw& draw = run.draws[i];
+    const GLenum topology = gl_topology(run.definition->topology);
+    uniforms_.bind(i);
+    for (std::size_t unit = 0; unit < draw.textures.size(); ++unit) {
+      const TextureId id = draw.textures[unit];
+      const Texture& texture = id == TextureId::None ? zeros_ : textures_.at(id);
+      glBindTextureUnit(static_cast<GLuint>(unit), texture.object.id());
+    }
+    if (draw.mesh == MeshId::None) {
+      glBindVertexArray(no_vertices_.id());
+      glDrawArrays(topology, 0, std::max(0, draw.vertex_count));
+      return;
+    }
+    const Mesh& mesh = meshes_.at(draw.mesh);
+    const auto corners = static_cast<GLsizei>(mesh.corner_count());
+    glBindVertexArray(mesh.arrays.at(run.definition->shader).id());
+    if (mesh.indices.id())
+      glDrawElements(topology, corners, GL_UNSIGNED_INT, nullptr);
+    else
+      glDrawArrays(topology, 0, corners);
+  }
+
+  EglContext context_;
+  DebugLog debug_;
+  std::string platform_, renderer_;
+  RunMeter meter_;
+  VertexArrayObject no_vertices_;
+  UniformBuffer uniforms_;
+  Texture zeros_;
+  int max_texture_size_ = 0;
+  std::uint32_t last_texture_ = 0, last_mesh_ = 0;
+  GlCounters counters_;
+  std::map<TextureId, Texture> textures_;
+  std::map<MeshId, Mesh> meshes_;
+  std::map<const Shader*, Program> programs_;
+  std::map<Attachments, FramebufferObject> framebuffers_;
+};
+
+constexpr const char* kInstead = "; --backend software works";
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw Error(ExitCode::BackendUnavailable, why + kInstead);
+}
+
+std::vector<EglCandidate> candidates_or_error() {
+  try {
+    return egl_candidates();
+  } catch (const Error& error) {
+    refuse("OpenGL cannot be used: " + std::string(error.what()));
+  }
+}
+
+GlDeviceInfo describe(const EglCandidate& candidate, int index) {
+  GlDeviceInfo info;
+  info.index = index;
+  info.platform = candidate.name;
+  try {
+    const EglContext context(candidate, false);
+    info.vendor = text_of(GL_VENDOR);
+    info.renderer = text_of(GL_RENDERER);
+    info.version = text_of(GL_VERSION);
+  } catch (const Error& error) {
+    info.reason = error.what();
+  }
+  return info;
+}
+
+}  // namespace
+
+}  // namespace gl
+
+std::vector<GlDeviceInfo> list_gl_devices() {
+  std::vector<GlDeviceInfo> devices;
+  bool any_works = false;
+  for (const gl::EglCandidate& candidate : gl::candidates_or_error()) {
+    // Asking for a display that is not there makes some drivers print: only when nothing else is
+    // left.
+    if (any_works && candidate.platform == gl::Platform::DefaultDisplay) continue;
+    devices.push_back(gl::describe(candidate, static_cast<int>(devices.size())));
+    any_works = any_works || devices.back().reason.empty();
+  }
+  return devices;
+}
+
+std::unique_ptr<GlDevice> make_gl_device(const GlOptions& options) {
+  const std::vector<gl::EglCandidate> candidates = gl::candidates_or_error();
+  const int count = static_cast<int>(candidates.size());
+  if (options.device < -1 || options.device >= count)
+    gl::refuse("OpenGL device " + std::to_string(options.device) + " does not exist, the last is " +
+               std::to_string(count - 1));
+  std::string reasons;
+  for (int i = 0; i < count; ++i) {
+    if (options.device >= 0 && i != options.device) continue;
+    const gl::EglCandidate& candidate = candidates[static_cast<std::size_t>(i)];
+    try {
+      return std::make_unique<gl::OpenGlDevice>(candidate, options);
+    } catch (const Error& error) {
+      reasons += (reasons.empty() ? "" : ", ") + candidate.name + ": " + error.what();
+    }
+  }
+  gl::refuse("no OpenGL 4.5 core context (" + reasons + ")");
+}
+
+}  // namespace caustics

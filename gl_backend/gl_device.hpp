@@ -1,0 +1,64 @@
+// The OpenGL Device: executes pass definitions through OpenGL 4.5 core, on a context that EGL makes
+// without a window system. It knows no pass. One device is used from one thread; several devices
+// may live in one thread.
+//
+// Differences that the contract allows: denormals are flushed by some drivers, fragments are
+// counted where the driver counts them, and a point may be no larger than the driver's limit. It
+// never multisamples, filters, makes mipmaps or converts to sRGB.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/device.hpp"
+
+namespace caustics {
+
+struct GlOptions {
+  // One of list_gl_devices(), by index; -1 takes the first that works.
+  int device = -1;
+  // Measure each run: PassResult::milliseconds, and fragments where the driver counts them. The
+  // device then waits for the end of each run. Without it both are 0, and a run waits only when its
+  // definition counts samples.
+  bool timed = true;
+  // Ask for a debug context, whose messages name the faulty call in an Error. Without it faults are
+  // still noticed, with less to read.
+  bool debug = true;
+};
+
+// What a device has made and moved since it was made. A steady frame loop makes nothing.
+struct GlCounters {
+  std::uint64_t programs = 0;
+  std::uint64_t buffers = 0;
+  std::uint64_t textures = 0;
+  std::uint64_t vertex_layouts = 0;
+  std::uint64_t framebuffers = 0;
+  std::uint64_t read_backs = 0;
+};
+
+// Beyond the contract, for tests and tools.
+class GlDevice : public Device {
+ public:
+  virtual GlCounters counters() const = 0;
+  // GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+  virtual std::string renderer() const = 0;
+};
+
+// One way that EGL offers to reach OpenGL, and what it leads to.
+struct GlDeviceInfo {
+  int index = 0;
+  std::string platform;  // "EGL device 0 (/dev/dri/card0)", "surfaceless", "default display"
+  std::string vendor, renderer, version;
+  std::string reason;  // why it cannot be used; empty when it can
+};
+
+// All that EGL offers on this machine: its devices, then Mesa's surfaceless platform, then the
+// default display. The last is tried only when nothing before it works. Throws Error
+// (BackendUnavailable) where there is no EGL.
+std::vector<GlDeviceInfo> list_gl_devices();
+
+// Throws Error (BackendUnavailable) when no device works, or the one asked for does not.
+std::unique_ptr<GlDevice> make_gl_device(const GlOptions& options = {});
+
+}  // namespace caustics

@@ -1,0 +1,30 @@
+// Vertex and index buffers, and how a shader's attributes lie in them.
+#pragma once
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "gl_backend/gl_object.hpp"
+#include "pipeline/gpu/device.hpp"
+
+namespace caustics::gl {
+
+struct Mesh {
+  std::vector<MeshData::Attribute> layout;
+  BufferObject vertices;
+  BufferObject indices;  // 0: the vertices in order
+  std::size_t vertex_count = 0;
+  std::size_t index_count = 0;
+  int stride = 0;  // bytes from vertex to vertex
+  // Vertex arrays by the shader that they feed.
+  std::map<const Shader*, VertexArrayObject> arrays;
+
+  std::size_t corner_count() const { return indices.id() ? index_count : vertex_count; }
+};
+
+// Throws Error (InternalError) when an index is beyond the vertices.
+Mesh make_mesh(const MeshData& data);
+// Feeds attribute i of the interface to location i; the mesh must have them all (validated before).
+VertexArrayObject make_vertex_array(const Mesh& mesh, const ShaderInterface& interface);
+
+}  // namespace caustics::gl

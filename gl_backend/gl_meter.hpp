@@ -1,0 +1,25 @@
+// What a run cost: its time and the driver's counts.
+#pragma once
+#include <chrono>
+
+#include "gl_backend/gl_object.hpp"
+#include "pipeline/gpu/device.hpp"
+
+namespace caustics::gl {
+
+// Time comes from GL_TIME_ELAPSED on a GPU. Software renderers answer that query before they have
+// drawn, so there the clock runs until glFinish returns.
+class RunMeter {
+ public:
+  RunMeter(bool timed, bool software_renderer);
+  void begin(bool count_samples);
+  // Adds what was counted since begin(). Waits for the driver only for figures that were asked for.
+  void end(PassResult& result);
+
+ private:
+  bool timed_, wall_clock_, counts_fragments_ = false, counts_samples_ = false;
+  QueryObject time_, samples_, fragments_;
+  std::chrono::steady_clock::time_point start_{};
+};
+
+}  // namespace caustics::gl

@@ -1,0 +1,90 @@
+#include "gl_backend/gl_program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/error.hpp"
+
+namespace caustics::gl {
+
+namespace {
+
+// The first line that says "error", else the first that says anything; on one line.
+std::string complaint(const std::vector<char>& log) {
+  std::string_view rest(log.data());
+  std::string first;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string line(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.find("error") != std::string::npos || line.find("ERROR") != std::string::npos)
+      return line;
+    if (first.empty()) first = line;
+  }
+  return first.empty() ? "no reason given" : first;
+}
+
+[[noreturn]] void refuse(const Shader& shader, const char* stage, const std::vector<char>& log) {
+  throw Error(ExitCode::InternalError, "shader '" + std::string(shader.name) + "' (" + stage +
+                                           "): OpenGL refuses it: " + complaint(log));
+}
+
+ShaderObject compile(const Shader& shader, GLenum kind, const char* macro, const char* stage) {
+  const std::string head = "#version 450 core\n#define " + std::string(macro) + " 1\n";
+  const std::array<std::string_view, 4> parts = {head, kPrelude, "\n#line 1\n", shader.text};
+  std::array<const GLchar*, 4> texts{};
+  std::array<GLint, 4> lengths{};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    texts[i] = parts[i].data();
+    lengths[i] = static_cast<GLint>(parts[i].size());
+  }
+  ShaderObject object(glCreateShader(kind));
+  glShaderSource(object.id(), static_cast<GLsizei>(parts.size()), texts.data(), lengths.data());
+  glCompileShader(object.id());
+  GLint compiled = GL_FALSE, length = 0;
+  glGetShaderiv(object.id(), GL_COMPILE_STATUS, &compiled);
+  if (compiled == GL_TRUE) return object;
+  glGetShaderiv(object.id(), GL_INFO_LOG_LENGTH, &length);
+  std::vector<char> log(static_cast<std::size_t>(std::max(length, 0)) + 1);
+  glGetShaderInfoLog(object.id(), length, nullptr, log.data());
+  refuse(shader, stage, log);
+}
+
+int uniform_bytes_of(GLuint program) {
+  const GLuint block = glGetUniformBlockIndex(program, "UniformBlock");
+  if (block == GL_INVALID_INDEX) return 0;
+  GLint bytes = 0;
+  glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+  return bytes;
+}
+
+}  // namespace
+
+Program make_program(const Shader& shader) {
+  Program program{ProgramObject(glCreateProgram()), reflect(shader.text)};
+  const GLuint id = program.object.id();
+  const ShaderObject vertex = compile(shader, GL_VERTEX_SHADER, "VERTEX_STAGE", "vertex stage");
+  const ShaderObject fragment =
+      compile(shader, GL_FRAGMENT_SHADER, "FRAGMENT_STAGE", "fragment stage");
+  glAttachShader(id, vertex.id());
+  glAttachShader(id, fragment.id());
+  for (std::size_t i = 0; i < program.interface.attributes.size(); ++i)
+    glBindAttribLocation(id, static_cast<GLuint>(i), program.interface.attributes[i].name.c_str());
+  glLinkProgram(id);
+  GLint linked = GL_FALSE, length = 0;
+  glGetProgramiv(id, GL_LINK_STATUS, &linked);
+  if (linked != GL_TRUE) {
+    glGetProgramiv(id, GL_INFO_LOG_LENGTH, &length);
+    std::vector<char> log(static_cast<std::size_t>(std::max(length, 0)) + 1);
+    glGetProgramInfoLog(id, length, nullptr, log.data());
+    refuse(shader, "linking", log);
+  }
+  glDetachShader(id, vertex.id());
+  glDetachShader(id, fragment.id());
+  program.uniform_bytes = uniform_bytes_of(id);
+  return program;
+}
+
+}  // namespace caustics::gl
