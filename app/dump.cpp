@@ -6,9 +6,6 @@
 
 namespace caustics::app {
 
-namespace {
-
-// A label as part of a file's name: whatever is not a plain letter or digit becomes '_'.
 std::string file_part(const std::string& label) {
   std::string part = label.substr(0, 80);
   for (char& c : part) {
@@ -19,7 +16,16 @@ std::string file_part(const std::string& label) {
   return part;
 }
 
-}  // namespace
+void make_dump_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw Error(ExitCode::CannotWrite, folder.string() + ": cannot make this folder: " +
+                                           (error ? error.message() : "a file is in its place"));
+  }
+  require_writable(folder / "manifest.json");
+  std::filesystem::remove(folder / "manifest.json", error);
+}
 
 void for_each_attachment(
     const RenderedFrame& frame, const PlannedPass& pass,
@@ -32,14 +38,7 @@ void for_each_attachment(
 }
 
 Dump::Dump(const std::filesystem::path& folder) : folder_(folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw Error(ExitCode::CannotWrite, folder.string() + ": cannot make this folder: " +
-                                           (error ? error.message() : "a file is in its place"));
-  }
-  require_writable(folder / "manifest.json");
-  std::filesystem::remove(folder / "manifest.json", error);
+  make_dump_folder(folder);
   manifest_["attachments"] = nlohmann::ordered_json::array();
 }
 

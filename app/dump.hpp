@@ -13,6 +13,12 @@ void for_each_attachment(
     const RenderedFrame& frame, const PlannedPass& pass,
     const std::function<void(const PlannedTexture& texture, const Image& image)>& use);
 
+// A label as part of a file's name: whatever is not a plain letter or digit becomes '_'.
+std::string file_part(const std::string& label);
+
+// Makes the folder and takes away a manifest of an earlier run; throws Error (CannotWrite).
+void make_dump_folder(const std::filesystem::path& folder);
+
 class Dump {
  public:
   // Makes the folder; throws Error (CannotWrite).

@@ -93,10 +93,10 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Judged
     : settings_(request.settings), judged_(std::move(judged)) {
   plan_ = make_plan(scene(), effects(), settings_, pass_registry(), goal);
   check_memory(plan_);
-  device_ = make_software_device(SoftwareOptions{.threads = request.threads});
+  device_ = make_device(request.backend);
   on_device_ = std::make_unique<SceneOnDevice>(scene(), effects(), *device_);
   stop_if_interrupted();
-  frames_ = fit_light_frames(*on_device_, effects(), settings_, pass_registry());
+  frames_ = fit_frames(request.backend);
   stop_if_interrupted();
   targets_ = std::make_unique<FrameTargets>(plan_, *device_);
   inputs_.settings = &settings_;
@@ -104,6 +104,16 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Judged
   inputs_.frames = &frames_;
   inputs_.view = frame_of(*judged_->camera, settings_.width, settings_.height, bounds_of(scene()));
   inputs_.exposure = exposure_of(scene(), settings_);
+}
+
+// Always on the software device, so that every backend draws the same frames.
+std::vector<LightFrames> RenderedFrame::fit_frames(const BackendRequest& backend) const {
+  if (backend.backend == Backend::Software) {
+    return fit_light_frames(*on_device_, effects(), settings_, pass_registry());
+  }
+  const std::unique_ptr<Device> device = make_software_device({.threads = backend.threads});
+  return fit_light_frames(SceneOnDevice(scene(), effects(), *device), effects(), settings_,
+                          pass_registry());
 }
 
 std::vector<PassReport> RenderedFrame::run(const AfterPass& after) {

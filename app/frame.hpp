@@ -43,9 +43,13 @@ class RenderedFrame {
   const Settings& settings() const { return settings_; }
   const FramePlan& plan() const { return plan_; }
   const std::vector<LightFrames>& frames() const { return frames_; }
+  const FrameInputs& inputs() const { return inputs_; }
+  const SceneOnDevice& on_device() const { return *on_device_; }
   Device& device() const { return *device_; }
 
  private:
+  std::vector<LightFrames> fit_frames(const BackendRequest& backend) const;
+
   Settings settings_;
   std::unique_ptr<JudgedScene> judged_;
   FramePlan plan_;

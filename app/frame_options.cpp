@@ -45,15 +45,6 @@ void set_resolution(Settings& settings, const std::string& text) {
   settings.height = size.second;
 }
 
-void refuse_other_backends(const std::string& name) {
-  if (name == "software") return;
-  if (name == "gl") {
-    throw Error(ExitCode::BackendUnavailable,
-                "this build has no OpenGL backend; leave --backend out or say software");
-  }
-  throw Error(ExitCode::WrongUsage, "--backend cannot be '" + name.substr(0, 60) + "': software");
-}
-
 }  // namespace
 
 void add_frame_options(Parser& parser, FrameRequest& request) {
@@ -75,12 +66,7 @@ void add_frame_options(Parser& parser, FrameRequest& request) {
   parser.repeated("-D", "KEY=VALUE", "any setting, listed below; may stand several times",
                   [&](const std::string& value) { assign(settings, value); });
   parser.group("Running");
-  parser.option("--backend", "NAME", "software: the only one in this build (default software)",
-                refuse_other_backends);
-  parser.option("-t,--threads", "N", "threads, 1..1024 (default one a core); changes no bit",
-                [&](const std::string& value) {
-                  request.threads = parse_integer("--threads", value, 1, 1024);
-                });
+  add_backend_options(parser, request.backend);
   parser.group("Options");
   std::string footer = "Settings for -D:\n";
   for (const std::string& line : setting_keys()) footer += "  " + line + "\n";

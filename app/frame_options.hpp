@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/parser.hpp"
+#include "app/backend.hpp"
 #include "pipeline/plan/settings.hpp"
 
 namespace caustics::app {
@@ -12,7 +12,7 @@ struct FrameRequest {
   std::filesystem::path scene;
   std::optional<std::filesystem::path> environment;
   Settings settings;
-  int threads = 0;  // 0: one for each core that the process may use
+  BackendRequest backend;
 };
 
 // -r, --camera, --grid and so on, and -D; they write into `request`, which must outlive the parser.

@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
      run_plan_command},
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
+    {"parity", "draw every pass on both backends, and compare", run_parity},
     {"doctor", "version, instruction sets, threads, libraries", run_doctor},
 };
 

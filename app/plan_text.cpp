@@ -3,6 +3,7 @@
 #include "app/flux.hpp"
 #include "app/plan_report.hpp"
 #include "app/summary.hpp"
+#include "app/table.hpp"
 #include "app/terminal.hpp"
 
 namespace caustics::app {
@@ -20,36 +21,6 @@ const char* name_of(LightType type) {
 }
 
 namespace {
-
-std::string padded(std::string text, std::size_t width) {
-  if (text.size() < width) text.resize(width, ' ');
-  return text + "  ";
-}
-
-// Rows in columns as wide as their widest entry, the last one free.
-class Table {
- public:
-  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  std::string text() const {
-    std::vector<std::size_t> widths;
-    for (const auto& cells : rows_) {
-      widths.resize(std::max(widths.size(), cells.size()));
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        widths[i] = std::max(widths[i], std::min<std::size_t>(cells[i].size(), 64));
-      }
-    }
-    std::string result;
-    for (const auto& cells : rows_) {
-      result += "  ";
-      for (std::size_t i = 0; i + 1 < cells.size(); ++i) result += padded(cells[i], widths[i]);
-      result += cells.back() + "\n";
-    }
-    return result;
-  }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
 
 class TextReport {
  public:

@@ -1,5 +1,7 @@
 #include "app/stats.hpp"
 
+#include <algorithm>
+
 #include "app/version.hpp"
 
 namespace caustics::app {
@@ -15,6 +17,30 @@ Json pass_json(const PassReport& report) {
           {"primitives", report.result.primitives},
           {"fragments", report.result.fragments},
           {"samples_passed", report.result.samples_passed}};
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Json objects_json(const DeviceObjects& objects) {
+  return {{"programs", objects.programs},
+          {"buffers", objects.buffers},
+          {"textures", objects.textures},
+          {"vertex_layouts", objects.vertex_layouts},
+          {"framebuffers", objects.framebuffers},
+          {"read_backs", objects.read_backs}};
+}
+
+// A steady loop makes nothing after its first frame, and reads back what it writes to files alone.
+Json frames_json(const FrameStats& frames, const DeviceObjects& made) {
+  return {{"count", frames.milliseconds.size()},
+          {"milliseconds", frames.milliseconds},
+          {"median", median(frames.milliseconds)},
+          {"made_by_first", objects_json(frames.made_by_first)},
+          {"made_by_all", objects_json(made)}};
 }
 
 Json ledger_json(const Scene& scene, const LightLedger& entry) {
@@ -60,7 +86,8 @@ Json settings_json(const Settings& s) {
 }
 
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
-                       const std::vector<LightLedger>& ledgers, const Timing& timing) {
+                       const std::vector<LightLedger>& ledgers, const Timing& timing,
+                       const FrameStats& frames) {
   Json document = {{"format", 1},
                    {"program", version_line()},
                    {"scene", frame.scene().file},
@@ -72,7 +99,8 @@ std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>
                      {"passes", timing.passes},
                      {"write", timing.write},
                      {"total", timing.total}}},
-                   {"texture_bytes", frame.plan().bytes()}};
+                   {"texture_bytes", frame.plan().bytes()},
+                   {"frames", frames_json(frames, frame.device().made())}};
   document["passes"] = Json::array();
   for (const PassReport& report : reports) document["passes"].push_back(pass_json(report));
   document["lights"] = Json::array();

@@ -13,9 +13,16 @@ struct Timing {
   double load = 0.0, prepare = 0.0, passes = 0.0, write = 0.0, total = 0.0;
 };
 
+// What --frames showed: the passes' time of each frame, and what the device had made after the first.
+struct FrameStats {
+  std::vector<double> milliseconds;
+  DeviceObjects made_by_first;
+};
+
 nlohmann::ordered_json settings_json(const Settings& settings);
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
-                       const std::vector<LightLedger>& ledgers, const Timing& timing);
+                       const std::vector<LightLedger>& ledgers, const Timing& timing,
+                       const FrameStats& frames);
 
 // A JSON document with a line break at its end; invalid UTF-8 from file names is replaced.
 std::string json_text(const nlohmann::ordered_json& document);

@@ -53,6 +53,7 @@ class OpenGlDevice final : public GlDevice {
       : context_(candidate, options.debug),
         platform_(candidate.name),
         renderer_(text_of(GL_RENDERER)),
+        version_(text_of(GL_VERSION)),
         meter_(options.timed, is_software(renderer_)),
         no_vertices_(make_empty_vertex_array()),
         max_texture_size_(smallest_limit()) {
@@ -70,7 +71,21 @@ class OpenGlDevice final : public GlDevice {
 
   std::string description() const override { return "OpenGL, " + renderer_ + ", " + platform_; }
   std::string renderer() const override { return renderer_; }
+  std::string version() const override { return version_; }
   GlCounters counters() const override { return counters_; }
+  DeviceObjects made() const override {
+    return {.programs = counters_.programs,
+            .buffers = counters_.buffers,
+            .textures = counters_.textures,
+            .vertex_layouts = counters_.vertex_layouts,
+            .framebuffers = counters_.framebuffers,
+            .read_backs = counters_.read_backs};
+  }
+  void finish() override {
+    context_.make_current();
+    glFinish();
+    debug_.check("finishing");
+  }
   int max_texture_size() const override { return max_texture_size_; }
 
   TextureId create_texture(Format format, int width, int height) override {
@@ -261,7 +276,7 @@ class OpenGlDevice final : public GlDevice {
 
   EglContext context_;
   DebugLog debug_;
-  std::string platform_, renderer_;
+  std::string platform_, renderer_, version_;
   RunMeter meter_;
   VertexArrayObject no_vertices_;
   UniformBuffer uniforms_;

@@ -43,6 +43,8 @@ class GlDevice : public Device {
   virtual GlCounters counters() const = 0;
   // GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   virtual std::string renderer() const = 0;
+  // GL_VERSION, e.g. "4.5 (Core Profile) Mesa 22.3.6".
+  virtual std::string version() const = 0;
 };
 
 // One way that EGL offers to reach OpenGL, and what it leads to.

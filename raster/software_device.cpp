@@ -59,13 +59,19 @@ class SoftwareDevice final : public Device {
         throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
                                                  " is beyond its " + std::to_string(count) +
                                                  " vertices");
+    ++made_.buffers;
     const auto id = static_cast<MeshId>(++last_mesh_);
     meshes_.emplace(id, mesh);
     return id;
   }
 
   void destroy(MeshId mesh) override { meshes_.erase(mesh); }
-  Image read_back(TextureId texture) override { return texture_of(texture).image(); }
+  Image read_back(TextureId texture) override {
+    ++made_.read_backs;
+    return texture_of(texture).image();
+  }
+  void finish() override {}
+  DeviceObjects made() const override { return made_; }
   ImageShape shape(TextureId texture) const override { return texture_of(texture).shape; }
 
   const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const override {
@@ -85,6 +91,7 @@ class SoftwareDevice final : public Device {
 
  private:
   TextureId insert(Texture texture) {
+    ++made_.textures;
     const auto id = static_cast<TextureId>(++last_texture_);
     textures_.emplace(id, std::move(texture));
     return id;
@@ -190,6 +197,7 @@ class SoftwareDevice final : public Device {
   Workers workers_;
   Lanes lanes_;
   std::uint32_t last_texture_ = 0, last_mesh_ = 0;
+  DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
   std::map<MeshId, MeshData> meshes_;
 };

@@ -25,6 +25,7 @@ else()
 endif()
 include(${PROJECT_SOURCE_DIR}/tests/raster/room.cmake OPTIONAL)
 include(${PROJECT_SOURCE_DIR}/tests/gl/room.cmake OPTIONAL)
+include(${PROJECT_SOURCE_DIR}/tests/parity/room.cmake OPTIONAL)
 catch_discover_tests(caustics_tests)
 
 add_test(NAME architecture.include_arrows

@@ -57,6 +57,13 @@ struct PassResult {
   double milliseconds = 0.0;
 };
 
+// What a device has made since it was made itself, and how often texels were read from it. A frame loop
+// that is steady adds nothing but what it asks to read.
+struct DeviceObjects {
+  std::uint64_t programs = 0, buffers = 0, textures = 0, vertex_layouts = 0, framebuffers = 0;
+  std::uint64_t read_backs = 0;
+};
+
 class Device {
  public:
   virtual ~Device() = default;
@@ -75,10 +82,13 @@ class Device {
 
   // Validates (pipeline/gpu/validate.hpp) and executes. A target may not be read by the same run.
   virtual PassResult run(const PassRun& run) = 0;
+  // Returns once everything that was asked for is done.
+  virtual void finish() = 0;
   virtual Image read_back(TextureId texture) = 0;
   // What a texture is, for validation and tools.
   virtual ImageShape shape(TextureId texture) const = 0;
   virtual const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const = 0;
+  virtual DeviceObjects made() const = 0;
 };
 
 }  // namespace caustics

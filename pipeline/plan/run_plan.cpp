@@ -16,6 +16,12 @@ FrameTargets::~FrameTargets() {
     if (texture != TextureId::None) device_.destroy(texture);
 }
 
+void FrameTargets::replace(int index, const Image& image) {
+  TextureId& texture = textures_[static_cast<std::size_t>(index)];
+  device_.destroy(texture);
+  texture = device_.upload(image);
+}
+
 namespace {
 
 bool draws_mesh(DrawSet draws, const SurfaceRole& role) {

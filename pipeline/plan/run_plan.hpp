@@ -17,6 +17,8 @@ class FrameTargets {
   ~FrameTargets();
   FrameTargets(const FrameTargets&) = delete;
   FrameTargets& operator=(const FrameTargets&) = delete;
+  // Puts a texture that holds the image in the place of one.
+  void replace(int index, const Image& image);
   TextureId operator[](int index) const { return textures_[static_cast<std::size_t>(index)]; }
 
  private:

@@ -1,0 +1,39 @@
+#include "app/backend.hpp"
+
+#include "gl_backend/gl_device.hpp"
+#include "pipeline/gpu/error.hpp"
+#include "raster/software_device.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+Backend parse_backend(const std::string& name) {
+  if (name == "software") return Backend::Software;
+  if (name == "gl") return Backend::OpenGl;
+  throw Error(ExitCode::WrongUsage,
+              "--backend cannot be '" + name.substr(0, 60) + "': software or gl");
+}
+
+}  // namespace
+
+void add_backend_options(Parser& parser, BackendRequest& request) {
+  parser.option("--backend", "NAME", "software, or gl for OpenGL 4.5 (default software)",
+                [&](const std::string& value) { request.backend = parse_backend(value); });
+  parser.option("--gl-device", "N",
+                "the OpenGL device, as numbered by 'caustics doctor' (default the first that works)",
+                [&](const std::string& value) {
+                  request.gl_device = parse_integer("--gl-device", value, 0, 1023);
+                });
+  parser.option("-t,--threads", "N", "threads, 1..1024 (default one a core); changes no bit",
+                [&](const std::string& value) {
+                  request.threads = parse_integer("--threads", value, 1, 1024);
+                });
+}
+
+std::unique_ptr<Device> make_device(const BackendRequest& request) {
+  if (request.backend == Backend::OpenGl) return make_gl_device({.device = request.gl_device});
+  return make_software_device({.threads = request.threads});
+}
+
+}  // namespace caustics::app

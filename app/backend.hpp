@@ -1,0 +1,24 @@
+// --backend, --gl-device and --threads: the device that executes the passes.
+#pragma once
+#include <memory>
+
+#include "app/parser.hpp"
+#include "pipeline/gpu/device.hpp"
+
+namespace caustics::app {
+
+enum class Backend : std::uint8_t { Software, OpenGl };
+
+struct BackendRequest {
+  Backend backend = Backend::Software;
+  int gl_device = -1;  // of `caustics doctor`; -1: the first that works
+  int threads = 0;     // of the software device; 0: one for each core that the process may use
+};
+
+// The options; they write into `request`, which must outlive the parser.
+void add_backend_options(Parser& parser, BackendRequest& request);
+
+// Throws Error (BackendUnavailable) where there is no such device.
+std::unique_ptr<Device> make_device(const BackendRequest& request);
+
+}  // namespace caustics::app

@@ -1,0 +1,161 @@
+// caustics parity: do both backends draw the same? Every pass by itself, and the whole frame.
+#include <cstdio>
+
+#include "app/frame.hpp"
+#include "app/interrupt.hpp"
+#include "app/parity_dump.hpp"
+#include "app/parity_report.hpp"
+#include "app/progress.hpp"
+#include "app/sample_scenes.hpp"
+#include "app/stats.hpp"
+#include "app/terminal.hpp"
+#include "app/version.hpp"
+#include "gl_backend/gl_device.hpp"
+#include "gl_backend/gl_driver.hpp"
+#include "passes/parity_allowances.hpp"
+#include "passes/registry.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+struct ParityRequest {
+  FrameRequest frame;
+  std::vector<std::string> scenes;
+  std::string dump;
+  bool json = false, all_samples = false;
+};
+
+bool parse(const Arguments& arguments, ParityRequest& request) {
+  Parser parser("parity",
+                "Draws every pass on the software device and on OpenGL, from the same inputs, and then\n"
+                "the whole frame, and compares every attachment. Exit code 1 when something differs by\n"
+                "more than is allowed for this driver (docs/parity.md).\n"
+                "Sizes are small here unless given: -r 320x180, --grid 128, --map 128, shadow 512.",
+                "  caustics parity                       the sample scenes\n"
+                "  caustics parity scene.glb -r 1280x720 --grid 512 --map 512\n"
+                "  caustics parity scene.glb --dump differences --json\n");
+  request.frame.settings.width = 320;
+  request.frame.settings.height = 180;
+  request.frame.settings.grid = request.frame.settings.map = 128;
+  request.frame.settings.shadow = 512;
+  parser.positionals("SCENE", "glTF 2.0 files (default: the sample scenes)", request.scenes);
+  parser.flag("--json", request.json, "print the report as JSON");
+  parser.option("--dump", "DIR", "for what differs: both images and a mask, as EXR, one scene only",
+                [&](const std::string& folder) { request.dump = folder; });
+  add_frame_options(parser, request.frame);
+  if (!parser.parse(arguments)) return false;
+  request.all_samples = request.scenes.empty();
+  if (request.all_samples) request.scenes = sample_scenes();
+  if (!request.dump.empty() && request.scenes.size() != 1) {
+    throw Error(ExitCode::WrongUsage, "--dump takes one scene; name it");
+  }
+  return true;
+}
+
+// The definition's name of a planned pass's label.
+std::string pass_name(const FramePlan& plan, const std::string& label) {
+  for (const PlannedPass& pass : plan.passes)
+    if (pass.label == label)
+      return pass_registry()[static_cast<std::size_t>(pass.pass)].definition.name;
+  return label;
+}
+
+class ParityCommand {
+ public:
+  explicit ParityCommand(const ParityRequest& request)
+      : request_(request),
+        gl_(make_gl_device({.device = request.frame.backend.gl_device})),
+        driver_(gl_driver_name(gl_->renderer(), gl_->version())),
+        book_(driver_, parity_allowances()) {}
+
+  ParityReport compare(const std::string& scene, ParityDump* dump) {
+    FrameRequest request = request_.frame;
+    request.scene = scene;
+    request.backend.backend = Backend::Software;
+    check_request(request, "parity");
+    const RenderedFrame frame(request, load_scene(request), {});
+    const SceneOnDevice on_gl(frame.scene(), frame.effects(), *gl_);
+    Progress progress(request_.json);
+    const FrameParity parity = compare_devices(
+        frame.plan(), pass_registry(), frame.on_device(), on_gl, frame.inputs(),
+        [&](const AttachmentParity& found, const Image& reference, const Image& tested) {
+          if (dump) dump->add(found, reference, tested);
+        },
+        [&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
+          progress.show(frame.scene().file + ": pass " + std::to_string(done) + " of " +
+                        std::to_string(of) + ": " + pass.label);
+          return interruption() == ExitCode::Done;
+        });
+    const auto name = [&](const std::string& label) { return pass_name(frame.plan(), label); };
+    const auto whole = [](const std::string&) { return std::string("whole frame"); };
+    return {.scene = scene,
+            .reference = frame.device().description(),
+            .tested = gl_->description(),
+            .driver = driver_,
+            .measured = is_measured_driver(driver_),
+            .isolated = judge(parity.isolated, book_, name),
+            .whole_frame = judge(parity.whole_frame, book_, whole),
+            .counts = parity.counts};
+  }
+
+  const std::string& driver() const { return driver_; }
+  std::vector<Allowance> unused() const { return book_.unused(); }
+
+ private:
+  const ParityRequest& request_;
+  std::unique_ptr<GlDevice> gl_;
+  std::string driver_;
+  AllowanceBook book_;
+};
+
+std::string verdict_line(const ParityReport& report) {
+  const std::size_t attachments = report.isolated.size() + report.whole_frame.size();
+  std::string line = one_line(report.scene) + ": ";
+  if (report.differing_values() == 0 && report.passes()) {
+    return line + std::to_string(attachments) + " comparisons of attachments, all equal to the bit";
+  }
+  line += grouped(report.differing_values()) + " values differ";
+  return line + (report.passes() ? ", all allowed" : ", more than is allowed");
+}
+
+// Allowances that the sample scenes no longer need.
+bool print_unused(const ParityCommand& command) {
+  for (const Allowance& a : command.unused()) {
+    complain("the allowance for " + a.pass + " " + a.attachment + " on " + a.driver +
+             " is no longer needed: take it out");
+  }
+  return !command.unused().empty();
+}
+
+}  // namespace
+
+ExitCode run_parity(const Arguments& arguments) {
+  ParityRequest request;
+  if (!parse(arguments, request)) return ExitCode::Done;
+  std::optional<ParityDump> dump;
+  if (!request.dump.empty()) dump.emplace(request.dump);
+  ParityCommand command(request);
+  nlohmann::ordered_json reports = nlohmann::ordered_json::array();
+  bool passes = true;
+  for (const std::string& scene : request.scenes) {
+    const ParityReport report = command.compare(scene, dump ? &*dump : nullptr);
+    passes = passes && report.passes();
+    reports.push_back(parity_json(report));
+    if (request.json) continue;
+    if (request.scenes.size() == 1 || !report.passes()) std::printf("%s\n", parity_text(report).c_str());
+    std::printf("%s\n", verdict_line(report).c_str());
+  }
+  const nlohmann::ordered_json document = {
+      {"format", 1}, {"program", version_line()}, {"scenes", reports}};
+  if (dump) dump->finish(document);
+  if (request.json) std::printf("%s", json_text(document).c_str());
+  if (!is_measured_driver(command.driver())) {
+    complain("nobody has measured the driver '" + command.driver() +
+             "': its differences are shown as they are, and none is allowed");
+  }
+  if (request.all_samples && print_unused(command)) passes = false;
+  return passes ? ExitCode::Done : ExitCode::AnswerIsNo;
+}
+
+}  // namespace caustics::app

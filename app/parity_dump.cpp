@@ -1,0 +1,42 @@
+#include "app/parity_dump.hpp"
+
+#include "app/atomic_file.hpp"
+#include "app/dump.hpp"
+#include "app/image_file.hpp"
+#include "app/stats.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+Image mask_of(const Image& a, const Image& b) {
+  Image mask(Format::R32F, a.width(), a.height());
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      for (int c = 0; c < a.channels(); ++c)
+        if (!same_value(a.at(x, y, c), b.at(x, y, c))) mask.at(x, y, 0) = 1.0f;
+  return mask;
+}
+
+}  // namespace
+
+ParityDump::ParityDump(const std::filesystem::path& folder) : folder_(folder) {
+  make_dump_folder(folder);
+}
+
+void ParityDump::add(const AttachmentParity& parity, const Image& reference, const Image& tested) {
+  if (parity.difference.differing_texels == 0) return;
+  const std::string stem = (count_ < 10 ? "0" : "") + std::to_string(count_) + "_" +
+                           file_part(parity.pass) + "." + file_part(parity.attachment);
+  ++count_;
+  write_exr(folder_ / (stem + ".software.exr"), channels_of(reference));
+  write_exr(folder_ / (stem + ".gl.exr"), channels_of(tested));
+  const Image mask = mask_of(reference, tested);
+  write_exr(folder_ / (stem + ".mask.exr"), channels_of(mask));
+}
+
+void ParityDump::finish(const nlohmann::ordered_json& report) {
+  write_atomically(folder_ / "manifest.json", json_text(report));
+}
+
+}  // namespace caustics::app
