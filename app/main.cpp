@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
      run_plan_command},
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
+    {"compare", "two images, or two dumps of all passes, value by value", run_compare},
     {"doctor", "version, instruction sets, threads, libraries", run_doctor},
 };
 
@@ -43,8 +44,9 @@ void print_help() {
       "  -h, --help   this text; 'caustics COMMAND --help' explains a command\n"
       "  --version    version and build\n"
       "\n"
-      "Exit codes: 0 done, 2 wrong usage, 3 input unreadable, 4 cannot write, 5 no such backend,\n"
-      "  7 numeric fault, 70 internal error, 130 interrupted, 143 terminated.\n");
+      "Exit codes: 0 done, 1 the answer is no (compare), 2 wrong usage, 3 input unreadable,\n"
+      "  4 cannot write, 5 no such backend, 7 numeric fault, 70 internal error, 130 interrupted, "
+      "143 terminated.\n");
 }
 
 // A word that can only have been meant as a command: not an option, nor anything like a file's
