@@ -13,8 +13,10 @@ namespace caustics::app {
 
 namespace {
 
-// The colours span this many powers of ten below the largest difference.
+// The colours span this many powers of ten below the largest difference; the darkest is still seen
+// beside black.
 constexpr double kDecades = 6.0;
+constexpr double kDarkest = 0.1;
 
 struct Color {
   double r, g, b;
@@ -34,8 +36,8 @@ Color cubehelix(double level) {
 Color color_of(double magnitude, double largest) {
   if (!std::isfinite(magnitude)) return {1.0, 0.0, 1.0};
   if (magnitude == 0.0) return {0.0, 0.0, 0.0};
-  const double level = 1.0 + std::log10(magnitude / largest) / kDecades;
-  return cubehelix(std::clamp(level, 0.1, 1.0));
+  const double level = 1.0 + (1.0 - kDarkest) * std::log10(magnitude / largest) / kDecades;
+  return cubehelix(std::clamp(level, kDarkest, 1.0));
 }
 
 // Channels that were compared.
@@ -96,7 +98,7 @@ double largest_magnitude(const std::vector<Image>& images) {
 std::string scale_text(double largest) {
   if (largest == 0.0) return "black is equal, magenta is NaN or infinite";
   return "black is equal, white is a difference of " + significant(largest, 3) +
-         ", darkest before black " + significant(largest * std::pow(10.0, -0.9 * kDecades), 3) +
+         ", darkest before black " + significant(largest * std::pow(10.0, -kDecades), 3) +
          " and less, logarithmic; magenta is NaN or infinite";
 }
 

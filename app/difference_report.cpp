@@ -99,6 +99,11 @@ std::string non_finite_line(const ChannelDifference& channel) {
          grouped(d.infinite) + "\n";
 }
 
+// "1 channel", "7 channels".
+std::string counted(std::size_t count, const std::string& noun) {
+  return grouped(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 bool allows_nothing(const Tolerance& tolerance) {
   return tolerance.absolute == 0.0 && tolerance.relative == 0.0;
 }
@@ -111,10 +116,10 @@ std::string tolerance_text(const Tolerance& tolerance) {
 
 std::string verdict_line(const PlanesDifference& difference) {
   const Verdict verdict = difference.verdict();
-  const std::string values = grouped(difference.values()) + " values";
+  const std::string values = counted(difference.values(), "value");
   std::string line = std::string(name_of(verdict)) + ": ";
   if (verdict == Verdict::Equal) {
-    return line + std::to_string(difference.channels.size()) + " channels, " + values + "\n";
+    return line + counted(difference.channels.size(), "channel") + ", " + values + "\n";
   }
   if (verdict == Verdict::WithinTolerance) {
     return line + grouped(difference.differing_values()) + " of " + values +
@@ -123,7 +128,8 @@ std::string verdict_line(const PlanesDifference& difference) {
   const auto unmatched =
       std::count_if(difference.channels.begin(), difference.channels.end(),
                     [](const ChannelDifference& each) { return !each.mismatch.empty(); });
-  if (unmatched > 0) line += std::to_string(unmatched) + " channels without a counterpart; ";
+  if (unmatched > 0)
+    line += counted(static_cast<std::size_t>(unmatched), "channel") + " without a counterpart; ";
   line += grouped(difference.failing_values()) + " of " + values + " fail";
   const ChannelDifference* worst = worst_channel(difference);
   return line + (worst == nullptr ? "" : "; worst: " + worst_text(*worst)) + "\n";
@@ -175,7 +181,7 @@ std::string report_text(const Comparison& comparison, const FolderDifference& di
   }
   std::string text = table(rows) + "x,y counts from the top left\n" +
                      tolerance_text(comparison.tolerance) + name_of(difference.verdict()) + ": ";
-  const std::string attachments = std::to_string(difference.attachments.size()) + " attachments";
+  const std::string attachments = counted(difference.attachments.size(), "attachment");
   if (different == 0) return text + attachments + "\n";
   return text + std::to_string(different) + " of " + attachments +
          "; the first in the order of the passes is " + one_line(difference.first_different) + "\n";
