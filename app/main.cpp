@@ -118,7 +118,9 @@ int main(int count, char** values) {
   watch_for_interruption();
   const int code = guarded(Arguments(values + std::min(count, 1), values + count));
   // Standard output may be a full disk or a closed pipe; then what was printed did not arrive.
-  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && code == 0) {
+  const bool answered = code == static_cast<int>(caustics::ExitCode::Done) ||
+                        code == static_cast<int>(caustics::ExitCode::AnswerIsNo);
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && answered) {
     complain("standard output cannot be written");
     return static_cast<int>(caustics::ExitCode::CannotWrite);
   }

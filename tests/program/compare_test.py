@@ -4,9 +4,10 @@ import json
 import math
 import pathlib
 import struct
+import subprocess
 import unittest
 
-from program import SMALL, ProgramTest
+from program import PROGRAM, SMALL, ProgramTest
 
 
 def exr(channels, width, height):
@@ -274,6 +275,21 @@ class Mistakes(CompareTest):
             self.fails(3, "compare", "a.exr", "cut.exr", saying="cut.exr")
         if pathlib.Path("/dev/null").exists():
             self.fails(3, "compare", "a.exr", "/dev/null", saying="plain file")
+
+    def test_integers_that_floats_do_not_hold(self):
+        pixel_type = b"Z\0" + struct.pack("<i", 2)
+        (self.folder / "uint.exr").write_bytes(
+            exr({"Z": [1, 2, 3, 4]}, 2, 2).replace(pixel_type, b"Z\0" + struct.pack("<i", 0)))
+        self.fails(3, "compare", "uint.exr", "uint.exr", saying="32-bit integers")
+
+    def test_a_report_that_does_not_arrive(self):
+        if not pathlib.Path("/dev/full").exists():
+            self.skipTest("no /dev/full here")
+        self.pair([1, 2, 3, 4], [1, 2, 3, 5])
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "compare", "a.exr", "b.exr"], cwd=self.folder,
+                                    stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(result.returncode, 4, result.stderr)
 
     def test_sizes_that_only_a_header_promises(self):
         self.write("a.exr", {"Z": [1, 2, 3, 4]})
