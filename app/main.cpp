@@ -22,6 +22,7 @@ constexpr Command kCommands[] = {
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
+    {"compare", "two images, or two dumps of all passes, value by value", run_compare},
     {"doctor", "version, instruction sets, threads, libraries", run_doctor},
 };
 
@@ -44,8 +45,9 @@ void print_help() {
       "  -h, --help   this text; 'caustics COMMAND --help' explains a command\n"
       "  --version    version and build\n"
       "\n"
-      "Exit codes: 0 done, 2 wrong usage, 3 input unreadable, 4 cannot write, 5 no such backend,\n"
-      "  7 numeric fault, 70 internal error, 130 interrupted, 143 terminated.\n");
+      "Exit codes: 0 done, 1 the answer is no (compare), 2 wrong usage, 3 input unreadable,\n"
+      "  4 cannot write, 5 no such backend, 7 numeric fault, 70 internal error, 130 interrupted, "
+      "143 terminated.\n");
 }
 
 // A word that can only have been meant as a command: not an option, nor anything like a file's
@@ -117,7 +119,9 @@ int main(int count, char** values) {
   watch_for_interruption();
   const int code = guarded(Arguments(values + std::min(count, 1), values + count));
   // Standard output may be a full disk or a closed pipe; then what was printed did not arrive.
-  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && code == 0) {
+  const bool answered = code == static_cast<int>(caustics::ExitCode::Done) ||
+                        code == static_cast<int>(caustics::ExitCode::AnswerIsNo);
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && answered) {
     complain("standard output cannot be written");
     return static_cast<int>(caustics::ExitCode::CannotWrite);
   }

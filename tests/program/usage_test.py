@@ -4,7 +4,7 @@ import unittest
 
 from program import ProgramTest
 
-COMMANDS = ["render", "plan", "probe", "digest", "doctor"]
+COMMANDS = ["render", "plan", "probe", "digest", "compare", "doctor"]
 
 
 class Help(ProgramTest):
