@@ -46,28 +46,34 @@ ClippedPolygon clip_triangle(const float* a, const float* b, const float* c, int
   storage.resize(static_cast<std::size_t>(kMaxMade) * static_cast<std::size_t>(stride));
   int used = 0;
   for (int plane = 0; plane < 6; ++plane) {
+    // Only planes that cut the triangle itself: vertices made at one may lie outside another by a
+    // rounding, and stay.
+    if (!(distance_to(plane, a) < 0.0f || distance_to(plane, b) < 0.0f ||
+          distance_to(plane, c) < 0.0f))
+      continue;
     ClippedPolygon out;
     for (int i = 0; i < in.count; ++i) {
-      const int previous = (i + in.count - 1) % in.count;
-      const float* p = in.vertices[previous];
-      const float* v = in.vertices[i];
-      const float dp_previous = distance_to(plane, p), dp = distance_to(plane, v);
-      if ((dp_previous >= 0.0f) != (dp >= 0.0f)) {
-        // From the outer to the inner vertex, so that an edge shared by two triangles is cut alike.
-        const bool enters = dp >= 0.0f;
-        const float* outer = enters ? p : v;
-        const float* inner = enters ? v : p;
-        const float d_outer = enters ? dp_previous : dp, d_inner = enters ? dp : dp_previous;
-        const float t = d_outer / (d_outer - d_inner);
-        float* made = storage.data() + static_cast<std::size_t>(used++) * static_cast<std::size_t>(stride);
-        for (int k = 0; k < stride; ++k) made[k] = outer[k] + t * (inner[k] - outer[k]);
-        out.vertices[out.count] = made;
-        out.made[out.count++] = true;
-      }
-      if (dp >= 0.0f) {
-        out.vertices[out.count] = v;
+      const float* p = in.vertices[i];
+      const float* v = in.vertices[(i + 1) % in.count];
+      const float dp_p = distance_to(plane, p), dp_v = distance_to(plane, v);
+      if (dp_p >= 0.0f) {
+        out.vertices[out.count] = p;
         out.made[out.count++] = in.made[i];
       }
+      if ((dp_p >= 0.0f) == (dp_v >= 0.0f)) continue;
+      // From the vertex nearer to the plane to the other, so that an edge shared by two triangles is cut
+      // alike; of two equally near, from the one inside.
+      const float outside = dp_p < 0.0f ? dp_p : dp_v, inside = dp_p < 0.0f ? dp_v : dp_p;
+      const bool from_outside = -outside < inside;
+      const bool from_p = (dp_p < 0.0f) == from_outside;
+      const float* from = from_p ? p : v;
+      const float* to = from_p ? v : p;
+      const float t = from_p ? -dp_p / (dp_v - dp_p) : dp_v / (dp_v - dp_p);
+      float* made =
+          storage.data() + static_cast<std::size_t>(used++) * static_cast<std::size_t>(stride);
+      for (int k = 0; k < stride; ++k) made[k] = from[k] + t * (to[k] - from[k]);
+      out.vertices[out.count] = made;
+      out.made[out.count++] = true;
     }
     in = out;
     if (in.count < 3) return {};
