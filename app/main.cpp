@@ -21,7 +21,7 @@ constexpr Command kCommands[] = {
      run_plan_command},
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
-    {"doctor", "version, instruction sets, threads, libraries", run_doctor},
+    {"doctor", "version, instruction sets, threads, OpenGL devices, libraries", run_doctor},
 };
 
 void print_help() {
