@@ -61,8 +61,8 @@ ClippedPolygon clip_triangle(const float* a, const float* b, const float* c, int
         out.made[out.count++] = in.made[i];
       }
       if ((dp_p >= 0.0f) == (dp_v >= 0.0f)) continue;
-      // From the vertex nearer to the plane to the other, so that an edge shared by two triangles is cut
-      // alike; of two equally near, from the one inside.
+      // From the vertex nearer to the plane to the other, so that an edge shared by two triangles
+      // is cut alike; of two equally near, from the one inside.
       const float outside = dp_p < 0.0f ? dp_p : dp_v, inside = dp_p < 0.0f ? dp_v : dp_p;
       const bool from_outside = -outside < inside;
       const bool from_p = (dp_p < 0.0f) == from_outside;
