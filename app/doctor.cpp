@@ -9,8 +9,10 @@
 
 #include "app/parser.hpp"
 #include "app/version.hpp"
+#include "gl_backend/gl_device.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/shader.hpp"
 #include "raster/software_device.hpp"
 
@@ -47,6 +49,20 @@ std::string fused_multiply_add() {
 #endif
 }
 
+// Every way to OpenGL that EGL offers, or why there is none.
+void describe_gl() {
+  try {
+    for (const GlDeviceInfo& gl : list_gl_devices()) {
+      const std::string found = gl.reason.empty()
+                                    ? gl.renderer + ", " + gl.vendor + ", OpenGL " + gl.version
+                                    : "cannot be used: " + gl.reason;
+      line(("gl backend " + std::to_string(gl.index)).c_str(), gl.platform + ": " + found);
+    }
+  } catch (const Error& error) {
+    line("gl backend", error.what());
+  }
+}
+
 }  // namespace
 
 ExitCode run_doctor(const Arguments& arguments) {
@@ -62,7 +78,7 @@ ExitCode run_doctor(const Arguments& arguments) {
   const auto device = make_software_device({});
   line("software backend", device->description());
   line("largest texture", std::to_string(device->max_texture_size()));
-  line("gl backend", "not in this build");
+  describe_gl();
   line("passes", std::to_string(pass_registry().size()));
   line("OpenImageIO", OIIO_VERSION_STRING);
   line("CLI11", CLI11_VERSION);

@@ -4,8 +4,6 @@
 #include <epoxy/gl.h>
 
 #include <cstdio>
-#include <map>
-#include <mutex>
 #include <sstream>
 #include <string_view>
 
@@ -61,7 +59,7 @@ std::vector<EGLDeviceEXT> egl_devices(const char* client) {
 }
 
 std::string device_name(EGLDeviceEXT device, std::size_t index) {
-  const std::string name = "EGL device " + std::to_string(index);
+  std::string name = "EGL device " + std::to_string(index);
   const auto query = egl_function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
   if (!query) return name;
   const char* extensions = query(device, EGL_EXTENSIONS);
@@ -79,17 +77,6 @@ EGLDisplay find_display(const EglCandidate& candidate) {
              : get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
-// How many owners an initialised display has.
-struct DisplayUsers {
-  std::mutex mutex;
-  std::map<EGLDisplay, int> count;
-};
-
-DisplayUsers& display_users() {
-  static DisplayUsers users;
-  return users;
-}
-
 }  // namespace
 
 std::vector<EglCandidate> egl_candidates() {
@@ -105,23 +92,11 @@ std::vector<EglCandidate> egl_candidates() {
   return candidates;
 }
 
-EglDisplay::EglDisplay(const EglCandidate& candidate) {
-  DisplayUsers& users = display_users();
-  const std::lock_guard lock(users.mutex);
-  const EGLDisplay found = find_display(candidate);
-  if (found == EGL_NO_DISPLAY) refuse("EGL has no such display");
+EglDisplay::EglDisplay(const EglCandidate& candidate) : display_(find_display(candidate)) {
+  if (display_ == EGL_NO_DISPLAY) refuse("EGL has no such display");
   EGLint major = 0, minor = 0;
-  if (!eglInitialize(found, &major, &minor)) refuse("eglInitialize failed (" + egl_error() + ")");
-  ++users.count[found];
-  display_ = found;
-}
-
-EglDisplay::~EglDisplay() {
-  DisplayUsers& users = display_users();
-  const std::lock_guard lock(users.mutex);
-  if (--users.count[display_] > 0) return;
-  users.count.erase(display_);
-  eglTerminate(display_);
+  if (!eglInitialize(display_, &major, &minor))
+    refuse("eglInitialize failed (" + egl_error() + ")");
 }
 
 bool EglDisplay::has(const char* extension) const {

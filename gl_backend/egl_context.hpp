@@ -20,14 +20,12 @@ struct EglCandidate {
 // libraries are missing.
 std::vector<EglCandidate> egl_candidates();
 
-// An initialised display, terminated when its last owner goes: EGL hands out one display per
-// device.
+// An initialised display. EGL hands out one for each device, however often it is asked, and keeps
+// it until the process ends: terminating it would end the contexts of others and unload the driver,
+// whose libraries do not clean up after themselves.
 class EglDisplay {
  public:
   explicit EglDisplay(const EglCandidate& candidate);  // throws Error (BackendUnavailable)
-  ~EglDisplay();
-  EglDisplay(const EglDisplay&) = delete;
-  EglDisplay& operator=(const EglDisplay&) = delete;
   EGLDisplay handle() const { return display_; }
   bool has(const char* extension) const;
 

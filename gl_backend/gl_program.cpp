@@ -17,7 +17,7 @@ std::string complaint(const std::vector<char>& log) {
   std::string first;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string line(rest.substr(0, end));
+    std::string line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (line.find("error") != std::string::npos || line.find("ERROR") != std::string::npos)
       return line;

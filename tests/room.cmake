@@ -11,7 +11,8 @@ if(NOT CAUSTICS_BUILD_APP)
 endif()
 add_executable(caustics_tests ${caustics_test_sources})
 caustics_target_options(caustics_tests)
-target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_reference
+target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_gl_backend
+  caustics_reference
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
   target_link_libraries(caustics_tests PRIVATE caustics_gltf nlohmann_json::nlohmann_json

@@ -1,4 +1,4 @@
-// Renders a scene on the software device and returns the textures asked for, by full name.
+// Renders a scene on the software device, or another, and returns the textures asked for, by full name.
 #pragma once
 #include <map>
 #include <memory>
@@ -20,15 +20,14 @@ struct Rendering {
   const Image& operator[](const std::string& name) const { return images.at(name); }
 };
 
-inline Rendering render(const Scene& scene, const Settings& settings,
-                        const std::vector<std::string>& textures, SoftwareOptions options = {}) {
+inline Rendering render_on(Device& device, const Scene& scene, const Settings& settings,
+                           const std::vector<std::string>& textures) {
   const Effects effects = effects_of(scene, settings);
-  const std::unique_ptr<Device> device = make_software_device(options);
-  const SceneOnDevice on_device(scene, effects, *device);
+  const SceneOnDevice on_device(scene, effects, device);
   Rendering out;
   out.frames = fit_light_frames(on_device, effects, settings, pass_registry());
   const FramePlan plan = make_plan(scene, effects, settings, pass_registry(), {textures});
-  const FrameTargets targets(plan, *device);
+  const FrameTargets targets(plan, device);
   const FrameInputs inputs{
       .settings = &settings,
       .effects = &effects,
@@ -40,8 +39,13 @@ inline Rendering render(const Scene& scene, const Settings& settings,
   out.passes = run_plan(plan, pass_registry(), on_device, targets, inputs);
   for (std::size_t i = 0; i < plan.textures.size(); ++i)
     if (!plan.textures[i].external)
-      out.images[plan.textures[i].name] = device->read_back(targets[static_cast<int>(i)]);
+      out.images[plan.textures[i].name] = device.read_back(targets[static_cast<int>(i)]);
   return out;
+}
+
+inline Rendering render(const Scene& scene, const Settings& settings,
+                        const std::vector<std::string>& textures, SoftwareOptions options = {}) {
+  return render_on(*make_software_device(options), scene, settings, textures);
 }
 
 inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light = 0) {
