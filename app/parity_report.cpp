@@ -28,7 +28,8 @@ std::string nan_text(const ValueDifference& all) {
 std::string values_text(const std::array<float, 4>& values, std::size_t channels) {
   std::string text;
   for (std::size_t c = 0; c < channels; ++c) {
-    text += (c == 0 ? "" : " ") + significant(static_cast<double>(values[c]), 9);
+    if (c > 0) text += ' ';
+    text += significant(static_cast<double>(values[c]), 9);
   }
   return text;
 }

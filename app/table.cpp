@@ -27,7 +27,11 @@ std::string Table::text() const {
   std::string result;
   for (const auto& cells : rows_) {
     std::string line = " ";
-    for (std::size_t i = 0; i < cells.size(); ++i) line += " " + cell(cells[i], i, widths[i]) + " ";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      line += ' ';
+      line += cell(cells[i], i, widths[i]);
+      line += ' ';
+    }
     result += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return result;

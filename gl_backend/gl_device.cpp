@@ -72,15 +72,7 @@ class OpenGlDevice final : public GlDevice {
   std::string description() const override { return "OpenGL, " + renderer_ + ", " + platform_; }
   std::string renderer() const override { return renderer_; }
   std::string version() const override { return version_; }
-  GlCounters counters() const override { return counters_; }
-  DeviceObjects made() const override {
-    return {.programs = counters_.programs,
-            .buffers = counters_.buffers,
-            .textures = counters_.textures,
-            .vertex_layouts = counters_.vertex_layouts,
-            .framebuffers = counters_.framebuffers,
-            .read_backs = counters_.read_backs};
-  }
+  DeviceObjects made() const override { return made_; }
   void finish() override {
     context_.make_current();
     glFinish();
@@ -98,7 +90,7 @@ class OpenGlDevice final : public GlDevice {
     debug_.check("making a texture of " + std::to_string(width) + " x " + std::to_string(height));
     const auto id = static_cast<TextureId>(++last_texture_);
     textures_.emplace(id, std::move(texture));
-    ++counters_.textures;
+    ++made_.textures;
     return id;
   }
 
@@ -121,7 +113,7 @@ class OpenGlDevice final : public GlDevice {
     context_.make_current();
     Mesh mesh = make_mesh(data);
     debug_.check("making a mesh of " + std::to_string(mesh.vertex_count) + " vertices");
-    counters_.buffers += (mesh.vertices.id() ? 1u : 0u) + (mesh.indices.id() ? 1u : 0u);
+    made_.buffers += (mesh.vertices.id() ? 1u : 0u) + (mesh.indices.id() ? 1u : 0u);
     const auto id = static_cast<MeshId>(++last_mesh_);
     meshes_.emplace(id, std::move(mesh));
     return id;
@@ -136,7 +128,7 @@ class OpenGlDevice final : public GlDevice {
     context_.make_current();
     Image image = read_texels(texture_of(texture));
     debug_.check("reading a texture back");
-    ++counters_.read_backs;
+    ++made_.read_backs;
     return image;
   }
 
@@ -196,7 +188,7 @@ class OpenGlDevice final : public GlDevice {
     if (found != programs_.end()) return found->second;
     Program program = compiled(shader);
     debug_.check("shader '" + std::string(shader.name) + "'");
-    ++counters_.programs;
+    ++made_.programs;
     return programs_.emplace(&shader, std::move(program)).first->second;
   }
 
@@ -208,7 +200,7 @@ class OpenGlDevice final : public GlDevice {
     std::vector<GLuint> names;
     for (const TextureId id : key)
       names.push_back(id == TextureId::None ? 0 : texture_of(id).object.id());
-    ++counters_.framebuffers;
+    ++made_.framebuffers;
     return framebuffers_.emplace(std::move(key), make_framebuffer(names)).first->second.id();
   }
 
@@ -224,9 +216,9 @@ class OpenGlDevice final : public GlDevice {
       Mesh& mesh = meshes_.at(draw.mesh);
       if (mesh.arrays.count(run.definition->shader)) continue;
       mesh.arrays.emplace(run.definition->shader, make_vertex_array(mesh, program.interface));
-      ++counters_.vertex_layouts;
+      ++made_.vertex_layouts;
     }
-    if (uniforms_.upload()) ++counters_.buffers;
+    if (uniforms_.upload()) ++made_.buffers;
   }
 
   // What is known without the driver.
@@ -283,7 +275,7 @@ class OpenGlDevice final : public GlDevice {
   Texture zeros_;
   int max_texture_size_ = 0;
   std::uint32_t last_texture_ = 0, last_mesh_ = 0;
-  GlCounters counters_;
+  DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
   std::map<MeshId, Mesh> meshes_;
   std::map<const Shader*, Program> programs_;

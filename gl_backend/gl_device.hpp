@@ -27,20 +27,9 @@ struct GlOptions {
   bool debug = true;
 };
 
-// What a device has made and moved since it was made. A steady frame loop makes nothing.
-struct GlCounters {
-  std::uint64_t programs = 0;
-  std::uint64_t buffers = 0;
-  std::uint64_t textures = 0;
-  std::uint64_t vertex_layouts = 0;
-  std::uint64_t framebuffers = 0;
-  std::uint64_t read_backs = 0;
-};
-
 // Beyond the contract, for tests and tools.
 class GlDevice : public Device {
  public:
-  virtual GlCounters counters() const = 0;
   // GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   virtual std::string renderer() const = 0;
   // GL_VERSION, e.g. "4.5 (Core Profile) Mesa 22.3.6".

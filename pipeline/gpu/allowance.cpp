@@ -18,16 +18,15 @@ AllowanceBook::AllowanceBook(const std::string& driver, std::vector<Allowance> a
 
 const Allowance* AllowanceBook::covers(const std::string& pass, const std::string& attachment,
                                        const ImageDifference& difference) {
-  if (!difference.same_shape || difference.all.nan_only_a + difference.all.nan_only_b > 0) {
-    return nullptr;
-  }
+  const ValueDifference& all = difference.all;
+  if (!difference.same_shape || all.nan_only_a + all.nan_only_b + all.infinite > 0) return nullptr;
   const double share =
       static_cast<double>(difference.differing_texels) / static_cast<double>(difference.texels);
   for (std::size_t i = 0; i < allowances_.size(); ++i) {
     const Allowance& a = allowances_[i];
     if (!matches(a.pass, pass) || !matches(a.attachment, attachment)) continue;
     used_[i] = true;
-    if (share <= a.texels && difference.all.ulps.p999 <= a.p999_ulps) return &a;
+    if (share <= a.texels && all.relative.p999 <= a.relative) return &a;
   }
   return nullptr;
 }

@@ -1,5 +1,6 @@
-// What an OpenGL driver that was measured may differ by from the software device: data, each entry with
-// its reason. A driver that nobody measured has none; its differences are reported as they are.
+// What an OpenGL driver that was measured may differ by from the software device: data, each entry
+// with its reason. A driver that nobody measured has none; its differences are reported as they
+// are.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ struct Allowance {
   std::string pass;        // a pass definition's name, or what else was drawn; "*": all
   std::string attachment;  // without a light's number; "*": all
   double texels = 0.0;     // largest share of texels that may differ, 0..1
-  double p999_ulps = 0.0;  // largest 99.9th percentile of the difference, units in the last place
+  double relative = 0.0;   // largest 99.9th percentile of the relative difference (difference.hpp)
   std::string reason;
 };
 
@@ -22,8 +23,8 @@ class AllowanceBook {
  public:
   AllowanceBook(const std::string& driver, std::vector<Allowance> allowances);
 
-  // The allowance that covers the difference, null when there is none or it is not enough. Call it only
-  // for images that differ.
+  // The allowance that covers the difference, null when there is none or it is not enough. Call it
+  // only for images that differ. Nothing covers a NaN or an infinity on one side alone.
   const Allowance* covers(const std::string& pass, const std::string& attachment,
                           const ImageDifference& difference);
   // Those that no difference has needed so far.

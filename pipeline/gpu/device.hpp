@@ -62,6 +62,7 @@ struct PassResult {
 struct DeviceObjects {
   std::uint64_t programs = 0, buffers = 0, textures = 0, vertex_layouts = 0, framebuffers = 0;
   std::uint64_t read_backs = 0;
+  bool operator==(const DeviceObjects&) const = default;
 };
 
 class Device {

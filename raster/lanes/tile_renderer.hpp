@@ -166,9 +166,12 @@ class TileRenderer {
   }
 
   void add_of_triangle(int x, int y, const TriangleRecord& t) {
-    const float z = job_.depth
-                        ? evaluate(t.planes[0], static_cast<float>(x), static_cast<float>(y))
-                        : 0.0f;
+    float z = 0.0f;
+    if (job_.depth) {
+      // Rounding leads thin triangles out of the range of window depth (13.6.1), to which it is clamped.
+      z = evaluate(t.planes[0], static_cast<float>(x), static_cast<float>(y));
+      z = z < 0.0f ? 0.0f : z > 1.0f ? 1.0f : z;
+    }
     add(x, y, z, t.planes, t.provoking, t.front_facing);
   }
 

@@ -147,11 +147,11 @@ TEST_CASE("gl: a steady loop makes nothing new") {
   const TextureId target = device->create_texture(Format::RGBA32F, 4, 4);
   FetchRun fetch(target, TextureId::None, TextureId::None, {{1, 1, 1, 1}, {2, 2, 2, 2}});
   device->run(fetch.run);
-  const GlCounters first = device->counters();
+  const DeviceObjects first = device->made();
   CHECK(first.programs == 1);
   CHECK(first.textures == 1);
   for (int i = 0; i < 20; ++i) CHECK(device->run(fetch.run).milliseconds == 0.0);
-  const GlCounters last = device->counters();
+  const DeviceObjects last = device->made();
   CHECK(last.programs == first.programs);
   CHECK(last.buffers == first.buffers);
   CHECK(last.textures == first.textures);

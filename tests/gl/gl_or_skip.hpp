@@ -23,9 +23,4 @@ inline std::unique_ptr<GlDevice> gl_or_skip(const GlOptions& options = {}) {
   }
 }
 
-// Whether the renderer is Mesa's llvmpipe, whose arithmetic the software Device follows to the bit.
-inline bool is_llvmpipe(const GlDevice& device) {
-  return device.renderer().find("llvmpipe") != std::string::npos;
-}
-
 }  // namespace caustics::test

@@ -1,5 +1,5 @@
-// Random draws that two devices must agree on. Everything follows from a test's name: the same name, the
-// same draws, on every machine.
+// Random draws that two devices must agree on. Everything follows from a test's name: the same
+// name, the same draws, on every machine.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -64,7 +64,8 @@ inline void random_color(Random& random, TortureVertex& v) {
 }
 
 // How the three corners of one triangle are placed in a target of this size.
-using TriangleMaker = std::function<void(Random&, int width, int height, TortureVertex (&corner)[3])>;
+using TriangleMaker =
+    std::function<void(Random&, int width, int height, TortureVertex (&corner)[3])>;
 
 namespace torture {
 
@@ -174,8 +175,8 @@ inline void degenerate(Random& r, int width, int height, TortureVertex (&c)[3]) 
 
 // Colours to try instead of plain ones.
 inline void odd_color(Random& r, TortureVertex& v) {
-  static const float kOdd[] = {0.0f,     -0.0f,    1e-39f,    -1e-39f,   1.2e-38f, 65504.0f,
-                               65520.0f, 6e-8f,    5.96e-8f,  1e30f,     -1e30f,   3e38f,
+  static const float kOdd[] = {0.0f,     -0.0f,    1e-39f,       -1e-39f,   1.2e-38f, 65504.0f,
+                               65520.0f, 6e-8f,    5.96e-8f,     1e30f,     -1e30f,   3e38f,
                                0.5f,     1.0f / 3, 127.5f / 255, 2.5f / 255};
   for (float& c : v.color) c = kOdd[r.below(static_cast<int>(std::size(kOdd)))];
 }
@@ -220,8 +221,8 @@ inline std::vector<TortureVertex> shared_edges(Random& r, int cells) {
   const auto at = [&](int i, int j) { return grid[static_cast<std::size_t>(j * (cells + 1) + i)]; };
   for (int j = 0; j < cells; ++j)
     for (int i = 0; i < cells; ++i)
-      for (const TortureVertex& v : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j),
-                                     at(i + 1, j + 1), at(i, j + 1)})
+      for (const TortureVertex& v :
+           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
         vertices.push_back(v);
   return vertices;
 }
@@ -246,14 +247,15 @@ inline TortureCase plain_case(Topology topology, int width, int height) {
   TortureCase c;
   c.width = width;
   c.height = height;
-  c.definition = {.name = "torture",
-                  .purpose = "test",
-                  .writes = {{.name = "smooth", .meaning = "m"}, {.name = "flat", .meaning = "m"}},
-                  .depth = DepthWrite{.name = "depth", .meaning = "m"},
-                  .topology = topology,
-                  .depth_state = {Compare::Less, true},
-                  .count_samples = true,
-                  .shader = topology == Topology::Points ? &torture_points_shader : &torture_shader};
+  c.definition = {
+      .name = "torture",
+      .purpose = "test",
+      .writes = {{.name = "smooth", .meaning = "m"}, {.name = "flat", .meaning = "m"}},
+      .depth = DepthWrite{.name = "depth", .meaning = "m"},
+      .topology = topology,
+      .depth_state = {Compare::Less, true},
+      .count_samples = true,
+      .shader = topology == Topology::Points ? &torture_points_shader : &torture_shader};
   return c;
 }
 
@@ -266,7 +268,8 @@ inline TortureResult draw(Device& device, const TortureCase& c) {
   MeshData mesh;
   mesh.layout = {{"position", 4}, {"color", 4}, {"size", 1}};
   for (const TortureVertex& v : c.vertices)
-    for (const float f : {v.x, v.y, v.z, v.w, v.color[0], v.color[1], v.color[2], v.color[3], v.size})
+    for (const float f :
+         {v.x, v.y, v.z, v.w, v.color[0], v.color[1], v.color[2], v.color[3], v.size})
       mesh.vertices.push_back(f);
   const auto target = [&](std::size_t i, Format format) {
     return !c.keep.empty() && c.keep[i] ? device.upload(c.before[i])

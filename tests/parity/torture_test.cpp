@@ -1,80 +1,13 @@
-// Random draws on both devices. On the drivers of docs/parity.md not one value differs; on others the
-// differences are shown. One line repeats a test: caustics_tests "torture: slivers".
-#include "gl_backend/gl_driver.hpp"
-#include "pipeline/gpu/difference.hpp"
-#include "raster/software_device.hpp"
-#include "tests/gl/gl_or_skip.hpp"
-#include "tests/parity/torture.hpp"
+// Random draws on both devices. On the drivers of docs/parity.md not one value differs; on others
+// the differences are shown. One line repeats a test: caustics_tests "torture: slivers".
+#include "tests/parity/blend_allowances.hpp"
+#include "tests/parity/match.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace caustics;
 using namespace caustics::test;
 
 namespace {
-
-// Both devices, and what they disagreed on so far.
-class Match {
- public:
-  Match() : gl_(gl_or_skip()), software_(make_software_device()) {
-    if (gl_) driver_ = gl_driver_name(gl_->renderer(), gl_->version());
-  }
-  explicit operator bool() const { return gl_ != nullptr; }
-
-  void compare(const TortureCase& c) {
-    const TortureResult a = draw(*software_, c), b = draw(*gl_, c);
-    for (std::size_t i = 0; i < a.images.size(); ++i) {
-      const ImageDifference d = difference(a.images[i], b.images[i]);
-      values_ += d.all.values;
-      differing_ += d.all.differing;
-      if (d.all.differing > 0 && first_.empty()) first_ = describe(i, c, d);
-    }
-    fragments_ += a.counts.fragments;
-    const bool counted = a.counts.vertices == b.counts.vertices &&
-                         a.counts.primitives == b.counts.primitives &&
-                         (!c.definition.count_samples ||
-                          a.counts.samples_passed == b.counts.samples_passed);
-    if (!counted && miscounted_.empty()) miscounted_ = count_text(a.counts, b.counts);
-    ++draws_;
-  }
-
-  // Call once, at the end.
-  void finish() const {
-    CHECK(fragments_ > 1000);  // something was drawn
-    INFO(driver_ << ": " << differing_ << " of " << values_ << " values differ in " << draws_
-                 << " draws; " << first_ << " " << miscounted_);
-    if (is_measured_driver(driver_)) {
-      CHECK(differing_ == 0);
-      CHECK(miscounted_ == "");
-    } else {
-      WARN("not measured, " << driver_ << ": " << differing_ << " of " << values_
-                            << " values differ in " << draws_ << " draws; " << first_ << " "
-                            << miscounted_);
-    }
-  }
-
- private:
-  std::string describe(std::size_t image, const TortureCase& c, const ImageDifference& d) const {
-    return "draw " + std::to_string(draws_) + ", attachment " + std::to_string(image) + " of " +
-           std::to_string(c.width) + "x" + std::to_string(c.height) + ": " +
-           std::to_string(d.differing_texels) + " texels, first at " + std::to_string(d.all.first->x) +
-           "," + std::to_string(d.all.first->y) + " channel " + std::to_string(d.all.first->channel) +
-           ": software " + std::to_string(d.all.first->a) + ", gl " + std::to_string(d.all.first->b) +
-           ", at most " + std::to_string(d.all.ulps.largest) + " ulps";
-  }
-  static std::string count_text(const PassResult& a, const PassResult& b) {
-    const auto text = [](const PassResult& r) {
-      return std::to_string(r.vertices) + " vertices, " + std::to_string(r.primitives) +
-             " primitives, " + std::to_string(r.samples_passed) + " samples";
-    };
-    return "software " + text(a) + "; gl " + text(b);
-  }
-
-  std::unique_ptr<GlDevice> gl_;
-  std::unique_ptr<Device> software_;
-  std::string driver_, first_, miscounted_;
-  std::size_t values_ = 0, differing_ = 0, draws_ = 0;
-  std::uint64_t fragments_ = 0;
-};
 
 struct Size {
   int width, height;
@@ -102,7 +35,8 @@ void torture_triangles(const std::string& name, const TriangleMaker& maker, int 
   match.finish();
 }
 
-void torture_points(const std::string& name, float largest, int points, Painter paint = random_color) {
+void torture_points(const std::string& name, float largest, int points,
+                    Painter paint = random_color) {
   Match match;
   if (!match) return;
   Random random(name);
@@ -125,14 +59,25 @@ T pick(Random& random, const T (&choices)[N]) {
   return choices[random.below(static_cast<int>(N))];
 }
 
+constexpr Format kFormats[] = {Format::R32F, Format::RG32F, Format::RGBA32F, Format::RGBA16F,
+                               Format::RGBA8};
+constexpr BlendFactor kFactors[] = {BlendFactor::Zero,
+                                    BlendFactor::One,
+                                    BlendFactor::SourceColor,
+                                    BlendFactor::SourceAlpha,
+                                    BlendFactor::OneMinusSourceAlpha,
+                                    BlendFactor::DestinationColor};
+
+// From 0 to 1, so that sums of products stay small.
+void unit_color(Random& random, TortureVertex& v) {
+  for (float& c : v.color) c = random.between(0.0f, 1.0f);
+}
+
 BlendState random_blend(Random& random) {
   BlendState blend{.enabled = !random.one_in(3)};
   blend.equation = pick(random, {BlendEquation::Add, BlendEquation::Min, BlendEquation::Max});
-  const BlendFactor factors[] = {BlendFactor::Zero,        BlendFactor::One,
-                                 BlendFactor::SourceColor, BlendFactor::SourceAlpha,
-                                 BlendFactor::OneMinusSourceAlpha, BlendFactor::DestinationColor};
-  blend.source = pick(random, factors);
-  blend.destination = pick(random, factors);
+  blend.source = pick(random, kFactors);
+  blend.destination = pick(random, kFactors);
   return blend;
 }
 
@@ -146,10 +91,8 @@ TortureCase random_state(Random& random) {
   const Size size = pick(random, kSizes);
   const Topology topology = random.one_in(3) ? Topology::Points : Topology::Triangles;
   TortureCase c = plain_case(topology, size.width, size.height);
-  const Format formats[] = {Format::R32F, Format::RG32F, Format::RGBA32F, Format::RGBA16F,
-                            Format::RGBA8};
   for (ColorWrite& write : c.definition.writes) {
-    write.format = pick(random, formats);
+    write.format = pick(random, kFormats);
     write.blend = random_blend(random);
     for (bool& channel : write.mask) channel = !random.one_in(5);
     for (float& v : write.clear) v = random.between(0.0f, 1.0f);
@@ -167,9 +110,9 @@ TortureCase random_state(Random& random) {
   }
   const TriangleMaker makers[] = {torture::large, torture::perspective, torture::medium,
                                   torture::aligned, torture::off_screen};
-  c.vertices = topology == Topology::Points
-                   ? random_points(random, 200, 64.0f)
-                   : random_triangles(random, 100, size.width, size.height, pick(random, makers));
+  c.vertices = topology == Topology::Points ? random_points(random, 200, 64.0f, unit_color)
+                                            : random_triangles(random, 100, size.width, size.height,
+                                                               pick(random, makers), unit_color);
   return c;
 }
 
@@ -180,13 +123,15 @@ TEST_CASE("torture: triangles in perspective") {
   torture_triangles("perspective", torture::perspective);
 }
 TEST_CASE("torture: tiny triangles") { torture_triangles("tiny", torture::tiny, 3000); }
-TEST_CASE("torture: triangles of some pixels") { torture_triangles("medium", torture::medium, 3000); }
+TEST_CASE("torture: triangles of some pixels") {
+  torture_triangles("medium", torture::medium, 3000);
+}
 TEST_CASE("torture: slivers") { torture_triangles("slivers", torture::sliver, 1000); }
 TEST_CASE("torture: corners on pixel centres and borders") {
   torture_triangles("aligned", torture::aligned);
 }
 TEST_CASE("torture: degenerate triangles") {
-  torture_triangles("degenerate", [](Random& r, int w, int h, TortureVertex (&c)[3]) {
+  torture_triangles("degenerate", [](Random& r, int w, int h, TortureVertex(&c)[3]) {
     r.one_in(2) ? torture::degenerate(r, w, h, c) : torture::large(r, w, h, c);
   });
 }
@@ -247,9 +192,38 @@ TEST_CASE("torture: points at NaN and infinite places") {
 }
 
 TEST_CASE("torture: combinations of formats, blending, depth, culling, masks and discarding") {
-  Match match;
+  Match match(blend_allowances());
   if (!match) return;
   Random random("states");
-  for (int i = 0; i < 400; ++i) match.compare(random_state(random));
+  for (int i = 0; i < 400; ++i) {
+    const TortureCase c = random_state(random);
+    match.compare(c,
+                  {blend_class(c.definition.writes[0]), blend_class(c.definition.writes[1]), ""});
+  }
   match.finish();
+}
+
+TEST_CASE("torture: every blend equation and factor in every format, and no allowance in vain") {
+  Match match(blend_allowances());
+  if (!match) return;
+  Random random("blending");
+  for (const Format format : kFormats)
+    for (const BlendEquation equation :
+         {BlendEquation::Add, BlendEquation::Min, BlendEquation::Max})
+      for (const BlendFactor source : kFactors)
+        for (const BlendFactor destination : kFactors) {
+          TortureCase c = plain_case(Topology::Triangles, 48, 32);
+          c.definition.depth_state = {};
+          c.definition.depth.reset();
+          for (ColorWrite& write : c.definition.writes) {
+            write.format = format;
+            write.blend = {true, equation, source, destination};
+            write.clear = {0.25f, 0.5f, 0.75f, 1.0f};
+          }
+          c.vertices = random_triangles(random, 12, 48, 32, torture::large, unit_color);
+          const std::string name = blend_class(c.definition.writes[0]);
+          match.compare(c, {name, name});
+        }
+  match.finish();
+  match.expect_all_needed();
 }
