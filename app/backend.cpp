@@ -21,7 +21,7 @@ void add_backend_options(Parser& parser, BackendRequest& request) {
   parser.option("--backend", "NAME", "software, or gl for OpenGL 4.5 (default software)",
                 [&](const std::string& value) { request.backend = parse_backend(value); });
   parser.option("--gl-device", "N",
-                "the OpenGL device, as numbered by 'caustics doctor' (default the first that works)",
+                "the OpenGL device, as in 'caustics doctor' (default the first that works)",
                 [&](const std::string& value) {
                   request.gl_device = parse_integer("--gl-device", value, 0, 1023);
                 });

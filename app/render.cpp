@@ -62,7 +62,7 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   parser.option("--dump", "DIR", "every pass's attachments as EXR (default: not written)",
                 [&](const std::string& folder) { request.dump = folder; });
   parser.option("--frames", "A..B",
-                "frames A to B, both included; %04d in a file's name is the frame's number",
+                "frames A to B (default one frame, no number); %04d in -o is the number",
                 [&](const std::string& range) { request.frames = parse_frames(range); });
   parser.flag("--quiet", request.quiet, "say nothing but errors");
   parser.footer("Layers for --aov, of the first surface that is hit:\n" + layer_help());

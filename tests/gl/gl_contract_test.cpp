@@ -103,7 +103,7 @@ TEST_CASE("gl: a run clears what it does not keep, with the format's rounding") 
   }
 }
 
-TEST_CASE("gl: a missing texture is one texel of zeros; each draw has its own uniforms") {
+TEST_CASE("gl: a missing texture is one texel of zeros, and each draw has its own uniforms") {
   const auto device = gl_or_skip();
   if (!device) return;
   const Image image = numbered(Format::RGBA32F, 4, 3);
@@ -232,7 +232,7 @@ TEST_CASE("gl: a device that does not exist is a missing backend, told in one li
   }
 }
 
-TEST_CASE("gl: every listed device either works or says why not; two live side by side") {
+TEST_CASE("gl: every listed device either works or says why not, and two live side by side") {
   const auto first = gl_or_skip();
   if (!first) return;
   const std::vector<GlDeviceInfo> devices = list_gl_devices();

@@ -4,7 +4,7 @@ import unittest
 
 from program import ProgramTest
 
-COMMANDS = ["render", "plan", "probe", "digest", "compare", "doctor"]
+COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "doctor"]
 
 
 class Help(ProgramTest):
@@ -69,8 +69,11 @@ class Mistakes(ProgramTest):
             with self.subTest(option=option, value=value):
                 self.fails(2, "ball.glb", option, value)
 
-    def test_gl_is_not_built(self):
-        self.fails(5, "ball.glb", "--backend", "gl", saying="no OpenGL backend")
+    def test_frames_need_a_place_for_their_number(self):
+        self.fails(2, "ball.glb", "--frames", "0..3", "-o", "a.png", saying="%04d")
+        self.fails(2, "ball.glb", "--frames", "3..0", saying="first frame comes first")
+        self.fails(2, "ball.glb", "--frames", "0..x", saying="--frames")
+        self.fails(2, "ball.glb", "--frames", "0..1", "--dump", "d", saying="one frame")
 
     def test_second_scene(self):
         self.fails(2, "ball.glb", "ball.glb", saying="unexpected argument")
