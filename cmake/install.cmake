@@ -1,10 +1,10 @@
 # Installing the libraries, so that another project can say find_package(caustics) and link
-# caustics::raster, caustics::passes, caustics::pipeline and caustics::reference. They need GLM, and
-# oneTBB where they were built with it. The program and the sample scenes are installed by app/room.cmake.
+# caustics::raster, caustics::gl_backend, caustics::passes, caustics::pipeline and caustics::reference. They
+# need GLM, and oneTBB and libepoxy where they were built with them. The program and the sample scenes are installed by app/room.cmake.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(libraries pipeline passes raster reference)
+set(libraries pipeline passes raster gl_backend reference)
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/caustics)
 
 foreach(library IN LISTS libraries)
@@ -15,12 +15,20 @@ foreach(library IN LISTS libraries)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${library}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/caustics
     FILES_MATCHING PATTERN *.hpp PATTERN *.glsl
-    PATTERN gltf EXCLUDE PATTERN lanes EXCLUDE PATTERN template EXCLUDE)
+    PATTERN gltf EXCLUDE PATTERN lanes EXCLUDE PATTERN template EXCLUDE
+    # Of the OpenGL device only what its users need.
+    PATTERN egl_context.hpp EXCLUDE
+    REGEX "gl_(debug|framebuffer|mesh|meter|object|program|state|texture|uniforms)\\.hpp$" EXCLUDE)
 endforeach()
 
 set(CAUSTICS_HAS_TBB FALSE)
 if(TARGET TBB::tbb)
   set(CAUSTICS_HAS_TBB TRUE)
+endif()
+
+set(CAUSTICS_HAS_EPOXY FALSE)
+if(TARGET PkgConfig::EPOXY)
+  set(CAUSTICS_HAS_EPOXY TRUE)
 endif()
 
 install(EXPORT caustics-targets NAMESPACE caustics:: DESTINATION ${config_folder})
