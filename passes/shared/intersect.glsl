@@ -105,7 +105,7 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
                      Vec3 direction, int iterations, bool beyond_is_behind) {
   Vec3 q = frame_coordinates(from_scene, start);
   Float scale = frame_w(q, depth);
-  Float fall = frame_coordinates(from_scene, start + direction).z - q.z;
+  Float fall = transform_vector(from_scene, direction).z;
   Gap gap = gap_at(positions, from_scene, window, depth, start, scale, false);
   Float reach = Float(depth.y - depth.x);
   Bool above = gap.covered && gap.value < 0.0f;
