@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the sample scenes: python3 scenes/make_scenes.py. Needs nothing but Python.
+"""Makes the sample scenes: python3 scenes/make_scenes.py [NAME.glb ...]. Needs nothing but Python.
 
 Every scene is a function that returns a Scene; lengths in metres, y up, light in lux.
 scenes/README.md has the exact numbers that tests and readers rely on.
@@ -8,6 +8,7 @@ import json
 import math
 import os
 import struct
+import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -117,6 +118,35 @@ def sheet(half, height, slope, cells):
     return positions, normals, indices
 
 
+def ring(inner, outer, height, cells):
+    """A flat-topped ring around the y axis that stands on y = 0; its walls have the cylinders' normals."""
+    positions, normals, indices = [], [], []
+
+    def band(a, b):
+        """A strip around the axis between two profiles (radius, y, radial normal, upward normal)."""
+        first = len(positions)
+        for i in range(cells + 1):
+            t = 2 * math.pi * i / cells
+            for radius, y, radial, up in (a, b):
+                positions.append((radius * math.cos(t), y, radius * math.sin(t)))
+                normals.append((radial * math.cos(t), up, radial * math.sin(t)))
+        for i in range(cells):
+            k = first + 2 * i
+            indices.extend((k, k + 1, k + 3, k, k + 3, k + 2))
+
+    band((outer, 0.0, 1.0, 0.0), (outer, height, 1.0, 0.0))
+    band((outer, height, 0.0, 1.0), (inner, height, 0.0, 1.0))
+    band((inner, height, -1.0, 0.0), (inner, 0.0, -1.0, 0.0))
+    band((inner, 0.0, 0.0, -1.0), (outer, 0.0, 0.0, -1.0))
+    return positions, normals, indices
+
+
+def upright(x, half, low, high):
+    """A rectangle across the x axis."""
+    p = [(x, low, half), (x, low, -half), (x, high, -half), (x, high, half)]
+    return p, [(1.0, 0.0, 0.0)] * 4, [0, 1, 2, 0, 2, 3]
+
+
 def surface_of(field, lower, upper, cells):
     """The closed surface field = 0 (negative inside) by surface nets: one vertex a cell that the surface
     crosses, moved onto it; normals from the field's gradient."""
@@ -206,6 +236,17 @@ def glass(name, ior, attenuation=None, dispersion=None):
         extensions['KHR_materials_dispersion'] = {'dispersion': dispersion}
     return {'name': name, 'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 0},
             'extensions': extensions}
+
+
+def metal(name, rgb):
+    return {'name': name, 'pbrMetallicRoughness': {'baseColorFactor': [*rgb, 1], 'metallicFactor': 1,
+                                                   'roughnessFactor': 0.05}}
+
+
+def pane(name, rgb):
+    return {'name': name, 'doubleSided': True, 'pbrMetallicRoughness': {
+        'baseColorFactor': [*rgb, 1], 'metallicFactor': 0, 'roughnessFactor': 0},
+        'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}
 
 
 class Scene:
@@ -429,11 +470,36 @@ def prism():
     return s
 
 
+def metal_ring():
+    s = Scene()
+    s.mesh('ring', ring(0.5, 0.54, 0.18, 256), metal('gold', (1.0, 0.78, 0.34)))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((1.0, -0.8, 0.0), 10.0)
+    s.camera('view', (-0.5, 1.3, 1.5), (0.05, 0.0, 0.0), 38)
+    s.camera_down('floor', (0.0, 0.6, 0.0), 1.0)
+    return s
+
+
+def thin_panes():
+    s = Scene()
+    for name, z, rgb in (('red', -0.5, (0.9, 0.15, 0.1)), ('yellow', 0.0, (0.95, 0.8, 0.2)), ('blue', 0.5, (0.1, 0.3, 0.9))):
+        positions, normals, indices = upright(0.0, 0.24, 0.05, 0.9)
+        s.mesh(name, ([add(p, (0.0, 0.0, z)) for p in positions], normals, indices), pane(name + ' pane', rgb))
+    s.mesh('sill', box((-0.05, 0.0, -0.8), (0.05, 0.05, 0.8)), diffuse('sill', 0.3))
+    s.mesh('sphere', icosphere((-0.6, 0.3, 0.9), 0.2, 4), glass('glass', 1.5))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((1.0, -0.8, 0.1), 10.0)
+    s.camera('view', (-1.6, 1.2, 1.9), (0.25, 0.25, 0.0), 42)
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
-              'prism.glb': prism}
+              'prism.glb': prism, 'metal_ring.glb': metal_ring, 'thin_panes.glb': thin_panes}
     for name, make in scenes.items():
+        if len(sys.argv) > 1 and name not in sys.argv[1:]:
+            continue
         scene = make()
         scene.write(name)
         triangles = sum(a['count'] // 3 for a in scene.gltf['accessors'] if a['type'] == 'SCALAR')

@@ -39,7 +39,7 @@ UniformBytes glass_uniforms(const PassContext& context) {
 }
 
 std::optional<std::string> seen(const Effects& effects) {
-  if (!effects.active("seen refraction")) return {};
+  if (!effects.active("seen casters")) return {};
   return "the camera may see a refractive object";
 }
 

@@ -1,5 +1,5 @@
-// Glass and water as the camera sees them: what lies behind, bent at both surfaces and tinted on the way,
-// and what the first surface mirrors. glass.md explains.
+// Glass, water and metal as the camera sees them: what lies behind, bent at both surfaces and tinted on the
+// way, and what the first surface mirrors. glass.md explains.
 UNIFORMS_BEGIN
 #include "passes/glass/glass_uniforms.glsl"
 UNIFORMS_END
@@ -93,8 +93,10 @@ Vec3 through_glass(Vec4 entry, Vec4 entry_normal) {
 
   Vec3 behind = radiance_along(p2, d2) * tint * transmittance(Vec3(absorption), inside_length);
   Vec3 mirrored = radiance_along(p1, reflected(d0, n1, ci1));
+  Vec3 metal = mirrored * metal_reflectance(tint, ci1);
   // The share that the second surface sends back is taken to leave as it would have: nothing is lost to black.
-  return mirrored * r1 + behind * (1.0f - r1) * (1.0f - 0.5f * r2);
+  Vec3 glass = mirrored * r1 + behind * (1.0f - r1) * (1.0f - 0.5f * r2);
+  return sel(indices.w > 0.5f, metal, glass);
 }
 
 void main() {

@@ -19,6 +19,7 @@ struct Bench {
   Frame view = down(4.0, 10.0, 20.0);
   Scene scene;
   float ior = 1.5f;
+  bool mirror = false;  // then `tint` is its colour
   bool solid = true;
   glm::vec3 absorption{0.0f}, tint{1.0f}, normal{0.0f, 1.0f, 0.0f};
   float facing = 1.0f, glass_height = 5.0f;
@@ -48,6 +49,7 @@ struct Bench {
       materials.at(1, 1, c) = absorption[c];
       materials.at(2, 1, c) = tint[c];
     }
+    materials.at(0, 1, 3) = mirror ? 1.0f : 0.0f;
     materials.at(1, 1, 3) = solid ? 1.0f : 0.0f;
     const Frame wide = widened(view, 3.0);
     const Pass pass = glass_pass();
@@ -215,4 +217,17 @@ TEST_CASE("view_exit_map: only back faces are seen") {
   const PassImages back = draw(quad(under, {0, -1, 0}));
   CHECK(texel(back["view_exit_position"], 1, 1) == glm::vec4(-0.25f, 1.0f, 0.25f, 1.0f));
   CHECK(texel(back["view_exit_normal"], 1, 1) == glm::vec4(0.0f, -1.0f, 0.0f, 1.0f));
+}
+
+TEST_CASE("glass: metal shows what it mirrors, in its own colour") {
+  // Seen from above at normal incidence it mirrors the zenith.
+  Bench bench;
+  bench.mirror = true;
+  bench.solid = false;
+  bench.tint = {0.9f, 0.5f, 0.25f};
+  bench.scene.environment.zenith = {10.0f, 10.0f, 10.0f};
+  const Image image = bench.run();
+  CHECK(image.at(4, 4, 0) == Approx(9.0));
+  CHECK(image.at(4, 4, 1) == Approx(5.0));
+  CHECK(image.at(4, 4, 2) == Approx(2.5));
 }

@@ -30,7 +30,7 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .cone_axis = cone.axis,
       .cone = cone.scale_offset,
       .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
-               kLandingTolerance, 0.0f},
+               kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
       .method = {settings.iterations, settings.estimator == Estimator::Paper ? 0 : 1,
                  settings.weights == Weights::Paper ? 1 : 0,
                  context.effects->active("exit surface") ? 1 : 0},
@@ -55,8 +55,8 @@ Pass landing_pass() {
                          .optional = true},
                         {.name = "receiver_position", .meaning = "what the light can land on"},
                         {.name = "caster_materials",
-                         .meaning = "row a material: indices of refraction; absorption per metre; "
-                                    "base colour"}},
+                         .meaning = "row a material: indices of refraction, 1 for a mirror; absorption per "
+                                    "metre; base colour"}},
               .writes = {{.name = "landing",
                           .format = Format::RGBA32F,
                           .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},

@@ -60,6 +60,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Int material = floor_to_int(entry_normal.w + 0.5f);
   Vec4 indices = fetch_clamped(caster_materials, Int(0), material);
   Vec4 absorption = fetch_clamped(caster_materials, Int(1), material);
+  Bool mirrors = u.cell.w > 0.5f && indices.w > 0.5f;
   TRACE(entry_point, p1);
 
   // Flux onto the cell, relative to the light's intensity: its area across parallel light; its solid
@@ -83,10 +84,11 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Float eta1 = sel(from_inside, ior, 1.0f / ior);
   Float ci1 = clamp_to(-dot3(d0, n1), 0.0f, 1.0f);
   Float ct1_squared = transmitted_cosine_squared(eta1, ci1);
-  Bool blocked1 = ct1_squared < 0.0f;
+  Bool blocked1 = !mirrors && ct1_squared < 0.0f;
   Float ct1 = sqrt(max_of(ct1_squared, 0.0f));
   Vec3 d1 = refracted(d0, n1, eta1, ci1, ct1);
-  Float r1 = sel(blocked1, Float(0.0f), fresnel_reflectance(eta1, ci1, ct1));
+  Float r1 = sel(blocked1 || mirrors, Float(0.0f), fresnel_reflectance(eta1, ci1, ct1));
+  d1 = sel(mirrors, reflected(d0, n1, ci1), d1);
   TRACE(entry_normal, n1);
   TRACE(inside_direction, d1);
   TRACE(entry_reflectance, r1);
@@ -134,9 +136,14 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
 
   // Through one interface only, the medium reaches down to the receiver (water on its bed).
   Bool lands = covered && !blocked1 && !blocked2 && !exit_unknown && hit.covered && converged;
-  Bool open_medium = absorption.w < 0.5f && !from_inside;
+  Bool open_medium = absorption.w < 0.5f && !from_inside && !mirrors;
   Float absorbing_length = sel(open_medium, sel(lands, flight, Float(0.0f)), inside_length);
   Vec3 passed = transmittance(Vec3(absorption), absorbing_length);
+  // What metal does not mirror it absorbs.
+  if (u.cell.w > 0.5f) {
+    Vec3 metal = Vec3(fetch_clamped(caster_materials, Int(2), material));
+    passed = sel(mirrors, metal_reflectance(metal, ci1), passed);
+  }
 
   // Shah et al. 2007, eq. 6 with (1/V) of the flux onto all V texels: N.L of the cell's own flux.
   Float weight = Float(1.0f);

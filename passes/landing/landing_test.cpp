@@ -18,6 +18,8 @@ struct Bench {
   glm::vec3 normal{0.0f, 1.0f, 0.0f};
   float facing = 1.0f;
   float ior = 1.5f;
+  bool mirror = false;
+  glm::vec3 color{1.0f};  // of a mirror, at normal incidence
   glm::vec3 absorption{0.0f};
   bool solid = false;
   float exit_height = 0.5f;
@@ -53,13 +55,15 @@ struct Bench {
                       .light = {0.0f, -1.0f, 0.0f, 0.0f},
                       .cone_axis = {0.0f, -1.0f, 0.0f, 0.0f},
                       .cone = glm::vec4(0.0f),
-                      .cell = {0.25f, 2.0f, 2.0f, 0.0f},
+                      .cell = {0.25f, 2.0f, 2.0f, mirror ? 1.0f : 0.0f},
                       .method = {iterations, estimator, weights, solid ? 1 : 0}};
     Image materials(Format::RGBA32F, 3, 1);
     for (int c = 0; c < 3; ++c) {
       materials.at(0, 0, c) = ior;
       materials.at(1, 0, c) = absorption[c];
+      materials.at(2, 0, c) = color[c];
     }
+    materials.at(0, 0, 3) = mirror ? 1.0f : 0.0f;
     materials.at(1, 0, 3) = solid ? 1.0f : 0.0f;
     Image exit = floor_map(64, static_cast<double>(exit_height), 0.0);
     return run_pass(landing_pass().definition,
@@ -236,4 +240,43 @@ TEST_CASE("landing: a point light's cell subtends its solid angle") {
   bench.frame.near = 0.1;
   const PassImages out = bench.run();
   CHECK(out["landing_fresnel"].at(0, 0, 3) == Approx(0.25));
+}
+
+TEST_CASE("landing: a mirror sends light by the law of reflection and absorbs what its colour lacks") {
+  // A steep mirror, its normal 60 degrees from up: light from above leaves along (sin 120, cos 120, 0) =
+  // (0.8660254, -0.5, 0) and falls 1 m over 1.7320508 m.
+  Bench bench;
+  bench.mirror = true;
+  bench.normal = tilted(60.0);
+  const PassImages all = bench.run();
+  CHECK(status(all) == LandingStatus::Landed);
+  CHECK(all["landing"].at(0, 0, 0) == Approx(1.7320508).epsilon(1e-4));
+  CHECK(all["landing"].at(0, 0, 1) == Approx(0.0).margin(1e-4));
+  CHECK(all["landing_flux"].at(0, 0, 0) == 0.25f);
+  CHECK(all["landing_absorbed"].at(0, 0, 0) == 0.0f);
+  // Copper's red and blue at cos 0.5: f + (1 - f) 0.5^5.
+  bench.color = {0.95f, 0.64f, 0.54f};
+  const PassImages copper = bench.run();
+  CHECK(copper["landing_flux"].at(0, 0, 0) == Approx(0.25 * (0.95 + 0.05 / 32)));
+  CHECK(copper["landing_flux"].at(0, 0, 2) == Approx(0.25 * (0.54 + 0.46 / 32)));
+  CHECK(copper["landing_absorbed"].at(0, 0, 2) == Approx(0.25 * (0.46 - 0.46 / 32)));
+  CHECK(copper["landing_fresnel"].at(0, 0, 2) == 0.0f);
+}
+
+TEST_CASE("landing: the back of a mirror's wall mirrors as its front does") {
+  Bench bench;
+  bench.mirror = true;
+  bench.normal = -tilted(60.0);
+  bench.facing = -1.0f;
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Landed);
+  CHECK(out["landing"].at(0, 0, 0) == Approx(1.7320508).epsilon(1e-4));
+}
+
+TEST_CASE("landing: what a level mirror sends back towards the light lands nowhere") {
+  Bench bench;
+  bench.mirror = true;
+  const LandingStatus where = status(bench.run());
+  CHECK((where == LandingStatus::Missed || where == LandingStatus::Outside ||
+         where == LandingStatus::NotConverged));
 }

@@ -9,5 +9,5 @@ vec4 light;            // xyz: direction of travel (parallel) or position (persp
 vec4 cone_axis;        // xyz: unit axis of a spot light's cone, the way it shines
 vec4 cone;             // scale and offset of the cone's falloff; x = 0 where there is none
 vec4 cell;             // x: area of a grid cell in window units squared; y, z: tolerance of the exit and of
-                       // the landing, in texels' extents; w unused
+                       // the landing, in texels' extents; w: 1 where there are mirrors
 ivec4 method;          // iterations; estimator (0 paper, 1 secant); weights (0 physical, 1 paper); solid casters (0, 1)

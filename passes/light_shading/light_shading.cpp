@@ -106,7 +106,7 @@ Pass light_shading_pass() {
 Pass wide_shading_pass() {
   return {.definition = definition("wide", "wide_shading", "wide_direct", "wide_caustic"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light") || !effects.active("seen refraction")) return {};
+            if (!effects.active("light") || !effects.active("seen casters")) return {};
             return "the light shines on what glass shows";
           },
           .each = Each::Light,

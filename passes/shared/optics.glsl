@@ -39,6 +39,13 @@ Float fresnel_reflectance(Float eta, Float ci, Float ct) {
   return sel(sound, 0.5f * (rs * rs + rp * rp), sel(eta == 1.0f, Float(0.0f), Float(1.0f)));
 }
 
+// Reflectance of a metal: Schlick's approximation (1994), as glTF 2.0 has it (appendix B.2).
+Vec3 metal_reflectance(Vec3 normal_incidence, Float ci) {
+  Float s = 1.0f - ci;
+  Float grazing = (s * s) * (s * s) * s;
+  return normal_incidence * (1.0f - grazing) + Vec3(grazing);
+}
+
 // Beer-Lambert transmittance over a length in metres; absorption per metre and channel.
 Vec3 transmittance(Vec3 absorption, Float metres) {
   Float d = max_of(metres, 0.0f);

@@ -65,8 +65,8 @@ bool dark(const Light& light) {
          !(std::max({light.color.x, light.color.y, light.color.z}) > 0.0f);
 }
 
-// Why no light of this kind gets from the light through the mesh onto a receiver, or nothing.
-std::string unreachable(const Scene& scene, const Light& light, const Mesh& mesh,
+// Why no light of this kind gets from the light by the mesh onto a receiver, or nothing.
+std::string unreachable(const Scene& scene, const Light& light, const Mesh& mesh, bool mirror,
                         const std::vector<SurfaceRole>& surfaces) {
   if (dark(light)) return "the light's intensity or colour is 0";
   const Reach caster = reach_of(light, mesh);
@@ -78,9 +78,10 @@ std::string unreachable(const Scene& scene, const Light& light, const Mesh& mesh
   }
   bool any = false;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].role != Role::Receiver && surfaces[i].role != Role::Mirror) continue;
+    if (surfaces[i].role != Role::Receiver) continue;
     any = true;
-    if (reach_of(light, scene.meshes[i]).farthest > caster.nearest) return {};
+    // A mirror sends light any way.
+    if (mirror || reach_of(light, scene.meshes[i]).farthest > caster.nearest) return {};
   }
   return any ? "no receiver lies behind it, seen from the light" : "there is no diffuse receiver";
 }
@@ -104,12 +105,15 @@ void add_expectations(const Scene& scene, const std::vector<Judgement>& judgemen
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
       if (!judgements[m].looks_specular) continue;
       Expectation e{static_cast<int>(l), static_cast<int>(m), false, judgements[m].no_caustic};
-      if (judgements[m].role.role == Role::Refractor) {
+      const Role role = judgements[m].role.role;
+      if (is_caster(role)) {
         const Mesh& mesh = scene.meshes[m];
-        e.reason = unreachable(scene, scene.lights[l], mesh, effects.surfaces);
+        e.reason = unreachable(scene, scene.lights[l], mesh, role == Role::Mirror, effects.surfaces);
         e.expected = e.reason.empty();
         const float ior = scene.materials[static_cast<std::size_t>(mesh.material)].ior;
-        if (e.expected) {
+        if (e.expected && role == Role::Mirror) {
+          e.reason = "light reaches it and is mirrored onto what stands around";
+        } else if (e.expected) {
           e.reason = ior == 1.0f ? "IOR 1 bends nothing: its light passes, but without a focus"
                                  : "light reaches it and a receiver lies behind it";
         }
@@ -119,13 +123,13 @@ void add_expectations(const Scene& scene, const std::vector<Judgement>& judgemen
   }
 }
 
-// Whether, for some light, a diffuse or mirroring surface could shadow another or a caster.
+// Whether, for some light, a diffuse surface could shadow another or a caster. Casters shadow by their map.
 bool anything_shadows(const Scene& scene, const Effects& effects) {
   for (const Light& light : scene.lights) {
     if (dark(light)) continue;
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
       const Role role = effects.surfaces[m].role;
-      if (role != Role::Receiver && role != Role::Mirror) continue;
+      if (role != Role::Receiver) continue;
       if (!is_backdrop(scene, m, light)) return true;
     }
   }
@@ -137,6 +141,7 @@ void add_light_effects(const Scene& scene, Effects& effects) {
       scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !dark(light); }));
   const std::size_t receivers = count_roles(effects, Role::Receiver);
   const std::size_t refractors = count_roles(effects, Role::Refractor);
+  const std::size_t mirrors = count_roles(effects, Role::Mirror);
   const std::string diffuse_surfaces = count(receivers, "diffuse surface", "diffuse surfaces");
   const auto add = [&](const char* name, bool active, const std::string& reason) {
     effects.list.push_back({name, active, reason});
@@ -147,14 +152,14 @@ void add_light_effects(const Scene& scene, Effects& effects) {
                                    [](const Expectation& e) { return e.expected; });
   const auto first = std::find_if(
       effects.expectations.begin(), effects.expectations.end(), [&](const Expectation& e) {
-        return effects.surfaces[static_cast<std::size_t>(e.mesh)].role == Role::Refractor;
+        return is_caster(effects.surfaces[static_cast<std::size_t>(e.mesh)].role);
       });
   const auto caster = std::find_if(effects.surfaces.begin(), effects.surfaces.end(),
-                                   [](const auto& s) { return s.role == Role::Refractor; });
+                                   [](const auto& s) { return is_caster(s.role); });
   if (reached) {
     add("caustics", true, caster->reason);
-  } else if (refractors == 0) {
-    add("caustics", false, "no surface is smooth, solid glass or water");
+  } else if (refractors + mirrors == 0) {
+    add("caustics", false, "no surface is smooth metal, or smooth, solid glass or water");
   } else {
     add("caustics", false,
         first == effects.expectations.end()
@@ -173,9 +178,13 @@ void add_light_effects(const Scene& scene, Effects& effects) {
   add("thin panes", panes > 0,
       panes > 0 ? count(panes, "thin pane", "thin panes") + " that tint what passes straight through"
                 : "none in the scene");
-  add("seen refraction", refractors > 0,
-      refractors > 0 ? count(refractors, "refractor", "refractors") + " to look through"
-                     : "no refractor to look through");
+  add("mirrors", mirrors > 0,
+      mirrors > 0 ? count(mirrors, "mirror", "mirrors") + ": smooth metal" : "none in the scene");
+  add("seen casters", refractors + mirrors > 0,
+      refractors + mirrors == 0
+          ? "no refractor to look through, no mirror to look into"
+          : count(refractors, "refractor", "refractors") + " to look through, " +
+                count(mirrors, "mirror", "mirrors") + " to look into");
 }
 
 // What is found in the scene but not simulated yet: never active, and the reason says so.
@@ -185,9 +194,6 @@ void add_missing_effects(const Scene& scene, const std::vector<Judgement>& judge
                        const std::string& consequence) {
     effects.list.push_back({name, false, found == 0 ? "none in the scene" : what + consequence});
   };
-  const std::size_t mirrors = count_roles(effects, Role::Mirror);
-  add("mirrors", mirrors, count(mirrors, "mirror", "mirrors"),
-      ": not simulated yet; drawn as diffuse, and no light is reflected onto other surfaces");
   std::size_t dispersing = 0, rough = 0;
   std::string strongest;
   for (std::size_t i = 0; i < judgements.size(); ++i) {

@@ -14,9 +14,11 @@ enum class Role : std::uint8_t {
   Receiver,   // diffuse: catches light and caustics, casts a shadow
   Refractor,  // smooth glass or water with a volume: throws a caustic
   ThinPane,   // transmission without a volume: lets light straight through, tinted
-  Mirror,     // smooth metal
+  Mirror,     // smooth metal: throws a caustic
 };
 std::string_view name_of(Role role);
+// Does it throw caustics: a Refractor or a Mirror?
+constexpr bool is_caster(Role role) { return role == Role::Refractor || role == Role::Mirror; }
 
 struct SurfaceRole {
   Role role = Role::Receiver;
@@ -51,12 +53,13 @@ struct Effects {
 // Effects by name:
 //   "light"           any light
 //   "receivers"       any diffuse surface
-//   "caustics"        a refractor that a light can reach
+//   "caustics"        a refractor or mirror that a light can reach
 //   "exit surface"    a refractor with two interfaces
 //   "occluders"       diffuse surfaces that can shadow others or a caster
-//   "seen refraction" a refractor, so the camera sees through it
+//   "mirrors"         smooth metal, which reflects light and view
+//   "seen casters"    a refractor or mirror, in which the camera sees other things
 //   "thin panes"      a transmissive surface without a volume
-//   "mirrors", "dispersion", "rough glass": found and left to later; inactive, with the reason
+//   "dispersion", "rough glass": found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 
 }  // namespace caustics

@@ -64,7 +64,7 @@ TEST_CASE("solid glass refracts through two interfaces and throws a caustic") {
   REQUIRE(effects.expectations.size() == 1);
   CHECK(effects.expectations[0].expected);
   for (const char* name :
-       {"light", "receivers", "caustics", "exit surface", "seen refraction"}) {
+       {"light", "receivers", "caustics", "exit surface", "seen casters"}) {
     CHECK(effects.active(name));
   }
   // The floor is flat and behind everything: it shadows nothing.
@@ -124,7 +124,12 @@ TEST_CASE("the limits of roughness and metal are in the role that they name") {
   metal.roughness = 0.2f;
   const Effects effects = judged(glass_over_floor(metal));
   CHECK(effects.surfaces[0].role == Role::Mirror);
-  mentions(effects.expectations[0].reason, "not simulated yet");
+  CHECK(effects.expectations[0].expected);
+  mentions(effects.expectations[0].reason, "mirrored onto what stands around");
+  CHECK(effects.active("caustics"));
+  CHECK(effects.active("mirrors"));
+  CHECK(effects.active("seen casters"));
+  CHECK_FALSE(effects.active("exit surface"));
   metal.roughness = 0.21f;
   CHECK(judged(glass_over_floor(metal)).surfaces[0].role == Role::Receiver);
   CHECK(judged(glass_over_floor(metal)).expectations.empty());

@@ -85,7 +85,7 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
   const Bounds bounds = bounds_of(scene);
   Bounds casters;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (effects.surfaces[i].role == Role::Refractor) casters.add(bounds_of(scene.meshes[i]));
+    if (is_caster(effects.surfaces[i].role)) casters.add(bounds_of(scene.meshes[i]));
   const double radius = std::max(bounds.radius(), 1e-9);
   double closest = 0.0;
   if (light.type == LightType::Directional) {
@@ -100,7 +100,7 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
     result.everything.add(extents);
-    if (effects.surfaces[i].role == Role::Refractor) {
+    if (is_caster(effects.surfaces[i].role)) {
       result.casters.add(extents);
     } else if (effects.surfaces[i].role == Role::ThinPane) {
       result.panes.add(extents);

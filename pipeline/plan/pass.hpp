@@ -19,7 +19,7 @@ enum class Each : std::uint8_t { Frame, Light };
 enum class DrawSet : std::uint8_t {
   FullScreen,      // one triangle over all pixels
   Receivers,       // every mesh that is a Receiver
-  Casters,         // every Refractor
+  Casters,         // every Refractor and Mirror
   SolidCasters,    // every Refractor with two interfaces
   ThinPanes,       // every ThinPane
   GridVertices,    // grid * grid points

@@ -27,9 +27,9 @@ namespace {
 bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
   switch (draws) {
     case DrawSet::Receivers:
-      return role.role == Role::Receiver || role.role == Role::Mirror;
+      return role.role == Role::Receiver;
     case DrawSet::Casters:
-      return role.role == Role::Refractor;
+      return is_caster(role.role);
     case DrawSet::SolidCasters:
       return role.role == Role::Refractor && role.two_interfaces;
     case DrawSet::ThinPanes:

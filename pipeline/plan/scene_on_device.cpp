@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "pipeline/scene/exact.hpp"
 
@@ -38,6 +39,11 @@ glm::vec3 absorption_of(const Material& material) {
   return absorption;
 }
 
+glm::vec3 metal_reflectance(const Material& material) {
+  return glm::vec3(0.04f) * (1.0f - material.metallic) +
+         glm::vec3(material.base_color) * material.metallic;
+}
+
 SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
     : scene_(scene), device_(device) {
   for (const Mesh& mesh : scene.meshes) meshes_.push_back(device.create_mesh(mesh_data(mesh)));
@@ -63,25 +69,28 @@ TextureId SceneOnDevice::external(const std::string& name) const {
 }
 
 void SceneOnDevice::upload_caster_materials(const Effects& effects) {
-  // One row for each distinct pair of material and number of interfaces.
-  std::map<std::pair<int, bool>, int> row_of;
+  // One row for each distinct triple of material, number of interfaces and role.
+  std::map<std::tuple<int, bool, Role>, int> row_of;
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
     const SurfaceRole& role = effects.surfaces[i];
     int row = 0;
-    if (role.role == Role::Refractor)
-      row = row_of.try_emplace({scene_.meshes[i].material, role.two_interfaces},
+    if (is_caster(role.role))
+      row = row_of.try_emplace({scene_.meshes[i].material, role.two_interfaces, role.role},
                                static_cast<int>(row_of.size()))
                 .first->second;
     rows_.push_back(row);
   }
   Image table(Format::RGBA32F, 3, std::max(1, static_cast<int>(row_of.size())));
   for (const auto& [key, row] : row_of) {
-    const Material& material = scene_.materials[static_cast<std::size_t>(key.first)];
-    const glm::vec3 absorption = absorption_of(material);
+    const auto& [index, two_interfaces, role] = key;
+    const Material& material = scene_.materials[static_cast<std::size_t>(index)];
+    const bool mirror = role == Role::Mirror;
+    const glm::vec3 absorption = mirror ? glm::vec3(0.0f) : absorption_of(material);
+    const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
     const float texels[3][4] = {
-        {material.ior, material.ior, material.ior, 0.0f},
-        {absorption.x, absorption.y, absorption.z, key.second ? 1.0f : 0.0f},
-        {material.base_color.x, material.base_color.y, material.base_color.z, 0.0f}};
+        {material.ior, material.ior, material.ior, mirror ? 1.0f : 0.0f},
+        {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
+        {color.x, color.y, color.z, 0.0f}};
     for (int x = 0; x < 3; ++x)
       for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
   }

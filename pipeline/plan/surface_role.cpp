@@ -99,11 +99,10 @@ Judgement judge(const Mesh& mesh, const Material& material, const Settings& sett
       material.roughness <= settings.mirror_roughness) {
     return {{Role::Mirror, false,
              name + ": metallic " + number_text(material.metallic) + ", roughness " +
-                 number_text(material.roughness) +
-                 ": a mirror; mirrors are not simulated yet, drawn as a diffuse surface"},
+                 number_text(material.roughness) + ": a mirror"},
             true,
             false,
-            "mirrors are not simulated yet"};
+            {}};
   }
   // Metal lets nothing through, so only the other part transmits (KHR_materials_transmission).
   const float transmissive = material.transmission * (1.0f - material.metallic);

@@ -12,7 +12,7 @@ struct Judgement {
   SurfaceRole role;
   bool looks_specular = false;  // transmissive, a mirror, or alpha-blended as if it were glass
   bool rough = false;           // glass too rough for a caustic
-  std::string no_caustic;       // short reason; empty for a Refractor
+  std::string no_caustic;       // short reason; empty for a caster
 };
 
 Judgement judge(const Mesh& mesh, const Material& material, const Settings& settings);

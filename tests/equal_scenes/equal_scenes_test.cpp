@@ -82,6 +82,7 @@ TEST_CASE("equal scenes: what is said in other words looks the same to the bit")
        [](Case& c) {
          c.scene.lights.push_back(sun({0.0, -1.0, 0.0}, 0.0f));
        }},
+      {"everything twice as large", double_lengths},
   };
   for (const auto& [name, change] : same) {
     INFO(name);

@@ -12,8 +12,8 @@ using namespace caustics::test;
 
 namespace {
 
-// Glass and diffuse bodies, a box that the view cuts off, a thin pane, an absorbing medium, two
-// kinds of light.
+// Glass and diffuse bodies, a box that the view cuts off, a thin pane, a mirror, an absorbing
+// medium, two kinds of light.
 Scene frame_scene() {
   Scene scene = sphere_scene(1.5f, 4);
   scene.materials[1].attenuation_distance = 0.5f;
@@ -22,6 +22,8 @@ Scene frame_scene() {
   pane.thickness = 0.0f;
   pane.base_color = {0.9f, 0.6f, 0.3f, 1.0f};
   scene.materials.push_back(pane);
+  scene.materials.push_back(metal({0.95f, 0.64f, 0.54f}));
+  scene.meshes.push_back(half_ring(0.9, 0.2, 24, 3));
   scene.meshes.push_back(box({-1.4, 0.0, -0.9}, {-0.6, 0.15, -0.4}, 0));
   scene.meshes.push_back(box({0.4, 0.2, 0.3}, {0.9, 0.6, 0.7}, 1));
   scene.meshes.push_back(floor(0.4, 0.1, 2));

@@ -81,7 +81,7 @@ class Reasons(ProgramTest):
     def test_mirror(self):
         mirror = {"name": "steel",
                   "pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": 0.05}}
-        self.assertIn("not simulated yet", self.expectation(mirror)["reason"])
+        self.assertIn("mirrored onto what stands around", self.expectation(mirror)["reason"])
 
     def test_light_without_intensity(self):
         dark = self.expectation(light={"type": "directional", "intensity": 0})

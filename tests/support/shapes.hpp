@@ -120,6 +120,35 @@ inline Mesh wave_sheet(double half, double height, double amplitude, double k, i
   return mesh;
 }
 
+// The upright wall of a half ring around the y axis, x > 0, from the floor to `height`; its normals point
+// inwards, and are exact.
+inline Mesh half_ring(double radius, double height, int cells, int material) {
+  Mesh mesh;
+  mesh.name = "ring";
+  mesh.material = material;
+  for (int i = 0; i <= cells; ++i) {
+    const double angle = 3.14159265358979323846 * (static_cast<double>(i) / cells - 0.5);
+    const glm::dvec3 out(std::cos(angle), 0.0, std::sin(angle));
+    for (const double y : {0.0, height})
+      mesh.vertices.push_back({.position = glm::vec3(radius * out + glm::dvec3(0.0, y, 0.0)),
+                               .normal = glm::vec3(-out)});
+  }
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(cells); ++i)
+    for (const std::uint32_t v : {2 * i, 2 * i + 3, 2 * i + 1, 2 * i, 2 * i + 2, 2 * i + 3})
+      mesh.indices.push_back(v);
+  finish(mesh, 0.0f);
+  return mesh;
+}
+
+inline Material metal(const glm::vec3& color) {
+  Material m;
+  m.name = "metal";
+  m.base_color = glm::vec4(color, 1.0f);
+  m.metallic = 1.0f;
+  m.roughness = 0.0f;
+  return m;
+}
+
 inline Material diffuse(float albedo) {
   Material m;
   m.name = "diffuse";

@@ -213,3 +213,33 @@ TEST_CASE("truth: a prism turns light by its deviation") {
   const Frame& map = r.frames[0].caustic;
   CHECK(worst < (map.window_upper.x - map.window_lower.x) / 128);
 }
+
+TEST_CASE("truth: a half ring of metal concentrates light as its closed form says") {
+  // Radius 1 m, wall 0.3 m high, light at 45 degrees along +x: light that falls s metres on before
+  // it meets the floor is concentrated by cos t / |cos t - 2 s|. On the axis, t = 0, it lands at x
+  // = 1 - s, and the band ends with the wall at s = 0.3.
+  const double elevation = 45.0 * 3.14159265358979323846 / 180.0;
+  Scene scene;
+  scene.materials = {diffuse(0.8f), metal({1.0f, 1.0f, 1.0f})};
+  scene.meshes = {floor(3.0, 0.0, 0), half_ring(1.0, 0.3, 512, 1)};
+  scene.lights = {sun({std::cos(elevation), -std::sin(elevation), 0.0}, 1.0f)};
+  scene.cameras = {camera_down(2.0, 1.28)};
+  const int pixels = 256;
+  Settings settings = small_settings(1024, 1024, pixels);
+  const Rendering r = render(scene, settings, {"aov_caustic"});
+  // The mean over 5 x 5 pixels of 1 cm: single ones show how grid and map beat.
+  const auto caustic = [&](double x) {
+    const int column = static_cast<int>((x + 1.28) / 2.56 * pixels);
+    double sum = 0.0;
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx)
+        sum += static_cast<double>(r["aov_caustic"].at(column + dx, pixels / 2 + dy, 0));
+    return sum / 25.0;
+  };
+  for (const double s : {0.05, 0.1, 0.15, 0.2, 0.25}) {
+    const double expected = std::sin(elevation) * ring_irradiance(1.0, 0.0, s);
+    INFO("s = " << s << ": " << caustic(1.0 - s) << ", expected " << expected);
+    CHECK(caustic(1.0 - s) == Approx(expected).epsilon(0.05));
+  }
+  CHECK(caustic(1.0 - 0.35) == Approx(0.0).margin(0.01));
+}
