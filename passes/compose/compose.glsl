@@ -43,7 +43,7 @@ void main() {
   // Without lights these are one texel of zeros.
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
-  Vec3 surface = emission + albedo * irradiance * 0.318309886f;
+  Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;
 
   Vec3 ray = Vec3(u.forward);
   if (u.forward.w > 0.5f)

@@ -3,8 +3,8 @@ UNIFORMS_BEGIN
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, base_color)
-VARYING_SMOOTH(0, Vec3, surface_position)
-VARYING_SMOOTH(3, Vec2, surface_uv)
+VARYING_SMOOTH(0, Float, along)
+VARYING_SMOOTH(1, Vec2, surface_uv)
 
 #ifdef VERTEX_STAGE
 ATTRIBUTE(0, Vec3, position)
@@ -12,18 +12,17 @@ ATTRIBUTE(3, Vec2, uv)
 #include "passes/shared/frame_space.glsl"
 
 void main() {
-  surface_position = position;
+  Vec3 q = frame_coordinates(u.from_scene, position);
+  along = q.z;
   surface_uv = uv;
-  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(frame_clip(q, u.window, u.depth));
 }
 #else
 OUTPUT(0, Vec4, shadow_depth)
 #include "passes/shared/cutout.glsl"
-#include "passes/shared/frame_space.glsl"
 
 void main() {
   discard_if(cut_out(surface_uv));
-  Float z = frame_coordinates(u.from_scene, surface_position).z;
-  shadow_depth = Vec4(z, Float(0.0f), Float(0.0f), Float(1.0f));
+  shadow_depth = Vec4(along, Float(0.0f), Float(0.0f), Float(1.0f));
 }
 #endif
