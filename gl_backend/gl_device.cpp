@@ -221,14 +221,14 @@ class OpenGlDevice final : public GlDevice {
     if (uniforms_.upload()) ++made_.buffers;
   }
 
-  // What is known without the driver.
+  // What is known without the driver, should it not count.
   PassResult counted(const PassRun& run) const {
     PassResult result;
     for (const Draw& draw : run.draws) {
       const Mesh* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
       const auto loose = static_cast<std::uint64_t>(std::max(0, draw.vertex_count));
       const std::uint64_t corners = mesh ? mesh->corner_count() : loose;
-      result.vertices += mesh ? mesh->vertex_count : loose;
+      result.vertices += corners;
       result.primitives += run.definition->topology == Topology::Points ? corners : corners / 3;
     }
     return result;

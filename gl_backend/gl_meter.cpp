@@ -22,11 +22,14 @@ std::uint64_t answer(const QueryObject& query) {
 RunMeter::RunMeter(bool timed, bool software_renderer)
     : timed_(timed),
       wall_clock_(timed && software_renderer),
-      counts_fragments_(timed && (epoxy_gl_version() >= 46 ||
-                                  epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query"))),
+      counts_pipeline_(timed && (epoxy_gl_version() >= 46 ||
+                                 epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query"))),
       time_(make_query()),
       samples_(make_query()) {
-  if (counts_fragments_) fragments_ = make_query();
+  if (!counts_pipeline_) return;
+  vertices_ = make_query();
+  primitives_ = make_query();
+  fragments_ = make_query();
 }
 
 void RunMeter::begin(bool count_samples) {
@@ -38,11 +41,18 @@ void RunMeter::begin(bool count_samples) {
     glBeginQuery(GL_TIME_ELAPSED, time_.id());
   }
   if (counts_samples_) glBeginQuery(GL_SAMPLES_PASSED, samples_.id());
-  if (counts_fragments_) glBeginQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB, fragments_.id());
+  if (!counts_pipeline_) return;
+  glBeginQuery(GL_VERTICES_SUBMITTED_ARB, vertices_.id());
+  glBeginQuery(GL_PRIMITIVES_SUBMITTED_ARB, primitives_.id());
+  glBeginQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB, fragments_.id());
 }
 
 void RunMeter::end(PassResult& result) {
-  if (counts_fragments_) glEndQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB);
+  if (counts_pipeline_) {
+    glEndQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB);
+    glEndQuery(GL_PRIMITIVES_SUBMITTED_ARB);
+    glEndQuery(GL_VERTICES_SUBMITTED_ARB);
+  }
   if (counts_samples_) glEndQuery(GL_SAMPLES_PASSED);
   if (timed_ && !wall_clock_) glEndQuery(GL_TIME_ELAPSED);
   if (wall_clock_) {
@@ -55,7 +65,11 @@ void RunMeter::end(PassResult& result) {
   } else {
     glFlush();
   }
-  if (counts_fragments_) result.fragments = answer(fragments_);
+  if (counts_pipeline_) {
+    result.vertices = answer(vertices_);
+    result.primitives = answer(primitives_);
+    result.fragments = answer(fragments_);
+  }
   if (counts_samples_) result.samples_passed = answer(samples_);
 }
 

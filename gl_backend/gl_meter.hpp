@@ -13,12 +13,13 @@ class RunMeter {
  public:
   RunMeter(bool timed, bool software_renderer);
   void begin(bool count_samples);
-  // Adds what was counted since begin(). Waits for the driver only for figures that were asked for.
+  // Fills in what was counted since begin(), and leaves what the driver does not count as it is. Waits for
+  // the driver only for figures that were asked for.
   void end(PassResult& result);
 
  private:
-  bool timed_, wall_clock_, counts_fragments_ = false, counts_samples_ = false;
-  QueryObject time_, samples_, fragments_;
+  bool timed_, wall_clock_, counts_pipeline_ = false, counts_samples_ = false;
+  QueryObject time_, samples_, vertices_, primitives_, fragments_;
   std::chrono::steady_clock::time_point start_{};
 };
 

@@ -47,7 +47,10 @@ Lanes default_lanes() {
   for (const Lanes lanes : supported_lanes())
     if (lanes_name(lanes) == wanted) return lanes;
   std::string names;
-  for (const Lanes lanes : supported_lanes()) names += " " + std::string(lanes_name(lanes));
+  for (const Lanes lanes : supported_lanes()) {
+    names += ' ';
+    names += lanes_name(lanes);
+  }
   throw Error(ExitCode::WrongUsage, "CAUSTICS_LANES is '" + std::string(wanted) +
                                         "'; this build and processor have:" + names);
 }

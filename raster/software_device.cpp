@@ -165,7 +165,7 @@ class SoftwareDevice final : public Device {
         .may_discard = definition.shader->text.find("discard_if(") != std::string_view::npos,
         .kernel = tile_kernel(lanes_)};
     const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
-    result.vertices += vertices.count;
+    result.vertices += corners;
     result.primitives += stage.primitive_count;
     result.fragments += counters.fragments;
     result.samples_passed += counters.samples_passed;

@@ -50,7 +50,7 @@ struct PassRun {
 };
 
 struct PassResult {
-  std::uint64_t vertices = 0;        // vertices given to the vertex stage
+  std::uint64_t vertices = 0;        // vertices submitted; an index counts as one
   std::uint64_t primitives = 0;      // triangles or points assembled
   std::uint64_t fragments = 0;       // fragments shaded (0 where a device cannot tell)
   std::uint64_t samples_passed = 0;  // when the definition counts samples
