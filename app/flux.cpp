@@ -5,17 +5,18 @@
 namespace caustics::app {
 
 std::vector<std::string> ledger_textures() {
-  return {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCausticMap};
+  return {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellFlux, kCausticMap};
 }
 
 std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
   std::vector<LightLedger> ledgers;
   for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-    const auto read = [&](const char* name) { return frame.read(light_texture(name, light)); };
-    if (!frame.has(light_texture(kLanding, light))) continue;
-    if (!frame.has(light_texture(kCausticMap, light))) continue;
-    ledgers.push_back({light, make_ledger(read(kLanding), read(kLandingFlux), read(kLandingFresnel),
-                                          read(kLandingAbsorbed), read(kCausticMap),
+    const std::string map = light_texture(kCausticMap, light);
+    const std::vector<Branch>& branches = frame.effects().branches;
+    if (!frame.has(map) || !frame.has(branch_texture(kLanding, light, branches.front()))) continue;
+    const auto has = [&](const std::string& name) { return frame.has(name); };
+    const auto read = [&](const std::string& name) { return frame.read(name); };
+    ledgers.push_back({light, make_ledger(branch_images(light, branches, has, read), frame.read(map),
                                           frame.frames()[static_cast<std::size_t>(light)].caustic,
                                           frame.settings())});
   }

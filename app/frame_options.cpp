@@ -17,7 +17,7 @@ constexpr SettingOption kMethod[] = {
     {"--map", "map", "N", "texels a side of the caustic map; 1..8192 (default 512)"},
     {"--iterations", "iterations", "N", "estimator's steps at each surface; 1..1000 (default 5)"},
     {"--estimator", "estimator", "NAME", "paper or secant: finds where rays land (default secant)"},
-    {"--splat", "splat", "NAME", "point or gaussian: how a ray's light is laid (default gaussian)"},
+    {"--splat", "splat", "NAME", "point, gaussian or cell: how a ray's light is laid (default cell)"},
     {"--interfaces", "interfaces", "N",
      "1 or 2 surfaces that bend, or auto: 2 for closed meshes (default auto)"},
     {"--weights", "weights", "NAME", "physical, or the paper's equation 6 (default physical)"},

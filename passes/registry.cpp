@@ -2,7 +2,9 @@
 
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_map/caster_map.hpp"
+#include "passes/caustic_cells/caustic_cells.hpp"
 #include "passes/caustic_map/caustic_map.hpp"
+#include "passes/cells/cells.hpp"
 #include "passes/compose/compose.hpp"
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
@@ -25,6 +27,8 @@ const Registry& pass_registry() {
       caster_exit_map_pass(),
       receiver_map_pass(),
       landing_pass(),
+      cells_pass(),
+      caustic_cells_pass(),
       caustic_map_pass(),
       shadow_map_pass(),
       pane_light_pass(),

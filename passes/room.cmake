@@ -5,6 +5,8 @@ caustics_add_shader(caustics_passes caster_map TEXT passes/caster_map/caster_map
 caustics_add_shader(caustics_passes caster_exit_map TEXT passes/caster_exit_map/caster_exit_map.glsl)
 caustics_add_shader(caustics_passes receiver_map TEXT passes/receiver_map/receiver_map.glsl)
 caustics_add_shader(caustics_passes landing TEXT passes/landing/landing.glsl)
+caustics_add_shader(caustics_passes cells TEXT passes/cells/cells.glsl)
+caustics_add_shader(caustics_passes caustic_cells TEXT passes/caustic_cells/caustic_cells.glsl)
 caustics_add_shader(caustics_passes caustic_map TEXT passes/caustic_map/caustic_map.glsl)
 caustics_add_shader(caustics_passes shadow_map TEXT passes/shadow_map/shadow_map.glsl)
 caustics_add_shader(caustics_passes view_surfaces TEXT passes/view_surfaces/view_surfaces.glsl)

@@ -1,14 +1,29 @@
-// Adds every landed grid vertex to the caustic map: one texel, or a Gaussian integrated over texels.
+// Adds every landed grid vertex to the caustic map: one texel, or a Gaussian integrated over texels. Where
+// cells are drawn, only what they leave.
 UNIFORMS_BEGIN
 #include "passes/caustic_map/caustic_map_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, landing)
 TEXTURE(1, landing_flux)
+TEXTURE(2, cell_flux)
 VARYING_FLAT(0, Vec3, flux)
 VARYING_FLAT(3, Vec2, centre)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/frame_space.glsl"
+
+// Quarters of a grid vertex's flux that the cells around it have not taken.
+Float quarters_left(Int column, Int row) {
+  Float quarters = Float(4.0f);
+  for (int dy = 0; dy < 2; dy++) {
+    for (int dx = 0; dx < 2; dx++) {
+      Bool in_grid = column >= dx && row >= dy;
+      Float whole = fetch_clamped(cell_flux, column - dx, row - dy).w;
+      quarters = sel(in_grid, quarters - whole, quarters);
+    }
+  }
+  return quarters;
+}
 
 void main() {
   Int id = vertex_id();
@@ -16,14 +31,17 @@ void main() {
   Int column = id - row * Int(u.grid.x);
   Vec4 place = texel_fetch(landing, column, row);
   Vec4 carried = texel_fetch(landing_flux, column, row);
-  Bool landed = place.w == 1.0f;
+  Bool drawn = place.w == 1.0f;
+  Float part = Float(1.0f);
+  if (u.grid.z == 1) part = quarters_left(column, row) * 0.25f;
+  drawn = drawn && part > 0.0f;
   Vec3 q = frame_coordinates(u.from_scene, Vec3(place));
   Vec2 uv = frame_uv(q, u.window, u.depth);
-  flux = Vec3(carried);
+  flux = Vec3(carried) * part;
   centre = Vec2(uv.x * float(u.grid.y), uv.y * float(u.grid.y));
   // The middle of the depth range: a splat is never clipped by depth. Outside the volume: not drawn.
   Vec4 at = Vec4(2.0f * uv.x - 1.0f, 2.0f * uv.y - 1.0f, Float(0.5f), Float(1.0f));
-  set_position(sel(landed, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
+  set_position(sel(drawn, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
   set_point_size(Float(u.kernel.w));
 }
 #else

@@ -23,7 +23,7 @@ PassImages splat(const Image& landing, const Image& flux, Splat how, float sigma
                   {.width = 8,
                    .height = 8,
                    .uniforms = pass.uniforms({.settings = &settings, .frames = &frames}),
-                   .textures = {landing, flux},
+                   .textures = {landing, flux, Image{}},
                    .vertex_count = landing.width() * landing.height()});
 }
 

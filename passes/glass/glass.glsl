@@ -28,7 +28,7 @@ OUTPUT(0, Vec4, beauty)
 Bool meets(Hit hit, Vec3 start, Vec3 direction, Texture positions, vec4 window, vec4 depth) {
   Vec3 q = frame_coordinates(u.from_scene, start + direction * hit.distance);
   Float extent = frame_w(q, depth) / (window.x * float(texture_width(positions)));
-  return hit.inside && hit.covered && hit.residual <= 8.0f * extent && hit.distance > 0.0f &&
+  return hit.inside && !hit.left && hit.covered && hit.residual <= 8.0f * extent && hit.distance > 0.0f &&
          frame_w(q, depth) > 0.0f;
 }
 

@@ -76,7 +76,7 @@ Pass landing_pass() {
         if (!effects.active("caustics")) return {};
         return "each grid vertex's light is bent and followed to a receiver";
       },
-      .each = Each::Light,
+      .each = Each::Branch,
       .draws = DrawSet::FullScreen,
       .extent = Extent::Grid,
       .uniforms = [](const PassContext& context) { return uniform_bytes(landing_uniforms(context)); },

@@ -164,7 +164,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   status = sel(exhausted, Float(5.0f), status);
   status = sel(!converged, Float(6.0f), status);
   status = sel(!hit.covered, Float(2.0f), status);
-  status = sel(!hit.inside, Float(3.0f), status);
+  status = sel(!hit.inside || (hit.left && !converged), Float(3.0f), status);
   status = sel(exit_unknown, Float(6.0f), status);
   status = sel(blocked1 || blocked2, Float(4.0f), status);
   status = sel(covered, status, Float(0.0f));

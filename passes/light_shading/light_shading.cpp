@@ -100,7 +100,7 @@ Pass light_shading_pass() {
           .each = Each::Light,
           .extent = Extent::Picture,
           .uniforms = uniforms,
-          .sums_over_lights = true};
+          .owner = Each::Frame};
 }
 
 Pass wide_shading_pass() {
@@ -112,7 +112,7 @@ Pass wide_shading_pass() {
           .each = Each::Light,
           .extent = Extent::Wide,
           .uniforms = uniforms,
-          .sums_over_lights = true};
+          .owner = Each::Frame};
 }
 
 }  // namespace caustics

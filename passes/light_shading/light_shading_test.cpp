@@ -247,7 +247,7 @@ TEST_CASE("light_shading: two lights add up in one target by blending") {
   Bench sun, bulb = lamp();
   sun.position = bulb.position = {0.0f, 8.0f, 0.0f};
   const Pass pass = light_shading_pass();
-  CHECK(pass.sums_over_lights);
+  CHECK(pass.owner == Each::Frame);
   const std::unique_ptr<Device> device = make_software_device({.threads = 1});
   PassRun run{.definition = &pass.definition};
   for (const ColorWrite& write : pass.definition.writes)

@@ -70,6 +70,7 @@ struct Hit {
   Float distance;  // along the ray, metres
   Float residual;  // what is left of the gap there, metres, not negative
   Bool inside;     // the hit lies in the frame's window
+  Bool left;       // the ray strayed out of the window and was never seen behind a surface
   Bool covered;    // and on a surface
 };
 
@@ -91,6 +92,7 @@ Hit intersect_paper(Texture positions, mat4 from_scene, vec4 window, vec4 depth,
   hit.distance = t;
   hit.residual = abs(gap.value);
   hit.inside = gap.inside;
+  hit.left = Bool(false);
   hit.covered = gap.covered;
   return hit;
 }
@@ -100,7 +102,8 @@ Hit intersect_paper(Texture positions, mat4 from_scene, vec4 window, vec4 depth,
 // bracket, regula falsi with the Illinois rule decides (an end that stays put twice loses half its weight),
 // and before there is a bracket a step is at most four times the last. A point without a surface counts
 // as behind it when `beyond_is_behind` (a ray leaves a closed body through its silhouette), else as
-// before it (a ray over a hole in the floor flies on). The last two gaps interpolate the surface.
+// before it (a ray over a hole in the floor flies on). Every gap interpolates the surface: a texel's own height
+// is off by its slope, and one such gap in the bracket keeps the root out.
 Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
                      Vec3 direction, int iterations, bool beyond_is_behind) {
   Vec3 q = frame_coordinates(from_scene, start);
@@ -121,8 +124,7 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
   // The first guess takes the surface to be level: a plane across the light is met exactly.
   Float t = sel(above, -gap_low / max_of(fall, 0.1f), reach * 0.25f);
   for (int k = 0; k < iterations + 1; k++) {
-    gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale,
-                 k >= iterations - 1);
+    gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale, true);
     TRACE(distance, t);
     TRACE(gap, gap.value);
     Float value = gap.value;
@@ -166,8 +168,8 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
   Hit hit;
   hit.distance = t;
   hit.residual = abs(gap.value);
-  // A ray that never came behind a surface and strayed out of the window has left it.
-  hit.inside = gap.inside && (bracketed || !strayed);
+  hit.inside = gap.inside;
+  hit.left = strayed && !bracketed;
   hit.covered = gap.covered;
   return hit;
 }

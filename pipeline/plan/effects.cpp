@@ -136,7 +136,7 @@ bool anything_shadows(const Scene& scene, const Effects& effects) {
   return false;
 }
 
-void add_light_effects(const Scene& scene, Effects& effects) {
+void add_light_effects(const Scene& scene, const Settings& settings, Effects& effects) {
   const std::size_t lit = static_cast<std::size_t>(std::count_if(
       scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !dark(light); }));
   const std::size_t receivers = count_roles(effects, Role::Receiver);
@@ -166,6 +166,10 @@ void add_light_effects(const Scene& scene, Effects& effects) {
             ? "no light shines"
             : light_name(scene, first->light) + ": " + first->reason);
   }
+  const bool cells = reached && settings.splat == Splat::Cell;
+  add("cells", cells,
+      cells ? "four neighbouring landings share their light by exact overlap"
+            : reached ? "landings are splatted one by one, as asked for" : "there is no caustic");
   const auto solid = std::find_if(effects.surfaces.begin(), effects.surfaces.end(),
                                   [](const auto& s) { return s.two_interfaces; });
   const bool exits = solid != effects.surfaces.end();
@@ -244,7 +248,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
     effects.surfaces.push_back(judgements.back().role);
   }
   add_expectations(scene, judgements, effects);
-  add_light_effects(scene, effects);
+  add_light_effects(scene, settings, effects);
   add_missing_effects(scene, judgements, effects);
   return effects;
 }

@@ -41,10 +41,21 @@ struct Expectation {
   std::string reason;
 };
 
+// One way that a light's flux takes through the casters. Each has its own landings; the caustic map of
+// the light adds them up.
+struct Branch {
+  std::string name;        // "" where there is one branch only; "656nm", "reflected"
+  bool reflected = false;  // what dielectrics mirror at their first surface, instead of what they let in
+  // Index of refraction: n_d + bend * (n_F - n_C). 0 at the d line.
+  double bend = 0.0;
+  glm::vec3 color{1.0f};   // its share of each channel; over the branches that are not reflected, all add up to 1
+};
+
 struct Effects {
   std::vector<SurfaceRole> surfaces;  // by Scene::meshes
   std::vector<Effect> list;
   std::vector<Expectation> expectations;
+  std::vector<Branch> branches{Branch{}};  // at least one
   // The effect of this name, which must be in the list.
   const Effect& find(std::string_view name) const;
   bool active(std::string_view name) const { return find(name).active; }
@@ -54,6 +65,7 @@ struct Effects {
 //   "light"           any light
 //   "receivers"       any diffuse surface
 //   "caustics"        a refractor or mirror that a light can reach
+//   "cells"           caustics whose landings are joined to cells (Splat::Cell)
 //   "exit surface"    a refractor with two interfaces
 //   "occluders"       diffuse surfaces that can shadow others or a caster
 //   "mirrors"         smooth metal, which reflects light and view

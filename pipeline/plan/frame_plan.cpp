@@ -26,7 +26,17 @@ std::string light_texture(std::string_view name, int light) {
   return std::string(name) + "[" + std::to_string(light) + "]";
 }
 
+std::string branch_texture(std::string_view name, int light, const Branch& branch) {
+  if (branch.name.empty()) return light_texture(name, light);
+  return std::string(name) + "[" + std::to_string(light) + " " + branch.name + "]";
+}
+
 namespace {
+
+// Who a pass runs for, or a texture belongs to: the frame, a light, or a light's branch.
+struct Owner {
+  int light = -1, branch = -1;
+};
 
 struct Size {
   int width = 0, height = 0;
@@ -75,14 +85,16 @@ class Planner {
       return;
     }
     if (pass.each == Each::Frame) {
-      add(index, -1, *reason);
+      add(index, {}, *reason);
       return;
     }
     bool any = false;
     for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light) {
       if (!light_needs(pass, light)) continue;
-      add(index, light, *reason);
       any = true;
+      if (pass.each == Each::Light) add(index, {light, -1}, *reason);
+      for (int b = 0; pass.each == Each::Branch && b < static_cast<int>(effects_.branches.size()); ++b)
+        add(index, {light, b}, *reason);
     }
     if (!any) plan_.skipped.push_back({pass.definition.name, "no light calls for it"});
   }
@@ -95,23 +107,22 @@ class Planner {
                        [&](const Expectation& e) { return e.light == light && e.expected; });
   }
 
-  void add(int index, int light, const std::string& reason) {
+  void add(int index, Owner user, const std::string& reason) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
     const PassDefinition& definition = pass.definition;
     const Size size = size_of(pass.extent, settings_);
     PlannedPass planned{.pass = index,
-                        .light = light,
+                        .light = user.light,
+                        .branch = user.branch,
                         .label = definition.name,
                         .reason = reason,
                         .width = size.width,
                         .height = size.height};
-    if (light >= 0) {
-      const std::string& name = scene_.lights[static_cast<std::size_t>(light)].name;
-      planned.label += "[" + (name.empty() ? std::to_string(light) : name) + "]";
-    }
+    planned.label += label_of(user);
     for (const TextureRead& read : definition.reads)
-      planned.reads.push_back(resolve(definition, read, light));
-    const int owner = pass.sums_over_lights ? -1 : light;
+      planned.reads.push_back(resolve(definition, read, user));
+    const Owner owner{pass.owner == Each::Frame ? -1 : user.light,
+                      pass.owner == Each::Branch ? user.branch : -1};
     for (const ColorWrite& write : definition.writes)
       planned.writes.push_back(target(planned, write.name, write.format, owner));
     if (definition.depth)
@@ -119,9 +130,29 @@ class Planner {
     plan_.passes.push_back(std::move(planned));
   }
 
-  int resolve(const PassDefinition& definition, const TextureRead& read, int light) const {
+  // "[sun]", "[sun 656nm]", or nothing for the frame.
+  std::string label_of(Owner user) const {
+    if (user.light < 0) return {};
+    const std::string& name = scene_.lights[static_cast<std::size_t>(user.light)].name;
+    std::string label = name.empty() ? std::to_string(user.light) : name;
+    if (user.branch >= 0 && !branch_of(user).name.empty()) label += " " + branch_of(user).name;
+    return "[" + label + "]";
+  }
+
+  const Branch& branch_of(Owner user) const {
+    return effects_.branches[static_cast<std::size_t>(user.branch)];
+  }
+
+  std::string full_name(const std::string& name, Owner owner) const {
+    if (owner.branch >= 0) return branch_texture(name, owner.light, branch_of(owner));
+    return owner.light >= 0 ? light_texture(name, owner.light) : name;
+  }
+
+  // What is read is the branch's own, or else the light's, or else the frame's.
+  int resolve(const PassDefinition& definition, const TextureRead& read, Owner user) const {
     if (read.of_material) return PlannedPass::kMaterial;
-    int found = light >= 0 ? plan_.find(light_texture(read.name, light)) : -1;
+    int found = plan_.find(full_name(read.name, user));
+    if (found < 0) found = plan_.find(full_name(read.name, {user.light, -1}));
     if (found < 0) found = plan_.find(read.name);
     if (found >= 0) return found;
     if (read.optional) return PlannedPass::kNothing;
@@ -131,8 +162,8 @@ class Planner {
   }
 
   // The texture that an attachment is drawn into. What an earlier pass wrote is kept, not cleared.
-  int target(PlannedPass& planned, const std::string& name, Format format, int light) {
-    const std::string full = light >= 0 ? light_texture(name, light) : name;
+  int target(PlannedPass& planned, const std::string& name, Format format, Owner owner) {
+    const std::string full = full_name(name, owner);
     const int found = plan_.find(full);
     planned.keep.push_back(found >= 0);
     if (found < 0) {

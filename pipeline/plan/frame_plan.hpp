@@ -7,7 +7,8 @@
 
 namespace caustics {
 
-// A texture of the frame. One that belongs to a light is named "name[light]".
+// A texture of the frame. One that belongs to a light is named "name[light]", one of a branch
+// "name[light branch]".
 struct PlannedTexture {
   std::string name;
   Format format = Format::RGBA32F;
@@ -21,6 +22,7 @@ struct PlannedPass {
 
   int pass = 0;        // index into the registry
   int light = -1;      // index into Scene::lights, -1 for a pass of the frame
+  int branch = -1;     // index into Effects::branches, -1 for a pass of the frame or of a light
   std::string label;   // "caustic_map[sun]"
   std::string reason;
   std::vector<int> reads{};   // indices into FramePlan::textures, or the constants above
@@ -55,7 +57,8 @@ struct PlanGoal {
 FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& settings,
                     const Registry& registry, const PlanGoal& goal = {});
 
-// The full name of a light's own texture.
+// The full name of a light's own texture, and of a branch's.
 std::string light_texture(std::string_view name, int light);
+std::string branch_texture(std::string_view name, int light, const Branch& branch);
 
 }  // namespace caustics

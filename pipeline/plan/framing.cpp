@@ -141,8 +141,8 @@ struct WeightedPoint {
   double weight = 0.0;
 };
 
-std::vector<WeightedPoint> landings(const Image& landing, const Image& flux, const Frame& frame) {
-  std::vector<WeightedPoint> points;
+void add_landings(const Image& landing, const Image& flux, const Frame& frame,
+                  std::vector<WeightedPoint>& points) {
   for (int y = 0; y < landing.height(); ++y)
     for (int x = 0; x < landing.width(); ++x) {
       if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
@@ -151,7 +151,6 @@ std::vector<WeightedPoint> landings(const Image& landing, const Image& flux, con
                         static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1),
                                                       flux.at(x, y, 2)}))});
     }
-  return points;
 }
 
 // The range along one axis that leaves out at most `share` of the weight at each end. The whole range
@@ -199,7 +198,9 @@ class LandingScout {
                       {.textures = {kLanding, kLandingFlux}});
   }
 
-  bool finds_anything(int light) const { return plan_.find(light_texture(kLanding, light)) >= 0; }
+  bool finds_anything(int light) const {
+    return plan_.find(branch_texture(kLanding, light, effects_.branches.front())) >= 0;
+  }
 
   void run(const std::vector<LightFrames>& frames) {
     targets_ = std::make_unique<FrameTargets>(plan_, scene_.device());
@@ -208,10 +209,14 @@ class LandingScout {
   }
 
   std::vector<WeightedPoint> found(int light, const Frame& frame) const {
-    const auto image = [&](const char* name) {
-      return scene_.device().read_back((*targets_)[plan_.find(light_texture(name, light))]);
-    };
-    return landings(image(kLanding), image(kLandingFlux), frame);
+    std::vector<WeightedPoint> points;
+    for (const Branch& branch : effects_.branches) {
+      const auto image = [&](const char* name) {
+        return scene_.device().read_back((*targets_)[plan_.find(branch_texture(name, light, branch))]);
+      };
+      add_landings(image(kLanding), image(kLandingFlux), frame, points);
+    }
+    return points;
   }
 
  private:

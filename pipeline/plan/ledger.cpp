@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/plan/splat_kernel.hpp"
 
 namespace caustics {
@@ -75,34 +76,67 @@ double Ledger::residual() const {
   return worst;
 }
 
-Ledger make_ledger(const Image& landing, const Image& flux, const Image& fresnel,
-                   const Image& absorbed, const Image& caustic_map, const Frame& caustic_frame,
-                   const Settings& settings) {
+namespace {
+
+// The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken.
+double share_of_points(const Image& cell_flux, int x, int y) {
+  if (cell_flux.values.empty()) return 1.0;
+  double share = 1.0;
+  for (int dy = 0; dy < 2; ++dy)
+    for (int dx = 0; dx < 2; ++dx)
+      if (x >= dx && y >= dy) share -= 0.25 * static_cast<double>(cell_flux.at(x - dx, y - dy, 3));
+  return share;
+}
+
+void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
+                const SplatKernel& kernel, int map, Ledger& ledger) {
+  const auto status = static_cast<LandingStatus>(static_cast<int>(images.landing.at(x, y, 3)));
+  ++ledger.vertices[static_cast<std::size_t>(status)];
+  if (status == LandingStatus::Empty) return;
+  const double flux = images.fresnel.at(x, y, 3);
+  const glm::vec3& color = images.branch.color;
+  const FluxRgb entered{flux * double(color.x), flux * double(color.y), flux * double(color.z)};
+  // What was mirrored has entered with the light that was let in, and is booked there as Fresnel's.
+  if (images.branch.reflected) {
+    add(ledger.fresnel, entered, -1.0);
+  } else {
+    add(ledger.entered, entered);
+  }
+  add(ledger.fresnel, rgb(images.fresnel, x, y));
+  add(ledger.absorbed, rgb(images.absorbed, x, y));
+  const FluxRgb carried = rgb(images.flux, x, y);
+  if (FluxRgb* account = account_of(ledger, status)) return add(*account, carried);
+  const glm::dvec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1),
+                     images.landing.at(x, y, 2)};
+  const glm::dvec2 uv = (frame.window(frame.coordinates(p)) - frame.window_lower) /
+                        (frame.window_upper - frame.window_lower);
+  const double inside = share_on_map(kernel, uv.x * map, uv.y * map, map);
+  add(ledger.kernel_edge, carried, (1.0 - inside) * share_of_points(images.cell_flux, x, y));
+}
+
+}  // namespace
+
+std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
+                                        const std::function<bool(const std::string&)>& has,
+                                        const std::function<Image(const std::string&)>& read) {
+  std::vector<BranchImages> result;
+  for (const Branch& branch : branches) {
+    const auto own = [&](const char* name) { return read(branch_texture(name, light, branch)); };
+    result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel),
+                      own(kLandingAbsorbed),
+                      has(branch_texture(kCellFlux, light, branch)) ? own(kCellFlux) : Image{}});
+  }
+  return result;
+}
+
+Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map,
+                   const Frame& caustic_frame, const Settings& settings) {
   Ledger ledger;
   const SplatKernel kernel = splat_kernel(settings);
-  const glm::dvec2 size = caustic_frame.window_upper - caustic_frame.window_lower;
-  for (int y = 0; y < landing.height(); ++y)
-    for (int x = 0; x < landing.width(); ++x) {
-      const auto status = static_cast<LandingStatus>(static_cast<int>(landing.at(x, y, 3)));
-      ++ledger.vertices[static_cast<std::size_t>(status)];
-      if (status == LandingStatus::Empty) continue;
-      const double entered = fresnel.at(x, y, 3);
-      add(ledger.entered, {entered, entered, entered});
-      add(ledger.fresnel, rgb(fresnel, x, y));
-      add(ledger.absorbed, rgb(absorbed, x, y));
-      const FluxRgb carried = rgb(flux, x, y);
-      if (FluxRgb* account = account_of(ledger, status)) {
-        add(*account, carried);
-        continue;
-      }
-      const glm::dvec3 p{landing.at(x, y, 0), landing.at(x, y, 1), landing.at(x, y, 2)};
-      const glm::dvec2 uv =
-          (caustic_frame.window(caustic_frame.coordinates(p)) - caustic_frame.window_lower) / size;
-      const double inside =
-          share_on_map(kernel, uv.x * caustic_map.width(), uv.y * caustic_map.height(),
-                       caustic_map.width());
-      add(ledger.kernel_edge, carried, 1.0 - inside);
-    }
+  for (const BranchImages& images : branches)
+    for (int y = 0; y < images.landing.height(); ++y)
+      for (int x = 0; x < images.landing.width(); ++x)
+        add_vertex(images, x, y, caustic_frame, kernel, caustic_map.width(), ledger);
   for (int y = 0; y < caustic_map.height(); ++y)
     for (int x = 0; x < caustic_map.width(); ++x) add(ledger.in_map, rgb(caustic_map, x, y));
   return ledger;

@@ -2,9 +2,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/gpu/image.hpp"
+#include "pipeline/plan/effects.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
@@ -42,9 +46,22 @@ struct Ledger {
   std::array<std::uint64_t, kLandingStatuses> vertices{};  // by LandingStatus
 };
 
-// Adds up, in double precision and texel order, what the landing pass and the caustic map hold.
-Ledger make_ledger(const Image& landing, const Image& flux, const Image& fresnel,
-                   const Image& absorbed, const Image& caustic_map, const Frame& caustic_frame,
-                   const Settings& settings);
+// What one branch's passes hold.
+struct BranchImages {
+  Branch branch;
+  Image landing, flux, fresnel, absorbed;
+  Image cell_flux;  // without values where landings are splatted one by one
+};
+
+// What a light's passes hold, of all its branches; `read` gives a texture by its full name, and `has` tells
+// whether the frame holds it.
+std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
+                                        const std::function<bool(const std::string&)>& has,
+                                        const std::function<Image(const std::string&)>& read);
+
+// Adds up, in double precision and texel order, what the landing passes of all branches and the caustic map
+// hold.
+Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map,
+                   const Frame& caustic_frame, const Settings& settings);
 
 }  // namespace caustics

@@ -13,7 +13,7 @@
 namespace caustics {
 
 // How often a pass runs in a frame.
-enum class Each : std::uint8_t { Frame, Light };
+enum class Each : std::uint8_t { Frame, Light, Branch };
 
 // What a pass draws.
 enum class DrawSet : std::uint8_t {
@@ -23,6 +23,7 @@ enum class DrawSet : std::uint8_t {
   SolidCasters,    // every Refractor with two interfaces
   ThinPanes,       // every ThinPane
   GridVertices,    // grid * grid points
+  GridCells,       // (grid - 1) * (grid - 1) points
 };
 
 // Size of a pass's targets.
@@ -46,10 +47,11 @@ struct PassContext {
   const Scene* scene = nullptr;
   const Settings* settings = nullptr;
   const Effects* effects = nullptr;
-  const LightFrames* frames = nullptr;  // Each::Light only
+  const LightFrames* frames = nullptr;  // Each::Light and Each::Branch
   const Frame* view = nullptr;          // the camera's
   const Frame* wide = nullptr;          // three times as wide and high
-  const Light* light = nullptr;         // Each::Light only
+  const Light* light = nullptr;         // Each::Light and Each::Branch
+  const Branch* branch = nullptr;       // Each::Branch only
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   int material_row = 0;   // row of `caster_materials`: the mesh's material
@@ -77,8 +79,9 @@ struct Pass {
   DrawSet draws = DrawSet::FullScreen;
   Extent extent = Extent::Picture;
   UniformBytes (*uniforms)(const PassContext&) = nullptr;
-  // A pass of each light whose attachments belong to the frame and collect all lights.
-  bool sums_over_lights = false;
+  // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to
+  // its light's.
+  Each owner = each;
 };
 
 // Passes in the order in which they run. passes/registry.hpp has the only list.
@@ -92,5 +95,8 @@ inline constexpr char kLandingFlux[] = "landing_flux";
 inline constexpr char kLandingFresnel[] = "landing_fresnel";
 inline constexpr char kLandingAbsorbed[] = "landing_absorbed";
 inline constexpr char kCausticMap[] = "caustic_map";
+inline constexpr char kCellNear[] = "cell_near";
+inline constexpr char kCellFar[] = "cell_far";
+inline constexpr char kCellFlux[] = "cell_flux";
 
 }  // namespace caustics

@@ -36,6 +36,7 @@ bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
       return role.role == Role::ThinPane;
     case DrawSet::FullScreen:
     case DrawSet::GridVertices:
+    case DrawSet::GridCells:
       return false;
   }
   return false;
@@ -62,6 +63,10 @@ class PassRunner {
         run.draws.push_back(draw(pass, planned, context, MeshId::None,
                                  inputs_.settings->grid * inputs_.settings->grid));
         break;
+      case DrawSet::GridCells:
+        if (const int cells = inputs_.settings->grid - 1; cells > 0)
+          run.draws.push_back(draw(pass, planned, context, MeshId::None, cells * cells));
+        break;
       case DrawSet::Receivers:
       case DrawSet::Casters:
       case DrawSet::SolidCasters:
@@ -87,6 +92,8 @@ class PassRunner {
       context.light = &scene_.scene().lights[light];
       context.frames = &(*inputs_.frames)[light];
     }
+    if (planned.branch >= 0)
+      context.branch = &inputs_.effects->branches[static_cast<std::size_t>(planned.branch)];
     return context;
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 // Named choices: the texts that the command line takes, in the order of the enumerations.
 constexpr std::string_view kEstimators[] = {"paper", "secant"};
-constexpr std::string_view kSplats[] = {"point", "gaussian"};
+constexpr std::string_view kSplats[] = {"point", "gaussian", "cell"};
 constexpr std::string_view kWeights[] = {"physical", "paper"};
 constexpr std::string_view kInterfaces[] = {"auto", "1", "2"};
 constexpr std::string_view kFrames[] = {"fitted", "shared"};
@@ -71,7 +71,7 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
     {"estimator", "paper|secant, default secant", "what finds where a ray lands",
      [](Settings& s, Value v) { return choice(v, kEstimators, s.estimator); }},
-    {"splat", "point|gaussian, default gaussian", "how a landing becomes light in the map",
+    {"splat", "point|gaussian|cell, default cell", "how a landing becomes light in the map",
      [](Settings& s, Value v) { return choice(v, kSplats, s.splat); }},
     {"splat.sigma", "0.1..4 texels, default 0.7", "width of the gaussian splat",
      [](Settings& s, Value v) { return number(v, 0.1f, 4.0f, s.gaussian_sigma); }},

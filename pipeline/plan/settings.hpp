@@ -11,7 +11,7 @@ namespace caustics {
 // What finds where a ray meets a height map (docs: passes/landing/landing.md).
 enum class Estimator : std::uint8_t { Paper, Secant };
 // How a landing becomes light in the caustic map.
-enum class Splat : std::uint8_t { Point, Gaussian };
+enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
@@ -22,8 +22,8 @@ struct Settings {
   int shadow = 2048;               // shadow map, texels a side
   int iterations = 5;
   Estimator estimator = Estimator::Secant;
-  Splat splat = Splat::Gaussian;
-  float gaussian_sigma = 0.7f;  // texels of the caustic map
+  Splat splat = Splat::Cell;
+  float gaussian_sigma = 0.7f;  // texels of the caustic map; of Gaussian, and of what Cell leaves to points
   Interfaces interfaces = Interfaces::Auto;
   Weights weights = Weights::Physical;
   bool assume_solid = false;

@@ -220,9 +220,15 @@ class TileRenderer {
     if (planes_[0])
       for (int lane = 0; lane < kBlock; ++lane)
         w[lane] = 1.0f / evaluate(planes_[lane][1], x_[lane], y_[lane]);
+    bool one_constant = true;
+    for (int lane = 1; lane < kBlock; ++lane) one_constant &= constant_[lane] == constant_[0];
     for (int c = 0; c < job_.varying_count; ++c) {
       float* out = varyings_[c];
-      if (!planes_[0] || job_.varying_flat[c]) {
+      const bool flat = !planes_[0] || job_.varying_flat[c];
+      if (flat && one_constant) {
+        const float value = constant_[0][c];
+        for (int lane = 0; lane < kBlock; ++lane) out[lane] = value;
+      } else if (flat) {
         for (int lane = 0; lane < kBlock; ++lane) out[lane] = constant_[lane][c];
       } else if (one_triangle) {
         const Plane plane = planes_[0][2 + c];

@@ -62,7 +62,7 @@ class Mistakes(ProgramTest):
         for option, value in (("--grid", "0"), ("--grid", "8193"), ("--grid", "12x"),
                               ("--grid", "99999999999999999999"), ("--map", "-1"),
                               ("--iterations", "1001"), ("--estimator", "newtom"),
-                              ("--splat", "cell"), ("--interfaces", "3"), ("-r", "0x1"),
+                              ("--splat", "cells"), ("--interfaces", "3"), ("-r", "0x1"),
                               ("-r", "16385x1"), ("-r", "640"), ("-r", "640x"), ("-t", "0"),
                               ("--exposure", "nan"), ("-D", "grid"), ("-D", "map=1e3"),
                               ("--aov", "deph"), ("--backend", "vulkan")):

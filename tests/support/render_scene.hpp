@@ -16,6 +16,7 @@ namespace caustics::test {
 struct Rendering {
   std::map<std::string, Image> images;
   std::vector<LightFrames> frames;
+  std::vector<Branch> branches;
   std::vector<PassReport> passes;
   const Image& operator[](const std::string& name) const { return images.at(name); }
 };
@@ -25,6 +26,7 @@ inline Rendering render_on(Device& device, const Scene& scene, const Settings& s
   const Effects effects = effects_of(scene, settings);
   const SceneOnDevice on_device(scene, effects, device);
   Rendering out;
+  out.branches = effects.branches;
   out.frames = fit_light_frames(on_device, effects, settings, pass_registry());
   const FramePlan plan = make_plan(scene, effects, settings, pass_registry(), {textures});
   const FrameTargets targets(plan, device);
@@ -49,9 +51,10 @@ inline Rendering render(const Scene& scene, const Settings& settings,
 }
 
 inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light = 0) {
-  const auto own = [&](const char* name) -> const Image& { return r[light_texture(name, light)]; };
-  return make_ledger(own(kLanding), own(kLandingFlux), own(kLandingFresnel), own(kLandingAbsorbed),
-                     own(kCausticMap), r.frames[static_cast<std::size_t>(light)].caustic, settings);
+  const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
+  const auto read = [&](const std::string& name) { return r[name]; };
+  return make_ledger(branch_images(light, r.branches, has, read), r[light_texture(kCausticMap, light)],
+                     r.frames[static_cast<std::size_t>(light)].caustic, settings);
 }
 
 }  // namespace caustics::test

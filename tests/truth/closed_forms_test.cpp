@@ -14,13 +14,25 @@ namespace {
 
 // Irradiance in lux that reaches each pixel of the orthographic picture, rows from -z (up) reversed to
 // match row 0 at the bottom: x to the right, y = -z upwards.
-std::vector<double> floor_irradiance(const Scene& scene, const Settings& settings) {
-  const Rendering r = render(scene, settings, {"aov_direct", "aov_caustic"});
+std::vector<double> floor_irradiance(const Rendering& r, const Settings& settings) {
   std::vector<double> values;
   for (int y = 0; y < settings.height; ++y)
     for (int x = 0; x < settings.width; ++x)
       values.push_back(double(r["aov_direct"].at(x, y, 0)) + double(r["aov_caustic"].at(x, y, 0)));
   return values;
+}
+
+std::vector<double> floor_irradiance(const Scene& scene, const Settings& settings) {
+  return floor_irradiance(render(scene, settings, {"aov_direct", "aov_caustic"}), settings);
+}
+
+// What the passes of these names took together, whatever light they ran for.
+double milliseconds(const Rendering& r, const std::vector<std::string>& passes) {
+  double sum = 0.0;
+  for (const PassReport& report : r.passes)
+    for (const std::string& pass : passes)
+      if (report.label.substr(0, report.label.find('[')) == pass) sum += report.result.milliseconds;
+  return sum;
 }
 
 struct Comparison {
@@ -54,7 +66,7 @@ Comparison compare_sphere(const std::vector<double>& picture, int pixels) {
 
 }  // namespace
 
-TEST_CASE("truth: the caustic of a glass sphere, point and Gaussian splats") {
+TEST_CASE("truth: the caustic of a glass sphere, by points, Gaussians and cells") {
   // The bounds are what is reached at this size with some room; at grid and map 512 see
   // docs/measurements.md.
   const int pixels = 128;
@@ -69,19 +81,28 @@ TEST_CASE("truth: the caustic of a glass sphere, point and Gaussian splats") {
   INFO("point: relative L1 " << point.relative_l1_in_shadow << ", flux " << point.flux_ratio);
   CHECK(point.relative_l1_in_shadow < 0.07);
   CHECK(point.flux_ratio == Approx(1.0).epsilon(0.01));
+  settings.splat = Splat::Cell;
+  const Comparison cell = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  INFO("cell: relative L1 " << cell.relative_l1_in_shadow << ", flux " << cell.flux_ratio);
+  CHECK(cell.relative_l1_in_shadow < 0.05);
+  CHECK(cell.flux_ratio == Approx(1.0).epsilon(0.01));
 }
 
 TEST_CASE("truth: figures of the glass sphere at full size", "[.figures]") {
   // Not part of a run by default: caustics_tests "[.figures]" prints the figures of docs/measurements.md.
   const int pixels = 512;
-  for (const int grid : {128, 256, 512, 1024})
-    for (const Splat splat : {Splat::Point, Splat::Gaussian}) {
-      Settings settings = small_settings(grid, grid, pixels);
-      settings.splat = splat;
-      const Comparison c = compare_sphere(floor_irradiance(sphere_scene(1.5f, 6), settings), pixels);
-      WARN("grid = map = " << grid << ", " << name_of(splat) << ": relative L1 "
-                           << c.relative_l1_in_shadow << ", flux ratio " << c.flux_ratio);
-    }
+  for (const int map : {256, 512})
+    for (const int grid : {64, 128, 256, 512, 1024})
+      for (const Splat splat : {Splat::Point, Splat::Gaussian, Splat::Cell}) {
+        Settings settings = small_settings(grid, map, pixels);
+        settings.splat = splat;
+        const Rendering r = render(sphere_scene(1.5f, 6), settings, {"aov_direct", "aov_caustic"});
+        const Comparison c = compare_sphere(floor_irradiance(r, settings), pixels);
+        WARN("map " << map << ", grid " << grid << ", " << name_of(splat) << ": relative L1 "
+                    << c.relative_l1_in_shadow << ", flux ratio " << c.flux_ratio << ", "
+                    << milliseconds(r, {"landing", "cells", "caustic_cells", "caustic_map"})
+                    << " ms from the landings to the map");
+      }
 }
 
 TEST_CASE("truth: a slab of glass shifts slanting light and dims it") {

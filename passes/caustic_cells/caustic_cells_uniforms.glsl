@@ -1,0 +1,1 @@
+ivec4 grid;  // cells a side, map texels a side, unused, unused

@@ -1,0 +1,64 @@
+#include "passes/cells/cells.hpp"
+
+#include <algorithm>
+
+namespace caustics {
+
+extern const Shader cells_shader;
+
+namespace {
+
+CellsUniforms cells_uniforms(const PassContext& context) {
+  const FrameUniforms receiver = pack(context.frames->receiver);
+  const FrameUniforms caustic = pack(context.frames->caustic);
+  const CellLimits limits;
+  const int map = context.settings->map;
+  return {
+      .from_scene = caustic.from_scene,
+      .receiver_window = receiver.window,
+      .receiver_depth = receiver.depth,
+      .caustic_window = caustic.window,
+      .caustic_depth = caustic.depth,
+      .limits = {limits.jump, limits.smallest_jump,
+                 std::min(limits.largest_share * static_cast<float>(map), limits.largest), limits.gap},
+      .grid = {context.settings->grid, map, 0, 0},
+  };
+}
+
+}  // namespace
+
+Pass cells_pass() {
+  return {
+      .definition =
+          {
+              .name = "cells",
+              .purpose = "joins neighbouring landings to cells where one sheet of light spans them",
+              .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
+                        {.name = "landing_flux", .meaning = "how much of it is left"},
+                        {.name = "caster_normal", .meaning = "which material each grid vertex has"},
+                        {.name = "receiver_position", .meaning = "what lies between the landings"}},
+              .writes = {{.name = kCellNear,
+                          .format = Format::RGBA32F,
+                          .meaning = "places in the caustic map, texels, of the landings of grid vertices "
+                                     "(x, y) in xy and (x + 1, y) in zw"},
+                         {.name = kCellFar,
+                          .format = Format::RGBA32F,
+                          .meaning = "likewise of (x, y + 1) and (x + 1, y + 1)"},
+                         {.name = kCellFlux,
+                          .format = Format::RGBA32F,
+                          .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
+                                     "cell, else 0"}},
+              .shader = &cells_shader,
+          },
+      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+        if (!effects.active("cells")) return {};
+        return "neighbouring landings are joined to cells";
+      },
+      .each = Each::Branch,
+      .draws = DrawSet::FullScreen,
+      .extent = Extent::Grid,
+      .uniforms = [](const PassContext& context) { return uniform_bytes(cells_uniforms(context)); },
+  };
+}
+
+}  // namespace caustics

@@ -1,0 +1,7 @@
+mat4 from_scene;       // origin and axes, shared by all frames of the light
+vec4 receiver_window;
+vec4 receiver_depth;
+vec4 caustic_window;
+vec4 caustic_depth;
+vec4 limits;           // CellLimits: jump; smallest jump, texels; largest cell, texels; gap, texels' extents
+ivec4 grid;            // grid vertices a side, map texels a side, unused, unused
