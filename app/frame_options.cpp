@@ -20,6 +20,8 @@ constexpr SettingOption kMethod[] = {
     {"--splat", "splat", "NAME", "point, gaussian or cell: how a ray's light is laid (default cell)"},
     {"--interfaces", "interfaces", "N",
      "1 or 2 surfaces that bend, or auto: 2 for closed meshes (default auto)"},
+    {"--wavelengths", "wavelengths", "N",
+     "1, 3 or 8..64 samples of the spectrum where glass disperses (default 3)"},
     {"--weights", "weights", "NAME", "physical, or the paper's equation 6 (default physical)"},
 };
 

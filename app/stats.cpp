@@ -75,6 +75,8 @@ Json settings_json(const Settings& s) {
           {"splat.sigma", s.gaussian_sigma},
           {"interfaces", name_of(s.interfaces)},
           {"weights", name_of(s.weights)},
+          {"wavelengths", s.wavelengths},
+          {"reflections", s.reflections ? "yes" : "no"},
           {"frames", s.shared_frames ? "shared" : "fitted"},
           {"outside_share", s.outside_share},
           {"assume_solid", s.assume_solid ? "yes" : "no"},

@@ -441,32 +441,52 @@ def slab(ior):
     return s
 
 
-def prism():
-    """An equilateral prism, edges of 0.3 m along z. Its left face leans so that the light meets it at 50
-    degrees; the light is deviated by 38.65 degrees (n = 1.5168) and falls onto the floor."""
-    s = Scene()
-    h = 0.3 * math.sqrt(3) / 2
-    # The cross-section, turned about its middle so that the entry face's normal makes 50 degrees with the light.
-    travel = unit((math.cos(math.radians(20)), -math.sin(math.radians(20)), 0.0))
-    corners = [(-0.15, -h / 3), (0.15, -h / 3), (0.0, 2 * h / 3)]
-    normal_angle = math.atan2(travel[1], travel[0]) + math.pi - math.radians(50)
+def equilateral_prism(edge, length, height, travel, incidence):
+    """Faces of a prism along z whose left face leans so that light along `travel` meets it at `incidence` degrees."""
+    h = edge * math.sqrt(3) / 2
+    corners = [(-edge / 2, -h / 3), (edge / 2, -h / 3), (0.0, 2 * h / 3)]
+    normal_angle = math.atan2(travel[1], travel[0]) + math.pi - math.radians(incidence)
     turn = normal_angle - math.radians(150)  # the left face's outward normal is at 150 degrees
 
     def placed(x, y, z):
         c, w = math.cos(turn), math.sin(turn)
-        return (c * x - w * y, w * x + c * y + 0.55, z)
+        return (c * x - w * y, w * x + c * y + height, z)
 
-    front = [placed(x, y, 0.4) for x, y in corners]
-    back = [placed(x, y, -0.4) for x, y in corners]
+    front = [placed(x, y, length / 2) for x, y in corners]
+    back = [placed(x, y, -length / 2) for x, y in corners]
     faces = [front, [back[0], back[2], back[1]]]
     for i in range(3):
         j = (i + 1) % 3
         faces.append([front[i], back[i], back[j], front[j]])
-    s.mesh('prism', flat_faces(faces), glass('BK7', 1.5168, dispersion=20 / 64.17))
+    return flat_faces(faces)
+
+
+def prism():
+    """An equilateral prism, edges of 0.3 m along z. Its left face leans so that the light meets it at 50
+    degrees; the light is deviated by 38.65 degrees (n = 1.5168) and falls onto the floor."""
+    s = Scene()
+    travel = unit((math.cos(math.radians(20)), -math.sin(math.radians(20)), 0.0))
+    s.mesh('prism', equilateral_prism(0.3, 0.8, 0.55, travel, 50), glass('BK7', 1.5168, dispersion=20 / 64.17))
     s.mesh('floor', square(8.0), FLOOR)
     s.sun(travel, 10.0)
     s.camera('view', (0.2, 1.6, 2.6), (0.35, 0.25, 0.0), 40)
     s.camera_down('floor', (0.5, 0.1, 0.0), 1.0)
+    return s
+
+
+def spectrum():
+    """Newton's experiment: a slit of 8 mm, a prism of dense flint at least deviation (59.6 degrees), a spectrum on the floor."""
+    s = Scene()
+    lean = math.radians(25)
+    travel = unit((math.cos(lean), -math.sin(lean), 0.0))
+    s.mesh('prism', equilateral_prism(0.2, 0.3, 1.2, travel, 59.8), glass('SF10', 1.7283, dispersion=20 / 28.4))
+    middle = 1.2 + 1.2 * math.tan(lean) + 0.01
+    for name, low, high in (('upper board', middle + 0.0045, 2.6), ('lower board', 0.0, middle - 0.0045)):
+        s.mesh(name, box((-1.202, low, -0.9), (-1.2, high, 0.9)), diffuse('board', 0.25))
+    s.mesh('floor', square(6.0), diffuse('screen', 0.8))
+    s.sun(travel, 60.0)
+    s.camera('view', (1.9, 1.7, 1.6), (-0.2, 0.62, 0.0), 42)
+    s.camera('close', (0.45, 0.5, 0.45), (0.0, 0.0, 0.0), 32)
     return s
 
 
@@ -496,7 +516,7 @@ def thin_panes():
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
-              'prism.glb': prism, 'metal_ring.glb': metal_ring, 'thin_panes.glb': thin_panes}
+              'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring, 'thin_panes.glb': thin_panes}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

@@ -11,6 +11,7 @@ namespace {
 LandingUniforms landing_uniforms(const PassContext& context) {
   const LightFrames& frames = *context.frames;
   const Settings& settings = *context.settings;
+  const Branch& branch = *context.branch;
   const FrameUniforms caster = pack(frames.caster);
   const FrameUniforms receiver = pack(frames.receiver);
   const FrameUniforms caustic = pack(frames.caustic);
@@ -31,9 +32,11 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .cone = cone.scale_offset,
       .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
                kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
+      .branch = glm::vec4(branch.color, static_cast<float>(branch.bend)),
       .method = {settings.iterations, settings.estimator == Estimator::Paper ? 0 : 1,
                  settings.weights == Weights::Paper ? 1 : 0,
                  context.effects->active("exit surface") ? 1 : 0},
+      .variant = {branch.reflected ? 1 : 0, 0, 0, 0},
   };
 }
 
@@ -55,8 +58,8 @@ Pass landing_pass() {
                          .optional = true},
                         {.name = "receiver_position", .meaning = "what the light can land on"},
                         {.name = "caster_materials",
-                         .meaning = "row a material: indices of refraction, 1 for a mirror; absorption per "
-                                    "metre; base colour"}},
+                         .meaning = "row a material: index of refraction n_d, n_F - n_C, 1 for a mirror; "
+                                    "absorption per metre, 1 for a solid; base colour"}},
               .writes = {{.name = "landing",
                           .format = Format::RGBA32F,
                           .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},

@@ -61,6 +61,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Vec4 indices = fetch_clamped(caster_materials, Int(0), material);
   Vec4 absorption = fetch_clamped(caster_materials, Int(1), material);
   Bool mirrors = u.cell.w > 0.5f && indices.w > 0.5f;
+  if (u.variant.x == 1) covered = covered && indices.w < 0.5f && !from_inside;
   TRACE(entry_point, p1);
 
   // Flux onto the cell, relative to the light's intensity: its area across parallel light; its solid
@@ -80,7 +81,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
 
   // First interface.
   Vec3 n1 = facing_normal(Vec3(entry_normal), d0, from_inside);
-  Float ior = indices.x;
+  Float ior = indices.x + indices.y * u.branch.w;
   Float eta1 = sel(from_inside, ior, 1.0f / ior);
   Float ci1 = clamp_to(-dot3(d0, n1), 0.0f, 1.0f);
   Float ct1_squared = transmitted_cosine_squared(eta1, ci1);
@@ -89,6 +90,12 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Vec3 d1 = refracted(d0, n1, eta1, ci1, ct1);
   Float r1 = sel(blocked1 || mirrors, Float(0.0f), fresnel_reflectance(eta1, ci1, ct1));
   d1 = sel(mirrors, reflected(d0, n1, ci1), d1);
+  if (u.variant.x == 1) {
+    entered = entered * r1;
+    d1 = reflected(d0, n1, ci1);
+    blocked1 = Bool(false);
+    r1 = Float(0.0f);
+  }
   TRACE(entry_normal, n1);
   TRACE(inside_direction, d1);
   TRACE(entry_reflectance, r1);
@@ -100,7 +107,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Float inside_length = Float(0.0f);
   Bool blocked2 = Bool(false);
   Bool exit_unknown = Bool(false);
-  if (u.method.w == 1) {
+  if (u.method.w == 1 && u.variant.x == 0) {
     Bool solid = absorption.w > 0.5f && !from_inside;
     Hit exit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p1, d1, true);
     Float length = max_of(exit.distance, 0.0f);
@@ -136,13 +143,15 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
 
   // Through one interface only, the medium reaches down to the receiver (water on its bed).
   Bool lands = covered && !blocked1 && !blocked2 && !exit_unknown && hit.covered && converged;
-  Bool open_medium = absorption.w < 0.5f && !from_inside && !mirrors;
+  Bool open_medium = absorption.w < 0.5f && !from_inside && !mirrors && u.variant.x == 0;
   Float absorbing_length = sel(open_medium, sel(lands, flight, Float(0.0f)), inside_length);
   Vec3 passed = transmittance(Vec3(absorption), absorbing_length);
-  // What metal does not mirror it absorbs.
-  if (u.cell.w > 0.5f) {
-    Vec3 metal = Vec3(fetch_clamped(caster_materials, Int(2), material));
-    passed = sel(mirrors, metal_reflectance(metal, ci1), passed);
+  // The base colour tints what glass lets through (KHR_materials_transmission); what metal does not mirror it
+  // absorbs. What glass mirrors has no colour.
+  if (u.variant.x == 0) {
+    Vec3 color = Vec3(fetch_clamped(caster_materials, Int(2), material));
+    passed = passed * color;
+    if (u.cell.w > 0.5f) passed = sel(mirrors, metal_reflectance(color, ci1), passed);
   }
 
   // Shah et al. 2007, eq. 6 with (1/V) of the flux onto all V texels: N.L of the cell's own flux.
@@ -171,9 +180,11 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   TRACE(status, status);
 
   landing = sel(covered, Vec4(p3, status), Vec4(0.0f));
-  landing_flux = sel(covered, Vec4(carried, hit.residual), Vec4(0.0f));
-  landing_fresnel = sel(covered, Vec4(Vec3(entered * r1) + after_medium * r2, entered), Vec4(0.0f));
-  landing_absorbed = sel(covered, Vec4(absorbed, inside_length), Vec4(0.0f));
+  Vec3 share = Vec3(u.branch);
+  landing_flux = sel(covered, Vec4(carried * share, hit.residual), Vec4(0.0f));
+  landing_fresnel =
+      sel(covered, Vec4((Vec3(entered * r1) + after_medium * r2) * share, entered), Vec4(0.0f));
+  landing_absorbed = sel(covered, Vec4(absorbed * share, inside_length), Vec4(0.0f));
 }
 
 void main() {

@@ -19,8 +19,11 @@ struct Bench {
   float facing = 1.0f;
   float ior = 1.5f;
   bool mirror = false;
-  glm::vec3 color{1.0f};  // of a mirror, at normal incidence
+  glm::vec3 color{1.0f};  // what glass lets through; of a mirror, its reflectance at normal incidence
   glm::vec3 absorption{0.0f};
+  float dispersion = 0.0f;  // n_F - n_C
+  glm::vec4 branch{1.0f, 1.0f, 1.0f, 0.0f};
+  bool reflected = false;
   bool solid = false;
   float exit_height = 0.5f;
   glm::vec3 exit_normal{0.0f, -1.0f, 0.0f};
@@ -56,13 +59,16 @@ struct Bench {
                       .cone_axis = {0.0f, -1.0f, 0.0f, 0.0f},
                       .cone = glm::vec4(0.0f),
                       .cell = {0.25f, 2.0f, 2.0f, mirror ? 1.0f : 0.0f},
-                      .method = {iterations, estimator, weights, solid ? 1 : 0}};
+                      .branch = branch,
+                      .method = {iterations, estimator, weights, solid ? 1 : 0},
+                      .variant = {reflected ? 1 : 0, 0, 0, 0}};
     Image materials(Format::RGBA32F, 3, 1);
     for (int c = 0; c < 3; ++c) {
-      materials.at(0, 0, c) = ior;
       materials.at(1, 0, c) = absorption[c];
       materials.at(2, 0, c) = color[c];
     }
+    materials.at(0, 0, 0) = ior;
+    materials.at(0, 0, 1) = dispersion;
     materials.at(0, 0, 3) = mirror ? 1.0f : 0.0f;
     materials.at(1, 0, 3) = solid ? 1.0f : 0.0f;
     Image exit = floor_map(64, static_cast<double>(exit_height), 0.0);
@@ -279,4 +285,47 @@ TEST_CASE("landing: what a level mirror sends back towards the light lands nowhe
   const LandingStatus where = status(bench.run());
   CHECK((where == LandingStatus::Missed || where == LandingStatus::Outside ||
          where == LandingStatus::NotConverged));
+}
+
+TEST_CASE("landing: the index is n_d and the branch's bend of n_F - n_C") {
+  // Index 1.5 + 2 * 0.05 = 1.6 at 30 degrees: t = asin(0.5 / 1.6) = 18.2099 degrees, x = -tan(30 - 18.2099).
+  Bench bench;
+  bench.normal = tilted(30.0);
+  bench.dispersion = 0.05f;
+  bench.branch = {0.25f, 0.5f, 0.0f, 2.0f};
+  const PassImages out = bench.run();
+  CHECK(texel(out["landing"], 0, 0).x == Approx(-0.208716).epsilon(1e-4));
+  // Each channel carries its share of the branch's flux; what entered stays whole.
+  CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.5 * out["landing_flux"].at(0, 0, 1)));
+  CHECK(out["landing_flux"].at(0, 0, 2) == 0.0f);
+  CHECK(out["landing_fresnel"].at(0, 0, 3) == 0.25f);
+}
+
+TEST_CASE("landing: the reflected branch carries the Fresnel share along the mirrored ray") {
+  // Normal 60 degrees towards +x: light is turned by 120 degrees and falls 30 degrees below the level, and lands
+  // 1 / tan 30 = 1.7321 m to the right. R at 60 degrees for n = 1.5: ct = sqrt(1 - 0.75 / 2.25) = 0.81650, Rs =
+  // ((0.5 - 1.22474) / 1.72474)^2 = 0.176577, Rp = ((0.81650 - 0.75) / 1.56650)^2 = 0.001802, mean 0.089190.
+  Bench bench;
+  bench.normal = tilted(60.0);
+  bench.reflected = true;
+  const PassImages out = bench.run();
+  REQUIRE(status(out) == LandingStatus::Landed);
+  CHECK(texel(out["landing"], 0, 0).x == Approx(1.73205).epsilon(1e-4));
+  CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.25 * 0.089190).epsilon(1e-4));
+  CHECK(out["landing_fresnel"].at(0, 0, 0) == 0.0f);
+}
+
+TEST_CASE("landing: metal has no reflected branch, its light is mirrored already") {
+  Bench bench;
+  bench.mirror = true;
+  bench.reflected = true;
+  CHECK(status(bench.run()) == LandingStatus::Empty);
+}
+
+TEST_CASE("landing: the base colour tints what glass lets through") {
+  Bench bench;
+  bench.color = {1.0f, 0.5f, 0.25f};
+  const PassImages out = bench.run();
+  CHECK(out["landing_flux"].at(0, 0, 1) == Approx(0.25 * 0.96 * 0.5));
+  CHECK(out["landing_absorbed"].at(0, 0, 2) == Approx(0.25 * 0.96 * 0.75));
 }

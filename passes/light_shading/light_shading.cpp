@@ -29,7 +29,7 @@ UniformBytes uniforms(const PassContext& context) {
   const Light& light = *context.light;
   const FrameUniforms caster = pack(frames.caster), receiver = pack(frames.receiver);
   const FrameUniforms caustic = pack(frames.caustic), shadow = pack(frames.shadow);
-  const FrameUniforms panes = pack(frames.panes);
+  const FrameUniforms panes = pack(frames.panes), column = pack(frames.column);
   const LightCone cone = light_cone(light);
   const bool directional = light.type == LightType::Directional;
   const bool caustics = context.effects->active("caustics") && throws_caustic(context);
@@ -53,8 +53,8 @@ UniformBytes uniforms(const PassContext& context) {
       .cone = cone.scale_offset,
       .intensity = glm::vec4(light.color * light.intensity,
                              !directional && std::isfinite(light.range) ? light.range : 0.0f),
-      .column = caster.window,
-      .column_depth = glm::vec4(glm::vec3(caster.depth), static_cast<float>(frames.casters_nearest)),
+      .column = column.window,
+      .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(frames.casters_nearest)),
       .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), 0.0f, 0.0f, 0.0f},
       .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
                caustics ? 1.0f : 0.0f, context.effects->active("thin panes") ? 1.0f : 0.0f},

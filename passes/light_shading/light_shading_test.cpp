@@ -42,7 +42,7 @@ struct Bench {
       frame.near = 0.1;
     }
     LightFrames frames{.caster = frame, .receiver = frame, .caustic = frame, .shadow = frame,
-                       .panes = frame, .casters_nearest = casters_nearest};
+                       .panes = frame, .casters_nearest = casters_nearest, .column = frame};
     return pass.uniforms({.scene = &scene, .settings = &settings, .effects = &effects,
                           .frames = &frames, .light = &scene.lights[0]});
   }

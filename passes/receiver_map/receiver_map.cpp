@@ -8,7 +8,7 @@ ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& ma
                                           const LightFrames* frames) {
   const FrameUniforms f = pack(frame);
   const glm::mat3& uv = material.base_color_texture.uv_transform;
-  const FrameUniforms column = frames ? pack(frames->caster) : f;
+  const FrameUniforms column = frames ? pack(frames->column) : f;
   const float nearest = frames ? static_cast<float>(frames->casters_nearest) : -1e30f;
   const bool masked = material.alpha_mode == AlphaMode::Mask;
   return {

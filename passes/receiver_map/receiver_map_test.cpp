@@ -49,7 +49,7 @@ TEST_CASE("receiver_map: what nothing covers has w = 0") {
 TEST_CASE("receiver_map: what stands between the light and the casters is left out, what stands beside is not") {
   // Casters in the middle quarter, their top at height 1; the quad at height 2 covers everything.
   LightFrames frames;
-  frames.caster = down(0.5, 10.0, 20.0);
+  frames.column = down(0.5, 10.0, 20.0);
   frames.casters_nearest = 9.0;
   const Frame frame = down(1.0, 10.0, 20.0);
   const Image map = run_pass(receiver_map_pass().definition,

@@ -1,5 +1,5 @@
-// Whether a point, in frame coordinates, stands between the light and the casters: inside the caster
-// frame's window and nearer than the casters' nearest point. Expects the uniforms column (window) and
+// Whether a point, in frame coordinates, stands between the light and the casters: inside the column's
+// window and nearer than the casters' nearest point. Expects the uniforms column (window) and
 // column_depth (depth; w: the casters' nearest z).
 Bool stands_before_casters(Vec3 q) {
   Vec2 uv = frame_uv(q, u.column, u.column_depth);

@@ -53,7 +53,8 @@ Gap gap_at(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p, 
     Float low = min_of(min_of(h00, h10), min_of(h01, h11));
     Float high = max_of(max_of(h00, h10), max_of(h01, h11));
     // A texel's extent on the surface: parallel in metres; perspective in units of 1/z per 1/z.
-    Float extent = Float(1.0f / (window.x * float(texture_width(positions))));
+    Float extent = max_of(Float(1.0f / (window.x * float(texture_width(positions)))),
+                          Float(1.0f / (window.y * float(texture_height(positions)))));
     Float steepest = 8.0f * extent;
     if (depth.z > 0.5f) steepest = steepest * high;
     Bool whole = t00.w != 0.0f && t10.w != 0.0f && t01.w != 0.0f && t11.w != 0.0f &&
@@ -97,32 +98,38 @@ Hit intersect_paper(Texture positions, mat4 from_scene, vec4 window, vec4 depth,
   return hit;
 }
 
+// Between which distances a ray comes behind a surface, and where to look first.
+struct Bracket {
+  Float low;       // a point before the surface, and its gap, not above 0
+  Float gap_low;
+  Float high;      // a point behind it, where bracketed
+  Float gap_high;
+  Bool bracketed;
+  Float guess;
+};
+
 // The bracketed secant on the signed gap: exact in one step on any plane. Each guess is the secant of the
 // two last gaps, held inside the bracket once a point behind the surface is known; where it leaves the
 // bracket, regula falsi with the Illinois rule decides (an end that stays put twice loses half its weight),
 // and before there is a bracket a step is at most four times the last. A point without a surface counts
 // as behind it when `beyond_is_behind` (a ray leaves a closed body through its silhouette), else as
 // before it (a ray over a hole in the floor flies on). Every gap interpolates the surface: a texel's own height
-// is off by its slope, and one such gap in the bracket keeps the root out.
-Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
-                     Vec3 direction, int iterations, bool beyond_is_behind) {
-  Vec3 q = frame_coordinates(from_scene, start);
-  Float scale = frame_w(q, depth);
-  Float fall = transform_vector(from_scene, direction).z;
-  Gap gap = gap_at(positions, from_scene, window, depth, start, scale, false);
+// is off by its slope, and one such gap in the bracket keeps the root out. Leaves the bracket in `from`.
+Hit close_in(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start, Vec3 direction,
+             int iterations, bool beyond_is_behind, INOUT(Bracket) from) {
+  Float scale = frame_w(frame_coordinates(from_scene, start), depth);
   Float reach = Float(depth.y - depth.x);
-  Bool above = gap.covered && gap.value < 0.0f;
-  Float low = Float(0.0f);
-  Float gap_low = sel(above, gap.value, -(reach * 1.0e-6f));
-  Float high = Float(0.0f);
-  Float gap_high = Float(0.0f);
-  Bool bracketed = Bool(false);
+  Float low = from.low;
+  Float gap_low = from.gap_low;
+  Float high = from.high;
+  Float gap_high = from.gap_high;
+  Bool bracketed = from.bracketed;
   Bool strayed = Bool(false);
   Int last_side = Int(0);
-  Float last = Float(0.0f);
+  Float last = low;
   Float last_gap = gap_low;
-  // The first guess takes the surface to be level: a plane across the light is met exactly.
-  Float t = sel(above, -gap_low / max_of(fall, 0.1f), reach * 0.25f);
+  Float t = from.guess;
+  Gap gap;
   for (int k = 0; k < iterations + 1; k++) {
     gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale, true);
     TRACE(distance, t);
@@ -171,5 +178,110 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
   hit.inside = gap.inside;
   hit.left = strayed && !bracketed;
   hit.covered = gap.covered;
+  from.low = low;
+  from.gap_low = gap_low;
+  from.high = high;
+  from.gap_high = gap_high;
+  from.bracketed = bracketed;
+  from.guess = t;
+  return hit;
+}
+
+// Before anything is known of the way: from the surface under the start. The first guess takes it to be
+// level: a plane across the light is met exactly.
+Bracket bracket_at_start(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
+                         Vec3 direction) {
+  Float scale = frame_w(frame_coordinates(from_scene, start), depth);
+  Float fall = transform_vector(from_scene, direction).z;
+  Gap gap = gap_at(positions, from_scene, window, depth, start, scale, false);
+  Float reach = Float(depth.y - depth.x);
+  Bool above = gap.covered && gap.value < 0.0f;
+  Bracket from;
+  from.low = Float(0.0f);
+  from.gap_low = sel(above, gap.value, -(reach * 1.0e-6f));
+  from.high = Float(0.0f);
+  from.gap_high = Float(0.0f);
+  from.bracketed = Bool(false);
+  from.guess = sel(above, -from.gap_low / max_of(fall, 0.1f), reach * 0.25f);
+  return from;
+}
+
+// Steps along the ray, each half as far again as the last, to where it passes from before a surface to behind one.
+// Behind a surface without having been before it, a ray may be passing under an edge: such a place is taken only
+// where there is no other.
+Bracket bracket_by_steps(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
+                         Vec3 direction, Bracket from) {
+  Float scale = frame_w(frame_coordinates(from_scene, start), depth);
+  Bracket found = from;
+  Bool passed = Bool(false);
+  Bool was_before = Bool(false);
+  Float last = Float(0.0f);
+  Float last_gap = from.gap_low;
+  Float t = Float(depth.y - depth.x) * (1.0f / 1024.0f);
+  for (int k = 0; k < 20; k++) {
+    Gap gap = gap_at(positions, from_scene, window, depth, start + direction * t, scale, false);
+    Bool before = gap.covered && gap.value < 0.0f;
+    Bool behind = gap.covered && gap.value >= 0.0f;
+    Bool passes = behind && was_before && !passed;
+    Bool takes = passes || (behind && !found.bracketed);
+    found.low = sel(takes, last, found.low);
+    found.gap_low = sel(takes, last_gap, found.gap_low);
+    found.high = sel(takes, t, found.high);
+    found.gap_high = sel(takes, gap.value, found.gap_high);
+    found.bracketed = found.bracketed || behind;
+    passed = passed || passes;
+    was_before = before;
+    last_gap = sel(before, gap.value, from.gap_low);
+    last = t;
+    t = t * 1.5f;
+  }
+  Float span = found.gap_high - found.gap_low;
+  found.guess = found.low + (found.high - found.low) *
+                                clamp_to(-found.gap_low / sel(span > 0.0f, span, Float(1.0f)), 0.0f, 1.0f);
+  return found;
+}
+
+// Did the search end on a surface, to two texels' extents?
+Bool is_met(Hit hit, Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p) {
+  Float extent = frame_w(frame_coordinates(from_scene, p), depth) *
+                 max_of(Float(1.0f / (window.x * float(texture_width(positions)))),
+                        Float(1.0f / (window.y * float(texture_height(positions)))));
+  return hit.inside && hit.covered && hit.residual <= 2.0f * extent;
+}
+
+Bracket chosen(Bool condition, Bracket a, Bracket b) {
+  Bracket c;
+  c.low = sel(condition, a.low, b.low);
+  c.gap_low = sel(condition, a.gap_low, b.gap_low);
+  c.high = sel(condition, a.high, b.high);
+  c.gap_high = sel(condition, a.gap_high, b.gap_high);
+  c.bracketed = (condition && a.bracketed) || (!condition && b.bracketed);
+  c.guess = sel(condition, a.guess, b.guess);
+  return c;
+}
+
+// The secant from the surface under the start. Where that has not ended on a surface, it goes on; where it has
+// lost the surface (which is seen as a narrow strip, and guesses leap over it), from a bracket found by steps.
+Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
+                     Vec3 direction, int iterations, bool beyond_is_behind) {
+  Bracket first = bracket_at_start(positions, from_scene, window, depth, start, direction);
+  Bracket from = first;
+  Hit hit = close_in(positions, from_scene, window, depth, start, direction, iterations, beyond_is_behind, from);
+  if (!beyond_is_behind) {
+    Bool lost = !is_met(hit, positions, from_scene, window, depth, start + direction * hit.distance);
+    if (any_lane(lost)) {
+      Bracket found = bracket_by_steps(positions, from_scene, window, depth, start, direction, first);
+      Bool near = hit.inside && hit.covered && from.bracketed;
+      Bool again = lost && (near || found.bracketed);
+      from = chosen(near, from, found);
+      Hit second = close_in(positions, from_scene, window, depth, start, direction, iterations, false, from);
+      again = again && (!near || second.residual < hit.residual);
+      hit.distance = sel(again, second.distance, hit.distance);
+      hit.residual = sel(again, second.residual, hit.residual);
+      hit.inside = (again && second.inside) || (!again && hit.inside);
+      hit.left = (again && second.left) || (!again && hit.left);
+      hit.covered = (again && second.covered) || (!again && hit.covered);
+    }
+  }
   return hit;
 }

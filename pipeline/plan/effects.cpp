@@ -5,6 +5,8 @@
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/backdrop.hpp"
+#include "pipeline/plan/scene_on_device.hpp"
+#include "pipeline/plan/spectrum.hpp"
 #include "pipeline/plan/surface_role.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/frame.hpp"
@@ -191,27 +193,67 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
                 count(mirrors, "mirror", "mirrors") + " to look into");
 }
 
-// What is found in the scene but not simulated yet: never active, and the reason says so.
-void add_missing_effects(const Scene& scene, const std::vector<Judgement>& judgements,
-                         Effects& effects) {
-  const auto add = [&](const char* name, std::size_t found, const std::string& what,
-                       const std::string& consequence) {
-    effects.list.push_back({name, false, found == 0 ? "none in the scene" : what + consequence});
-  };
-  std::size_t dispersing = 0, rough = 0;
-  std::string strongest;
-  for (std::size_t i = 0; i < judgements.size(); ++i) {
-    rough += judgements[i].rough ? 1 : 0;
-    const std::size_t index = static_cast<std::size_t>(scene.meshes[i].material);
-    const Material& material = scene.materials[index];
-    if (judgements[i].role.role != Role::Refractor || !(material.dispersion > 0.0f)) continue;
-    if (++dispersing > 1) continue;
-    strongest = quoted_name("material", material.name, index) + " has dispersion " +
-                number_text(material.dispersion);
+// The material of the refractor whose index depends most on the wavelength; null where none does.
+const Material* most_dispersive(const Scene& scene, const Effects& effects) {
+  const Material* most = nullptr;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (effects.surfaces[i].role != Role::Refractor) continue;
+    const Material& material = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
+    if (!(main_dispersion(material) != 0.0f)) continue;
+    if (!most || std::fabs(main_dispersion(material)) > std::fabs(main_dispersion(*most))) most = &material;
   }
-  add("dispersion", dispersing, strongest, ": not simulated yet; all colours bend alike");
-  add("rough glass", rough, count(rough, "surface", "surfaces") + " of rough glass",
-      ": not simulated yet; drawn as diffuse");
+  return most;
+}
+
+void add_dispersion(const Scene& scene, const Settings& settings, Effects& effects) {
+  const Material* most = most_dispersive(scene, effects);
+  const auto add = [&](bool active, const std::string& reason) {
+    effects.list.push_back({"dispersion", active, reason});
+  };
+  if (!most) return add(false, "no refractor's index depends on the wavelength");
+  const std::string what =
+      quoted_name("material", most->name, static_cast<std::size_t>(most - scene.materials.data())) +
+      " has dispersion " + number_text(most->dispersion);
+  if (!effects.active("caustics")) return add(false, what + ", but there is no caustic");
+  if (settings.wavelengths == 1) return add(false, what + ", but one wavelength was asked for");
+  add(true, what + ": " + std::to_string(settings.wavelengths) +
+                (settings.wavelengths == 3 ? " wavelengths, the C, d and F lines" : " wavelengths"));
+}
+
+void add_reflections(const Settings& settings, Effects& effects) {
+  const auto add = [&](bool active, const std::string& reason) {
+    effects.list.push_back({"reflections", active, reason});
+  };
+  if (count_roles(effects, Role::Refractor) == 0) return add(false, "no refractor in the scene");
+  if (!settings.reflections) return add(false, "what refractors mirror is left out; -D reflections=yes");
+  if (settings.weights == Weights::Paper) return add(false, "the paper's weights know no Fresnel share");
+  if (!effects.active("caustics")) return add(false, "there is no caustic");
+  add(true, "what refractors mirror throws a caustic, as asked for");
+}
+
+std::vector<Branch> branches_of(const Settings& settings, const Effects& effects) {
+  std::vector<Branch> branches;
+  if (effects.active("dispersion")) {
+    for (const Wavelength& w :
+         settings.wavelengths == 3 ? fraunhofer_lines() : spectrum(settings.wavelengths))
+      branches.push_back({.name = number_text(w.nanometres, 4) + "nm",
+                          .bend = bend_of(w.nanometres),
+                          .color = w.color});
+  } else {
+    branches.push_back({});
+  }
+  if (effects.active("reflections")) branches.push_back({.name = "reflected", .reflected = true});
+  return branches;
+}
+
+// What is found in the scene but not simulated yet: never active, and the reason says so.
+void add_missing_effects(const std::vector<Judgement>& judgements, Effects& effects) {
+  const auto rough = static_cast<std::size_t>(std::count_if(
+      judgements.begin(), judgements.end(), [](const Judgement& judgement) { return judgement.rough; }));
+  effects.list.push_back({"rough glass", false,
+                          rough == 0 ? "none in the scene"
+                                     : count(rough, "surface", "surfaces") +
+                                           " of rough glass: not simulated yet; drawn as diffuse"});
 }
 
 }  // namespace
@@ -249,7 +291,10 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   }
   add_expectations(scene, judgements, effects);
   add_light_effects(scene, settings, effects);
-  add_missing_effects(scene, judgements, effects);
+  add_dispersion(scene, settings, effects);
+  add_reflections(settings, effects);
+  add_missing_effects(judgements, effects);
+  effects.branches = branches_of(settings, effects);
   return effects;
 }
 

@@ -71,7 +71,9 @@ struct Effects {
 //   "mirrors"         smooth metal, which reflects light and view
 //   "seen casters"    a refractor or mirror, in which the camera sees other things
 //   "thin panes"      a transmissive surface without a volume
-//   "dispersion", "rough glass": found and left to later; inactive, with the reason
+//   "dispersion"      a refractor whose index depends on the wavelength
+//   "reflections"     what refractors mirror, on request
+//   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 
 }  // namespace caustics

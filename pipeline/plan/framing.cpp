@@ -18,6 +18,8 @@ namespace {
 
 // A perspective frame sees at most this far to the side: tan 72 degrees.
 constexpr double kWidestTangent = 3.0;
+// A window that nothing lies beside.
+constexpr double kEverywhere = 1e12;
 // The coarse run that looks for landings.
 constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
 
@@ -113,8 +115,9 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
 }
 
 // The frames before anything is known of the landings: the receiver map sees everything.
-LightFrames widest_frames(const LightExtents& extents, int grid) {
-  LightFrames frames{extents.axes, extents.axes, extents.axes, extents.axes, extents.axes};
+LightFrames widest_frames(const LightExtents& extents, const Effects& effects, int grid) {
+  LightFrames frames{extents.axes, extents.axes, extents.axes, extents.axes, extents.axes,
+                     0.0,          extents.axes};
   const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
   if (!shadow.empty()) {
     set_window(frames.shadow, shadow.lower, shadow.upper, 0.01);
@@ -132,6 +135,11 @@ LightFrames widest_frames(const LightExtents& extents, int grid) {
   set_window(frames.receiver, all.lower, all.upper, 0.01);
   set_depth(frames.receiver, all.nearest, all.farthest);
   frames.casters_nearest = extents.casters.nearest;
+  frames.column = frames.caster;
+  if (!effects.active("mirrors") && !effects.active("reflections")) {
+    frames.column.window_lower = glm::dvec2(-kEverywhere);
+    frames.column.window_upper = glm::dvec2(kEverywhere);
+  }
   frames.caustic = frames.receiver;
   return frames;
 }
@@ -236,7 +244,7 @@ std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effe
   std::vector<LightFrames> frames;
   for (const Light& light : scene.scene().lights) {
     extents.push_back(measure(scene.scene(), effects, light));
-    frames.push_back(widest_frames(extents.back(), settings.grid));
+    frames.push_back(widest_frames(extents.back(), effects, settings.grid));
   }
   if (settings.shared_frames) {
     for (LightFrames& f : frames) {

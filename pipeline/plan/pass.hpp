@@ -37,9 +37,11 @@ struct LightFrames {
   Frame caustic;   // on where the light lands: caustic map
   Frame shadow;    // on everything that can throw or catch a shadow
   Frame panes;     // on the thin panes
-  // z of the casters' nearest point: what lies before it within the caster frame's window stands
-  // between light and casters, and is no receiver of their light.
+  // z of the casters' nearest point: what lies before it within the column's window stands between light and
+  // casters, and is no receiver of their light. Refracted light goes on forwards, so the column has everything
+  // in it; mirrored light comes back, so it is the casters' own.
   double casters_nearest = 0.0;
+  Frame column;
 };
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.

@@ -39,6 +39,10 @@ glm::vec3 absorption_of(const Material& material) {
   return absorption;
 }
 
+float main_dispersion(const Material& material) {
+  return (material.ior - 1.0f) * material.dispersion / 20.0f;
+}
+
 glm::vec3 metal_reflectance(const Material& material) {
   return glm::vec3(0.04f) * (1.0f - material.metallic) +
          glm::vec3(material.base_color) * material.metallic;
@@ -88,7 +92,7 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
     const glm::vec3 absorption = mirror ? glm::vec3(0.0f) : absorption_of(material);
     const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
     const float texels[3][4] = {
-        {material.ior, material.ior, material.ior, mirror ? 1.0f : 0.0f},
+        {material.ior, main_dispersion(material), 0.0f, mirror ? 1.0f : 0.0f},
         {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
         {color.x, color.y, color.z, 0.0f}};
     for (int x = 0; x < 3; ++x)

@@ -53,6 +53,15 @@ bool exposure(Settings& s, std::string_view value) {
   return true;
 }
 
+// 1, 3, or enough samples for a spectrum.
+bool wavelengths(Settings& s, std::string_view value) {
+  int count = 0;
+  if (!number(value, 1, kMaxWavelengths, count)) return false;
+  if (count != 1 && count != 3 && count < kLeastSpectrum) return false;
+  s.wavelengths = count;
+  return true;
+}
+
 using Value = std::string_view;
 
 // Every key of -D. The command line's own options are short forms of these.
@@ -79,6 +88,10 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return choice(v, kInterfaces, s.interfaces); }},
     {"weights", "physical|paper, default physical", "flux of a ray: physical, or equation 6",
      [](Settings& s, Value v) { return choice(v, kWeights, s.weights); }},
+    {"wavelengths", "1, 3 or 8..64, default 3", "samples of the spectrum where glass disperses",
+     [](Settings& s, Value v) { return wavelengths(s, v); }},
+    {"reflections", "no|yes, default no", "what glass and water mirror throws caustics too",
+     [](Settings& s, Value v) { return choice(v, kYesNo, s.reflections); }},
     {"frames", "fitted|shared, default fitted", "shared: the maps keep the caster map's window",
      [](Settings& s, Value v) { return choice(v, kFrames, s.shared_frames); }},
     {"outside_share", "0..0.5, default 0.001", "share of the flux that may fall outside the map",

@@ -26,6 +26,10 @@ struct Settings {
   float gaussian_sigma = 0.7f;  // texels of the caustic map; of Gaussian, and of what Cell leaves to points
   Interfaces interfaces = Interfaces::Auto;
   Weights weights = Weights::Physical;
+  // Wavelengths of dispersing glass: 1 bends all colours alike, 3 are the C, d and F lines, 8 and more sample
+  // the spectrum.
+  int wavelengths = 3;
+  bool reflections = false;  // light that glass and water mirror throws caustics too
   bool assume_solid = false;
   // Caster, receiver and caustic map share the caster's window: for studies of the splat alone.
   bool shared_frames = false;
@@ -37,7 +41,8 @@ struct Settings {
   float glass_roughness = 0.2f;    // rougher glass throws no caustic
 };
 
-inline constexpr int kMaxPicture = 16384, kMaxGrid = 8192, kMaxMap = 8192, kMaxIterations = 1000;
+inline constexpr int kMaxPicture = 16384, kMaxGrid = 8192, kMaxMap = 8192, kMaxIterations = 1000,
+                     kLeastSpectrum = 8, kMaxWavelengths = 64;
 
 // Sets one `-D key=value`. Throws Error (WrongUsage) naming the key, its range and the nearest key.
 // Keys: see settings.cpp's table, printed by setting_keys().

@@ -5,10 +5,10 @@
 
 namespace caustics {
 
-std::string number_text(double value) {
+std::string number_text(double value, int digits) {
   char buffer[32];
   const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3).ptr;
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
   std::string result(buffer, end);
   return result.find_first_not_of("-0123456789") == std::string::npos ? result + ".0" : result;
 }

@@ -17,8 +17,9 @@ struct Judgement {
 
 Judgement judge(const Mesh& mesh, const Material& material, const Settings& settings);
 
-// Three significant digits, at least one decimal, the same in every locale: "1.0", "1.33", "0.05".
-std::string number_text(double value);
+// Three significant digits, or as many as asked for, at least one decimal, the same in every locale: "1.0",
+// "1.33", "0.05".
+std::string number_text(double value, int digits = 3);
 
 // "material 'glass'", or "material 3" where it has no name.
 std::string quoted_name(const std::string& kind, const std::string& name, std::size_t index);

@@ -8,6 +8,7 @@
 #define Vec4 vec4
 #define Texture sampler2D
 #define OUT(T) out T
+#define INOUT(T) inout T
 #define TRACE(label, value)
 #define any_lane(condition) (condition)
 

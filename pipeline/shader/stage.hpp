@@ -157,6 +157,7 @@ struct FragmentStage {
 }  // namespace caustics::CAUSTICS_LANE_NAMESPACE
 
 #define OUT(T) T&
+#define INOUT(T) T&
 #define UNIFORMS_BEGIN struct UniformBlock {
 #define UNIFORMS_END                                                             \
   }                                                                              \
