@@ -71,6 +71,7 @@ Json settings_json(const Settings& s) {
           {"shadow", s.shadow},
           {"iterations", s.iterations},
           {"estimator", name_of(s.estimator)},
+          {"thickness", name_of(s.thickness)},
           {"splat", name_of(s.splat)},
           {"splat.sigma", s.gaussian_sigma},
           {"interfaces", name_of(s.interfaces)},

@@ -33,10 +33,10 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
                kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
       .branch = glm::vec4(branch.color, static_cast<float>(branch.bend)),
-      .method = {settings.iterations, settings.estimator == Estimator::Paper ? 0 : 1,
+      .method = {settings.iterations, static_cast<int>(settings.estimator),
                  settings.weights == Weights::Paper ? 1 : 0,
                  context.effects->active("exit surface") ? 1 : 0},
-      .variant = {branch.reflected ? 1 : 0, 0, 0, 0},
+      .variant = {branch.reflected ? 1 : 0, settings.thickness == Thickness::Wyman ? 1 : 0, 0, 0},
   };
 }
 

@@ -28,6 +28,8 @@ Hit find_surface(Texture positions, vec4 window, vec4 depth, Vec3 start, Vec3 di
   if (u.method.y == 0) {
     hit = intersect_paper(positions, u.from_scene, window, depth, start, direction, Float(0.0f),
                           u.method.x);
+  } else if (u.method.y == 2) {
+    hit = intersect_newton(positions, u.from_scene, window, depth, start, direction, u.method.x);
   } else {
     hit = intersect_secant(positions, u.from_scene, window, depth, start, direction, u.method.x,
                            beyond_is_behind);
@@ -49,6 +51,26 @@ Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
   Vec4 nearest = fetch_nearest(caster_exit_normal, uv.x, uv.y);
   Vec3 chosen = sel(smooth_normal.w > 0.999f, Vec3(smooth_normal), Vec3(nearest));
   return normalize_or(chosen, fallback);
+}
+
+Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot3(a, b)); }
+
+// The way inside that Wyman (2005) takes: between the thickness along the light, d_V, and that along the normal,
+// d_N, in the ratio of the angles of refraction and incidence. He finds d_N beforehand; here it is met in the exit map.
+// d0: the light's direction; d1: inside; n: the normal against the light.
+Hit thickness_of_wyman(Vec3 p, Vec3 q, Vec3 d0, Vec3 d1, Vec3 n, Float ior) {
+  Vec2 uv = frame_uv(q, u.caster_window, u.caster_depth);
+  Vec4 behind = fetch_nearest(caster_exit_position, uv.x, uv.y);
+  Hit hit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p, -n, true);
+  Float incidence = angle_between(d0, -n);
+  Float refraction = angle_between(d1, -n);
+  Bool slanted = incidence > 1.0e-3f;
+  Float ratio = sel(slanted, refraction / sel(slanted, incidence, Float(1.0f)), 1.0f / ior);
+  Float along_light = max_of(dot3(Vec3(behind) - p, d0), 0.0f);
+  hit.distance = along_light * ratio + max_of(hit.distance, 0.0f) * (1.0f - ratio);
+  // An estimate, not a search: nothing to converge.
+  hit.residual = sel(behind.w != 0.0f, Float(0.0f), Float(1.0e30f));
+  return hit;
 }
 
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
@@ -109,7 +131,12 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Bool exit_unknown = Bool(false);
   if (u.method.w == 1 && u.variant.x == 0) {
     Bool solid = absorption.w > 0.5f && !from_inside;
-    Hit exit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p1, d1, true);
+    Hit exit;
+    if (u.variant.y == 1) {
+      exit = thickness_of_wyman(p1, q1, d0, d1, n1, ior);
+    } else {
+      exit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p1, d1, true);
+    }
     Float length = max_of(exit.distance, 0.0f);
     p2 = sel(solid, p1 + d1 * length, p1);
     inside_length = sel(solid, length, Float(0.0f));

@@ -12,7 +12,8 @@ namespace caustics {
 namespace {
 
 // Named choices: the texts that the command line takes, in the order of the enumerations.
-constexpr std::string_view kEstimators[] = {"paper", "secant"};
+constexpr std::string_view kEstimators[] = {"paper", "secant", "newton"};
+constexpr std::string_view kThicknesses[] = {"map", "wyman"};
 constexpr std::string_view kSplats[] = {"point", "gaussian", "cell"};
 constexpr std::string_view kWeights[] = {"physical", "paper"};
 constexpr std::string_view kInterfaces[] = {"auto", "1", "2"};
@@ -78,8 +79,10 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return number(v, 1, kMaxMap, s.shadow); }},
     {"iterations", "1..1000, default 5", "steps of the estimator at each surface",
      [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
-    {"estimator", "paper|secant, default secant", "what finds where a ray lands",
+    {"estimator", "paper|newton|secant, default secant", "what finds where a ray lands",
      [](Settings& s, Value v) { return choice(v, kEstimators, s.estimator); }},
+    {"thickness", "map|wyman, default map", "what tells a ray's way inside a solid caster",
+     [](Settings& s, Value v) { return choice(v, kThicknesses, s.thickness); }},
     {"splat", "point|gaussian|cell, default cell", "how a landing becomes light in the map",
      [](Settings& s, Value v) { return choice(v, kSplats, s.splat); }},
     {"splat.sigma", "0.1..4 texels, default 0.7", "width of the gaussian splat",
@@ -169,6 +172,7 @@ void check(const Settings& settings) {
 }
 
 std::string_view name_of(Estimator estimator) { return kEstimators[static_cast<int>(estimator)]; }
+std::string_view name_of(Thickness thickness) { return kThicknesses[static_cast<int>(thickness)]; }
 std::string_view name_of(Splat splat) { return kSplats[static_cast<int>(splat)]; }
 std::string_view name_of(Weights weights) { return kWeights[static_cast<int>(weights)]; }
 std::string_view name_of(Interfaces interfaces) {

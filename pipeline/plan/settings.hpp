@@ -9,10 +9,12 @@
 namespace caustics {
 
 // What finds where a ray meets a height map (docs: passes/landing/landing.md).
-enum class Estimator : std::uint8_t { Paper, Secant };
+enum class Estimator : std::uint8_t { Paper, Secant, Newton };
 // How a landing becomes light in the caustic map.
 enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
+// What tells how far light goes inside a solid caster: its back's map, or Wyman's (2005) mean of two thicknesses.
+enum class Thickness : std::uint8_t { Map, Wyman };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
 struct Settings {
@@ -22,6 +24,7 @@ struct Settings {
   int shadow = 2048;               // shadow map, texels a side
   int iterations = 5;
   Estimator estimator = Estimator::Secant;
+  Thickness thickness = Thickness::Map;
   Splat splat = Splat::Cell;
   float gaussian_sigma = 0.7f;  // texels of the caustic map; of Gaussian, and of what Cell leaves to points
   Interfaces interfaces = Interfaces::Auto;
@@ -53,6 +56,7 @@ std::vector<std::string> setting_keys();
 void check(const Settings& settings);
 
 std::string_view name_of(Estimator estimator);
+std::string_view name_of(Thickness thickness);
 std::string_view name_of(Splat splat);
 std::string_view name_of(Weights weights);
 std::string_view name_of(Interfaces interfaces);
