@@ -1,5 +1,6 @@
 #include "app/flux.hpp"
 
+#include "app/light_groups.hpp"
 #include "app/terminal.hpp"
 
 namespace caustics::app {
@@ -8,17 +9,35 @@ std::vector<std::string> ledger_textures() {
   return {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellFlux, kCausticMap};
 }
 
+namespace {
+
+Ledger read_ledger(const RenderedFrame& frame, int light) {
+  const auto has = [&](const std::string& name) { return frame.has(name); };
+  const auto read = [&](const std::string& name) { return frame.read(name); };
+  return make_ledger(branch_images(light, frame.effects().branches, has, read),
+                     frame.read(light_texture(kCausticMap, light)),
+                     frame.frames()[static_cast<std::size_t>(light)].caustic, frame.settings());
+}
+
+}  // namespace
+
 std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
+  const Scene& scene = frame.scene();
   std::vector<LightLedger> ledgers;
-  for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-    const std::string map = light_texture(kCausticMap, light);
-    const std::vector<Branch>& branches = frame.effects().branches;
-    if (!frame.has(map) || !frame.has(branch_texture(kLanding, light, branches.front()))) continue;
-    const auto has = [&](const std::string& name) { return frame.has(name); };
-    const auto read = [&](const std::string& name) { return frame.read(name); };
-    ledgers.push_back({light, make_ledger(branch_images(light, branches, has, read), frame.read(map),
-                                          frame.frames()[static_cast<std::size_t>(light)].caustic,
-                                          frame.settings())});
+  for (int source = 0; source < static_cast<int>(scene.sources.size()); ++source) {
+    LightLedger sum{source, {}};
+    bool any = false;
+    for (const int light : samples_of(scene, source)) {
+      const Branch& branch = frame.effects().branches.front();
+      if (!frame.has(branch_texture(kLanding, light, branch))) continue;
+      if (!frame.has(light_texture(kCausticMap, light))) continue;
+      // A sample's flux is relative to its own intensity.
+      const double share = static_cast<double>(scene.lights[static_cast<std::size_t>(light)].intensity) /
+                           static_cast<double>(scene.sources[static_cast<std::size_t>(source)].intensity);
+      add(sum.ledger, read_ledger(frame, light), share);
+      any = true;
+    }
+    if (any) ledgers.push_back(sum);
   }
   return ledgers;
 }
@@ -37,9 +56,9 @@ std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger) {
 
 double sum(const FluxRgb& flux) { return flux[0] + flux[1] + flux[2]; }
 
-std::string light_label(const Scene& scene, int light) {
-  const std::string& name = scene.lights[static_cast<std::size_t>(light)].name;
-  return name.empty() ? std::to_string(light) : "'" + one_line(name) + "'";
+std::string light_label(const Scene& scene, int source) {
+  const std::string& name = scene.sources[static_cast<std::size_t>(source)].name;
+  return name.empty() ? std::to_string(source) : "'" + one_line(name) + "'";
 }
 
 const char* flux_unit(const Light& light) {

@@ -10,21 +10,22 @@
 namespace caustics::app {
 
 struct LightLedger {
-  int light = 0;
+  int light = 0;  // index into Scene::sources
   Ledger ledger;
 };
 
 // The textures that ledgers are made from.
 std::vector<std::string> ledger_textures();
-// One for each light whose caustic passes ran, in the order of the lights.
+// One for each light whose caustic passes ran, in the order of the lights; an area light's is the sum
+// over its samples.
 std::vector<LightLedger> read_ledgers(const RenderedFrame& frame);
 
 // A ledger's accounts with the names that users see, `entered` first.
 std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger);
 double sum(const FluxRgb& flux);
 
-// "'sun'", or "1" where the light has no name.
-std::string light_label(const Scene& scene, int light);
+// "'sun'", or "1" where the light has no name; of an index into Scene::sources.
+std::string light_label(const Scene& scene, int source);
 // "m2 (lumen per lux)" or "sr (lumen per candela)".
 const char* flux_unit(const Light& light);
 const char* intensity_unit(const Light& light);

@@ -10,6 +10,8 @@
 #include "passes/registry.hpp"
 #include "pipeline/plan/nearest.hpp"
 #include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/emitter.hpp"
+#include "pipeline/scene/light_samples.hpp"
 #include "pipeline/scene/load_environment.hpp"
 #include "pipeline/scene/load_gltf.hpp"
 #include "raster/software_device.hpp"
@@ -56,12 +58,30 @@ std::uint64_t machine_memory() {
   return bytes;
 }
 
+// More would plan for minutes before the memory that they need is refused.
+constexpr std::size_t kMostSamples = 4096;
+
+void sample_area_lights(Scene& scene, int count) {
+  const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+    return light.shape != LightShape::None;
+  });
+  const std::size_t samples = static_cast<std::size_t>(sized) * static_cast<std::size_t>(count);
+  if (samples > kMostSamples) {
+    throw Error(ExitCode::WrongUsage, std::to_string(sized) + " lights with a size would need " +
+                                          grouped(samples) + " samples, more than " +
+                                          grouped(kMostSamples) + "; lower -D light.samples");
+  }
+  sample_lights(scene, count);
+}
+
 }  // namespace
 
 std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request) {
   auto judged = std::make_unique<JudgedScene>();
   judged->scene = load_gltf(request.scene);
   if (request.environment) judged->scene.environment = load_environment(*request.environment);
+  if (request.settings.emissive_lights) add_emissive_lights(judged->scene);
+  sample_area_lights(judged->scene, request.settings.light_samples);
   complete_scene(judged->scene);
   stop_if_interrupted();
   judged->effects = effects_of(judged->scene, request.settings);
@@ -79,20 +99,21 @@ std::uint64_t memory_needed(const FramePlan& plan) {
   return sum + largest;
 }
 
-void check_memory(const FramePlan& plan) {
+void check_memory(const FramePlan& plan, const Effects& effects) {
   const std::uint64_t needed = memory_needed(plan), allowed = machine_memory() / 4 * 3;
   if (needed <= allowed) return;
   throw Error(ExitCode::WrongUsage,
               "these sizes need " + bytes_text(static_cast<double>(needed)) +
                   " of memory, more than the " + bytes_text(static_cast<double>(allowed)) +
-                  " that this machine can spare; lower -r, --grid, --map or -D shadow");
+                  " that this machine can spare; lower -r, --grid, --map, -D shadow" +
+                  (effects.active("area lights") ? " or -D light.samples" : ""));
 }
 
 RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<JudgedScene> judged,
                              const PlanGoal& goal)
     : settings_(request.settings), judged_(std::move(judged)) {
   plan_ = make_plan(scene(), effects(), settings_, pass_registry(), goal);
-  check_memory(plan_);
+  check_memory(plan_, effects());
   device_ = make_device(request.backend);
   on_device_ = std::make_unique<SceneOnDevice>(scene(), effects(), *device_);
   stop_if_interrupted();

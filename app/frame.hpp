@@ -22,7 +22,7 @@ std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request);
 // them, and one more of the largest, read back.
 std::uint64_t memory_needed(const FramePlan& plan);
 // Throws Error (WrongUsage) when the frame needs more than three quarters of this machine's memory.
-void check_memory(const FramePlan& plan);
+void check_memory(const FramePlan& plan, const Effects& effects);
 
 // A frame on the device, ready to run. Everything it refers to it owns.
 class RenderedFrame {

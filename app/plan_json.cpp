@@ -1,7 +1,9 @@
 #include "app/flux.hpp"
+#include "app/light_groups.hpp"
 #include "app/plan_report.hpp"
 #include "app/stats.hpp"
 #include "app/version.hpp"
+#include "pipeline/scene/exact.hpp"
 
 namespace caustics::app {
 
@@ -43,14 +45,36 @@ Json surfaces_json(const Scene& scene, const Effects& effects) {
   return list;
 }
 
+// Null for a light without a size.
+Json size_json(const Light& light) {
+  switch (light.shape) {
+    case LightShape::None:
+      return nullptr;
+    case LightShape::Sphere:
+      return {{"shape", "sphere"}, {"radius_metres", light.radius}};
+    case LightShape::Rectangle:
+      return {{"shape", "rectangle"},
+              {"metres", {exact::length(light.width), exact::length(light.height)}}};
+    case LightShape::Disk:
+      return {{"shape", "disk"},
+              {"angular_diameter_degrees", light.angular_radius * (360.0 / exact::kPi)}};
+    case LightShape::Mesh:
+      return {{"shape", "mesh"}, {"mesh", light.emitter}};
+  }
+  return nullptr;
+}
+
 Json lights_json(const Scene& scene) {
   Json list = Json::array();
-  for (const Light& light : scene.lights) {
+  for (std::size_t i = 0; i < scene.sources.size(); ++i) {
+    const Light& light = scene.sources[i];
     list.push_back({{"name", light.name},
                     {"type", name_of(light.type)},
                     {"intensity", light.intensity},
                     {"unit", intensity_unit(light)},
-                    {"color", {light.color.x, light.color.y, light.color.z}}});
+                    {"color", {light.color.x, light.color.y, light.color.z}},
+                    {"size", size_json(light)},
+                    {"samples", samples_of(scene, static_cast<int>(i)).size()}});
   }
   return list;
 }
@@ -99,7 +123,7 @@ std::string plan_json(const PlanReport& report) {
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
                    {"notes", scene.notes}};
-  for (const Expectation& e : effects.expectations) {
+  for (const Expectation& e : expectations_by_source(scene, effects)) {
     document["expectations"].push_back(
         {{"light", e.light}, {"mesh", e.mesh}, {"expected", e.expected}, {"reason", e.reason}});
   }

@@ -1,10 +1,12 @@
 #include <algorithm>
 
 #include "app/flux.hpp"
+#include "app/light_groups.hpp"
 #include "app/plan_report.hpp"
 #include "app/summary.hpp"
 #include "app/table.hpp"
 #include "app/terminal.hpp"
+#include "passes/registry.hpp"
 
 namespace caustics::app {
 
@@ -91,10 +93,11 @@ class TextReport {
   void lights() {
     heading("lights");
     Table table;
-    for (std::size_t i = 0; i < of().lights.size(); ++i) {
-      const Light& light = of().lights[i];
+    for (std::size_t i = 0; i < of().sources.size(); ++i) {
+      const Light& light = of().sources[i];
       table.row({std::to_string(i), light_label(of(), static_cast<int>(i)), name_of(light.type),
-                 significant(light.intensity, 6) + " " + intensity_unit(light)});
+                 significant(light.intensity, 6) + " " + intensity_unit(light),
+                 size_text(of(), static_cast<int>(i))});
     }
     text_ += table.text();
   }
@@ -102,7 +105,7 @@ class TextReport {
   void expectations() {
     heading("caustics to expect");
     Table table;
-    for (const Expectation& e : judged().expectations) {
+    for (const Expectation& e : expectations_by_source(of(), judged())) {
       table.row({yes_no(e.expected),
                  "light " + light_label(of(), e.light) + " through " + mesh_label(of(), e.mesh),
                  e.reason});
@@ -122,24 +125,58 @@ class TextReport {
     text_ += table.text();
   }
 
+  // The passes from `first` on that do the same for the samples of one light.
+  std::size_t alike(std::size_t first) const {
+    const std::vector<PlannedPass>& all = report_.plan.passes;
+    std::size_t end = first + 1;
+    while (all[first].light >= 0 && end < all.size() && all[end].pass == all[first].pass &&
+           source(all[end]) == source(all[first]))
+      ++end;
+    return end - first;
+  }
+
+  int source(const PlannedPass& pass) const {
+    return of().lights[static_cast<std::size_t>(pass.light)].source;
+  }
+
+  // "landing RGBA32F", or "landing[0..15] RGBA32F" of passes that write a texture each.
+  std::string texture_text(int first, int last) const {
+    const std::vector<PlannedTexture>& textures = report_.plan.textures;
+    const PlannedTexture& texture = textures[static_cast<std::size_t>(first)];
+    std::string name = texture.name;
+    if (first != last) {
+      const std::string& other = textures[static_cast<std::size_t>(last)].name;
+      name = name.substr(0, name.size() - 1) + ".." + other.substr(other.find('[') + 1);
+    }
+    return name + " " + std::string(format_name(texture.format));
+  }
+
+  std::string written(const PlannedPass& first, const PlannedPass& last) const {
+    std::string text;
+    for (std::size_t i = 0; i < first.writes.size(); ++i)
+      text += (i == 0 ? "" : ", ") + texture_text(first.writes[i], last.writes[i]);
+    if (first.depth >= 0) text += (text.empty() ? "" : ", ") + texture_text(first.depth, last.depth);
+    return text;
+  }
+
+  std::string pass_label(const PlannedPass& pass, std::size_t count) const {
+    if (count == 1) return pass.label;
+    const std::string& name = of().sources[static_cast<std::size_t>(source(pass))].name;
+    return pass_registry()[static_cast<std::size_t>(pass.pass)].definition.name + "[" +
+           (name.empty() ? std::to_string(source(pass)) : name) + "] x " + std::to_string(count);
+  }
+
   void passes() {
     const FramePlan& plan = report_.plan;
     heading("passes (" + std::to_string(plan.passes.size()) + ", textures of " +
             bytes_text(static_cast<double>(plan.bytes())) + ")");
     Table table;
-    for (const PlannedPass& pass : plan.passes) {
-      std::vector<int> targets = pass.writes;
-      if (pass.depth >= 0) targets.push_back(pass.depth);
-      std::string written;
-      for (const int target : targets) {
-        const PlannedTexture& texture = plan.textures[static_cast<std::size_t>(target)];
-        written += (written.empty() ? "" : ", ") + texture.name + " " +
-                   std::string(format_name(texture.format));
-      }
-      table.row({one_line(pass.label),
+    for (std::size_t i = 0; i < plan.passes.size(); i += alike(i)) {
+      const PlannedPass& pass = plan.passes[i];
+      table.row({one_line(pass_label(pass, alike(i))),
                  std::to_string(pass.width) + "x" + std::to_string(pass.height),
                  one_line(pass.reason)});
-      table.row({"", "", "writes " + one_line(written)});
+      table.row({"", "", "writes " + one_line(written(pass, plan.passes[i + alike(i) - 1]))});
     }
     text_ += table.text();
   }

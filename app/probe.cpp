@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/flux.hpp"
+#include "app/light_groups.hpp"
 #include "app/probe_texel.hpp"
 #include "app/terminal.hpp"
 #include "passes/registry.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 struct ProbeRequest {
   FrameRequest frame;
-  int x = -1, y = -1, light = 0;
+  int x = -1, y = -1, light = 0, sample = 0;
 };
 
 bool parse(const Arguments& arguments, ProbeRequest& request) {
@@ -35,6 +36,10 @@ bool parse(const Arguments& arguments, ProbeRequest& request) {
                 [&](const std::string& value) {
                   request.light = parse_integer("--light", value, 0, 1'000'000);
                 });
+  parser.option("--sample", "N", "which sample of a light with a size (default 0)",
+                [&](const std::string& value) {
+                  request.sample = parse_integer("--sample", value, 0, kMaxLightSamples - 1);
+                });
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
@@ -51,14 +56,31 @@ bool parse(const Arguments& arguments, ProbeRequest& request) {
   return true;
 }
 
-const PlannedPass& find_landing(const RenderedFrame& frame, int light) {
+const PlannedPass& find_landing(const RenderedFrame& frame, const ProbeRequest& request) {
+  const std::vector<int> samples = samples_of(frame.scene(), request.light);
+  const int light = samples[static_cast<std::size_t>(request.sample)];
   for (const PlannedPass& pass : frame.plan().passes) {
     const PassDefinition& definition =
         pass_registry()[static_cast<std::size_t>(pass.pass)].definition;
     if (definition.name == kLanding && pass.light == light) return pass;
   }
-  throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), light) +
+  throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
                                         " throws no caustic here; 'caustics plan' says why");
+}
+
+void check_light(const Scene& scene, const ProbeRequest& request) {
+  const std::size_t lights = scene.sources.size();
+  if (static_cast<std::size_t>(request.light) >= lights) {
+    throw Error(ExitCode::WrongUsage, "--light must be 0.." + std::to_string(lights - 1) +
+                                          ": the scene has " + std::to_string(lights) + " lights");
+  }
+  const std::size_t samples = samples_of(scene, request.light).size();
+  if (static_cast<std::size_t>(request.sample) >= samples) {
+    throw Error(ExitCode::WrongUsage,
+                "--sample must be 0.." + std::to_string(samples - 1) + ": light " +
+                    light_label(scene, request.light) + " has " + std::to_string(samples) +
+                    (samples == 1 ? " sample" : " samples"));
+  }
 }
 
 void print_values(const std::string& label, const float* values, int count) {
@@ -95,13 +117,9 @@ ExitCode run_probe(const Arguments& arguments) {
   ProbeRequest request;
   if (!parse(arguments, request)) return ExitCode::Done;
   std::unique_ptr<JudgedScene> judged = load_scene(request.frame);
-  const std::size_t lights = judged->scene.lights.size();
-  if (static_cast<std::size_t>(request.light) >= lights) {
-    throw Error(ExitCode::WrongUsage, "--light must be 0.." + std::to_string(lights - 1) +
-                                          ": the scene has " + std::to_string(lights) + " lights");
-  }
+  check_light(judged->scene, request);
   RenderedFrame frame(request.frame, std::move(judged), {{kLanding}});
-  const PlannedPass& landing = find_landing(frame, request.light);
+  const PlannedPass& landing = find_landing(frame, request);
   frame.run();
   const ProbedTexel probed = probe_texel(frame, landing, request.x, request.y);
   print_probe(frame, request, probed);

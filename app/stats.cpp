@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/light_groups.hpp"
 #include "app/version.hpp"
 
 namespace caustics::app {
@@ -44,7 +45,7 @@ Json frames_json(const FrameStats& frames, const DeviceObjects& made) {
 }
 
 Json ledger_json(const Scene& scene, const LightLedger& entry) {
-  const Light& light = scene.lights[static_cast<std::size_t>(entry.light)];
+  const Light& light = scene.sources[static_cast<std::size_t>(entry.light)];
   Json flux = {{"unit", flux_unit(light)}};
   for (const auto& [name, value] : accounts(entry.ledger)) flux[name] = value;
   flux["residual"] = entry.ledger.residual();
@@ -57,6 +58,7 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
           {"name", light.name},
           {"intensity", light.intensity},
           {"intensity_unit", intensity_unit(light)},
+          {"samples", samples_of(scene, entry.light).size()},
           {"flux", flux},
           {"vertices", vertices}};
 }
@@ -69,6 +71,8 @@ Json settings_json(const Settings& s) {
           {"grid", s.grid},
           {"map", s.map},
           {"shadow", s.shadow},
+          {"light.samples", s.light_samples},
+          {"emissive.lights", s.emissive_lights ? "on" : "off"},
           {"iterations", s.iterations},
           {"estimator", name_of(s.estimator)},
           {"thickness", name_of(s.thickness)},

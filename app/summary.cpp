@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/light_groups.hpp"
 #include "app/terminal.hpp"
 
 namespace caustics::app {
@@ -57,7 +58,7 @@ std::vector<std::string> missing_caustics(const Scene& scene, const Effects& eff
     std::size_t more = 0;
   };
   std::vector<Group> groups;
-  for (const Expectation& e : effects.expectations) {
+  for (const Expectation& e : expectations_by_source(scene, effects)) {
     if (e.expected) continue;
     const auto same = std::find_if(groups.begin(), groups.end(),
                                    [&](const Group& group) { return group.reason == e.reason; });

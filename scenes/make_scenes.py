@@ -141,6 +141,27 @@ def ring(inner, outer, height, cells):
     return positions, normals, indices
 
 
+def torus(centre, major, minor, axis, cells):
+    """A torus around `axis` through `centre`, with its own normals."""
+    z = unit(axis)
+    x = unit(cross((0.0, 0.0, 1.0) if abs(z[2]) < 0.9 else (0.0, 1.0, 0.0), z))
+    y = cross(z, x)
+    around, across = 2 * cells, cells
+    positions, normals, indices = [], [], []
+    for i in range(around):
+        a = 2 * math.pi * i / around
+        out = add(mul(x, math.cos(a)), mul(y, math.sin(a)))
+        for j in range(across):
+            b = 2 * math.pi * j / across
+            n = add(mul(out, math.cos(b)), mul(z, math.sin(b)))
+            positions.append(add(centre, add(mul(out, major), mul(n, minor))))
+            normals.append(n)
+            p, q = i * across + j, i * across + (j + 1) % across
+            r, s = (i + 1) % around * across + j, (i + 1) % around * across + (j + 1) % across
+            indices.extend((p, r, s, p, s, q))
+    return positions, normals, indices
+
+
 def upright(x, half, low, high):
     """A rectangle across the x axis."""
     p = [(x, low, half), (x, low, -half), (x, high, -half), (x, high, half)]
@@ -295,12 +316,16 @@ class Scene:
         self.gltf['meshes'].append({'name': name, 'primitives': [primitive]})
         self.node(name=name, mesh=len(self.gltf['meshes']) - 1)
 
-    def sun(self, travel, lux):
+    def light(self, travel, place=None, **light):
         self.extensions.add('KHR_lights_punctual')
         lights = self.gltf.setdefault('extensions', {}).setdefault('KHR_lights_punctual', {'lights': []})['lights']
-        lights.append({'name': 'sun', 'type': 'directional', 'intensity': lux})
-        self.node(name='sun', rotation=rotation_to(travel, (0.0, 0.0, -1.0)),
+        lights.append(light)
+        where = {'translation': list(place)} if place else {}
+        self.node(name=light['name'], **where, rotation=rotation_to(travel, (0.0, 0.0, -1.0)),
                   extensions={'KHR_lights_punctual': {'light': len(lights) - 1}})
+
+    def sun(self, travel, lux, **more):
+        self.light(travel, name='sun', type='directional', intensity=lux, **more)
 
     def camera(self, name, eye, target, fov_degrees):
         self.gltf['cameras'].append({'name': name, 'type': 'perspective', 'perspective': {
@@ -513,10 +538,38 @@ def thin_panes():
     return s
 
 
+def two_lights():
+    """A spot light and a sun through one glass ring: each throws its own caustic and shadow, in its colour."""
+    s = Scene()
+    s.mesh('ring', torus((0.0, 0.24, 0.0), 0.30, 0.11, (0.18, 1.0, 0.10), 48), glass('glass', 1.5))
+    s.mesh('floor', square(8.0), diffuse('white floor', 0.8))
+    s.light((0.75, -1.0, 0.10), name='sun', type='directional', intensity=4.0, color=[1.0, 0.60, 0.25])
+    lamp = (1.15, 1.55, 0.55)
+    s.light(sub((0.0, 0.25, 0.0), lamp), lamp, name='spot', type='spot', intensity=34.0, color=[0.22, 0.55, 1.0],
+            spot={'innerConeAngle': 0.30, 'outerConeAngle': 0.42})
+    s.camera('view', (0.35, 1.45, 2.05), (0.02, 0.08, 0.0), 32)
+    s.camera_down('floor', (0.0, 0.1, 0.0), 1.0)
+    return s
+
+
+def sun_disk():
+    """A sun of 5 degrees: the shadow of the post softens with the height of what throws it, and the caustic's
+    edges are as soft as the way of its light is long."""
+    s = Scene()
+    s.mesh('sphere', icosphere((0.0, 0.45, 0.0), 0.28, 4), glass('glass', 1.5))
+    s.mesh('post', box((-0.62, 0.0, -0.04), (-0.54, 0.9, 0.04)), diffuse('post', 0.5))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((0.7, -1.0, 0.25), 10.0, extras={'angular_diameter': 5.0})
+    s.camera('view', (0.25, 1.5, 2.2), (0.1, 0.22, 0.05), 38)
+    s.camera_down('floor', (0.0, 0.1, 0.0), 1.0)
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
-              'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring, 'thin_panes.glb': thin_panes}
+              'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring,
+              'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

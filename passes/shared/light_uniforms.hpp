@@ -8,7 +8,8 @@
 namespace caustics {
 
 // A spot light's cone: falloff = clamp(cos(angle) * scale + offset, 0, 1)^2 (KHR_lights_punctual,
-// inner and outer cone angles); scale 0 for lights without a cone.
+// inner and outer cone angles); scale 0 for lights without a cone. Not squared where z is 1: scale 1
+// and offset 0 are a Lambertian emitter's cosine.
 struct LightCone {
   glm::vec4 axis{0.0f};
   glm::vec4 scale_offset{0.0f};
@@ -17,6 +18,7 @@ struct LightCone {
 inline LightCone light_cone(const Light& light) {
   LightCone cone;
   cone.axis = glm::vec4(glm::vec3(light.direction), 0.0f);
+  if (light.lambertian) cone.scale_offset = {1.0f, 0.0f, 1.0f, 0.0f};
   if (light.type != LightType::Spot) return cone;
   double sine, cos_outer, cos_inner;
   exact::sin_cos(static_cast<double>(light.outer_cone), sine, cos_outer);

@@ -5,8 +5,7 @@
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/backdrop.hpp"
-#include "pipeline/plan/scene_on_device.hpp"
-#include "pipeline/plan/spectrum.hpp"
+#include "pipeline/plan/branches.hpp"
 #include "pipeline/plan/surface_role.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/frame.hpp"
@@ -38,7 +37,9 @@ bool cone_misses(const Light& light, const Sphere& sphere) {
   const double along = exact::dot(to, light.direction);
   const double across = std::sqrt(std::max(exact::dot(to, to) - along * along, 0.0));
   double sine, cosine;
-  exact::sin_cos(static_cast<double>(light.outer_cone), sine, cosine);
+  const double widest =
+      light.lambertian ? 0.5 * exact::kPi : static_cast<double>(light.outer_cone);
+  exact::sin_cos(widest, sine, cosine);
   return along < -sphere.radius || across * cosine - along * sine > sphere.radius;
 }
 
@@ -68,13 +69,16 @@ bool dark(const Light& light) {
 }
 
 // Why no light of this kind gets from the light by the mesh onto a receiver, or nothing.
-std::string unreachable(const Scene& scene, const Light& light, const Mesh& mesh, bool mirror,
+std::string unreachable(const Scene& scene, const Light& light, std::size_t index, bool mirror,
                         const std::vector<SurfaceRole>& surfaces) {
+  const Mesh& mesh = scene.meshes[index];
   if (dark(light)) return "the light's intensity or colour is 0";
+  if (light.emitter == static_cast<int>(index)) return "it is the light itself";
   const Reach caster = reach_of(light, mesh);
   if (light.type == LightType::Spot && cone_misses(light, sphere_of(mesh))) {
     return "the spot light's cone misses it";
   }
+  if (light.lambertian && cone_misses(light, sphere_of(mesh))) return "it lies behind the light";
   if (light.type != LightType::Directional && caster.nearest > static_cast<double>(light.range)) {
     return "it lies beyond the light's range of " + number_text(light.range) + " m";
   }
@@ -88,9 +92,15 @@ std::string unreachable(const Scene& scene, const Light& light, const Mesh& mesh
   return any ? "no receiver lies behind it, seen from the light" : "there is no diffuse receiver";
 }
 
+// The lights as a person knows them.
+const std::vector<Light>& known_lights(const Scene& scene) {
+  return scene.sources.empty() ? scene.lights : scene.sources;
+}
+
 std::string light_name(const Scene& scene, int index) {
-  return quoted_name("light", scene.lights[static_cast<std::size_t>(index)].name,
-                     static_cast<std::size_t>(index));
+  const Light& light = source_of(scene, index);
+  return quoted_name("light", light.name,
+                     static_cast<std::size_t>(light.source < 0 ? index : light.source));
 }
 
 std::size_t count_roles(const Effects& effects, Role role) {
@@ -110,7 +120,7 @@ void add_expectations(const Scene& scene, const std::vector<Judgement>& judgemen
       const Role role = judgements[m].role.role;
       if (is_caster(role)) {
         const Mesh& mesh = scene.meshes[m];
-        e.reason = unreachable(scene, scene.lights[l], mesh, role == Role::Mirror, effects.surfaces);
+        e.reason = unreachable(scene, scene.lights[l], m, role == Role::Mirror, effects.surfaces);
         e.expected = e.reason.empty();
         const float ior = scene.materials[static_cast<std::size_t>(mesh.material)].ior;
         if (e.expected && role == Role::Mirror) {
@@ -131,16 +141,36 @@ bool anything_shadows(const Scene& scene, const Effects& effects) {
     if (dark(light)) continue;
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
       const Role role = effects.surfaces[m].role;
-      if (role != Role::Receiver) continue;
+      if (role != Role::Receiver || light.emitter == static_cast<int>(m)) continue;
       if (!is_backdrop(scene, m, light)) return true;
     }
   }
   return false;
 }
 
+void add_area_lights(const Scene& scene, Effects& effects) {
+  const std::vector<Light>& lights = known_lights(scene);
+  const auto has_size = [](const Light& light) { return light.shape != LightShape::None; };
+  const std::size_t sized =
+      static_cast<std::size_t>(std::count_if(lights.begin(), lights.end(), has_size));
+  if (sized == 0) {
+    effects.list.push_back({"area lights", false, "no light has a size"});
+    return;
+  }
+  const std::size_t samples = static_cast<std::size_t>(
+      std::count_if(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
+        return light.source >= 0 && has_size(scene.sources[static_cast<std::size_t>(light.source)]);
+      }));
+  effects.list.push_back({"area lights", samples > sized,
+                          count(sized, "light has a size", "lights have a size") +
+                              (samples > sized ? ", " + std::to_string(samples) + " samples in all"
+                                               : "; drawn as a point each")});
+}
+
 void add_light_effects(const Scene& scene, const Settings& settings, Effects& effects) {
+  const std::vector<Light>& lights = known_lights(scene);
   const std::size_t lit = static_cast<std::size_t>(std::count_if(
-      scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !dark(light); }));
+      lights.begin(), lights.end(), [](const Light& light) { return !dark(light); }));
   const std::size_t receivers = count_roles(effects, Role::Receiver);
   const std::size_t refractors = count_roles(effects, Role::Refractor);
   const std::size_t mirrors = count_roles(effects, Role::Mirror);
@@ -149,6 +179,7 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
     effects.list.push_back({name, active, reason});
   };
   add("light", lit > 0, lit > 0 ? count(lit, "light", "lights") : "no light shines");
+  add_area_lights(scene, effects);
   add("receivers", receivers > 0, receivers > 0 ? diffuse_surfaces : "no surface is diffuse");
   const bool reached = std::any_of(effects.expectations.begin(), effects.expectations.end(),
                                    [](const Expectation& e) { return e.expected; });
@@ -193,57 +224,20 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
                 count(mirrors, "mirror", "mirrors") + " to look into");
 }
 
-// The material of the refractor whose index depends most on the wavelength; null where none does.
-const Material* most_dispersive(const Scene& scene, const Effects& effects) {
-  const Material* most = nullptr;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (effects.surfaces[i].role != Role::Refractor) continue;
-    const Material& material = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
-    if (!(main_dispersion(material) != 0.0f)) continue;
-    if (!most || std::fabs(main_dispersion(material)) > std::fabs(main_dispersion(*most))) most = &material;
+// Meshes that shine light the scene only on request.
+void add_emitters(const Scene& scene, Effects& effects) {
+  std::size_t shining = 0, lights = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    const glm::vec3 e = scene.materials[static_cast<std::size_t>(mesh.material)].emissive;
+    shining += std::max({e.x, e.y, e.z}) > 0.0f ? 1 : 0;
   }
-  return most;
-}
-
-void add_dispersion(const Scene& scene, const Settings& settings, Effects& effects) {
-  const Material* most = most_dispersive(scene, effects);
-  const auto add = [&](bool active, const std::string& reason) {
-    effects.list.push_back({"dispersion", active, reason});
-  };
-  if (!most) return add(false, "no refractor's index depends on the wavelength");
-  const std::string what =
-      quoted_name("material", most->name, static_cast<std::size_t>(most - scene.materials.data())) +
-      " has dispersion " + number_text(most->dispersion);
-  if (!effects.active("caustics")) return add(false, what + ", but there is no caustic");
-  if (settings.wavelengths == 1) return add(false, what + ", but one wavelength was asked for");
-  add(true, what + ": " + std::to_string(settings.wavelengths) +
-                (settings.wavelengths == 3 ? " wavelengths, the C, d and F lines" : " wavelengths"));
-}
-
-void add_reflections(const Settings& settings, Effects& effects) {
-  const auto add = [&](bool active, const std::string& reason) {
-    effects.list.push_back({"reflections", active, reason});
-  };
-  if (count_roles(effects, Role::Refractor) == 0) return add(false, "no refractor in the scene");
-  if (!settings.reflections) return add(false, "what refractors mirror is left out; -D reflections=yes");
-  if (settings.weights == Weights::Paper) return add(false, "the paper's weights know no Fresnel share");
-  if (!effects.active("caustics")) return add(false, "there is no caustic");
-  add(true, "what refractors mirror throws a caustic, as asked for");
-}
-
-std::vector<Branch> branches_of(const Settings& settings, const Effects& effects) {
-  std::vector<Branch> branches;
-  if (effects.active("dispersion")) {
-    for (const Wavelength& w :
-         settings.wavelengths == 3 ? fraunhofer_lines() : spectrum(settings.wavelengths))
-      branches.push_back({.name = number_text(w.nanometres, 4) + "nm",
-                          .bend = bend_of(w.nanometres),
-                          .color = w.color});
-  } else {
-    branches.push_back({});
-  }
-  if (effects.active("reflections")) branches.push_back({.name = "reflected", .reflected = true});
-  return branches;
+  for (const Light& light : known_lights(scene)) lights += light.shape == LightShape::Mesh ? 1 : 0;
+  const std::string found = count(shining, "mesh that shines", "meshes that shine");
+  effects.list.push_back(
+      {"emissive lights", lights > 0,
+       shining == 0  ? "none in the scene"
+       : lights > 0 ? found + ", lights of their own"
+                    : found + ", but not on others; -D emissive.lights=on makes lights of them"});
 }
 
 // What is found in the scene but not simulated yet: never active, and the reason says so.
@@ -291,10 +285,9 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   }
   add_expectations(scene, judgements, effects);
   add_light_effects(scene, settings, effects);
-  add_dispersion(scene, settings, effects);
-  add_reflections(settings, effects);
+  add_emitters(scene, effects);
+  add_branches(scene, settings, effects);
   add_missing_effects(judgements, effects);
-  effects.branches = branches_of(settings, effects);
   return effects;
 }
 

@@ -63,6 +63,7 @@ struct Effects {
 
 // Effects by name:
 //   "light"           any light
+//   "area lights"     a light with a size, drawn by more than one sample
 //   "receivers"       any diffuse surface
 //   "caustics"        a refractor or mirror that a light can reach
 //   "cells"           caustics whose landings are joined to cells (Splat::Cell)
@@ -71,6 +72,7 @@ struct Effects {
 //   "mirrors"         smooth metal, which reflects light and view
 //   "seen casters"    a refractor or mirror, in which the camera sees other things
 //   "thin panes"      a transmissive surface without a volume
+//   "emissive lights" a mesh that shines and lights the scene
 //   "dispersion"      a refractor whose index depends on the wavelength
 //   "reflections"     what refractors mirror, on request
 //   "rough glass"     found and left to later; inactive, with the reason

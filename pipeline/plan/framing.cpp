@@ -86,20 +86,25 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
   LightExtents result;
   const Bounds bounds = bounds_of(scene);
   Bounds casters;
+  const auto shines = [&](std::size_t mesh) { return light.emitter == static_cast<int>(mesh); };
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (is_caster(effects.surfaces[i].role)) casters.add(bounds_of(scene.meshes[i]));
+    if (is_caster(effects.surfaces[i].role) && !shines(i)) casters.add(bounds_of(scene.meshes[i]));
   const double radius = std::max(bounds.radius(), 1e-9);
   double closest = 0.0;
   if (light.type == LightType::Directional) {
     result.axes = frame_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
   } else {
-    const glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
+    glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
+    // What an emitter turns away from it does not light.
+    if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
+      target = light.position + light.direction * radius;
     result.axes = frame_along(light.position,
                               exact::normalise(target - light.position, light.direction));
     result.axes.perspective = true;
     closest = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
   }
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (shines(i)) continue;
     const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
     result.everything.add(extents);
     if (is_caster(effects.surfaces[i].role)) {

@@ -76,6 +76,15 @@ double Ledger::residual() const {
   return worst;
 }
 
+void add(Ledger& sum, const Ledger& other, double share) {
+  for (FluxRgb Ledger::*account :
+       {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection,
+        &Ledger::missed, &Ledger::outside, &Ledger::not_converged, &Ledger::kernel_edge,
+        &Ledger::in_map})
+    add(sum.*account, other.*account, share);
+  for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
+}
+
 namespace {
 
 // The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken.

@@ -46,6 +46,9 @@ struct Ledger {
   std::array<std::uint64_t, kLandingStatuses> vertices{};  // by LandingStatus
 };
 
+// Adds another ledger, each of its fluxes times `share`: the samples of one light to the light's own.
+void add(Ledger& sum, const Ledger& other, double share);
+
 // What one branch's passes hold.
 struct BranchImages {
   Branch branch;

@@ -102,6 +102,7 @@ class PassRunner {
     const Scene& scene = scene_.scene();
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
       if (!draws_mesh(pass.draws, inputs_.effects->surfaces[i])) continue;
+      if (context.light && context.light->emitter == static_cast<int>(i)) continue;
       context.mesh = &scene.meshes[i];
       context.mesh_index = static_cast<int>(i);
       context.material = &scene.materials[static_cast<std::size_t>(context.mesh->material)];

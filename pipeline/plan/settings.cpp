@@ -19,6 +19,7 @@ constexpr std::string_view kWeights[] = {"physical", "paper"};
 constexpr std::string_view kInterfaces[] = {"auto", "1", "2"};
 constexpr std::string_view kFrames[] = {"fitted", "shared"};
 constexpr std::string_view kYesNo[] = {"no", "yes"};
+constexpr std::string_view kOffOn[] = {"off", "on"};
 
 struct Key {
   std::string_view name;
@@ -77,6 +78,10 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return number(v, 1, kMaxMap, s.map); }},
     {"shadow", "1..8192 texels, default 2048", "side of the shadow map",
      [](Settings& s, Value v) { return number(v, 1, kMaxMap, s.shadow); }},
+    {"light.samples", "1..256, default 16", "points by which a light with a size is drawn",
+     [](Settings& s, Value v) { return number(v, 1, kMaxLightSamples, s.light_samples); }},
+    {"emissive.lights", "off|on, default off", "meshes that shine light the scene",
+     [](Settings& s, Value v) { return choice(v, kOffOn, s.emissive_lights); }},
     {"iterations", "1..1000, default 5", "steps of the estimator at each surface",
      [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
     {"estimator", "paper|newton|secant, default secant", "what finds where a ray lands",
@@ -169,6 +174,7 @@ void check(const Settings& settings) {
   check_range("map", settings.map, kMaxMap);
   check_range("shadow", settings.shadow, kMaxMap);
   check_range("iterations", settings.iterations, kMaxIterations);
+  check_range("light.samples", settings.light_samples, kMaxLightSamples);
 }
 
 std::string_view name_of(Estimator estimator) { return kEstimators[static_cast<int>(estimator)]; }

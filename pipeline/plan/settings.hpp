@@ -22,6 +22,8 @@ struct Settings {
   int grid = 512;                  // grid vertices a side
   int map = 512;                   // caustic and receiver map, texels a side
   int shadow = 2048;               // shadow map, texels a side
+  int light_samples = 16;          // points by which a light with a size is drawn
+  bool emissive_lights = false;    // meshes that shine light the scene
   int iterations = 5;
   Estimator estimator = Estimator::Secant;
   Thickness thickness = Thickness::Map;
@@ -46,6 +48,7 @@ struct Settings {
 
 inline constexpr int kMaxPicture = 16384, kMaxGrid = 8192, kMaxMap = 8192, kMaxIterations = 1000,
                      kLeastSpectrum = 8, kMaxWavelengths = 64;
+inline constexpr int kMaxLightSamples = 256;
 
 // Sets one `-D key=value`. Throws Error (WrongUsage) naming the key, its range and the nearest key.
 // Keys: see settings.cpp's table, printed by setting_keys().

@@ -41,6 +41,10 @@ TEST_CASE("settings are set by key") {
   CHECK(settings.shared_frames);
   CHECK(settings.exposure == -1.5f);
   CHECK(settings.assume_solid);
+  set_option(settings, "light.samples", "256");
+  set_option(settings, "emissive.lights", "on");
+  CHECK(settings.light_samples == 256);
+  CHECK(settings.emissive_lights);
   set_option(settings, "exposure", "auto");
   CHECK_FALSE(settings.exposure.has_value());
 }
@@ -83,7 +87,7 @@ TEST_CASE("the documented defaults are within the documented ranges") {
   Settings settings;
   settings.width = kMaxPicture + 1;
   CHECK_THROWS_AS(check(settings), Error);
-  CHECK(setting_keys().size() >= 19);
+  CHECK(setting_keys().size() >= 21);
 }
 
 TEST_CASE("the nearest name is the one with the fewest edits") {

@@ -54,12 +54,14 @@ std::vector<Wavelength> fraunhofer_lines() {
 std::vector<Wavelength> spectrum(int count) {
   const double width = (kLast - kFirst) / count;
   std::vector<glm::dvec3> colors;
+  colors.reserve(static_cast<std::size_t>(count));
   glm::dvec3 white(0.0);
   for (int i = 0; i < count; ++i) {
     colors.push_back(band_color(kFirst + width * i, kFirst + width * (i + 1)));
     white += colors.back();
   }
   std::vector<Wavelength> result;
+  result.reserve(colors.size());
   for (int i = 0; i < count; ++i)
     result.push_back({kFirst + width * (i + 0.5), glm::vec3(colors[static_cast<std::size_t>(i)] / white)});
   return result;

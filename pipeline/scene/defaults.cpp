@@ -83,7 +83,9 @@ void add_sun(Scene& scene, const Bounds& subject) {
   sun.intensity = static_cast<float>(kSunLux);
   sun.direction = kSunDirection;
   sun.position = subject.centre() - kSunDirection * (4.0 * widest(subject));
-  scene.lights.push_back(sun);
+  sun.source = 0;
+  scene.sources = {sun};
+  scene.lights = {sun};
   scene.notes.push_back(
       "The scene has no light: a sun of 10 lux, 30 degrees off the vertical, was added.");
 }
@@ -161,6 +163,10 @@ double light_level(const Scene& scene) {
     if (light.type != LightType::Directional) {
       const double distance = std::max(exact::length(light.position - centre), nearest);
       strength /= distance * distance;
+      if (light.lambertian) {
+        const glm::dvec3 way = exact::normalise(centre - light.position, light.direction);
+        strength *= std::max(exact::dot(way, light.direction), 0.0);
+      }
     }
     level += strength;
   }

@@ -2,6 +2,11 @@
 
 namespace caustics {
 
+const Light& source_of(const Scene& scene, int light) {
+  const Light& drawn = scene.lights[static_cast<std::size_t>(light)];
+  return drawn.source < 0 ? drawn : scene.sources[static_cast<std::size_t>(drawn.source)];
+}
+
 Bounds bounds_of(const Mesh& mesh) {
   Bounds bounds;
   if (mesh.vertices.empty()) return bounds;

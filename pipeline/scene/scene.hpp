@@ -76,6 +76,15 @@ struct Mesh {
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };
 
+// What an area light's samples are spread over (docs/lights.md).
+enum class LightShape : std::uint8_t {
+  None,       // a point, or one direction
+  Sphere,     // of a point or spot light: `radius`
+  Rectangle,  // of a point or spot light: `width` and `height`
+  Disk,       // of a directional light, as the sun's: `angular_radius`
+  Mesh,       // the mesh `emitter`, on both sides where it is an open, double-sided sheet
+};
+
 // KHR_lights_punctual. Directional intensity in lux, point and spot in candela; times `color`.
 struct Light {
   std::string name;
@@ -87,6 +96,14 @@ struct Light {
   float range = std::numeric_limits<float>::infinity();  // metres
   float inner_cone = 0.0f;               // radians
   float outer_cone = 0.785398163f;
+  // Of a point light: shines on the side of `direction` only, with the cosine to it (Lambert).
+  bool lambertian = false;
+  LightShape shape = LightShape::None;
+  double radius = 0.0;                        // metres
+  glm::dvec3 width{0.0}, height{0.0};         // the rectangle's edges, scene space
+  double angular_radius = 0.0;                // radians
+  int emitter = -1;  // index into Scene::meshes of what shines: it does not shadow its own light
+  int source = -1;   // index into Scene::sources, once sample_lights has run
 };
 
 struct Camera {
@@ -112,12 +129,18 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Image> images;  // RGBA16F for colours, RGBA8 for normals
+  // What is drawn, each with maps of its own: as a person knows them until sample_lights puts an area
+  // light's samples in its place, and then keeps the lights as a person knows them in `sources`.
   std::vector<Light> lights;
+  std::vector<Light> sources;
   std::vector<Camera> cameras;
   Environment environment;
   // What the loader assumed or left out, one sentence each, in the order found; for people.
   std::vector<std::string> notes;
 };
+
+// The light as a person knows it of which lights[light] is a sample, or itself.
+const Light& source_of(const Scene& scene, int light);
 
 // Bounds of all meshes; an empty scene gives lower > upper.
 struct Bounds {

@@ -13,7 +13,7 @@ using namespace caustics::test;
 namespace {
 
 // Glass and diffuse bodies, a box that the view cuts off, a thin pane, a mirror, an absorbing
-// medium, two kinds of light.
+// medium, three kinds of light.
 Scene frame_scene() {
   Scene scene = sphere_scene(1.5f, 4);
   scene.materials[1].attenuation_distance = 0.5f;
@@ -31,6 +31,11 @@ Scene frame_scene() {
   Light point{.name = "point", .type = LightType::Point, .intensity = 3.0f};
   point.position = {-0.8, 2.0, 0.6};
   scene.lights.push_back(point);
+  Light panel = point;
+  panel.position = {0.9, 1.5, -0.8};
+  panel.direction = glm::normalize(glm::dvec3(-0.5, -1.0, 0.6));
+  panel.lambertian = true;
+  scene.lights.push_back(panel);
   return scene;
 }
 
@@ -120,9 +125,9 @@ TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wr
   ReadyFrame frame;
   FlawedDevice flawed("caster_map");
   const FrameParity parity = frame.against(flawed);
-  // The pass runs for both lights; what it read before and what later passes draw is the
+  // The pass runs for all three lights; what it read before and what later passes draw is the
   // reference's.
-  CHECK(differing(parity.isolated) == 2);
+  CHECK(differing(parity.isolated) == 3);
   for (const AttachmentParity& a : parity.isolated) {
     if (a.difference.all.differing == 0) continue;
     CHECK(a.attachment.rfind("caster_position", 0) == 0);
@@ -133,7 +138,7 @@ TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wr
   }
   std::size_t miscounted = 0;
   for (const PassCounts& counts : parity.counts) miscounted += counts.equal() ? 0 : 1;
-  CHECK(miscounted == 2);
+  CHECK(miscounted == 3);
 }
 
 TEST_CASE("parity: OpenGL draws every pass and the whole frame as the software device does") {

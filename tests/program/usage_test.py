@@ -65,6 +65,8 @@ class Mistakes(ProgramTest):
                               ("--splat", "cells"), ("--interfaces", "3"), ("-r", "0x1"),
                               ("-r", "16385x1"), ("-r", "640"), ("-r", "640x"), ("-t", "0"),
                               ("--exposure", "nan"), ("-D", "grid"), ("-D", "map=1e3"),
+                              ("-D", "light.samples=0"), ("-D", "light.samples=257"),
+                              ("-D", "emissive.lights=yes"),
                               ("--aov", "deph"), ("--backend", "vulkan")):
             with self.subTest(option=option, value=value):
                 self.fails(2, "ball.glb", option, value)

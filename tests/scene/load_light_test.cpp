@@ -67,6 +67,60 @@ TEST_CASE("A negative intensity switches the light off, and unknown types are re
   CHECK(contains(refusal(lit(R"("type":"point","color":[1,1])")), kLight + ".color: must have 3"));
 }
 
+TEST_CASE("Extras give a light its size") {
+  const Scene ball = load(lit(R"("type":"point","extras":{"radius":0.25})"));
+  CHECK(ball.lights.at(0).shape == LightShape::Sphere);
+  CHECK(ball.lights[0].radius == 0.25);
+  const Scene sun = load(lit(R"("type":"directional","extras":{"angular_diameter":0.53})"));
+  CHECK(sun.lights.at(0).shape == LightShape::Disk);
+  CHECK(sun.lights[0].angular_radius == Approx(0.53 * 3.14159265358979 / 360.0));
+  // The node's own word counts more, and its scale does not.
+  const Scene panel = load(lit(R"("type":"point","extras":{"rectangle":[9,9]})",
+                               R"(,"scale":[3,3,3],"extras":{"rectangle":[2,0.5]})"));
+  const Light& light = panel.lights.at(0);
+  CHECK(light.shape == LightShape::Rectangle);
+  CHECK(light.lambertian);
+  CHECK(light.direction == glm::dvec3(0, 0, -1));
+  CHECK(light.width == glm::dvec3(2, 0, 0));
+  CHECK(light.height == glm::dvec3(0, 0.5, 0));
+  const Scene spot =
+      load(lit(R"("type":"spot","spot":{},"extras":{"rectangle":[2,0.5]})"));
+  CHECK_FALSE(spot.lights.at(0).lambertian);
+}
+
+TEST_CASE("Extras that say nothing of this light's size leave it a point") {
+  for (const char* extras : {"7", R"("radius")", "[1]", "{}", R"({"radius":0})",
+                             R"({"rectangle":[0,0]})", R"({"size":3})"}) {
+    INFO(extras);
+    const Scene scene = load(lit(R"("type":"point","extras":)" + std::string(extras)));
+    CHECK(scene.lights.at(0).shape == LightShape::None);
+  }
+  const Scene sun = load(lit(R"("type":"directional","extras":{"radius":1})"));
+  CHECK(sun.lights.at(0).shape == LightShape::None);
+  CHECK(has_note(sun, kLight + ".extras.radius is not for directional lights"));
+  const Scene lamp = load(lit(R"("type":"point","extras":{"angular_diameter":1})"));
+  CHECK(lamp.lights.at(0).shape == LightShape::None);
+  CHECK(has_note(lamp, kLight + ".extras.angular_diameter is for directional lights"));
+}
+
+TEST_CASE("Sizes that are none are refused") {
+  const auto said = [](const char* type, const char* extras) {
+    return refusal(lit(R"("type":")" + std::string(type) + R"(","extras":{)" + extras + "}"));
+  };
+  const std::string where = kLight + ".extras.";
+  CHECK(contains(said("point", R"("radius":-1)"), where + "radius: must be a radius from 0"));
+  CHECK(contains(said("point", R"("radius":2e9)"), where + "radius: must be a radius from 0"));
+  CHECK(contains(said("point", R"("radius":"big")"), where + "radius: must be a number"));
+  CHECK(contains(said("point", R"("radius":null)"), where + "radius: must be a number"));
+  CHECK(contains(said("point", R"("rectangle":2)"), where + "rectangle: must be an array"));
+  CHECK(contains(said("point", R"("rectangle":[1,2,3])"), where + "rectangle: must have 2"));
+  CHECK(contains(said("point", R"("rectangle":[1,-2])"), where + "rectangle: must be two sides"));
+  CHECK(contains(said("point", R"("radius":1,"rectangle":[1,2])"), "one of both"));
+  CHECK(contains(said("directional", R"("angular_diameter":181)"), "from 0 to 180 degrees"));
+  CHECK(contains(said("directional", R"("angular_diameter":-0.5)"), "from 0 to 180 degrees"));
+  CHECK_FALSE(said("point", R"("radius":1e999)").empty());
+}
+
 TEST_CASE("A node cannot refer to a light that is not there, nor aim one without a direction") {
   Gltf gltf = lit(R"("type":"point")");
   gltf.rest.clear();

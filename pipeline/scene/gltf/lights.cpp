@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/scene/gltf/light_size.hpp"
+
 namespace caustics::gltf {
 
 namespace {
@@ -58,8 +60,8 @@ void read_cone(Context& context, const Cursor& spot, Light& light) {
   light.outer_cone = static_cast<float>(outer);
 }
 
-Light read_light(Context& context, const Cursor& cursor, const Placement& placement,
-                 const glm::dvec3& origin) {
+Light read_light(Context& context, const Cursor& cursor, const Cursor& node,
+                 const Placement& placement, const glm::dvec3& origin) {
   Light light;
   light.name = printable(!placement.name.empty() ? placement.name
                                                  : cursor.member("name").string(cursor.path()));
@@ -76,6 +78,7 @@ Light read_light(Context& context, const Cursor& cursor, const Placement& placem
     }
     light.direction = {0, 0, -1};
   }
+  read_size(context, cursor, node, placement.to_world, light);
   return light;
 }
 
@@ -134,10 +137,12 @@ std::vector<Light> read_lights(Context& context, const Document& document,
                                const std::vector<Placement>& placements, const glm::dvec3& origin) {
   const Cursor all =
       document.root(context).member("extensions").member("KHR_lights_punctual").member("lights");
+  const Cursor nodes = document.root(context).member("nodes");
   std::vector<Light> lights;
   for (const Placement& placement : placements) {
     const Cursor light = all.element(static_cast<std::size_t>(placement.index));
-    lights.push_back(read_light(context, light, placement, origin));
+    const Cursor node = nodes.element(static_cast<std::size_t>(placement.node));
+    lights.push_back(read_light(context, light, node, placement, origin));
   }
   return lights;
 }

@@ -1,0 +1,195 @@
+#include "pipeline/scene/emitter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/low_discrepancy.hpp"
+
+namespace caustics {
+
+namespace {
+
+constexpr double kBrightest = 1e12;  // candela, as of the lights in files
+
+struct Corners {
+  glm::dvec3 a, b, c;
+  // Along the outward normal, twice the triangle's area long.
+  glm::dvec3 normal() const { return exact::cross(b - a, c - a); }
+};
+
+Corners corners_of(const Mesh& mesh, std::size_t triangle) {
+  const auto at = [&](std::size_t i) {
+    return glm::dvec3(mesh.vertices[mesh.indices[3 * triangle + i]].position);
+  };
+  return {at(0), at(1), at(2)};
+}
+
+// The mean of an image's colours.
+glm::vec3 mean_of(const Image& image) {
+  glm::dvec3 sum(0.0);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        sum[c] += static_cast<double>(image.at(x, y, std::min(c, image.channels() - 1)));
+  return glm::vec3(sum / (static_cast<double>(image.width()) * image.height()));
+}
+
+glm::vec3 radiance_of(const Scene& scene, const Material& material) {
+  if (!material.emissive_texture.present()) return material.emissive;
+  const auto image = static_cast<std::size_t>(material.emissive_texture.image);
+  return material.emissive * mean_of(scene.images[image]);
+}
+
+// A point that may be chosen, with what makes it near to another: place and normal.
+struct Candidate {
+  SurfacePoint point;
+  std::array<double, 6> near;
+  int number;
+};
+
+constexpr int kCandidates = 64;  // a chosen point
+// Opposite normals are as far apart as half the mesh.
+constexpr double kTurn = 0.25;
+
+std::size_t widest_axis(const Candidate* first, const Candidate* last) {
+  std::size_t widest = 0;
+  double most = -1.0;
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    double lower = first->near[axis], upper = lower;
+    for (const Candidate* c = first; c != last; ++c) {
+      lower = std::min(lower, c->near[axis]);
+      upper = std::max(upper, c->near[axis]);
+    }
+    if (upper - lower > most) {
+      most = upper - lower;
+      widest = axis;
+    }
+  }
+  return widest;
+}
+
+// The candidate that looks most as all do on the mean, so that the light has the right strength in
+// every direction; anywhere among those that look alike, because the middles of cells would line
+// up.
+SurfacePoint typical(const Candidate* first, const Candidate* last) {
+  glm::dvec3 sum(0.0);
+  for (const Candidate* c = first; c != last; ++c) sum += c->point.normal;
+  const glm::dvec3 mean = exact::normalise(sum, first->point.normal);
+  // As a float, so that the normals of a flat mesh are all alike.
+  const auto alike = [&](const Candidate& c) {
+    return static_cast<float>(exact::dot(c.point.normal, mean));
+  };
+  return std::min_element(first, last,
+                          [&](const Candidate& a, const Candidate& b) {
+                            if (alike(a) != alike(b)) return alike(a) > alike(b);
+                            return stepped(a.number, kGoldenStep) < stepped(b.number, kGoldenStep);
+                          })
+      ->point;
+}
+
+// Halves the candidates across their widest extent until there is a cell for each point wanted.
+void choose(Candidate* first, Candidate* last, int count, std::vector<SurfacePoint>& chosen) {
+  if (count == 1) {
+    chosen.push_back(typical(first, last));
+    return;
+  }
+  const std::size_t axis = widest_axis(first, last);
+  std::sort(first, last, [axis](const Candidate& a, const Candidate& b) {
+    return a.near[axis] != b.near[axis] ? a.near[axis] < b.near[axis] : a.number < b.number;
+  });
+  const int half = count / 2;
+  Candidate* middle = first + (last - first) * half / count;
+  choose(first, middle, half, chosen);
+  choose(middle, last, count - half, chosen);
+}
+
+// The candidate nearest to the mean place.
+SurfacePoint middle_of(const std::vector<Candidate>& all) {
+  glm::dvec3 mean(0.0);
+  for (const Candidate& c : all) mean += c.point.position / static_cast<double>(all.size());
+  const auto distance = [&](const Candidate& c) { return exact::length(c.point.position - mean); };
+  return std::min_element(
+             all.begin(), all.end(),
+             [&](const Candidate& a, const Candidate& b) { return distance(a) < distance(b); })
+      ->point;
+}
+
+}  // namespace
+
+Emitter::Emitter(const Scene& scene, const Light& light)
+    : mesh_(scene.meshes[static_cast<std::size_t>(light.emitter)]) {
+  const Material& material = scene.materials[static_cast<std::size_t>(mesh_.material)];
+  const std::size_t triangles = mesh_.indices.size() / 3;
+  // The inner side of a closed mesh lights nothing outside.
+  const std::size_t sides = material.double_sided && !mesh_.closed() ? 2 : 1;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sides * triangles; ++i) {
+    sum += 0.5 * exact::length(corners_of(mesh_, i % triangles).normal());
+    sums_.push_back(sum);
+  }
+}
+
+SurfacePoint Emitter::point(double along, double u, double v) const {
+  const std::size_t triangles = mesh_.indices.size() / 3;
+  const auto found = std::upper_bound(sums_.begin(), sums_.end(), along * area());
+  const std::size_t side =
+      std::min(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
+  const Corners t = corners_of(mesh_, side % triangles);
+  // Uniform on a triangle: the square's far half is folded back.
+  if (u + v > 1.0) {
+    u = 1.0 - u;
+    v = 1.0 - v;
+  }
+  return {t.a + (t.b - t.a) * u + (t.c - t.a) * v,
+          exact::normalise(side < triangles ? t.normal() : -t.normal(), {0, -1, 0})};
+}
+
+std::vector<SurfacePoint> Emitter::spread(int count) const {
+  const int candidates = kCandidates * count;
+  const double size = 2.0 * std::max(bounds_of(mesh_).radius(), 1e-30);
+  std::vector<Candidate> cell;
+  for (int k = 0; k < candidates; ++k) {
+    const SurfacePoint p =
+        point(stratum(k, candidates), stepped(k, kPairStep1), stepped(k, kPairStep2));
+    const glm::dvec3 place = p.position / size;
+    cell.push_back(
+        {p,
+         {place.x, place.y, place.z, kTurn * p.normal.x, kTurn * p.normal.y, kTurn * p.normal.z},
+         k});
+  }
+  std::vector<SurfacePoint> chosen;
+  if (count == 1) {
+    chosen.push_back(middle_of(cell));
+  } else {
+    choose(cell.data(), cell.data() + cell.size(), count, chosen);
+  }
+  return chosen;
+}
+
+void add_emissive_lights(Scene& scene) {
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Mesh& mesh = scene.meshes[i];
+    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+    const glm::vec3 radiance = radiance_of(scene, material);
+    const float brightest = std::max({radiance.x, radiance.y, radiance.z});
+    if (!(brightest > 0.0f) || mesh.indices.empty()) continue;
+    Light light;
+    light.name = mesh.name.empty() ? "mesh " + std::to_string(i) : mesh.name;
+    light.type = LightType::Point;
+    light.shape = LightShape::Mesh;
+    light.emitter = static_cast<int>(i);
+    light.color = radiance / brightest;
+    // A Lambertian surface of luminance L and area A gives L A cos candela.
+    light.intensity = static_cast<float>(
+        std::min(static_cast<double>(brightest) * Emitter(scene, light).area(), kBrightest));
+    light.position = bounds_of(mesh).centre();
+    if (material.emissive_texture.present())
+      scene.notes.push_back("The emissive texture of " + light.name +
+                            " lights the scene by its mean colour.");
+    scene.lights.push_back(light);
+  }
+}
+
+}  // namespace caustics

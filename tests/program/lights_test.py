@@ -1,0 +1,107 @@
+"""Lights with a size: drawn by samples, shown as the one light that they are."""
+
+import json
+import unittest
+
+import glb
+from program import SMALL, ProgramTest
+
+SUN = {"name": "sun", "type": "directional", "intensity": 1000}
+
+
+class AreaLights(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.scene("sun.glb", {"angular_diameter": 5})
+
+    def scene(self, name, extras):
+        (self.folder / name).write_bytes(glb.scene(light={**SUN, "extras": extras}))
+
+    def stats(self, *options):
+        self.succeeds("sun.glb", *SMALL, "--stats", "s.json", *options)
+        return json.loads((self.folder / "s.json").read_text())
+
+    def test_plan_shows_one_light_with_its_size(self):
+        text = self.succeeds("plan", "sun.glb").stdout
+        self.assertIn("disk of 5 degrees, 16 samples", text)
+        self.assertEqual(text.count("landing[sun"), 1)
+        self.assertIn("landing[sun] x 16", text)
+        self.assertIn("caustic_map[0..15] RGBA32F", text)
+        document = json.loads(self.succeeds("plan", "sun.glb", "--json").stdout)
+        self.assertEqual(len(document["lights"]), 1)
+        self.assertEqual(document["lights"][0]["samples"], 16)
+        self.assertEqual(document["lights"][0]["size"]["shape"], "disk")
+        self.assertAlmostEqual(document["lights"][0]["size"]["angular_diameter_degrees"], 5)
+        self.assertEqual(len(document["expectations"]), 1)
+        self.assertTrue(any(p["pass"] == "landing[sun.15]" for p in document["passes"]))
+
+    def test_the_ledger_is_one_and_does_not_depend_on_the_samples(self):
+        entered = []
+        for samples in (1, 4):
+            stats = self.stats("-D", f"light.samples={samples}")
+            self.assertEqual(len(stats["lights"]), 1)
+            light = stats["lights"][0]
+            self.assertEqual(light["intensity"], 1000)
+            self.assertEqual(light["samples"], samples)
+            self.assertEqual(sum(light["vertices"].values()), samples * 32 * 32)
+            entered.append(light["flux"]["entered"][0])
+        # A silhouette on a grid of 32 x 32 is good to a percent.
+        self.assertAlmostEqual(entered[1] / entered[0], 1.0, delta=0.01)
+
+    def test_the_summary_has_a_line_a_light(self):
+        result = self.succeeds("sun.glb", *SMALL, "-D", "light.samples=4")
+        lines = [line for line in result.stderr.splitlines() if line.startswith("light ")]
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith("light 'sun': "))
+
+    def test_one_sample_is_the_light_without_a_size(self):
+        self.succeeds("ball.glb", *SMALL, "-o", "a.exr")
+        self.succeeds("sun.glb", *SMALL, "-D", "light.samples=1", "-o", "b.exr")
+        self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
+
+    def test_probe_follows_a_sample(self):
+        probe = ["probe", "sun.glb", "--texel", "16,16", *SMALL, "-D", "light.samples=4"]
+        first = self.succeeds(*probe).stdout
+        last = self.succeeds(*probe, "--sample", "3").stdout
+        self.assertIn("agree to the bit", last)
+        self.assertNotEqual(first, last)
+        self.fails(2, *probe, "--sample", "4", saying="--sample must be 0..3")
+
+    def test_sizes_that_are_none_are_refused(self):
+        for extras in ({"angular_diameter": -1}, {"angular_diameter": "wide"}):
+            self.scene("bad.glb", extras)
+            self.fails(3, "bad.glb", *SMALL, saying="extras.angular_diameter")
+
+    def test_too_many_samples_for_the_memory_name_the_setting(self):
+        self.fails(2, "sun.glb", "-D", "light.samples=256", "--grid", "8192", "--map", "8192",
+                   saying="-D light.samples")
+
+
+class EmissiveMeshes(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        lamp = {"name": "lamp", "emissiveFactor": [1, 0.5, 0],
+                "pbrMetallicRoughness": {"metallicFactor": 0}}
+        (self.folder / "lamp.glb").write_bytes(glb.scene(lamp))
+
+    def test_light_the_scene_on_request(self):
+        plan = json.loads(self.succeeds("plan", "lamp.glb", "--json").stdout)
+        self.assertEqual(len(plan["lights"]), 1)
+        reasons = {e["name"]: e["reason"] for e in plan["effects"]}
+        self.assertIn("-D emissive.lights=on", reasons["emissive lights"])
+        plan = json.loads(
+            self.succeeds("plan", "lamp.glb", "--json", "-D", "emissive.lights=on").stdout)
+        self.assertEqual([light["name"] for light in plan["lights"]], ["sun", "ball"])
+        self.assertEqual(plan["lights"][1]["size"], {"shape": "mesh", "mesh": 0})
+        self.assertEqual(plan["lights"][1]["unit"], "cd")
+
+    def test_change_the_picture(self):
+        self.succeeds("lamp.glb", *SMALL, "-o", "off.exr")
+        self.succeeds("lamp.glb", *SMALL, "-D", "emissive.lights=on", "-D", "light.samples=4",
+                      "-o", "on.exr")
+        self.assertNotEqual((self.folder / "on.exr").read_bytes(),
+                            (self.folder / "off.exr").read_bytes())
+
+
+if __name__ == "__main__":
+    unittest.main()

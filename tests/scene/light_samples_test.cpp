@@ -1,0 +1,170 @@
+// Area lights as samples: where they stand and what they carry.
+#include "pipeline/scene/light_samples.hpp"
+
+#include <set>
+
+#include "pipeline/scene/emitter.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/shapes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+Light ball(double radius) {
+  Light light{.name = "ball", .type = LightType::Point, .intensity = 12.0f};
+  light.position = {1.0, 2.0, 3.0};
+  light.shape = LightShape::Sphere;
+  light.radius = radius;
+  return light;
+}
+
+Light disk(double degrees) {
+  Light light = sun({0.3, -1.0, 0.2}, 5.0f);
+  light.shape = LightShape::Disk;
+  light.angular_radius = degrees * exact::kPi / 360.0;
+  return light;
+}
+
+Scene sampled(const Light& light, int count) {
+  Scene scene;
+  scene.lights = {light};
+  sample_lights(scene, count);
+  return scene;
+}
+
+Scene glowing(Mesh mesh, const glm::vec3& nit, bool double_sided = false) {
+  Scene scene;
+  Material material = diffuse(0.5f);
+  material.emissive = nit;
+  material.double_sided = double_sided;
+  mesh.material = 0;
+  scene.materials = {material};
+  scene.meshes = {std::move(mesh)};
+  add_emissive_lights(scene);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("A light without a size, and one sample of any light, is the light itself") {
+  for (const Light& light : {ball(0.5), disk(10.0), sun({0, -1, 0}, 1.0f)}) {
+    const Scene scene = sampled(light, light.shape == LightShape::None ? 16 : 1);
+    REQUIRE(scene.lights.size() == 1);
+    CHECK(scene.lights[0].name == light.name);
+    CHECK(scene.lights[0].intensity == light.intensity);
+    CHECK(scene.lights[0].position == light.position);
+    CHECK(scene.lights[0].direction == light.direction);
+    CHECK(scene.lights[0].source == 0);
+    CHECK(scene.sources.at(0).shape == light.shape);
+  }
+}
+
+TEST_CASE("Samples share the intensity, have names of their own and know their source") {
+  Scene scene;
+  scene.lights = {sun({0, -1, 0}, 1.0f), ball(0.1), disk(1.0)};
+  sample_lights(scene, 12);
+  REQUIRE(scene.lights.size() == 25);
+  CHECK(scene.sources.size() == 3);
+  CHECK(scene.lights[1].name == "ball.00");
+  CHECK(scene.lights[24].name == "sun.11");
+  std::set<std::string> names;
+  double sum = 0.0;
+  for (std::size_t i = 1; i <= 12; ++i) {
+    names.insert(scene.lights[i].name);
+    sum += static_cast<double>(scene.lights[i].intensity);
+    CHECK(scene.lights[i].source == 1);
+    CHECK(scene.lights[i].shape == LightShape::None);
+    CHECK(&source_of(scene, static_cast<int>(i)) == &scene.sources[1]);
+  }
+  CHECK(names.size() == 12);
+  CHECK(sum == Approx(12.0));
+}
+
+TEST_CASE("From any side the samples of a sphere fill a disk evenly") {
+  // Evenly filled: the mean square of each coordinate is R^2 / 4, and within half the radius lies a
+  // quarter of the disk. 256 points of low discrepancy are good to a few percent.
+  const Scene scene = sampled(ball(2.0), 256);
+  for (int axis = 0; axis < 3; ++axis) {
+    double square = 0.0;
+    int inner = 0;
+    for (const Light& sample : scene.lights) {
+      const glm::dvec3 p = (sample.position - glm::dvec3(1, 2, 3)) / 2.0;
+      CHECK(exact::length(p) <= 1.0 + 1e-12);
+      const double a = p[(axis + 1) % 3], b = p[(axis + 2) % 3];
+      square += p[axis] * p[axis] / 256.0;
+      inner += a * a + b * b < 0.25 ? 1 : 0;
+    }
+    CHECK(square == Approx(0.25).epsilon(0.03));
+    CHECK(inner / 256.0 == Approx(0.25).epsilon(0.1));
+  }
+}
+
+TEST_CASE("A sun's samples lie evenly over the solid angle of its disk") {
+  const Light light = disk(20.0);
+  const Scene scene = sampled(light, 64);
+  glm::dvec3 mean(0.0);
+  double widest = 0.0;
+  for (const Light& sample : scene.lights) {
+    CHECK(exact::length(sample.direction) == Approx(1.0));
+    widest = std::max(widest, std::acos(exact::dot(sample.direction, light.direction)));
+    mean += sample.direction / 64.0;
+  }
+  CHECK(widest <= light.angular_radius);
+  CHECK(widest > 0.98 * light.angular_radius);
+  // The mean over a cap of half angle a is (1 + cos a) / 2 along its axis.
+  CHECK(exact::dot(mean, light.direction) == Approx(0.5 * (1.0 + std::cos(light.angular_radius))));
+  const glm::dvec3 aside = mean - light.direction * exact::dot(mean, light.direction);
+  CHECK(exact::length(aside) < 0.005);
+}
+
+TEST_CASE("A rectangle's samples stay on it") {
+  Light light = ball(0.0);
+  light.shape = LightShape::Rectangle;
+  light.width = {0.0, 0.0, 4.0};
+  light.height = {1.0, 0.0, 0.0};
+  glm::dvec3 square(0.0);
+  for (const Light& sample : sampled(light, 64).lights) {
+    const glm::dvec3 p = sample.position - light.position;
+    CHECK(p.y == 0.0);
+    CHECK(std::fabs(p.z) <= 2.0);
+    CHECK(std::fabs(p.x) <= 0.5);
+    square += p * p / 64.0;
+  }
+  CHECK(square.z == Approx(16.0 / 12.0).epsilon(0.03));
+  CHECK(square.x == Approx(1.0 / 12.0).epsilon(0.03));
+}
+
+TEST_CASE("A mesh that shines is a light of luminance times area, on its outside") {
+  Scene scene = glowing(sphere({0.0, 1.0, 0.0}, 0.5, 3, 0), {10.0f, 5.0f, 0.0f});
+  REQUIRE(scene.lights.size() == 1);
+  CHECK(scene.lights[0].color == glm::vec3(1.0f, 0.5f, 0.0f));
+  CHECK(scene.lights[0].intensity == Approx(10.0 * exact::kPi).epsilon(0.01));
+  sample_lights(scene, 100);
+  glm::dvec3 mean(0.0);
+  for (const Light& sample : scene.lights) {
+    const glm::dvec3 out = sample.position - glm::dvec3(0, 1, 0);
+    CHECK(sample.emitter == 0);
+    CHECK(sample.lambertian);
+    CHECK(exact::length(out) == Approx(0.5).epsilon(0.01));
+    CHECK(exact::dot(exact::normalise(out, {}), sample.direction) > 0.99);
+    mean += sample.direction / 100.0;
+  }
+  CHECK(exact::length(mean) < 0.05);
+}
+
+TEST_CASE("An open, double-sided sheet shines from both sides, a closed mesh outwards only") {
+  const Scene one = glowing(floor(0.5, 1.0, 0), glm::vec3(3.0f));
+  CHECK(one.lights.at(0).intensity == Approx(3.0));
+  Scene two = glowing(floor(0.5, 1.0, 0), glm::vec3(3.0f), true);
+  CHECK(two.lights.at(0).intensity == Approx(6.0));
+  sample_lights(two, 10);
+  int up = 0;
+  for (const Light& sample : two.lights) up += sample.direction.y > 0.0 ? 1 : 0;
+  CHECK(up == 5);
+  const Mesh closed = box({-0.5, 0, -0.5}, {0.5, 1, 0.5}, 0);
+  CHECK(glowing(closed, glm::vec3(1.0f), true).lights.at(0).intensity == Approx(6.0));
+  CHECK(glowing(closed, glm::vec3(0.0f)).lights.empty());
+}

@@ -1,0 +1,184 @@
+// Area lights against what is known of them in closed form.
+#include <cmath>
+
+#include "pipeline/scene/emitter.hpp"
+#include "pipeline/scene/light_samples.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+Light sun_disk(double half_angle) {
+  Light light = sun({0.0, -1.0, 0.0}, 1.0f);
+  light.shape = LightShape::Disk;
+  light.angular_radius = half_angle;
+  return light;
+}
+
+Light lamp(const glm::dvec3& position) {
+  Light light{.name = "lamp", .type = LightType::Point, .intensity = 2.0f};
+  light.position = position;
+  light.shape = LightShape::Sphere;
+  light.radius = 0.1;
+  return light;
+}
+
+// The ledger of one light by `count` samples, relative to the light's own intensity.
+Ledger sampled_ledger(Scene scene, int count) {
+  sample_lights(scene, count);
+  const Settings settings = small_settings(96, 96, 16);
+  const Rendering r = render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed});
+  Ledger sum;
+  for (int i = 0; i < count; ++i) add(sum, ledger_of(r, settings, i), 1.0 / count);
+  return sum;
+}
+
+// Lux on the floor, from the light and its caustics.
+double irradiance(const Rendering& r, int x, int y) {
+  return double(r["aov_direct"].at(x, y, 0)) + double(r["aov_caustic"].at(x, y, 0));
+}
+
+double brightest(Scene scene, int count, int pixels) {
+  sample_lights(scene, count);
+  const Rendering r =
+      render(scene, small_settings(192, 192, pixels), {"aov_direct", "aov_caustic"});
+  double most = 0.0;
+  for (int y = 0; y < pixels; ++y)
+    for (int x = 0; x < pixels; ++x) most = std::max(most, irradiance(r, x, y));
+  return most;
+}
+
+// Of a disk, the part on one side of a chord at `s` radii from the middle.
+double disk_share(double s) {
+  s = std::clamp(s, -1.0, 1.0);
+  return (0.5 * kPi + std::asin(s) + s * std::sqrt(1.0 - s * s)) / kPi;
+}
+
+// A level floor in the light of `lights`, seen from above over 2 half x 2 half m; nothing else.
+Scene open_floor(double half) {
+  Scene scene;
+  scene.materials = {diffuse(0.8f)};
+  scene.meshes = {floor(6.0, 0.0, 0)};
+  scene.cameras = {camera_down(0.5, half)};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("area light: the flux does not depend on the number of samples") {
+  // A sphere has the silhouette pi r^2 from everywhere, so what enters differs only by the sampling
+  // of the silhouette on a grid of 96 x 96: some 5e-4 of it for each sample.
+  for (const double half_angle : {0.00465, 0.1}) {
+    Scene scene = sphere_scene(1.5f);
+    scene.lights = {sun_disk(half_angle)};
+    for (const int count : {1, 4, 16}) {
+      const Ledger l = sampled_ledger(scene, count);
+      INFO(count << " samples of half angle " << half_angle);
+      CHECK(l.entered[0] == Approx(0.25 * kPi).epsilon(2e-3));
+      CHECK(l.in_map[0] / l.entered[0] == Approx(0.8355).epsilon(0.01));
+      CHECK(l.residual() < 1e-5);
+    }
+  }
+}
+
+TEST_CASE("area light: a lamp near the glass gives each sample the cone that it sees") {
+  // From d the sphere fills 2 pi (1 - sqrt(1 - (r / d)^2)). Over a lamp of radius 0.1 m at 2 m the
+  // mean of that is the lamp's middle's, but for how far the samples' own middle lies aside: a
+  // tenth of the radius, 2 * 0.01 / 2 of the flux.
+  const auto cone = [](double d) { return 2.0 * kPi * (1.0 - std::sqrt(1.0 - 0.25 / (d * d))); };
+  Scene scene = sphere_scene(1.5f);
+  scene.lights = {lamp({0.0, 2.8, 0.0})};
+  for (const int count : {1, 4, 16}) {
+    Scene sampled = scene;
+    sample_lights(sampled, count);
+    double expected = 0.0;
+    for (const Light& sample : sampled.lights)
+      expected += cone(glm::length(sample.position - glm::dvec3(0.0, 0.8, 0.0))) / count;
+    const double entered = sampled_ledger(scene, count).entered[0];
+    INFO(count << " samples");
+    CHECK(entered == Approx(expected).epsilon(2e-3));
+    CHECK(entered == Approx(cone(2.0)).epsilon(0.01));
+  }
+}
+
+TEST_CASE("area light: the penumbra of an edge is as wide as the sun seen from it") {
+  // A square sheet 1 m above the floor, its edge at x = 1, under a sun of half angle 5 degrees: the
+  // penumbra is 2 h tan a wide, and within it the sun is a disk cut by a chord.
+  const double half_angle = 5.0 * kPi / 180.0, reach = std::tan(half_angle);
+  Scene scene = open_floor(1.4);
+  scene.meshes.push_back(floor(1.0, 1.0, 0));
+  scene.lights = {sun_disk(half_angle)};
+  sample_lights(scene, 64);
+  const int pixels = 280;
+  Settings settings = small_settings(8, 8, pixels);
+  settings.shadow = 512;
+  const Rendering r = render(scene, settings, {"aov_direct"});
+  const double full = 0.5 * (1.0 + std::cos(half_angle));
+  double first = 0.0, last = 0.0, worst = 0.0;
+  for (int x = pixels / 2; x < pixels; ++x) {
+    const double at = (x + 0.5) / pixels * 2.8 - 1.4;
+    const double lit = double(r["aov_direct"].at(x, pixels / 2, 0)) / full;
+    if (lit < 0.004) first = at;
+    if (lit < 0.996) last = at;
+    worst = std::max(worst, std::fabs(lit - disk_share((at - 1.0) / reach)));
+  }
+  INFO("penumbra " << last - first << " m, expected " << 2.0 * reach << "; worst " << worst);
+  // Texels of pixel and shadow map are 1 cm each; the outermost samples stand just within the rim.
+  CHECK(last - first == Approx(2.0 * reach).margin(0.015));
+  CHECK(0.5 * (first + last) == Approx(1.0).margin(0.01));
+  // 64 samples: each step of the stair is a 64th, and some fall together.
+  CHECK(worst < 0.06);
+}
+
+TEST_CASE("area light: no caustic is brighter than its sun") {
+  // The brightness theorem: in air at most E / sin^2 a. A sun without a size knows no bound; in the
+  // focus of the sphere it is far above what one of 20 degrees may give.
+  const double half_angle = 20.0 * kPi / 180.0;
+  const double bound = 1.0 / (std::sin(half_angle) * std::sin(half_angle));
+  Scene scene = sphere_scene(1.5f);
+  scene.lights = {sun_disk(half_angle)};
+  const double sharp = brightest(scene, 1, 128), soft = brightest(scene, 64, 128);
+  INFO("without a size " << sharp << ", with it " << soft << ", bound " << bound);
+  CHECK(sharp > 2.0 * bound);
+  CHECK(soft < bound);
+  CHECK(soft > 0.2 * bound);
+}
+
+TEST_CASE("area light: a panel that shines lights the floor by its form factor") {
+  // A square panel, half side 0.5, 1 m above the floor: below its middle E = pi L F, with F four
+  // times the form factor of a rectangle over its corner.
+  Scene scene = open_floor(0.1);
+  Mesh panel = floor(0.5, 1.0, 1);
+  std::reverse(panel.indices.begin(), panel.indices.end());  // shines downwards
+  scene.meshes.push_back(panel);
+  scene.materials.push_back(diffuse(0.5f));
+  scene.materials[1].emissive = glm::vec3(100.0f);
+  add_emissive_lights(scene);
+  sample_lights(scene, 64);
+  const Rendering r = render(scene, small_settings(8, 8, 9), {"aov_direct"});
+  const double x = 0.5, root = std::sqrt(1.0 + x * x);
+  const double corner = 2.0 * x / root * std::atan(x / root) / (2.0 * kPi);
+  CHECK(double(r["aov_direct"].at(4, 4, 0)) == Approx(100.0 * kPi * 4.0 * corner).epsilon(0.01));
+}
+
+TEST_CASE("area light: a ball that shines lights the floor as a disk of its size") {
+  // Luminance 1000, radius 0.1, its centre 0.9 m above the floor: E = pi L (R / d)^2. Half the
+  // samples look away, and 64 of them are good to a percent.
+  Scene scene = open_floor(0.05);
+  scene.materials.push_back(diffuse(0.5f));
+  scene.materials[1].emissive = glm::vec3(1000.0f);
+  scene.meshes.push_back(sphere({0.0, 0.9, 0.0}, 0.1, 4, 1));
+  scene.cameras = {camera_down(0.2, 0.05)};
+  add_emissive_lights(scene);
+  sample_lights(scene, 64);
+  Settings settings = small_settings(8, 8, 3);
+  settings.shadow = 16;
+  const Rendering r = render(scene, settings, {"aov_direct"});
+  CHECK(double(r["aov_direct"].at(1, 1, 0)) == Approx(1000.0 * kPi / 81.0).epsilon(0.015));
+}
