@@ -6,26 +6,50 @@
 namespace caustics::app {
 
 std::vector<std::string> ledger_textures() {
-  return {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellFlux, kCausticMap};
+  return {kCasterNormal, kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellFlux, kCausticMap};
 }
 
 namespace {
 
-Ledger read_ledger(const RenderedFrame& frame, int light) {
+// The casters in the order of their rows in kCasterMaterials. None where casters share rows.
+std::vector<int> casters_by_row(const RenderedFrame& frame) {
+  std::vector<int> meshes;
+  for (int m = 0; m < static_cast<int>(frame.effects().surfaces.size()); ++m) {
+    if (!is_caster(frame.effects().surfaces[static_cast<std::size_t>(m)].role)) continue;
+    if (frame.on_device().material_row(m) != static_cast<int>(meshes.size())) return {};
+    meshes.push_back(m);
+  }
+  return meshes;
+}
+
+// Adds what a light's sample did, `share` times.
+void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum) {
   const auto has = [&](const std::string& name) { return frame.has(name); };
   const auto read = [&](const std::string& name) { return frame.read(name); };
-  return make_ledger(branch_images(light, frame.effects().branches, has, read),
-                     frame.read(light_texture(kCausticMap, light)),
-                     frame.frames()[static_cast<std::size_t>(light)].caustic, frame.settings());
+  const std::vector<BranchImages> branches = branch_images(light, frame.effects().branches, has, read);
+  const Ledger ledger = make_ledger(branches, frame.read(light_texture(kCausticMap, light)),
+                                    frame.frames()[static_cast<std::size_t>(light)].caustic, frame.settings());
+  add(sum.ledger, ledger, share);
+  const std::vector<Outcome> outcomes = outcomes_of(
+      sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));
+  if (sum.outcomes.empty())
+    for (const Outcome& outcome : outcomes)
+      sum.outcomes.push_back({.light = outcome.light, .mesh = outcome.mesh});
+  for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum.outcomes[i], outcomes[i], share);
 }
 
 }  // namespace
+
+double LightLedger::leaves() const {
+  const double entered = sum(ledger.entered);
+  return entered > 0.0 ? (sum(ledger.outside) + sum(ledger.kernel_edge)) / entered : 0.0;
+}
 
 std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
   const Scene& scene = frame.scene();
   std::vector<LightLedger> ledgers;
   for (int source = 0; source < static_cast<int>(scene.sources.size()); ++source) {
-    LightLedger sum{source, {}};
+    LightLedger sum{source, {}, {}};
     bool any = false;
     for (const int light : samples_of(scene, source)) {
       const Branch& branch = frame.effects().branches.front();
@@ -34,7 +58,7 @@ std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
       // A sample's flux is relative to its own intensity.
       const double share = static_cast<double>(scene.lights[static_cast<std::size_t>(light)].intensity) /
                            static_cast<double>(scene.sources[static_cast<std::size_t>(source)].intensity);
-      add(sum.ledger, read_ledger(frame, light), share);
+      add_sample(frame, light, share, sum);
       any = true;
     }
     if (any) ledgers.push_back(sum);

@@ -5,13 +5,17 @@
 #include <vector>
 
 #include "app/frame.hpp"
-#include "pipeline/plan/ledger.hpp"
+#include "pipeline/plan/outcome.hpp"
 
 namespace caustics::app {
 
 struct LightLedger {
   int light = 0;  // index into Scene::sources
   Ledger ledger;
+  std::vector<Outcome> outcomes{};  // by caster; `light` as above
+
+  // The share of the flux onto the casters that leaves the light's maps.
+  double leaves() const;
 };
 
 // The textures that ledgers are made from.

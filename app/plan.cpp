@@ -1,5 +1,8 @@
-// caustics plan: what a scene holds and calls for, and what would run, without rendering it.
+// caustics plan: what a scene holds and calls for, and what would run, without rendering it. The light is
+// followed coarsely, to tell what becomes of it.
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "app/plan_report.hpp"
 #include "app/terminal.hpp"
@@ -7,10 +10,23 @@
 
 namespace caustics::app {
 
+namespace {
+
+// Enough to tell where a light goes, in a moment.
+FrameRequest coarse_request(FrameRequest request) {
+  request.settings.grid = std::min(request.settings.grid, 128);
+  request.settings.map = std::min(request.settings.map, 256);
+  request.settings.shadow = std::min(request.settings.shadow, 512);
+  request.backend = {};
+  return request;
+}
+
+}  // namespace
+
 ExitCode run_plan_command(const Arguments& arguments) {
   Parser parser("plan",
                 "Says what a scene holds, which effects and passes run and why, and where caustics "
-                "are to be expected.",
+                "are to be expected and what becomes of their light.",
                 "  caustics plan scene.glb\n"
                 "  caustics plan scene.glb --assume-solid      what would change\n"
                 "  caustics plan scene.glb --json | jq .expectations\n");
@@ -24,11 +40,19 @@ ExitCode run_plan_command(const Arguments& arguments) {
   if (!parser.parse(arguments)) return ExitCode::Done;
   request.scene = scene;
   check_request(request, "plan");
-  const std::unique_ptr<JudgedScene> judged = load_scene(request);
+  std::unique_ptr<JudgedScene> loaded = load_scene(request);
+  const JudgedScene* judged = loaded.get();
   // What `render` runs for a PNG picture.
   const FramePlan plan =
       make_plan(judged->scene, judged->effects, request.settings, pass_registry(), {{"picture"}});
-  const PlanReport report{*judged, request.settings, plan};
+  std::optional<RenderedFrame> coarse;
+  std::vector<LightLedger> ledgers;
+  if (judged->effects.active("caustics")) {
+    coarse.emplace(coarse_request(request), std::move(loaded), PlanGoal{ledger_textures()});
+    coarse->run();
+    ledgers = read_ledgers(*coarse);
+  }
+  const PlanReport report{*judged, request.settings, plan, ledgers};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));
   std::fputs(text.c_str(), stdout);
   return ExitCode::Done;

@@ -1,4 +1,4 @@
-#include "app/flux.hpp"
+#include "app/expectations.hpp"
 #include "app/light_groups.hpp"
 #include "app/plan_report.hpp"
 #include "app/stats.hpp"
@@ -118,14 +118,18 @@ std::string plan_json(const PlanReport& report) {
                    {"surfaces", surfaces_json(scene, effects)},
                    {"lights", lights_json(scene)},
                    {"expectations", Json::array()},
+                   {"leaves_share", Json::array()},
                    {"effects", Json::array()},
                    {"passes", passes_json(report.plan)},
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
                    {"notes", scene.notes}};
-  for (const Expectation& e : expectations_by_source(scene, effects)) {
+  for (const Expectation& e : known_expectations(scene, effects, report.ledgers)) {
     document["expectations"].push_back(
         {{"light", e.light}, {"mesh", e.mesh}, {"expected", e.expected}, {"reason", e.reason}});
+  }
+  for (const LightLedger& ledger : report.ledgers) {
+    document["leaves_share"].push_back({{"light", ledger.light}, {"share", ledger.leaves()}});
   }
   for (const Effect& e : effects.list) {
     document["effects"].push_back({{"name", e.name}, {"active", e.active}, {"reason", e.reason}});

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "app/frame.hpp"
+#include "app/flux.hpp"
 
 namespace caustics::app {
 
@@ -10,6 +10,7 @@ struct PlanReport {
   const JudgedScene& judged;
   const Settings& settings;
   const FramePlan& plan;
+  std::vector<LightLedger> ledgers;  // of a coarse run; empty where nothing throws a caustic
 };
 
 std::string plan_text(const PlanReport& report, bool colour);

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "app/flux.hpp"
+#include "app/expectations.hpp"
 #include "app/light_groups.hpp"
 #include "app/plan_report.hpp"
 #include "app/summary.hpp"
@@ -105,7 +105,7 @@ class TextReport {
   void expectations() {
     heading("caustics to expect");
     Table table;
-    for (const Expectation& e : expectations_by_source(of(), judged())) {
+    for (const Expectation& e : known_expectations(of(), judged(), report_.ledgers)) {
       table.row({yes_no(e.expected),
                  "light " + light_label(of(), e.light) + " through " + mesh_label(of(), e.mesh),
                  e.reason});
@@ -114,6 +114,10 @@ class TextReport {
       table.row({yes_no(false), "nothing in the scene bends or mirrors light"});
     }
     text_ += table.text();
+    for (const LightLedger& ledger : report_.ledgers) {
+      const std::string warning = leaving_sentence(of(), ledger);
+      if (!warning.empty()) text_ += "  warning: " + warning + "\n";
+    }
   }
 
   void effects() {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/light_groups.hpp"
+#include "app/expectations.hpp"
 #include "app/terminal.hpp"
 
 namespace caustics::app {
@@ -52,13 +52,13 @@ std::string mesh_label(const Scene& scene, int mesh) {
   return name.empty() ? "mesh " + std::to_string(mesh) : "'" + one_line(name) + "'";
 }
 
-std::vector<std::string> missing_caustics(const Scene& scene, const Effects& effects) {
+std::vector<std::string> missing_caustics(const Scene& scene, const std::vector<Expectation>& expectations) {
   struct Group {
     std::string reason, first;
     std::size_t more = 0;
   };
   std::vector<Group> groups;
-  for (const Expectation& e : expectations_by_source(scene, effects)) {
+  for (const Expectation& e : expectations) {
     if (e.expected) continue;
     const auto same = std::find_if(groups.begin(), groups.end(),
                                    [&](const Group& group) { return group.reason == e.reason; });
@@ -71,7 +71,7 @@ std::vector<std::string> missing_caustics(const Scene& scene, const Effects& eff
     }
   }
   std::vector<std::string> sentences;
-  if (effects.expectations.empty()) {
+  if (expectations.empty()) {
     sentences.emplace_back("nothing in the scene bends or mirrors light");
   }
   for (const Group& group : groups) {
@@ -85,9 +85,12 @@ std::vector<std::string> missing_caustics(const Scene& scene, const Effects& eff
 void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
                    const Timing& timing, const std::vector<std::filesystem::path>& outputs) {
   print_some("note", frame.scene().notes);
-  print_some("no caustic", missing_caustics(frame.scene(), frame.effects()));
+  print_some("no caustic",
+             missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)));
   for (const LightLedger& ledger : ledgers) {
     std::fprintf(stderr, "%s\n", ledger_sentence(frame.scene(), ledger).c_str());
+    const std::string warning = leaving_sentence(frame.scene(), ledger);
+    if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
   std::string files;
   for (const std::filesystem::path& file : outputs) {

@@ -12,7 +12,7 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
 
 // Why some caster throws no caustic, one sentence each, equal reasons gathered: "light 'sun'
 // through 'pane': thin wall ...".
-std::vector<std::string> missing_caustics(const Scene& scene, const Effects& effects);
+std::vector<std::string> missing_caustics(const Scene& scene, const std::vector<Expectation>& expectations);
 
 std::string mesh_label(const Scene& scene, int mesh);
 

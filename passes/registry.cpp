@@ -29,7 +29,9 @@ const Registry& pass_registry() {
       landing_pass(),
       cells_pass(),
       caustic_cells_pass(),
+      caustic_cells_grey_pass(),
       caustic_map_pass(),
+      caustic_map_grey_pass(),
       shadow_map_pass(),
       pane_light_pass(),
       // Of the camera: the scene without glass, in the picture and around it.

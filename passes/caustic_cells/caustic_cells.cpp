@@ -1,30 +1,35 @@
 #include "passes/caustic_cells/caustic_cells.hpp"
 
+#include "passes/shared/caustic_map_write.hpp"
+
 namespace caustics {
 
 extern const Shader caustic_cells_shader;
 
-Pass caustic_cells_pass() {
+namespace {
+
+// The flux is gathered where there is any, in as many channels as it has.
+std::optional<std::string> called_for(const Effects& effects, bool coloured) {
+  if (!effects.active("cells") || effects.active("coloured caustics") != coloured) return {};
+  return "the cells' flux is gathered for the camera";
+}
+std::optional<std::string> called_for_coloured(const Effects& e) { return called_for(e, true); }
+std::optional<std::string> called_for_grey(const Effects& e) { return called_for(e, false); }
+
+Pass caustic_cells_pass(bool coloured) {
   return {
       .definition =
           {
-              .name = "caustic_cells",
+              .name = coloured ? "caustic_cells" : "caustic_cells_grey",
               .purpose = "adds up the light of the cells, by the exact share of each texel",
               .reads = {{.name = kCellNear, .meaning = "each cell's lower corners in the map"},
                         {.name = kCellFar, .meaning = "its upper corners"},
                         {.name = kCellFlux, .meaning = "its flux"}},
-              .writes = {{.name = kCausticMap,
-                          .format = Format::RGBA32F,
-                          .meaning = "rgb: flux in the texel, relative to the light's intensity (square "
-                                     "metres, or steradians); a: number of cells and splats, by weight",
-                          .blend = kAccumulate}},
+              .writes = {caustic_map_write(coloured)},
               .topology = Topology::Points,
               .shader = &caustic_cells_shader,
           },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("cells")) return {};
-        return "the cells' flux is gathered for the camera";
-      },
+      .called_for_by = coloured ? called_for_coloured : called_for_grey,
       .each = Each::Branch,
       .draws = DrawSet::GridCells,
       .extent = Extent::Map,
@@ -36,5 +41,10 @@ Pass caustic_cells_pass() {
       .owner = Each::Light,
   };
 }
+
+}  // namespace
+
+Pass caustic_cells_pass() { return caustic_cells_pass(true); }
+Pass caustic_cells_grey_pass() { return caustic_cells_pass(false); }
 
 }  // namespace caustics

@@ -1,5 +1,6 @@
 #include "passes/caustic_map/caustic_map.hpp"
 
+#include "passes/shared/caustic_map_write.hpp"
 #include "pipeline/plan/splat_kernel.hpp"
 
 namespace caustics {
@@ -22,31 +23,30 @@ CausticMapUniforms caustic_map_uniforms(const PassContext& context) {
   };
 }
 
-}  // namespace
+// The flux is gathered where there is any, in as many channels as it has.
+std::optional<std::string> called_for(const Effects& effects, bool coloured) {
+  if (!effects.active("caustics") || effects.active("coloured caustics") != coloured) return {};
+  return "the landings' flux is gathered for the camera";
+}
+std::optional<std::string> called_for_coloured(const Effects& e) { return called_for(e, true); }
+std::optional<std::string> called_for_grey(const Effects& e) { return called_for(e, false); }
 
-Pass caustic_map_pass() {
+Pass caustic_map_pass(bool coloured) {
   return {
       .definition =
           {
-              .name = "caustic_map",
+              .name = coloured ? "caustic_map" : "caustic_map_grey",
               .purpose = "adds up the light that landed, texel by texel",
               .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
                         {.name = "landing_flux", .meaning = "how much of it is left"},
                         {.name = kCellFlux,
                          .meaning = "which cells have taken their quarter of it",
                          .optional = true}},
-              .writes = {{.name = "caustic_map",
-                          .format = Format::RGBA32F,
-                          .meaning = "rgb: flux in the texel, relative to the light's intensity (square "
-                                     "metres, or steradians); a: number of cells and splats, by weight",
-                          .blend = kAccumulate}},
+              .writes = {caustic_map_write(coloured)},
               .topology = Topology::Points,
               .shader = &caustic_map_shader,
           },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics")) return {};
-        return "the landings' flux is gathered for the camera";
-      },
+      .called_for_by = coloured ? called_for_coloured : called_for_grey,
       .each = Each::Branch,
       .draws = DrawSet::GridVertices,
       .extent = Extent::Map,
@@ -55,5 +55,10 @@ Pass caustic_map_pass() {
       .owner = Each::Light,
   };
 }
+
+}  // namespace
+
+Pass caustic_map_pass() { return caustic_map_pass(true); }
+Pass caustic_map_grey_pass() { return caustic_map_pass(false); }
 
 }  // namespace caustics

@@ -14,5 +14,7 @@ struct CausticMapUniforms {
 
 // caustic_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caustic_map_pass();
+// The same into one channel, where nothing tints the caustics.
+Pass caustic_map_grey_pass();
 
 }  // namespace caustics

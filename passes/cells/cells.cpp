@@ -35,7 +35,7 @@ Pass cells_pass() {
               .purpose = "joins neighbouring landings to cells where one sheet of light spans them",
               .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
                         {.name = "landing_flux", .meaning = "how much of it is left"},
-                        {.name = "caster_normal", .meaning = "which material each grid vertex has"},
+                        {.name = "caster_normal", .meaning = "which caster each grid vertex lies on"},
                         {.name = "receiver_position", .meaning = "what lies between the landings"}},
               .writes = {{.name = kCellNear,
                           .format = Format::RGBA32F,

@@ -1,5 +1,7 @@
 #include "passes/landing/landing.hpp"
 
+#include <algorithm>
+
 #include "passes/shared/light_uniforms.hpp"
 
 namespace caustics {
@@ -7,6 +9,17 @@ namespace caustics {
 extern const Shader landing_shader;
 
 namespace {
+
+// The box around all receivers, a little larger for the rounding of rays; a point where there are none.
+Bounds receivers_box(const PassContext& context) {
+  Bounds box;
+  const std::vector<SurfaceRole>& surfaces = context.effects->surfaces;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i].role == Role::Receiver) box.add(bounds_of(context.scene->meshes[i]));
+  if (box.empty()) return {glm::dvec3(0.0), glm::dvec3(0.0)};
+  const glm::dvec3 slack(1e-4 * std::max(box.radius(), 1e-9));
+  return {box.lower - slack, box.upper + slack};
+}
 
 LandingUniforms landing_uniforms(const PassContext& context) {
   const LightFrames& frames = *context.frames;
@@ -16,6 +29,7 @@ LandingUniforms landing_uniforms(const PassContext& context) {
   const FrameUniforms receiver = pack(frames.receiver);
   const FrameUniforms caustic = pack(frames.caustic);
   const LightCone cone = light_cone(*context.light);
+  const Bounds receivers = receivers_box(context);
   const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
   return {
       .from_scene = caster.from_scene,
@@ -32,6 +46,8 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .cone = cone.scale_offset,
       .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
                kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
+      .receivers_lower = glm::vec4(receivers.lower, 0.0),
+      .receivers_upper = glm::vec4(receivers.upper, 0.0),
       .branch = glm::vec4(branch.color, static_cast<float>(branch.bend)),
       .method = {settings.iterations, static_cast<int>(settings.estimator),
                  settings.weights == Weights::Paper ? 1 : 0,

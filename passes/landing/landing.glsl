@@ -73,6 +73,18 @@ Hit thickness_of_wyman(Vec3 p, Vec3 q, Vec3 d0, Vec3 d1, Vec3 n, Float ior) {
   return hit;
 }
 
+Float inverse(Float x) { return sel(abs(x) > 1.0e-20f, 1.0f / sel(x != 0.0f, x, Float(1.0f)), Float(1.0e20f)); }
+
+// Does the ray, from its start on, meet the box around all receivers? (Slabs: Kay and Kajiya 1986.)
+Bool meets_receivers(Vec3 start, Vec3 direction) {
+  Vec3 per = Vec3(inverse(direction.x), inverse(direction.y), inverse(direction.z));
+  Vec3 a = (Vec3(u.receivers_lower) - start) * per;
+  Vec3 b = (Vec3(u.receivers_upper) - start) * per;
+  Float enters = max_of(max_of(min_of(a.x, b.x), min_of(a.y, b.y)), min_of(a.z, b.z));
+  Float leaves = min_of(min_of(max_of(a.x, b.x), max_of(a.y, b.y)), max_of(a.z, b.z));
+  return leaves >= max_of(enters, Float(0.0f));
+}
+
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
 // Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros.
@@ -200,7 +212,11 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   status = sel(exhausted, Float(5.0f), status);
   status = sel(!converged, Float(6.0f), status);
   status = sel(!hit.covered, Float(2.0f), status);
-  status = sel(!hit.inside || (hit.left && !converged), Float(3.0f), status);
+  // What leaves the window where no receiver could be has missed them all.
+  Bool strays = !hit.inside || (hit.left && !converged);
+  if (any_lane(covered && strays)) {
+    status = sel(strays, sel(meets_receivers(p2, d2), Float(3.0f), Float(2.0f)), status);
+  }
   status = sel(exit_unknown, Float(6.0f), status);
   status = sel(blocked1 || blocked2, Float(4.0f), status);
   status = sel(covered, status, Float(0.0f));

@@ -28,6 +28,7 @@ struct Bench {
   bool solid = false;
   float exit_height = 0.5f;
   glm::vec3 exit_normal{0.0f, -1.0f, 0.0f};
+  glm::vec4 receivers_lower{-100.0f, 0.0f, -100.0f, 0.0f}, receivers_upper{100.0f, 0.0f, 100.0f, 0.0f};
   int iterations = 5;
   int estimator = 1;
   int weights = 0;
@@ -60,6 +61,8 @@ struct Bench {
                       .cone_axis = {0.0f, -1.0f, 0.0f, 0.0f},
                       .cone = glm::vec4(0.0f),
                       .cell = {0.25f, 2.0f, 2.0f, mirror ? 1.0f : 0.0f},
+                      .receivers_lower = receivers_lower,
+                      .receivers_upper = receivers_upper,
                       .branch = branch,
                       .method = {iterations, estimator, weights, solid ? 1 : 0},
                       .variant = {reflected ? 1 : 0, wyman ? 1 : 0, 0, 0}};
@@ -221,6 +224,27 @@ TEST_CASE("landing: light that meets no receiver is missed, light that leaves th
   bench.frame.window_lower = glm::dvec2(-0.2);
   bench.frame.window_upper = glm::dvec2(0.2);
   CHECK(status(bench.run()) == LandingStatus::Outside);
+  // Where the floor ends inside the window, the same ray passes it.
+  bench.receivers_lower = {-0.2f, 0.0f, -0.2f, 0.0f};
+  bench.receivers_upper = {0.2f, 0.0f, 0.2f, 0.0f};
+  CHECK(status(bench.run()) == LandingStatus::Missed);
+}
+
+TEST_CASE("landing: of light that leaves the map, only what goes towards the receivers' box is outside") {
+  // A mirror turned by 45 degrees sends the light to -x or +x along y = 1; the map sees 0.2 m around.
+  Bench bench;
+  bench.mirror = true;
+  bench.normal = tilted(45.0);
+  bench.frame.window_lower = glm::dvec2(-0.2);
+  bench.frame.window_upper = glm::dvec2(0.2);
+  const auto wall_at = [&](float x) {
+    bench.receivers_lower = {x, 0.0f, -1.0f, 0.0f};
+    bench.receivers_upper = {x, 2.0f, 1.0f, 0.0f};
+    return status(bench.run());
+  };
+  const float side = wall_at(5.0f) == LandingStatus::Outside ? 1.0f : -1.0f;
+  CHECK(wall_at(5.0f * side) == LandingStatus::Outside);
+  CHECK(wall_at(-5.0f * side) == LandingStatus::Missed);
 }
 
 TEST_CASE("landing: the paper's weight is N.L and ignores Fresnel") {

@@ -10,6 +10,8 @@ vec4 cone_axis;        // xyz: unit axis of a spot light's cone, the way it shin
 vec4 cone;             // scale and offset of the cone's falloff; x = 0 where there is none; z: 1 for a plain cosine
 vec4 cell;             // x: area of a grid cell in window units squared; y, z: tolerance of the exit and of
                        // the landing, in texels' extents; w: 1 where there are mirrors
+vec4 receivers_lower;  // the box around all receivers, scene space
+vec4 receivers_upper;
 vec4 branch;           // rgb: share of each channel; w: bend, the index of refraction is n_d + bend (n_F - n_C)
 ivec4 method;          // iterations; estimator (0 paper, 1 secant, 2 newton); weights (0 physical, 1 paper); solid casters (0, 1)
 ivec4 variant;         // 1: what dielectrics mirror, not what they let in; way inside (0 met in the exit map, 1 Wyman's

@@ -55,7 +55,8 @@ UniformBytes uniforms(const PassContext& context) {
                              !directional && std::isfinite(light.range) ? light.range : 0.0f),
       .column = column.window,
       .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(frames.casters_nearest)),
-      .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), 0.0f, 0.0f, 0.0f},
+      .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels),
+                        context.effects->active("coloured caustics") ? 0.0f : 1.0f, 0.0f, 0.0f},
       .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
                caustics ? 1.0f : 0.0f, context.effects->active("thin panes") ? 1.0f : 0.0f},
   });

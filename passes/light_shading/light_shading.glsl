@@ -200,6 +200,7 @@ void main() {
   if (u.uses.z > 0.5f) {
     Vec2 uv = frame_uv(p.q, u.caustic_window, u.caustic_depth);
     Vec3 flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
+    if (u.caustic_texel.y > 0.5f) flux = Vec3(flux.x);
     Float area = Float(u.caustic_texel.x);
     if (u.light.w > 0.5f) {
       Float z = sel(p.q.z > 0.0f, p.q.z, Float(1.0f));

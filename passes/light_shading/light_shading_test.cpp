@@ -33,6 +33,7 @@ struct Bench {
     settings.map = 8;
     Effects effects;
     effects.list = {{"occluders", occluders, ""}, {"caustics", caustics, ""},
+                    {"coloured caustics", caustic_map.channels() > 1, ""},
                     {"thin panes", !panes.values.empty(), ""}};
     if (caustics) effects.expectations = {{0, 0, true, ""}};
     Frame frame = down(4.0, 10.0, 20.0);
@@ -87,6 +88,18 @@ Image left_half(const glm::vec4& value, const glm::vec4& other) {
 }
 
 }  // namespace
+
+TEST_CASE("light_shading: a caustic map of one channel lights every channel alike") {
+  Bench bench = with_caustic();
+  bench.light.color = {1.0f, 0.5f, 0.25f};
+  const glm::vec4 three = texel(bench.run()["caustic"], 0, 0);
+  Image grey(Format::R32F, 8, 8);
+  for (float& value : grey.values) value = 0.25f;
+  bench.caustic_map = grey;
+  const glm::vec4 one = texel(bench.run()["caustic"], 0, 0);
+  CHECK(one.x == three.x);
+  CHECK(one == glm::vec4(three.x, 0.5f * three.x, 0.25f * three.x, 0.0f));
+}
 
 TEST_CASE("light_shading: a directional light gives lux times the cosine, by channel") {
   Bench bench;

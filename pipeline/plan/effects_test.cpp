@@ -206,3 +206,25 @@ TEST_CASE("an empty scene calls for nothing") {
     CHECK_FALSE(effect.reason.empty());
   }
 }
+
+TEST_CASE("caustics have one channel unless a caster tints them") {
+  CHECK(!judged(glass_over_floor()).active("coloured caustics"));
+  Material amber = solid_glass();
+  amber.attenuation_color = {0.9f, 0.6f, 0.2f};
+  CHECK(!judged(glass_over_floor(amber)).active("coloured caustics"));  // at no finite distance
+  amber.attenuation_distance = 0.5f;
+  const Effects tinted = judged(glass_over_floor(amber));
+  CHECK(tinted.active("coloured caustics"));
+  CHECK(mentions(tinted.find("coloured caustics").reason, "absorbs its colours unequally"));
+  Material smoke = solid_glass();
+  smoke.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
+  CHECK(!judged(glass_over_floor(smoke)).active("coloured caustics"));
+  smoke.base_color.x = 0.6f;
+  CHECK(judged(glass_over_floor(smoke)).active("coloured caustics"));
+  Material flint = solid_glass();
+  flint.dispersion = 0.5f;
+  CHECK(judged(glass_over_floor(flint)).active("coloured caustics"));
+  Settings one;
+  one.wavelengths = 1;
+  CHECK(!judged(glass_over_floor(flint), one).active("coloured caustics"));
+}

@@ -31,6 +31,10 @@ std::string_view name_of(LandingStatus status) {
 namespace {
 
 FluxRgb rgb(const Image& image, int x, int y) {
+  if (image.channels() == 1) {
+    const double grey = image.at(x, y, 0);
+    return {grey, grey, grey};
+  }
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 

@@ -92,6 +92,7 @@ using Registry = std::vector<Pass>;
 // Resources that exist before the first pass, and what other rooms look up by name.
 inline constexpr char kCasterMaterials[] = "caster_materials";
 inline constexpr char kEnvironment[] = "environment";
+inline constexpr char kCasterNormal[] = "caster_normal";
 inline constexpr char kLanding[] = "landing";
 inline constexpr char kLandingFlux[] = "landing_flux";
 inline constexpr char kLandingFresnel[] = "landing_fresnel";

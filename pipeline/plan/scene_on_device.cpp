@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
 
 #include "pipeline/scene/exact.hpp"
@@ -9,6 +10,9 @@
 namespace caustics {
 
 namespace {
+
+// Casters that get a row each in kCasterMaterials: as many as any device's textures are high.
+constexpr std::ptrdiff_t kMostOwnRows = 4096;
 
 MeshData mesh_data(const Mesh& mesh) {
   MeshData data;
@@ -73,20 +77,24 @@ TextureId SceneOnDevice::external(const std::string& name) const {
 }
 
 void SceneOnDevice::upload_caster_materials(const Effects& effects) {
-  // One row for each distinct triple of material, number of interfaces and role.
-  std::map<std::tuple<int, bool, Role>, int> row_of;
+  // A row for each caster, so that a grid vertex tells which one it lies on; where there are too many for
+  // that, a row for each distinct triple of material, number of interfaces and role.
+  const auto casters = std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
+                                     [](const SurfaceRole& s) { return is_caster(s.role); });
+  std::map<std::tuple<int, int, bool, Role>, int> row_of;
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
     const SurfaceRole& role = effects.surfaces[i];
     int row = 0;
     if (is_caster(role.role))
-      row = row_of.try_emplace({scene_.meshes[i].material, role.two_interfaces, role.role},
+      row = row_of.try_emplace({casters <= kMostOwnRows ? static_cast<int>(i) : 0, scene_.meshes[i].material,
+                                role.two_interfaces, role.role},
                                static_cast<int>(row_of.size()))
                 .first->second;
     rows_.push_back(row);
   }
   Image table(Format::RGBA32F, 3, std::max(1, static_cast<int>(row_of.size())));
   for (const auto& [key, row] : row_of) {
-    const auto& [index, two_interfaces, role] = key;
+    const auto& [own, index, two_interfaces, role] = key;
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
     const bool mirror = role == Role::Mirror;
     const glm::vec3 absorption = mirror ? glm::vec3(0.0f) : absorption_of(material);

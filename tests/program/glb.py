@@ -45,8 +45,18 @@ def glass(**volume):
     return material
 
 
-def scene(material=None, light=None):
-    """A sphere of `material` (solid glass unless given) above a floor, under a light from above."""
+def roof():
+    """A closed prism, flat above and with two faces of 45 degrees below, one metre above the floor."""
+    positions = [(-1, 2, -1), (1, 2, -1), (0, 1, -1), (-1, 2, 1), (1, 2, 1), (0, 1, 1)]
+    triangles = [(0, 1, 2), (3, 5, 4), (0, 3, 4), (0, 4, 1), (0, 2, 5), (0, 5, 3), (1, 4, 5), (1, 5, 2)]
+    # A corner of its own for each face: flat normals.
+    apart = [positions[i] for t in triangles for i in t]
+    return apart, [(i, i + 1, i + 2) for i in range(0, len(apart), 3)]
+
+
+def scene(material=None, light=None, caster=None, floors=((0, 0, 0),)):
+    """A sphere of `material` (solid glass unless given), or another closed `caster`, above a floor, or floors
+    moved so, under a light from above."""
     document = {
         "asset": {"version": "2.0"},
         "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_transmission",
@@ -54,16 +64,15 @@ def scene(material=None, light=None):
         "extensions": {"KHR_lights_punctual": {"lights": [
             light or {"name": "sun", "type": "directional", "intensity": 1000}]}},
         "scene": 0,
-        "scenes": [{"nodes": [0, 1, 2, 3]}],
+        "scenes": [{"nodes": list(range(3 + len(floors)))}],
         "nodes": [
             {"name": "ball", "mesh": 0},
-            {"name": "floor", "mesh": 1},
             {"name": "sun", "translation": [0, 4, 0],
              "rotation": [-math.sqrt(0.5), 0, 0, math.sqrt(0.5)],
              "extensions": {"KHR_lights_punctual": {"light": 0}}},
             {"name": "eye", "camera": 0, "translation": [0, 1.2, 4],
              "rotation": [-0.1, 0, 0, math.sqrt(1 - 0.01)]},
-        ],
+        ] + [{"name": "floor", "mesh": 1, "translation": list(place)} for place in floors],
         "cameras": [{"name": "front", "type": "perspective",
                      "perspective": {"yfov": 0.8, "znear": 0.1}}],
         "materials": [material or glass(thicknessFactor=1),
@@ -73,7 +82,7 @@ def scene(material=None, light=None):
         "meshes": [], "accessors": [], "bufferViews": [],
     }
     blob = b""
-    for number, (positions, triangles) in enumerate([sphere(), floor()]):
+    for number, (positions, triangles) in enumerate([caster or sphere(), floor()]):
         vertices = b"".join(struct.pack("<3f", *p) for p in positions)
         indices = b"".join(struct.pack("<3I", *t) for t in triangles)
         for data, target in ((vertices, 34962), (indices, 34963)):

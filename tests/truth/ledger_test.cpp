@@ -51,13 +51,14 @@ TEST_CASE("ledger: where all wavelengths bend alike the map is that of one") {
   settings.wavelengths = 1;
   const Rendering one = render(scene, settings, {kCausticMap});
   const Image &a = many[light_texture(kCausticMap, 0)], &b = one[light_texture(kCausticMap, 0)];
+  REQUIRE(b.channels() == 1);  // nothing tints it
   double worst = 0.0, largest = 0.0;
   for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x)
-      for (int c = 0; c < 3; ++c) {
-        worst = std::max(worst, std::fabs(double(a.at(x, y, c)) - double(b.at(x, y, c))));
-        largest = std::max(largest, double(b.at(x, y, c)));
-      }
+    for (int x = 0; x < 64; ++x) {
+      largest = std::max(largest, double(b.at(x, y, 0)));
+      for (int c = 0; c < 3; ++c)
+        worst = std::max(worst, std::fabs(double(a.at(x, y, c)) - double(b.at(x, y, 0))));
+    }
   CHECK(worst < 1e-5 * largest);
 }
 
