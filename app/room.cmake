@@ -2,11 +2,13 @@
 # pipeline/room.cmake has found OpenImageIO and nlohmann_json.
 find_package(CLI11 REQUIRED)
 
-file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
+file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp
+  ${PROJECT_SOURCE_DIR}/app/paper/*.cpp)
 add_executable(caustics_app ${app_sources})
 set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)
 caustics_target_options(caustics_app)
 target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_gltf
+  caustics_reference
   OpenImageIO::OpenImageIO nlohmann_json::nlohmann_json CLI11::CLI11)
 target_compile_definitions(caustics_app PRIVATE CAUSTICS_VERSION="${PROJECT_VERSION}")
 if(TARGET TBB::tbb)

@@ -1,0 +1,100 @@
+#include "app/paper/shot.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/sample_scenes.hpp"
+
+namespace caustics::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path find_scene(const std::string& name) {
+  for (const std::string& scene : sample_scenes())
+    if (fs::path(scene).filename() == name) return scene;
+  throw Error(ExitCode::BadInput, "the sample scene '" + name + "' is missing; 'scenes/make_scenes.py " + name +
+                                      "' makes it");
+}
+
+std::string joined(const Arguments& words) {
+  std::string text;
+  for (const std::string& word : words) text += " " + word;
+  return text;
+}
+
+}  // namespace
+
+fs::path Shots::file(const std::string& name, const std::string& extension) const {
+  return folder_ / (name + extension);
+}
+
+void Shots::take(const Shot& shot) {
+  if (stats_.count(shot.name)) return;
+  Arguments arguments = shot.options;
+  if (!shot.layers.empty()) arguments.insert(arguments.end(), {"--aov", shot.layers});
+  std::string outputs = " -o " + shot.name + ".png";
+  if (!shot.layers.empty()) outputs += " -o " + shot.name + ".exr";
+  commands_[shot.name] = "caustics render scenes/" + shot.scene + joined(arguments) + outputs;
+  arguments.insert(arguments.begin(), find_scene(shot.scene).string());
+  const fs::path stats = file(shot.name, ".json");
+  arguments.insert(arguments.end(), {"-o", file(shot.name, ".png").string(), "--stats", stats.string(), "--quiet"});
+  if (!shot.layers.empty()) arguments.insert(arguments.end(), {"-o", file(shot.name, ".exr").string()});
+  run_render(arguments);
+  std::ifstream in(stats);
+  stats_[shot.name] = nlohmann::ordered_json::parse(in);
+}
+
+double Shots::flux(const std::string& name, const std::string& account, int channel, int light) const {
+  return stats(name).at("lights").at(static_cast<std::size_t>(light)).at("flux").at(account).at(
+      static_cast<std::size_t>(channel));
+}
+
+double Shots::share(const std::string& name, const std::string& account, int light) const {
+  double part = 0.0, whole = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    part += flux(name, account, c, light);
+    whole += flux(name, "entered", c, light);
+  }
+  return whole > 0.0 ? part / whole : 0.0;
+}
+
+double Shots::residual(const std::string& name) const {
+  double worst = 0.0;
+  for (const auto& light : stats(name).at("lights")) worst = std::max<double>(worst, light.at("flux").at("residual"));
+  return worst;
+}
+
+double Shots::milliseconds(const std::string& name, const std::vector<std::string>& passes) const {
+  double sum = 0.0;
+  for (const auto& pass : stats(name).at("passes")) {
+    const std::string label = pass.at("pass");
+    if (std::find(passes.begin(), passes.end(), label.substr(0, label.find('['))) != passes.end())
+      sum += pass.at("milliseconds").get<double>();
+  }
+  return sum;
+}
+
+FloorLayer Shots::layer(const std::string& name, const std::string& wanted) const {
+  const ImagePlanes planes = read_planes(file(name, ".exr"));
+  FloorLayer result;
+  for (int c = 0; c < 3; ++c) {
+    const std::string channel = wanted + "." + "RGB"[c];
+    const auto found = std::find_if(planes.planes.begin(), planes.planes.end(),
+                                    [&](const Plane& plane) { return plane.name == channel; });
+    if (found == planes.planes.end())
+      throw Error(ExitCode::InternalError, "the shot '" + name + "' has no layer '" + wanted + "'");
+    const ChannelView& view = found->view;
+    result.width = view.width;
+    result.height = view.height;
+    result.pixels.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x)
+        result.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +
+                      static_cast<std::size_t>(x)][static_cast<std::size_t>(c)] = double(view.at(x, y));
+  }
+  return result;
+}
+
+}  // namespace caustics::app
