@@ -2,6 +2,8 @@
 // pipeline on a device, and says how far from the closed form it is and how far the method's
 // resolution lets it be.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
