@@ -136,18 +136,21 @@ double HyperbolicLens::surface(double r) const {
   return -squared(r) / (b + std::sqrt(squared(b) + a * squared(r)));
 }
 
+// From the surface's equation: dz / dr = r / (a z - (n - 1) F).
+double HyperbolicLens::slope(double r) const {
+  return r / ((squared(index) - 1.0) * surface(r) - (index - 1.0) * focus);
+}
+
 double HyperbolicLens::landing(double r, double plane) const {
   return r * (focus - plane) / (focus - surface(r));
 }
 
 double HyperbolicLens::irradiance(double r, double plane) const {
-  const double z = surface(r), a = squared(index) - 1.0;
+  const double z = surface(r);
   if (r == 0.0) return squared(focus / (focus - plane));
-  // From the surface's equation: dz / dr = r / (a z - (n - 1) F).
-  const double dz = r / (a * z - (index - 1.0) * focus);
   const double landed = landing(r, plane);
-  const double slope = (focus - plane) * (focus - z + r * dz) / squared(focus - z);
-  return std::fabs(r / (landed * slope));
+  const double stretch = (focus - plane) * (focus - z + r * slope(r)) / squared(focus - z);
+  return std::fabs(r / (landed * stretch));
 }
 
 }  // namespace caustics

@@ -188,6 +188,7 @@ struct HyperbolicLens {
   double index = 1.5;
   double focus = 1.0;                            // distance of the focus behind the vertex
   double surface(double r) const;                // z <= 0 of the exit surface at r from the axis
+  double slope(double r) const;                  // dz / dr of it
   double landing(double r, double plane) const;  // signed, on the plane z = plane
   // Of that place, without loss at the interfaces; plane != focus.
   double irradiance(double r, double plane) const;

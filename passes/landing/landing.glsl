@@ -44,12 +44,14 @@ Float texel_extent(Texture t, Vec3 q, vec4 window, vec4 depth) {
   return frame_w(q, depth) * max_of(across, along);
 }
 
-// The smooth normal where the ray leaves: interpolated where all four texels are covered.
+// The smooth normal where the ray leaves: interpolated where all four texels are covered and lean the same way. A
+// mixture of the normals of two faces, shorter than either, is no face's own: light would leave by a crease where none goes.
 Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
   Vec2 uv = frame_uv(frame_coordinates(u.from_scene, p), u.caster_window, u.caster_depth);
   Vec4 smooth_normal = fetch_bilinear(caster_exit_normal, uv.x, uv.y);
   Vec4 nearest = fetch_nearest(caster_exit_normal, uv.x, uv.y);
-  Vec3 chosen = sel(smooth_normal.w > 0.999f, Vec3(smooth_normal), Vec3(nearest));
+  Vec3 mixed = Vec3(smooth_normal);
+  Vec3 chosen = sel(smooth_normal.w > 0.999f && dot3(mixed, mixed) > 0.95f, mixed, Vec3(nearest));
   return normalize_or(chosen, fallback);
 }
 
@@ -142,7 +144,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Bool blocked2 = Bool(false);
   Bool exit_unknown = Bool(false);
   if (u.method.w == 1 && u.variant.x == 0) {
-    Bool solid = absorption.w > 0.5f && !from_inside;
+    Bool solid = absorption.w > 0.5f && !from_inside && !blocked1;
     Hit exit;
     if (u.variant.y == 1) {
       exit = thickness_of_wyman(p1, q1, d0, d1, n1, ior);
@@ -189,7 +191,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   // absorbs. What glass mirrors has no colour.
   if (u.variant.x == 0) {
     Vec3 color = Vec3(fetch_clamped(caster_materials, Int(2), material));
-    passed = passed * color;
+    passed = passed * sel(blocked1, Vec3(1.0f), color);
     if (u.cell.w > 0.5f) passed = sel(mirrors, metal_reflectance(color, ci1), passed);
   }
 

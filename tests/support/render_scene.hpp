@@ -21,13 +21,19 @@ struct Rendering {
   const Image& operator[](const std::string& name) const { return images.at(name); }
 };
 
+// `framer`: the device that fits the light frames; none: the same one.
 inline Rendering render_on(Device& device, const Scene& scene, const Settings& settings,
-                           const std::vector<std::string>& textures) {
+                           const std::vector<std::string>& textures, Device* framer = nullptr) {
   const Effects effects = effects_of(scene, settings);
   const SceneOnDevice on_device(scene, effects, device);
   Rendering out;
   out.branches = effects.branches;
-  out.frames = fit_light_frames(on_device, effects, settings, pass_registry());
+  if (framer) {
+    const SceneOnDevice on_framer(scene, effects, *framer);
+    out.frames = fit_light_frames(on_framer, effects, settings, pass_registry());
+  } else {
+    out.frames = fit_light_frames(on_device, effects, settings, pass_registry());
+  }
   const FramePlan plan = make_plan(scene, effects, settings, pass_registry(), {textures});
   const FrameTargets targets(plan, device);
   const FrameInputs inputs{
