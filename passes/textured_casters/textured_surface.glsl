@@ -1,0 +1,39 @@
+// A caster with textures drawn into a frame: vertex stage, and its outward normal. Expects the textures base_color
+// and normal_texture and the uniforms of textured_casters_uniforms.glsl.
+VARYING_SMOOTH(0, Vec3, surface_position)
+VARYING_SMOOTH(3, Vec3, surface_normal)
+VARYING_SMOOTH(6, Vec4, surface_tangent)
+VARYING_SMOOTH(10, Vec2, surface_uv)
+
+#ifdef VERTEX_STAGE
+ATTRIBUTE(0, Vec3, position)
+ATTRIBUTE(3, Vec3, normal)
+ATTRIBUTE(6, Vec4, tangent)
+ATTRIBUTE(10, Vec2, uv)
+#include "passes/shared/frame_space.glsl"
+
+void main() {
+  surface_position = position;
+  surface_normal = normal;
+  surface_tangent = tangent;
+  surface_uv = uv;
+  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+}
+#else
+#include "passes/shared/cutout.glsl"
+#include "passes/shared/material.glsl"
+#include "passes/shared/tangent_space.glsl"
+
+// The outward normal, leaned by the normal texture but never out of the hemisphere around the smooth normal:
+// light enters and leaves a face through the side that was drawn.
+Vec3 caster_normal_here() {
+  Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
+  if (u.uses.y > 0.5f) {
+    Vec2 at = transformed_uv(u.normal_row0, u.normal_row1, surface_uv);
+    Vec3 local = tangent_space_normal(fetch_repeat(normal_texture, at.x, at.y), Float(u.material.y));
+    local.z = max_of(local.z, 0.01f);
+    n = leaned_normal(n, surface_tangent, local);
+  }
+  return n;
+}
+#endif
