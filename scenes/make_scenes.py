@@ -655,7 +655,7 @@ def stained_glass():
 
     s = Scene()
     window = textured(glass('stained glass', 1.5), base=s.texture(png(128, 128, encoded)),
-                      normal=s.texture(png(64, 64, hammered)), normal_scale=0.25)
+                      normal=s.texture(png(64, 64, hammered)), normal_scale=0.06)
     shape = box((-0.02, 0.06, -0.5), (0.02, 1.06, 0.5))
     # The broad faces show the whole picture; the narrow ones take its leaded rim.
     uvs = [(0.5 - p[2], 1.06 - p[1]) if abs(n[0]) > 0.5 else (0.01, 0.01) for p, n in zip(shape[0], shape[1])]

@@ -15,19 +15,14 @@ OUTPUT(2, Vec4, caster_tint)
 // What glass lets through of each channel, or metal mirrors of it at normal incidence.
 Vec3 caster_color_here() {
   Vec3 color = Vec3(u.color_factor);
-  if (u.uses.x > 0.5f) {
-    Vec2 at = transformed_uv(u.uv_row0, u.uv_row1, surface_uv);
-    color = color * Vec3(fetch_repeat(base_color, at.x, at.y));
-  }
-  if (u.uses.z > 0.5f) {
-    Vec2 at = transformed_uv(u.transmission_row0, u.transmission_row1, surface_uv);
-    color = color * fetch_repeat(transmission_texture, at.x, at.y).x;
-  }
+  if (u.uses.x > 0.5f) color = color * Vec3(fetch_repeat(base_color, color_uv.x, color_uv.y));
+  if (u.uses.z > 0.5f)
+    color = color * fetch_repeat(transmission_texture, transmission_uv.x, transmission_uv.y).x;
   return color + Vec3(u.color_offset);
 }
 
 void main() {
-  discard_if(cut_out(surface_uv));
+  discard_if(cut_out_here());
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
   caster_normal = Vec4(caster_normal_here(), Float(u.material.x));
   caster_tint = Vec4(caster_color_here(), Float(1.0f));

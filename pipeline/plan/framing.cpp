@@ -71,7 +71,11 @@ void set_window(Frame& frame, glm::dvec2 lower, glm::dvec2 upper, double margin)
 }
 
 void set_depth(Frame& frame, double nearest, double farthest) {
-  const double slack = 1e-3 * std::max(farthest - nearest, 1e-6 * std::fabs(farthest));
+  double slack = 1e-3 * std::max(farthest - nearest, 1e-6 * std::fabs(farthest));
+  // A level sheet has no depth of its own: it needs more than single precision rounds away.
+  const glm::dvec2 size = frame.window_upper - frame.window_lower;
+  const double scale = std::max(std::fabs(farthest), frame.perspective ? 0.0 : std::max(size.x, size.y));
+  if (farthest - nearest < 1e-5 * scale) slack = std::max(slack, 1e-5 * scale);
   frame.near = nearest - slack;
   frame.far = farthest + slack;
   if (frame.perspective) frame.near = std::max(frame.near, frame.far * 1e-4);
