@@ -129,7 +129,7 @@ struct Scene {
   glm::dvec3 origin{0.0};  // glTF world coordinates of scene space's origin
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
-  std::vector<Image> images;  // RGBA16F for colours, RGBA8 for normals and other data
+  std::vector<Image> images;  // RGBA16F for colours, RGBA32F for normals and other data
   // What is drawn, each with maps of its own: as a person knows them until sample_lights puts an area
   // light's samples in its place, and then keeps the lights as a person knows them in `sources`.
   std::vector<Light> lights;

@@ -44,10 +44,10 @@ Scene frame_scene() {
 // The same with textures of every kind on glass and metal, holes included.
 Scene textured_scene() {
   Scene scene = frame_scene();
-  for (const Format format : {Format::RGBA16F, Format::RGBA8, Format::RGBA8}) {
+  for (const Format format : {Format::RGBA16F, Format::RGBA32F, Format::RGBA32F}) {
     Image image(format, 5, 3);
     for (std::size_t i = 0; i < image.values.size(); ++i)
-      image.values[i] = stored_value(format, static_cast<float>((i * 37 + 11) % 64) / 63.0f);
+      image.values[i] = stored_value(format, static_cast<float>((i * 37 + 11) % 256) / 255.0f);
     scene.images.push_back(image);
   }
   for (Mesh& mesh : scene.meshes)

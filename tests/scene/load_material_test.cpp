@@ -140,8 +140,8 @@ TEST_CASE("A colour texture is decoded to linear half floats with its bottom row
 TEST_CASE("A normal texture stays as it is and brings tangents") {
   const Scene scene = load_text(textured(R"("normalTexture":{"index":0,"scale":0.5})",
                                          std::string("data:image/png;base64,") + kPng));
-  CHECK(scene.images.at(0).shape.format == Format::RGBA8);
-  CHECK(scene.images[0].at(0, 0, 0) == stored_value(Format::RGBA8, 188.0f / 255.0f));
+  CHECK(scene.images.at(0).shape.format == Format::RGBA32F);
+  CHECK(scene.images[0].at(0, 0, 0) == 188.0f / 255.0f);
   CHECK(scene.materials.at(0).normal_scale == 0.5f);
   // u grows along +x; v points down in the picture and grows along +y: a mirrored frame.
   const Vertex& vertex = scene.meshes.at(0).vertices[0];
