@@ -70,12 +70,10 @@ void set_window(Frame& frame, glm::dvec2 lower, glm::dvec2 upper, double margin)
   frame.window_upper = centre + 0.5 * size;
 }
 
-void set_depth(Frame& frame, double nearest, double farthest) {
-  double slack = 1e-3 * std::max(farthest - nearest, 1e-6 * std::fabs(farthest));
-  // A level sheet has no depth of its own: it needs more than single precision rounds away.
-  const glm::dvec2 size = frame.window_upper - frame.window_lower;
-  const double scale = std::max(std::fabs(farthest), frame.perspective ? 0.0 : std::max(size.x, size.y));
-  if (farthest - nearest < 1e-5 * scale) slack = std::max(slack, 1e-5 * scale);
+// `reach`: how far from the light anything lies. Coordinates are rounded to some ulps of it, and what is
+// flat across the light has no depth of its own to spare.
+void set_depth(Frame& frame, double nearest, double farthest, double reach) {
+  const double slack = std::max(1e-3 * (farthest - nearest), 4e-6 * std::fabs(reach));
   frame.near = nearest - slack;
   frame.far = farthest + slack;
   if (frame.perspective) frame.near = std::max(frame.near, frame.far * 1e-4);
@@ -128,21 +126,22 @@ LightFrames widest_frames(const LightExtents& extents, const Effects& effects, i
   LightFrames frames{extents.axes, extents.axes, extents.axes, extents.axes, extents.axes,
                      0.0,          extents.axes};
   const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
+  const double reach = extents.everything.farthest;
   if (!shadow.empty()) {
     set_window(frames.shadow, shadow.lower, shadow.upper, 0.01);
-    set_depth(frames.shadow, extents.everything.nearest, extents.everything.farthest);
+    set_depth(frames.shadow, extents.everything.nearest, reach, reach);
   }
   if (!extents.panes.empty()) {
     set_window(frames.panes, extents.panes.lower, extents.panes.upper, 0.01);
-    set_depth(frames.panes, extents.everything.nearest, extents.everything.farthest);
+    set_depth(frames.panes, extents.everything.nearest, reach, reach);
   }
   if (extents.casters.empty()) return frames;
   set_window(frames.caster, extents.casters.lower, extents.casters.upper, 4.0 / grid);
-  set_depth(frames.caster, extents.everything.nearest, extents.casters.farthest);
+  set_depth(frames.caster, extents.everything.nearest, extents.casters.farthest, reach);
   Extents all = extents.casters;
   if (!extents.receivers.empty()) all.add(extents.receivers);
   set_window(frames.receiver, all.lower, all.upper, 0.01);
-  set_depth(frames.receiver, all.nearest, all.farthest);
+  set_depth(frames.receiver, all.nearest, all.farthest, reach);
   frames.casters_nearest = extents.casters.nearest;
   frames.column = frames.caster;
   if (!effects.active("mirrors") && !effects.active("reflections")) {
