@@ -4,6 +4,7 @@
 #include "reference/closed_forms.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
+#include "tests/support/run_pass.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace caustics;
@@ -231,14 +232,14 @@ TEST_CASE("textured casters: a scene without textures on casters runs the plain 
   // A texture on the floor is no caster's.
   scene.materials[0].base_color_texture.image = 0;
   scene.images = {texels(1, 1)};
-  CHECK(names(scene).find("caster_map[0]") != std::string::npos);
+  CHECK(names(scene).find("caster_map[sun]") != std::string::npos);
   for (const char* part : {"detailed", "tint"}) CHECK(names(scene).find(part) == std::string::npos);
   scene.materials[1].normal_texture.image = 0;
-  CHECK(names(scene).find("detailed_caster_map[0]") != std::string::npos);
-  CHECK(names(scene).find("detailed_exit_map[0]") != std::string::npos);
+  CHECK(names(scene).find("detailed_caster_map[sun]") != std::string::npos);
+  CHECK(names(scene).find("detailed_exit_map[sun]") != std::string::npos);
   CHECK(names(scene).find("tint") == std::string::npos);
   scene.materials[1].base_color_texture.image = 0;
-  CHECK(names(scene).find("tinted_caster_map[0]") != std::string::npos);
+  CHECK(names(scene).find("tinted_caster_map[sun]") != std::string::npos);
   CHECK(names(scene).find("caster_tint[0]") != std::string::npos);
   CHECK(names(scene).find("detailed_caster_map") == std::string::npos);
 }
