@@ -137,6 +137,28 @@ TEST_CASE("A colour texture is decoded to linear half floats with its bottom row
   CHECK(corner == glm::vec3(0, 1, 1));
 }
 
+TEST_CASE("A normal texture of 16 bits a channel keeps its steps") {
+  // One texel: 32769, 32768, 65535.
+  const std::string png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABEAIAAADA54+dAAAA"
+                          "D0lEQVR42mNoYGxg+P8fAAgJAwB2DzdBAAAAAElFTkSuQmCC";
+  const Scene scene = load_text(textured(R"("normalTexture":{"index":0})", "data:image/png;base64," + png));
+  CHECK(scene.images.at(0).at(0, 0, 0) == 32769.0f / 65535.0f);
+  CHECK(scene.images[0].at(0, 0, 1) == 32768.0f / 65535.0f);
+}
+
+TEST_CASE("A transmission texture is placed as data beside its mean, on what transmits alone") {
+  const auto material = [](const std::string& factor) {
+    return load_text(textured(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":)" + factor +
+                                  R"(,"transmissionTexture":{"index":0}}})",
+                              std::string("data:image/png;base64,") + kPng));
+  };
+  const Scene scene = material("1");
+  REQUIRE(scene.materials.at(0).transmission_texture.present());
+  CHECK(scene.images.at(0).at(0, 0, 0) == 188.0f / 255.0f);
+  CHECK(scene.images[0].at(0, 1, 0) == 1.0f);
+  CHECK_FALSE(material("0").materials.at(0).transmission_texture.present());
+}
+
 TEST_CASE("A normal texture stays as it is and brings tangents") {
   const Scene scene = load_text(textured(R"("normalTexture":{"index":0,"scale":0.5})",
                                          std::string("data:image/png;base64,") + kPng));
