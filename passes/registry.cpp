@@ -14,6 +14,7 @@
 #include "passes/panes/panes.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
 #include "passes/shadow_map/shadow_map.hpp"
+#include "passes/textured_casters/textured_casters.hpp"
 #include "passes/tone_map/tone_map.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
 
@@ -24,7 +25,10 @@ const Registry& pass_registry() {
       // Of each light: what its casters do.
       occluder_depth_pass(),
       caster_map_pass(),
+      detailed_caster_map_pass(),
+      tinted_caster_map_pass(),
       caster_exit_map_pass(),
+      detailed_exit_map_pass(),
       receiver_map_pass(),
       landing_pass(),
       cells_pass(),
@@ -44,7 +48,10 @@ const Registry& pass_registry() {
       wide_compose_pass(),
       // And with it.
       view_caster_map_pass(),
+      detailed_view_casters_pass(),
+      tinted_view_casters_pass(),
       view_exit_map_pass(),
+      detailed_view_exits_pass(),
       glass_pass(),
       view_panes_pass(),
       view_pane_mirror_pass(),

@@ -9,6 +9,7 @@ import math
 import os
 import struct
 import sys
+import zlib
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -270,6 +271,30 @@ def pane(name, rgb):
         'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}
 
 
+def textured(material, base=None, normal=None, normal_scale=1.0):
+    """The material with textures, given by their indices."""
+    material = json.loads(json.dumps(material))
+    if base is not None:
+        material['pbrMetallicRoughness']['baseColorTexture'] = {'index': base}
+    if normal is not None:
+        material['normalTexture'] = {'index': normal, 'scale': normal_scale}
+    return material
+
+
+def png(width, height, texel):
+    """An RGB image; texel(u, v) gives three numbers in 0..1 at texel centres, v downwards. Stored uncompressed, so
+    that the bytes do not depend on the version of zlib."""
+    def chunk(kind, data):
+        return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+    rows = bytearray()
+    for y in range(height):
+        rows.append(0)
+        for x in range(width):
+            rows += bytes(min(255, max(0, round(255 * c))) for c in texel((x + 0.5) / width, (y + 0.5) / height))
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)) +
+            chunk(b'IDAT', zlib.compress(bytes(rows), 0)) + chunk(b'IEND', b''))
+
+
 class Scene:
     def __init__(self):
         self.gltf = {'asset': {'version': '2.0', 'generator': 'scenes/make_scenes.py'}, 'scene': 0,
@@ -286,7 +311,7 @@ class Scene:
         while len(self.binary) % 4:
             self.binary.append(0)
         self.gltf['bufferViews'].append({'buffer': 0, 'byteOffset': len(self.binary), 'byteLength': len(data),
-                                         'target': target})
+                                         **({'target': target} if target else {})})
         self.binary += data
         return len(self.gltf['bufferViews']) - 1
 
@@ -294,7 +319,13 @@ class Scene:
         self.gltf['accessors'].append(fields)
         return len(self.gltf['accessors']) - 1
 
-    def mesh(self, name, shape, material):
+    def texture(self, image):
+        view = self.view(image, None)
+        self.gltf.setdefault('images', []).append({'bufferView': view, 'mimeType': 'image/png'})
+        self.gltf.setdefault('textures', []).append({'source': len(self.gltf['images']) - 1})
+        return len(self.gltf['textures']) - 1
+
+    def mesh(self, name, shape, material, uvs=None):
         positions, normals, indices = shape
         if material not in self.gltf['materials']:
             self.gltf['materials'].append(material)
@@ -313,6 +344,10 @@ class Scene:
             'indices': self.accessor(bufferView=index, componentType=5123 if small else 5125,
                                      count=len(indices), type='SCALAR'),
             'material': self.gltf['materials'].index(material)}
+        if uvs:
+            placed = self.view(b''.join(struct.pack('<2f', *uv) for uv in uvs), 34962)
+            primitive['attributes']['TEXCOORD_0'] = self.accessor(bufferView=placed, componentType=5126,
+                                                                  count=len(uvs), type='VEC2')
         self.gltf['meshes'].append({'name': name, 'primitives': [primitive]})
         self.node(name=name, mesh=len(self.gltf['meshes']) - 1)
 
@@ -565,11 +600,80 @@ def sun_disk():
     return s
 
 
+# Slope amplitude, waves across the tile along x and z, phase.
+RIPPLES = ((0.085, (2, 1), 0.4), (0.075, (-1, 2), 1.9), (0.070, (3, -2), 3.3), (0.050, (2, 4), 0.7), (0.045, (-5, 1), 5.1))
+
+
+def water_normal_map():
+    """A flat sheet of water: its waves are a tile of normals of 1 m, so its caustics tile, too."""
+    scale = 0.25  # the texture's slopes are four times the water's: finer steps of its 8 bits
+
+    def normal(u, v):
+        turns = [(a, k, math.hypot(*k), math.sin(2 * math.pi * (k[0] * u + k[1] * v) + p)) for a, k, p in RIPPLES]
+        slope = [sum(-a * k[i] / length * s for a, k, length, s in turns) / scale for i in (0, 1)]
+        n = unit((-slope[0], slope[1], 1.0))  # green leans up in the picture, against v
+        return tuple(0.5 * c + 0.5 for c in n)
+
+    s = Scene()
+    water = textured(glass('water', 1.33), normal=s.texture(png(96, 96, normal)), normal_scale=scale)
+    shape = square(1.0, 1.0)
+    s.mesh('water', shape, water, [(p[0] + 1.0, p[2] + 1.0) for p in shape[0]])
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((0.0, -1.0, 0.0), 1.0)
+    s.camera('view', (1.6, 2.3, 2.9), (0.0, 0.35, 0.0), 40)
+    s.camera_down('floor', (0.0, 0.5, 0.0), 1.0)
+    return s
+
+
+def stained_glass():
+    """A window of thick glass, coloured by a texture, leaded and hammered; the sun draws it on the floor."""
+    lead = (0.02, 0.02, 0.02)
+    petals = ((0.85, 0.12, 0.10), (0.95, 0.62, 0.10), (0.12, 0.30, 0.85))
+    outer = ((0.10, 0.55, 0.25), (0.55, 0.15, 0.60))
+
+    def color(u, v):
+        x, y = 2 * u - 1, 2 * v - 1
+        r, turn = math.hypot(x, y), math.atan2(y, x) / (2 * math.pi) % 1.0
+        if max(abs(x), abs(y)) > 0.94 or abs(r - 0.28) < 0.03 or abs(r - 0.86) < 0.03:
+            return lead
+        if r < 0.28:
+            return (1.0, 0.95, 0.70)
+        sector = turn * 12
+        if abs(sector - round(sector)) * 2 * math.pi * r / 12 < 0.025:
+            return lead
+        return petals[int(sector) % 3] if r < 0.86 else outer[int(turn * 4) % 2]
+
+    def encoded(u, v):
+        def srgb(c): return 12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055
+        return tuple(srgb(c) for c in color(u, v))
+
+    def hammered(u, v):
+        waves = ((3, 5), (-5, 2), (4, -4), (6, 1))
+        slope = [sum(0.16 * k[i] / math.hypot(*k) * math.sin(2 * math.pi * (k[0] * u + k[1] * v) + sum(k)) for k in waves)
+                 for i in (0, 1)]
+        return tuple(0.5 * c + 0.5 for c in unit((-slope[0], slope[1], 1.0)))
+
+    s = Scene()
+    window = textured(glass('stained glass', 1.5), base=s.texture(png(128, 128, encoded)),
+                      normal=s.texture(png(64, 64, hammered)), normal_scale=0.06)
+    shape = box((-0.02, 0.06, -0.5), (0.02, 1.06, 0.5))
+    # The broad faces show the whole picture; the narrow ones take its leaded rim.
+    uvs = [(0.5 - p[2], 1.06 - p[1]) if abs(n[0]) > 0.5 else (0.01, 0.01) for p, n in zip(shape[0], shape[1])]
+    s.mesh('window', shape, window, uvs)
+    s.mesh('sill', box((-0.06, 0.0, -0.56), (0.06, 0.06, 0.56)), diffuse('sill', 0.3))
+    s.mesh('floor', square(8.0), diffuse('floor', 0.8))
+    s.sun((1.0, -0.85, 0.12), 10.0)
+    s.camera('view', (-1.35, 1.35, 2.0), (0.42, 0.30, 0.0), 38)
+    s.camera_down('floor', (0.75, 0.03, 0.0), 1.0)
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring,
-              'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk}
+              'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk,
+              'water_normal_map.glb': water_normal_map, 'stained_glass.glb': stained_glass}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

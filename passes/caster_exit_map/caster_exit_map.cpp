@@ -1,6 +1,7 @@
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 
 #include "passes/caster_map/caster_map.hpp"
+#include "pipeline/plan/textured_casters.hpp"
 
 namespace caustics {
 
@@ -27,7 +28,7 @@ Pass caster_exit_map_pass() {
               .shader = &caster_exit_map_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics") || !effects.active("exit surface")) return {};
+        if (!effects.active("caustics") || !effects.active("exit surface") || detailed_exits(effects)) return {};
         return "light leaves solid casters through a second surface";
       },
       .each = Each::Light,

@@ -1,5 +1,7 @@
 #include "passes/caster_map/caster_map.hpp"
 
+#include "pipeline/plan/textured_casters.hpp"
+
 namespace caustics {
 
 extern const Shader caster_map_shader;
@@ -33,7 +35,7 @@ Pass caster_map_pass() {
               .shader = &caster_map_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics")) return {};
+        if (!effects.active("caustics") || caster_detail(effects) != CasterDetail::None) return {};
         return "each texel that a caster covers becomes a grid vertex";
       },
       .each = Each::Light,

@@ -4,6 +4,7 @@
 
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/shared/sky_uniforms.hpp"
+#include "pipeline/plan/textured_casters.hpp"
 
 namespace caustics {
 
@@ -22,6 +23,7 @@ struct GlassUniforms {
 
 UniformBytes glass_uniforms(const PassContext& context) {
   const SkyUniforms sky = sky_uniforms(context.scene->environment);
+  const bool tinted = context.effects->active("textured casters");
   const FrameUniforms view = pack(*context.view), wide = pack(*context.wide);
   return uniform_bytes(GlassUniforms{
       .sky_zenith = sky.zenith,
@@ -34,7 +36,7 @@ UniformBytes glass_uniforms(const PassContext& context) {
       .wide_depth = wide.depth,
       .eye = glm::vec4(glm::vec3(context.view->origin), context.view->perspective ? 1.0f : 0.0f),
       .forward = glm::vec4(glm::vec3(context.view->forward), 0.0f),
-      .method = {12, 0, 0, 0},
+      .method = {12, tinted ? 1 : 0, 0, 0},
   });
 }
 
@@ -62,7 +64,10 @@ Pass view_caster_map_pass() {
                .depth = DepthWrite{.name = "view_caster_depth", .meaning = "window depth"},
                .depth_state = {.compare = Compare::Less, .write = true},
                .shader = &caster_map_shader},
-          .called_for_by = seen,
+          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+            if (caster_detail(effects) != CasterDetail::None) return {};
+            return seen(effects);
+          },
           .draws = DrawSet::Casters,
           .extent = Extent::Picture,
           .uniforms = caster_uniforms};
@@ -81,7 +86,7 @@ Pass view_exit_map_pass() {
                .cull = Cull::Front,
                .shader = &caster_exit_map_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("exit surface")) return {};
+            if (!effects.active("exit surface") || detailed_exits(effects)) return {};
             return seen(effects);
           },
           .draws = DrawSet::SolidCasters,
@@ -108,6 +113,9 @@ Pass glass_pass() {
                          {.name = kCasterMaterials, .meaning = "indices, absorption, tint"},
                          {.name = kEnvironment,
                           .meaning = "radiance from all around",
+                          .optional = true},
+                         {.name = "view_caster_tint",
+                          .meaning = "the glass's colour, where textures give it",
                           .optional = true}},
                .writes = {{.name = "beauty",
                            .meaning = "rgb: radiance towards the camera, nit; a: 1"}},

@@ -13,6 +13,7 @@ TEXTURE(6, view_exit_position)
 TEXTURE(7, view_exit_normal)
 TEXTURE(8, caster_materials)
 TEXTURE(9, environment)
+TEXTURE(10, view_caster_tint)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -66,6 +67,7 @@ Vec3 through_glass(Vec4 entry, Vec4 entry_normal) {
   Vec4 indices = fetch_clamped(caster_materials, Int(0), material);
   Vec4 absorption = fetch_clamped(caster_materials, Int(1), material);
   Vec3 tint = Vec3(fetch_clamped(caster_materials, Int(2), material));
+  if (u.method.y == 1) tint = Vec3(texel_fetch(view_caster_tint, floor_to_int(frag_x()), floor_to_int(frag_y())));
   Float ior = indices.x;
   Bool solid = absorption.w > 0.5f && !from_inside;
 

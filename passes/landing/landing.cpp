@@ -52,7 +52,8 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .method = {settings.iterations, static_cast<int>(settings.estimator),
                  settings.weights == Weights::Paper ? 1 : 0,
                  context.effects->active("exit surface") ? 1 : 0},
-      .variant = {branch.reflected ? 1 : 0, settings.thickness == Thickness::Wyman ? 1 : 0, 0, 0},
+      .variant = {branch.reflected ? 1 : 0, settings.thickness == Thickness::Wyman ? 1 : 0,
+                  context.effects->active("textured casters") ? 1 : 0, 0},
   };
 }
 
@@ -75,7 +76,10 @@ Pass landing_pass() {
                         {.name = "receiver_position", .meaning = "what the light can land on"},
                         {.name = "caster_materials",
                          .meaning = "row a material: index of refraction n_d, n_F - n_C, 1 for a mirror; "
-                                    "absorption per metre, 1 for a solid; base colour"}},
+                                    "absorption per metre, 1 for a solid; base colour"},
+                        {.name = "caster_tint",
+                         .meaning = "the grid vertices' colours, where textures give them",
+                         .optional = true}},
               .writes = {{.name = "landing",
                           .format = Format::RGBA32F,
                           .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},

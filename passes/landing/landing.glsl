@@ -9,6 +9,7 @@ TEXTURE(2, caster_exit_position)
 TEXTURE(3, caster_exit_normal)
 TEXTURE(4, receiver_position)
 TEXTURE(5, caster_materials)
+TEXTURE(6, caster_tint)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -191,6 +192,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   // absorbs. What glass mirrors has no colour.
   if (u.variant.x == 0) {
     Vec3 color = Vec3(fetch_clamped(caster_materials, Int(2), material));
+    if (u.variant.z == 1) color = Vec3(texel_fetch(caster_tint, floor_to_int(frag_x()), floor_to_int(frag_y())));
     passed = passed * sel(blocked1, Vec3(1.0f), color);
     if (u.cell.w > 0.5f) passed = sel(mirrors, metal_reflectance(color, ci1), passed);
   }

@@ -1,6 +1,7 @@
 #include "passes/landing/landing.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "pipeline/plan/ledger.hpp"
 #include "tests/support/catch.hpp"
@@ -24,6 +25,7 @@ struct Bench {
   float dispersion = 0.0f;  // n_F - n_C
   glm::vec4 branch{1.0f, 1.0f, 1.0f, 0.0f};
   bool reflected = false;
+  std::optional<glm::vec3> tint;  // the grid vertices' own colour, in place of `color`
   bool wyman = false;
   bool solid = false;
   float exit_height = 0.5f;
@@ -65,7 +67,7 @@ struct Bench {
                       .receivers_upper = receivers_upper,
                       .branch = branch,
                       .method = {iterations, estimator, weights, solid ? 1 : 0},
-                      .variant = {reflected ? 1 : 0, wyman ? 1 : 0, 0, 0}};
+                      .variant = {reflected ? 1 : 0, wyman ? 1 : 0, tint ? 1 : 0, 0}};
     Image materials(Format::RGBA32F, 3, 1);
     for (int c = 0; c < 3; ++c) {
       materials.at(1, 0, c) = absorption[c];
@@ -83,7 +85,8 @@ struct Bench {
                      .textures = {filled(2, 2, {0.0f, 1.0f, 0.0f, facing}),
                                   filled(2, 2, glm::vec4(normal, 0.0f)), exit,
                                   filled(64, 64, glm::vec4(exit_normal, 1.0f)), receiver,
-                                  materials}});
+                                  materials,
+                                  tint ? filled(2, 2, glm::vec4(*tint, 1.0f)) : Image{}}});
   }
 };
 
@@ -399,4 +402,30 @@ TEST_CASE("landing: Wyman's thickness is the mean of two, by the angles") {
   // Straight on, the two are one.
   bench.normal = tilted(0.0);
   CHECK(bench.run()["landing_absorbed"].at(0, 0, 3) == Approx(0.5).epsilon(1e-6));
+}
+
+TEST_CASE("landing: a grid vertex's own colour takes the place of its material's, once for both surfaces") {
+  // 0.96 is left at either surface of the slab.
+  Bench bench;
+  bench.solid = true;
+  bench.color = {0.1f, 0.1f, 0.1f};
+  bench.tint = glm::vec3(0.5f, 1.0f, 0.0f);
+  const PassImages out = bench.run();
+  CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.25 * 0.96 * 0.96 * 0.5));
+  CHECK(out["landing_flux"].at(0, 0, 1) == Approx(0.25 * 0.96 * 0.96));
+  CHECK(out["landing_flux"].at(0, 0, 2) == 0.0f);
+  CHECK(out["landing_absorbed"].at(0, 0, 2) == Approx(0.25 * 0.96));
+}
+
+TEST_CASE("landing: a mirror's own colour at a grid vertex is its reflectance there") {
+  // Light straight onto a mirror that leans by 45 degrees: Schlick's grazing share is (1 - cos 45)^5 = 0.002155.
+  Bench bench;
+  bench.mirror = true;
+  bench.color = {1.0f, 1.0f, 1.0f};
+  bench.tint = glm::vec3(0.5f, 0.25f, 0.0f);
+  bench.normal = tilted(45.0);
+  const PassImages out = bench.run();
+  const double grazing = std::pow(1.0 - std::sqrt(0.5), 5.0);
+  CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.25 * (0.5 + 0.5 * grazing)));
+  CHECK(out["landing_flux"].at(0, 0, 2) == Approx(0.25 * grazing));
 }

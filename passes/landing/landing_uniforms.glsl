@@ -15,4 +15,4 @@ vec4 receivers_upper;
 vec4 branch;           // rgb: share of each channel; w: bend, the index of refraction is n_d + bend (n_F - n_C)
 ivec4 method;          // iterations; estimator (0 paper, 1 secant, 2 newton); weights (0 physical, 1 paper); solid casters (0, 1)
 ivec4 variant;         // 1: what dielectrics mirror, not what they let in; way inside (0 met in the exit map, 1 Wyman's
-                       // thickness); unused, unused
+                       // thickness); 1: caster_tint has the colours; unused

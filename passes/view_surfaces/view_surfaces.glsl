@@ -31,17 +31,12 @@ OUTPUT(2, Vec4, view_albedo)
 OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/material.glsl"
+#include "passes/shared/tangent_space.glsl"
 
-// The normal texture's normal in scene space (glTF 2.0, 3.9.3).
 Vec3 textured_normal(Vec3 n) {
   Vec2 uv = transformed_uv(u.normal_row0, u.normal_row1, surface_uv);
   Vec4 texel = fetch_repeat(normal_texture, uv.x, uv.y);
-  Vec3 local = Vec3((texel.x * 2.0f - 1.0f) * u.uses.w, (texel.y * 2.0f - 1.0f) * u.uses.w,
-                    texel.z * 2.0f - 1.0f);
-  Vec3 raw = Vec3(surface_tangent);
-  Vec3 t = normalize_or(raw - n * dot3(n, raw), Vec3(1.0f, 0.0f, 0.0f));
-  Vec3 b = cross3(n, t) * surface_tangent.w;
-  return normalize_or(t * local.x + b * local.y + n * local.z, n);
+  return leaned_normal(n, surface_tangent, tangent_space_normal(texel, Float(u.uses.w)));
 }
 
 void main() {

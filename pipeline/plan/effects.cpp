@@ -8,6 +8,7 @@
 #include "pipeline/plan/branches.hpp"
 #include "pipeline/plan/caustic_color.hpp"
 #include "pipeline/plan/surface_role.hpp"
+#include "pipeline/plan/textured_casters.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/frame.hpp"
 
@@ -286,6 +287,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   }
   add_expectations(scene, judgements, effects);
   add_light_effects(scene, settings, effects);
+  add_textured_casters(scene, settings, effects);
   add_emitters(scene, effects);
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);

@@ -71,6 +71,9 @@ struct Effects {
 //   "occluders"       diffuse surfaces that can shadow others or a caster
 //   "mirrors"         smooth metal, which reflects light and view
 //   "seen casters"    a refractor or mirror, in which the camera sees other things
+//   "textured casters"       a caster whose colour or transmission varies by a texture
+//   "normal-mapped casters"  a caster with a normal texture
+//   "cut-out casters"        a caster with holes by an alpha mask
 //   "thin panes"      a transmissive surface without a volume
 //   "emissive lights" a mesh that shines and lights the scene
 //   "dispersion"      a refractor whose index depends on the wavelength

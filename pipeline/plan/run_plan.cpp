@@ -131,6 +131,7 @@ class PassRunner {
   TextureId material_texture(const std::string& name, const Material& material) const {
     if (name == "base_color") return scene_.image(material.base_color_texture.image);
     if (name == "normal_texture") return scene_.image(material.normal_texture.image);
+    if (name == "transmission_texture") return scene_.image(material.transmission_texture.image);
     if (name == "emissive") return scene_.image(material.emissive_texture.image);
     throw Error(ExitCode::InternalError, "no material has a texture '" + name + "'");
   }

@@ -44,6 +44,7 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;
   float transmission = 0.0f;  // KHR_materials_transmission: 0..1; mean over its texture
+  TextureUse transmission_texture;  // r: 0..1
   float ior = 1.5f;           // KHR_materials_ior: 0 (never refracts), else > 0
   float thickness = 0.0f;     // KHR_materials_volume: > 0 means a solid
   glm::vec3 attenuation_color{1.0f};
@@ -128,7 +129,7 @@ struct Scene {
   glm::dvec3 origin{0.0};  // glTF world coordinates of scene space's origin
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
-  std::vector<Image> images;  // RGBA16F for colours, RGBA8 for normals
+  std::vector<Image> images;  // RGBA16F for colours, RGBA32F for normals and other data
   // What is drawn, each with maps of its own: as a person knows them until sample_lights puts an area
   // light's samples in its place, and then keeps the lights as a person knows them in `sources`.
   std::vector<Light> lights;

@@ -137,11 +137,33 @@ TEST_CASE("A colour texture is decoded to linear half floats with its bottom row
   CHECK(corner == glm::vec3(0, 1, 1));
 }
 
+TEST_CASE("A normal texture of 16 bits a channel keeps its steps") {
+  // One texel: 32769, 32768, 65535.
+  const std::string png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABEAIAAADA54+dAAAA"
+                          "D0lEQVR42mNoYGxg+P8fAAgJAwB2DzdBAAAAAElFTkSuQmCC";
+  const Scene scene = load_text(textured(R"("normalTexture":{"index":0})", "data:image/png;base64," + png));
+  CHECK(scene.images.at(0).at(0, 0, 0) == 32769.0f / 65535.0f);
+  CHECK(scene.images[0].at(0, 0, 1) == 32768.0f / 65535.0f);
+}
+
+TEST_CASE("A transmission texture is placed as data beside its mean, on what transmits alone") {
+  const auto material = [](const std::string& factor) {
+    return load_text(textured(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":)" + factor +
+                                  R"(,"transmissionTexture":{"index":0}}})",
+                              std::string("data:image/png;base64,") + kPng));
+  };
+  const Scene scene = material("1");
+  REQUIRE(scene.materials.at(0).transmission_texture.present());
+  CHECK(scene.images.at(0).at(0, 0, 0) == 188.0f / 255.0f);
+  CHECK(scene.images[0].at(0, 1, 0) == 1.0f);
+  CHECK_FALSE(material("0").materials.at(0).transmission_texture.present());
+}
+
 TEST_CASE("A normal texture stays as it is and brings tangents") {
   const Scene scene = load_text(textured(R"("normalTexture":{"index":0,"scale":0.5})",
                                          std::string("data:image/png;base64,") + kPng));
-  CHECK(scene.images.at(0).shape.format == Format::RGBA8);
-  CHECK(scene.images[0].at(0, 0, 0) == stored_value(Format::RGBA8, 188.0f / 255.0f));
+  CHECK(scene.images.at(0).shape.format == Format::RGBA32F);
+  CHECK(scene.images[0].at(0, 0, 0) == 188.0f / 255.0f);
   CHECK(scene.materials.at(0).normal_scale == 0.5f);
   // u grows along +x; v points down in the picture and grows along +y: a mirrored frame.
   const Vertex& vertex = scene.meshes.at(0).vertices[0];

@@ -63,7 +63,7 @@ class Reader {
   void read_ior();
   void read_volume();
   int read_textures();
-  TextureUse placed(const Cursor& info, int set, bool is_normal);
+  TextureUse placed(const Cursor& info, int set, bool is_data);
 
   Context& context_;
   Textures& textures_;
@@ -113,10 +113,15 @@ void Reader::read_transmission() {
   const Cursor extension = extensions_.member("KHR_materials_transmission");
   result_.transmission = factor(context_, extension.member("transmissionFactor"), 0, 0, 1);
   const auto mean = textures_.mean(extension.member("transmissionTexture"), 0);
+  // What decides whether a material is glass or a mirror is one number a material.
+  const Cursor both = material_.member("pbrMetallicRoughness").member("metallicRoughnessTexture");
+  if (both.present() && (result_.transmission > 0 || result_.metallic >= 0.5f)) {
+    context_.note(both.path() + ": its means decide what the whole material is.");
+  }
   if (!mean) return;
   result_.transmission *= static_cast<float>(*mean);
   if (result_.transmission > 0) {
-    context_.note(extension.path() + ": the mean of its texture is used for the whole material.");
+    context_.note(extension.path() + ": the mean of its texture decides what the whole material is.");
   }
 }
 
@@ -155,7 +160,7 @@ void Reader::read_volume() {
   result_.dispersion = factor(context_, dispersion, 0, 0, 20);
 }
 
-TextureUse Reader::placed(const Cursor& info, int set, bool is_normal) {
+TextureUse Reader::placed(const Cursor& info, int set, bool is_data) {
   if (!info.present()) return {};
   if (Textures::uv_set(info) != set) {
     context_.note(info.path() + " uses TEXCOORD_" + std::to_string(Textures::uv_set(info)) +
@@ -163,7 +168,7 @@ TextureUse Reader::placed(const Cursor& info, int set, bool is_normal) {
                   "; it is left out.");
     return {};
   }
-  return is_normal ? textures_.normal(info) : textures_.color(info);
+  return is_data ? textures_.normal(info) : textures_.color(info);
 }
 
 int Reader::read_textures() {
@@ -181,6 +186,10 @@ int Reader::read_textures() {
   result_.normal_texture = placed(normal, set, true);
   result_.normal_scale = factor(context_, normal.member("scale"), 1, -1000, 1000);
   result_.emissive_texture = placed(emissive, set, false);
+  if (result_.transmission > 0) {
+    const Cursor extension = extensions_.member("KHR_materials_transmission");
+    result_.transmission_texture = placed(extension.member("transmissionTexture"), set, true);
+  }
   return set;
 }
 

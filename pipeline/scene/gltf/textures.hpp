@@ -23,7 +23,7 @@ class Textures {
 
   // A colour texture: sRGB decoded to linear RGBA16F, alpha as it is. `info` may stand on nothing.
   TextureUse color(const Cursor& info) { return use(info, false); }
-  // A normal map: RGBA8 without decoding.
+  // A normal map, or other data: RGBA32F without decoding.
   TextureUse normal(const Cursor& info) { return use(info, true); }
   // The mean of one channel over the whole image, 0..1 without decoding.
   std::optional<double> mean(const Cursor& info, int channel);

@@ -1,0 +1,18 @@
+// The nearest casters, with the normals and holes of their textures. textured_casters.md explains.
+UNIFORMS_BEGIN
+#include "passes/textured_casters/textured_casters_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, base_color)
+TEXTURE(1, normal_texture)
+#include "passes/textured_casters/textured_surface.glsl"
+
+#ifndef VERTEX_STAGE
+OUTPUT(0, Vec4, caster_position)
+OUTPUT(1, Vec4, caster_normal)
+
+void main() {
+  discard_if(cut_out_here());
+  caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
+  caster_normal = Vec4(caster_normal_here(), Float(u.material.x));
+}
+#endif
