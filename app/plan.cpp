@@ -27,7 +27,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
   const std::unique_ptr<JudgedScene> judged = load_scene(request);
   // What `render` runs for a PNG picture.
   const FramePlan plan =
-      make_plan(judged->scene, judged->effects, request.settings, pass_registry(), {{"picture"}});
+      make_plan(judged->scene(), judged->effects(), request.settings, pass_registry(), {{"picture"}});
   const PlanReport report{*judged, request.settings, plan};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));
   std::fputs(text.c_str(), stdout);
