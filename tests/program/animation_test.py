@@ -82,6 +82,8 @@ class Frames(MovingTest):
             first, last = frames["made_by_first"], frames["made_by_all"]
             first.pop("read_backs"), last.pop("read_backs")
             self.assertEqual(first, last, backend)
+            self.succeeds("go.glb", *SMALL, "--backend", backend, "--frames", "3", "-o", "one.%d.png")
+            self.assertEqual(self.picture("one.3.png"), self.picture("f.3.png"), backend)
 
     def test_both_backends_draw_the_same_moment(self):
         result = self.run_program("parity", "go.glb", *SMALL, "--time", "0.7")

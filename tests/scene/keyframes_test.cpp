@@ -116,7 +116,7 @@ TEST_CASE("The exact arctangent agrees with known angles and the library") {
   CHECK(exact::arctangent(1.0 / std::sqrt(3.0)) == Approx(exact::kPi / 6).epsilon(1e-15));
   CHECK(exact::arctangent(std::numeric_limits<double>::infinity()) == exact::kPi / 2);
   for (double x = 1e-12; x < 1e12; x *= 1.37) {
-    CHECK(std::abs(exact::arctangent(x) - std::atan(x)) <= 4e-16 * std::atan(x));
+    CHECK(std::abs(exact::arctangent(x) - std::atan(x)) <= 1e-15 * std::atan(x));
     CHECK(exact::arctangent(-x) == -exact::arctangent(x));
   }
 }

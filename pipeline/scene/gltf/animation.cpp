@@ -11,7 +11,7 @@ namespace caustics::gltf {
 
 namespace {
 
-const char* kFix = "export the file again";
+const char* kFix = "export the file again, or show it at rest with --animation none";
 
 [[noreturn]] void unknown_animation(const Context& context, const Cursor& all) {
   std::string line = printable(context.path().string(), 400) + ": there is no animation '" +
@@ -47,7 +47,7 @@ class AnimationReader {
     Animation animation;
     animation.name = cursor.member("name").string("");
     const Cursor channels = cursor.member("channels"), samplers = cursor.member("samplers");
-    if (channels.size() == 0) channels.fail("has no channels", kFix);
+    if (channels.size() == 0) context_.note("The animation has no channels.");
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (auto channel = read_channel(channels.element(i), samplers)) {
         animation.duration = std::max(animation.duration,

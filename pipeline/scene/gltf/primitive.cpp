@@ -170,6 +170,13 @@ class Gather {
   std::optional<Accessor> normals_, tangents_, uvs_;
 };
 
+// Morph targets and sets of joints are as large as the base shape.
+std::uint64_t influence_set_count(const tinygltf::Primitive& primitive) {
+  return static_cast<std::uint64_t>(
+      std::count_if(primitive.attributes.begin(), primitive.attributes.end(),
+                    [](const auto& attribute) { return attribute.first.rfind("JOINTS_", 0) == 0; }));
+}
+
 bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive, const std::string& path) {
   const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   if (mode < TINYGLTF_MODE_TRIANGLES) {
@@ -204,8 +211,8 @@ std::optional<Body> read_primitive(Context& context, const Document& document,
                                                  : "nodes[" + std::to_string(placement.node) + "]");
   Gather gather(context, model, primitive, uv_set);
   const LoadOptions& limits = context.options();
-  // Each morph target is as large as the base shape.
-  const std::uint64_t copies = 1 + cursor.member("targets").size();
+  const std::uint64_t copies = 1 + cursor.member("targets").size() +
+                               (joints > 0 ? influence_set_count(primitive) : 0);
   spend(context, shape.path, budget.vertices, copies * gather.vertices(), limits.max_vertices,
         "vertices");
   const auto indices = read_indices(context, model, primitive, gather.vertices());
