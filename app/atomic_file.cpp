@@ -47,70 +47,54 @@ void require_replaceable(const fs::path& path) {
   }
 }
 
-// A new file beside `path`, removed again unless it was moved into place.
-class Temporary {
- public:
-  explicit Temporary(const fs::path& path) : target_(path) {
-    for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
-      name_ = (folder_of(path) /
-               (".caustics-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp"))
-                  .string();
-      descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && errno != EEXIST) break;
-    }
-    if (descriptor_ < 0) cannot_write(target_, last_error());
-    register_temporary(name_);
-  }
-  ~Temporary() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!moved_) unlink(name_.c_str());
-    release_temporary(name_);
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-
-  void write_all(const char* data, std::size_t size) {
-    while (size > 0) {
-      const ssize_t written = write(descriptor_, data, size);
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) cannot_write(target_, last_error());
-      data += written;
-      size -= static_cast<std::size_t>(written);
-    }
-  }
-
-  // The rename is the moment at which the file appears; the folder is flushed so that it stays.
-  void move_into_place() {
-    if (fsync(descriptor_) != 0) cannot_write(target_, last_error());
-    if (close(std::exchange(descriptor_, -1)) != 0) cannot_write(target_, last_error());
-    if (rename(name_.c_str(), target_.c_str()) != 0) cannot_write(target_, last_error());
-    moved_ = true;
-    const int folder = open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder >= 0) {
-      fsync(folder);
-      close(folder);
-    }
-  }
-
- private:
-  fs::path target_;
-  std::string name_;
-  int descriptor_ = -1;
-  bool moved_ = false;
-};
-
 }  // namespace
 
-void require_writable(const fs::path& path) {
-  const fs::path target = followed(path);
-  require_replaceable(target);
-  const Temporary probe(target);
+PendingFile::PendingFile(const fs::path& path) : target_(followed(path)) {
+  require_replaceable(target_);
+  for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
+    name_ = (folder_of(target_) /
+             (".caustics-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp"))
+                .string();
+    descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) break;
+  }
+  if (descriptor_ < 0) cannot_write(target_, last_error());
+  register_temporary(name_);
 }
 
+PendingFile::~PendingFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!moved_) unlink(name_.c_str());
+  release_temporary(name_);
+}
+
+void PendingFile::write_all(const char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t written = write(descriptor_, data, size);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) cannot_write(target_, last_error());
+    data += written;
+    size -= static_cast<std::size_t>(written);
+  }
+}
+
+// The folder is flushed so that the rename stays.
+void PendingFile::move_into_place() {
+  if (fsync(descriptor_) != 0) cannot_write(target_, last_error());
+  if (close(std::exchange(descriptor_, -1)) != 0) cannot_write(target_, last_error());
+  if (rename(name_.c_str(), target_.c_str()) != 0) cannot_write(target_, last_error());
+  moved_ = true;
+  const int folder = open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0) {
+    fsync(folder);
+    close(folder);
+  }
+}
+
+void require_writable(const fs::path& path) { const PendingFile probe(path); }
+
 void write_atomically(const fs::path& path, const void* data, std::size_t size) {
-  const fs::path target = followed(path);
-  require_replaceable(target);
-  Temporary file(target);
+  PendingFile file(path);
   file.write_all(static_cast<const char*>(data), size);
   stop_if_interrupted();
   file.move_into_place();

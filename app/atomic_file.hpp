@@ -11,6 +11,28 @@ namespace caustics::app {
 // temporary file beside it. Called before the rendering, so that no work is lost.
 void require_writable(const std::filesystem::path& path);
 
+// A new file beside `path`, to be filled by whoever knows its name; removed again unless it was moved
+// into place. A signal that ends the program removes it too.
+class PendingFile {
+ public:
+  // Throws Error (CannotWrite). A symbolic link is followed, so that its target is replaced.
+  explicit PendingFile(const std::filesystem::path& path);
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  void write_all(const char* data, std::size_t size);
+  // Flushes it to the disk and renames it: the moment at which the file appears under its name.
+  void move_into_place();
+
+ private:
+  std::filesystem::path target_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool moved_ = false;
+};
+
 // Writes to a temporary file in the same folder, flushes it to the disk and renames it over `path`.
 // On any failure the temporary is removed, what was there before stays, and Error (CannotWrite) is
 // thrown. A symbolic link is followed, so that its target is replaced.

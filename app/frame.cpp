@@ -8,35 +8,11 @@
 #include "app/interrupt.hpp"
 #include "app/terminal.hpp"
 #include "passes/registry.hpp"
-#include "pipeline/plan/nearest.hpp"
-#include "pipeline/scene/defaults.hpp"
-#include "pipeline/scene/emitter.hpp"
-#include "pipeline/scene/light_samples.hpp"
-#include "pipeline/scene/load_environment.hpp"
-#include "pipeline/scene/load_gltf.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::app {
 
 namespace {
-
-// A camera by its name, or else by its number.
-const Camera& choose_camera(const Scene& scene, const std::string& wanted) {
-  if (wanted.empty()) return scene.cameras.front();
-  std::vector<std::string> names;
-  for (const Camera& camera : scene.cameras) {
-    if (camera.name == wanted) return camera;
-    names.push_back(camera.name);
-  }
-  if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 8) {
-    const std::size_t number = static_cast<std::size_t>(std::stoi(wanted));
-    if (number < scene.cameras.size()) return scene.cameras[number];
-  }
-  throw Error(ExitCode::WrongUsage, "there is no camera '" + one_line(wanted).substr(0, 60) +
-                                        "'; the scene has " + std::to_string(names.size()) +
-                                        ", the nearest name is '" +
-                                        one_line(nearest_name(wanted, names)) + "'");
-}
 
 std::uint64_t texture_bytes(const PlannedTexture& texture) {
   return static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height) *
@@ -58,36 +34,7 @@ std::uint64_t machine_memory() {
   return bytes;
 }
 
-// More would plan for minutes before the memory that they need is refused.
-constexpr std::size_t kMostSamples = 4096;
-
-void sample_area_lights(Scene& scene, int count) {
-  const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-    return light.shape != LightShape::None;
-  });
-  const std::size_t samples = static_cast<std::size_t>(sized) * static_cast<std::size_t>(count);
-  if (samples > kMostSamples) {
-    throw Error(ExitCode::WrongUsage, std::to_string(sized) + " lights with a size would need " +
-                                          grouped(samples) + " samples, more than " +
-                                          grouped(kMostSamples) + "; lower -D light.samples");
-  }
-  sample_lights(scene, count);
-}
-
 }  // namespace
-
-std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request) {
-  auto judged = std::make_unique<JudgedScene>();
-  judged->scene = load_gltf(request.scene);
-  if (request.environment) judged->scene.environment = load_environment(*request.environment);
-  if (request.settings.emissive_lights) add_emissive_lights(judged->scene);
-  sample_area_lights(judged->scene, request.settings.light_samples);
-  complete_scene(judged->scene);
-  stop_if_interrupted();
-  judged->effects = effects_of(judged->scene, request.settings);
-  judged->camera = &choose_camera(judged->scene, request.settings.camera);
-  return judged;
-}
 
 std::uint64_t memory_needed(const FramePlan& plan) {
   std::uint64_t sum = 0, largest = 0;
@@ -111,30 +58,57 @@ void check_memory(const FramePlan& plan, const Effects& effects) {
 
 RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<JudgedScene> judged,
                              const PlanGoal& goal)
-    : settings_(request.settings), judged_(std::move(judged)) {
-  plan_ = make_plan(scene(), effects(), settings_, pass_registry(), goal);
+    : settings_(request.settings), judged_(std::move(judged)), goal_(goal) {
+  plan_ = make_plan(scene(), effects(), settings_, pass_registry(), goal_);
   check_memory(plan_, effects());
   device_ = make_device(request.backend);
   on_device_ = std::make_unique<SceneOnDevice>(scene(), effects(), *device_);
   stop_if_interrupted();
-  frames_ = fit_frames(request.backend);
-  stop_if_interrupted();
-  targets_ = std::make_unique<FrameTargets>(plan_, *device_);
+  make_fitter(request.backend);
   inputs_.settings = &settings_;
   inputs_.effects = &effects();
   inputs_.frames = &frames_;
-  inputs_.view = frame_of(*judged_->camera, settings_.width, settings_.height, bounds_of(scene()));
-  inputs_.exposure = exposure_of(scene(), settings_);
+  inputs_.exposure = judged_->exposure();
+  fit();
+  targets_ = std::make_unique<FrameTargets>(plan_, *device_);
+  if (judged_->moves()) return;
+  fitter_.reset();  // what it needed is not needed again
+  fitting_scene_.reset();
+  fitting_device_.reset();
 }
 
 // Always on the software device, so that every backend draws the same frames.
-std::vector<LightFrames> RenderedFrame::fit_frames(const BackendRequest& backend) const {
-  if (backend.backend == Backend::Software) {
-    return fit_light_frames(*on_device_, effects(), settings_, pass_registry());
+void RenderedFrame::make_fitter(const BackendRequest& backend) {
+  if (backend.backend != Backend::Software) {
+    fitting_device_ = make_software_device({.threads = backend.threads});
+    fitting_scene_ = std::make_unique<SceneOnDevice>(scene(), effects(), *fitting_device_);
   }
-  const std::unique_ptr<Device> device = make_software_device({.threads = backend.threads});
-  return fit_light_frames(SceneOnDevice(scene(), effects(), *device), effects(), settings_,
-                          pass_registry());
+  fitter_ = std::make_unique<LightFitter>(fitting_scene_ ? *fitting_scene_ : *on_device_, settings_,
+                                          pass_registry());
+}
+
+void RenderedFrame::fit() {
+  frames_ = fitter_->fit(effects());
+  stop_if_interrupted();
+  inputs_.view =
+      frame_of(judged_->camera(), settings_.width, settings_.height, bounds_of(scene()));
+}
+
+void RenderedFrame::move_to(double seconds) {
+  if (!judged_->moves()) return;
+  judged_->move_to(seconds);
+  on_device_->update(judged_->moving_meshes());
+  if (fitting_scene_) fitting_scene_->update(judged_->moving_meshes());
+  FramePlan plan = make_plan(scene(), effects(), settings_, pass_registry(), goal_);
+  // Other textures only where the moment calls for other effects.
+  const bool same = plan.textures == plan_.textures;
+  plan_ = std::move(plan);
+  if (!same) {
+    targets_.reset();
+    check_memory(plan_, effects());
+  }
+  fit();
+  if (!same) targets_ = std::make_unique<FrameTargets>(plan_, *device_);
 }
 
 std::vector<PassReport> RenderedFrame::run(const AfterPass& after) {

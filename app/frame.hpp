@@ -2,21 +2,11 @@
 #pragma once
 #include <memory>
 
-#include "app/frame_options.hpp"
+#include "app/judged_scene.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/run_plan.hpp"
 
 namespace caustics::app {
-
-// A scene, completed, and what it calls for.
-struct JudgedScene {
-  Scene scene;
-  Effects effects;
-  const Camera* camera = nullptr;  // into `scene`
-};
-
-// Loads and completes the scene. Throws Error: BadInput, or WrongUsage for an unknown camera.
-std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request);
 
 // What a frame occupies while it is rendered, in bytes: its textures as the software device holds
 // them, and one more of the largest, read back.
@@ -24,7 +14,8 @@ std::uint64_t memory_needed(const FramePlan& plan);
 // Throws Error (WrongUsage) when the frame needs more than three quarters of this machine's memory.
 void check_memory(const FramePlan& plan, const Effects& effects);
 
-// A frame on the device, ready to run. Everything it refers to it owns.
+// A frame on the device, ready to run; one after the other where the scene moves. Everything it refers
+// to it owns.
 class RenderedFrame {
  public:
   RenderedFrame(const FrameRequest& request, std::unique_ptr<JudgedScene> judged,
@@ -38,8 +29,13 @@ class RenderedFrame {
   // A pass of the plan with everything bound to it.
   PassRun prepare(const PlannedPass& pass) const;
 
-  const Scene& scene() const { return judged_->scene; }
-  const Effects& effects() const { return judged_->effects; }
+  // The scene at that moment of its animation, ready to run; the device and what is on it are kept. The
+  // images are those of a frame made for that moment alone.
+  void move_to(double seconds);
+
+  const Scene& scene() const { return judged_->scene(); }
+  const Effects& effects() const { return judged_->effects(); }
+  bool moves() const { return judged_->moves(); }
   const Settings& settings() const { return settings_; }
   const FramePlan& plan() const { return plan_; }
   const std::vector<LightFrames>& frames() const { return frames_; }
@@ -48,13 +44,19 @@ class RenderedFrame {
   Device& device() const { return *device_; }
 
  private:
-  std::vector<LightFrames> fit_frames(const BackendRequest& backend) const;
+  void make_fitter(const BackendRequest& backend);
+  void fit();
 
   Settings settings_;
   std::unique_ptr<JudgedScene> judged_;
+  PlanGoal goal_;
   FramePlan plan_;
   std::unique_ptr<Device> device_;
   std::unique_ptr<SceneOnDevice> on_device_;
+  // Only where another device than the software device draws.
+  std::unique_ptr<Device> fitting_device_;
+  std::unique_ptr<SceneOnDevice> fitting_scene_;
+  std::unique_ptr<LightFitter> fitter_;
   std::vector<LightFrames> frames_;
   std::unique_ptr<FrameTargets> targets_;
   FrameInputs inputs_;

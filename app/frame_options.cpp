@@ -4,6 +4,8 @@ namespace caustics::app {
 
 namespace {
 
+constexpr double kLatest = 1e6;  // seconds
+
 // An option that is the short form of a `-D` key.
 struct SettingOption {
   const char* names;
@@ -61,6 +63,13 @@ void add_frame_options(Parser& parser, FrameRequest& request) {
       {"--exposure", "exposure", "EV", "brightness in EV beside auto's, or auto (default)"});
   parser.option("--environment", "F.hdr", "light from all around: an equirectangular image, nit",
                 [&](const std::string& value) { request.environment = value; });
+  parser.option("--animation", "NAME|N",
+                "the file's animation, or none: the scene at rest (default the first, 0)",
+                [&](const std::string& value) { request.animation = value; });
+  parser.option("--time", "S", "the moment of the animation in seconds; 0..1e6 (default 0)",
+                [&](const std::string& value) {
+                  request.seconds = parse_real("--time", value, 0.0, kLatest);
+                });
   parser.group("Method");
   for (const SettingOption& option : kMethod) add_setting(parser, settings, option);
   parser.flag("--assume-solid", settings.assume_solid,

@@ -11,6 +11,8 @@ namespace caustics::app {
 struct FrameRequest {
   std::filesystem::path scene;
   std::optional<std::filesystem::path> environment;
+  std::string animation;          // --animation; "": the first
+  std::optional<double> seconds;  // --time; 0 where it was not given
   Settings settings;
   BackendRequest backend;
 };

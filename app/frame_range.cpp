@@ -1,6 +1,7 @@
 #include "app/frame_range.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/parser.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -41,6 +42,11 @@ FrameRange parse_frames(const std::string& text) {
                                           "': the first frame comes first, as in 0..9");
   }
   return range;
+}
+
+FrameRange frames_up_to(double count) {
+  const double last = std::ceil(std::clamp(count, 1.0, kLastFrame + 1.0)) - 1.0;
+  return {0, static_cast<int>(last)};
 }
 
 bool has_number(const std::filesystem::path& file) {

@@ -13,6 +13,9 @@ struct FrameRange {
 // "3" or "3..20", both ends included, each 0..999999. Throws Error (WrongUsage).
 FrameRange parse_frames(const std::string& text);
 
+// Frames 0, 1, ... below `count`, which may be a fraction: at least frame 0, at most frame 999999.
+FrameRange frames_up_to(double count);
+
 // Has the file's name a place for the frame's number, as in "frame.%04d.png"?
 bool has_number(const std::filesystem::path& file);
 // The name with the number in its place; the file itself where it has none.

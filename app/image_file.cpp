@@ -46,6 +46,17 @@ class Encoder {
 
 }  // namespace
 
+bool is_image_of_size(const std::filesystem::path& path, int width, int height) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const auto input = OIIO::ImageInput::open(path.string());
+  if (!input) {
+    OIIO::geterror();  // fetched, so that nobody else finds it
+    return false;
+  }
+  return input->spec().width == width && input->spec().height == height;
+}
+
 void write_png(const std::filesystem::path& path, const Image& picture) {
   OIIO::ImageSpec spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");

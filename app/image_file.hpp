@@ -12,6 +12,9 @@ namespace caustics::app {
 // for display (sRGB).
 void write_png(const std::filesystem::path& path, const Image& picture);
 
+// Is there an image file whose head can be read, of this size? Its contents are not looked at.
+bool is_image_of_size(const std::filesystem::path& path, int width, int height);
+
 // One channel of an EXR file: a channel of an image, plus a constant where `covered_by` (a channel
 // of the same image, or -1 for everywhere) is not 0.
 struct ExrChannel {

@@ -6,6 +6,7 @@
 #include "app/atomic_file.hpp"
 #include "app/image_file.hpp"
 #include "app/terminal.hpp"
+#include "app/video_file.hpp"
 #include "pipeline/plan/nearest.hpp"
 
 namespace caustics::app {
@@ -98,9 +99,10 @@ void check_outputs(const OutputRequest& request) {
   for (std::size_t i = 0; i < request.files.size(); ++i) {
     const std::filesystem::path& file = request.files[i];
     const std::string extension = lower_extension(file);
-    if (extension != ".png" && extension != ".exr") {
-      throw Error(ExitCode::WrongUsage,
-                  file.string() + ": outputs are named .png or .exr, which says their format");
+    if (extension != ".png" && extension != ".exr" && !is_video(file)) {
+      throw Error(ExitCode::WrongUsage, file.string() +
+                                            ": outputs are named .png or .exr, which says their "
+                                            "format; films .mp4, .mkv, .webm or .gif");
     }
     exr = exr || extension == ".exr";
     if (std::count(request.files.begin(), request.files.end(), file) > 1) {
@@ -116,7 +118,7 @@ void check_outputs(const OutputRequest& request) {
 std::vector<std::string> textures_for(const OutputRequest& request) {
   std::vector<std::string> textures;
   for (const std::filesystem::path& file : request.files) {
-    if (lower_extension(file) == ".png") {
+    if (lower_extension(file) != ".exr") {
       textures.emplace_back("picture");
     } else {
       for (const std::string& name : layers_of(request)) {
@@ -131,7 +133,7 @@ void write_outputs(const OutputRequest& request, const RenderedFrame& frame) {
   for (const std::filesystem::path& file : request.files) {
     if (lower_extension(file) == ".png") {
       write_png(file, frame.read("picture"));
-    } else {
+    } else if (!is_video(file)) {
       write_layers(file, request, frame);
     }
   }

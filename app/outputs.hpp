@@ -9,7 +9,7 @@
 namespace caustics::app {
 
 struct OutputRequest {
-  std::vector<std::filesystem::path> files;  // .png or .exr
+  std::vector<std::filesystem::path> files;  // .png or .exr, or a film's
   std::vector<std::string> layers;           // of --aov, checked
 };
 
@@ -23,6 +23,7 @@ void check_outputs(const OutputRequest& request);
 // The textures that the files are made from.
 std::vector<std::string> textures_for(const OutputRequest& request);
 
+// Those that are one file a frame; films are left to their writers (app/video_file.hpp).
 void write_outputs(const OutputRequest& request, const RenderedFrame& frame);
 
 }  // namespace caustics::app

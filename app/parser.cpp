@@ -119,6 +119,18 @@ int parse_integer(const std::string& option, const std::string& text, int least,
   return value;
 }
 
+double parse_real(const std::string& option, const std::string& text, double least, double most) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end || !(value >= least && value <= most)) {
+    throw Error(ExitCode::WrongUsage, option + " cannot be " + in_quotes(text) +
+                                          ": a number in " + significant(least, 6) + ".." +
+                                          significant(most, 6));
+  }
+  return value;
+}
+
 Pair parse_pair(const std::string& option, const std::string& text, int least, int most) {
   const std::size_t split = text.find_first_of("x,");
   if (split == std::string::npos) {

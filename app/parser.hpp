@@ -43,6 +43,8 @@ class Parser {
 
 // The whole text as an integer within the range; throws Error (WrongUsage) that names the option.
 int parse_integer(const std::string& option, const std::string& text, int least, int most);
+// Likewise a decimal number.
+double parse_real(const std::string& option, const std::string& text, double least, double most);
 // "640x360" or "640,360", each within the range.
 struct Pair {
   int first = 0, second = 0;

@@ -44,10 +44,10 @@ ExitCode run_plan_command(const Arguments& arguments) {
   const JudgedScene* judged = loaded.get();
   // What `render` runs for a PNG picture.
   const FramePlan plan =
-      make_plan(judged->scene, judged->effects, request.settings, pass_registry(), {{"picture"}});
+      make_plan(judged->scene(), judged->effects(), request.settings, pass_registry(), {{"picture"}});
   std::optional<RenderedFrame> coarse;
   std::vector<LightLedger> ledgers;
-  if (judged->effects.active("caustics")) {
+  if (judged->effects().active("caustics")) {
     coarse.emplace(coarse_request(request), std::move(loaded), PlanGoal{ledger_textures()});
     coarse->run();
     ledgers = read_ledgers(*coarse);

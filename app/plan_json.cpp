@@ -108,13 +108,13 @@ Json passes_json(const FramePlan& plan) {
 }  // namespace
 
 std::string plan_json(const PlanReport& report) {
-  const Scene& scene = report.judged.scene;
-  const Effects& effects = report.judged.effects;
+  const Scene& scene = report.judged.scene();
+  const Effects& effects = report.judged.effects();
   Json document = {{"format", 1},
                    {"program", version_line()},
                    {"scene", scene_json(scene)},
                    {"settings", settings_json(report.settings)},
-                   {"camera", report.judged.camera->name},
+                   {"camera", report.judged.camera().name},
                    {"surfaces", surfaces_json(scene, effects)},
                    {"lights", lights_json(scene)},
                    {"expectations", Json::array()},
@@ -124,6 +124,10 @@ std::string plan_json(const PlanReport& report) {
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
                    {"notes", scene.notes}};
+  if (report.judged.moves()) {
+    document["animation"] = {{"seconds", report.judged.duration()},
+                             {"meshes", report.judged.moving_meshes()}};
+  }
   for (const Expectation& e : known_expectations(scene, effects, report.ledgers)) {
     document["expectations"].push_back(
         {{"light", e.light}, {"mesh", e.mesh}, {"expected", e.expected}, {"reason", e.reason}});

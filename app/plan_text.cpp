@@ -41,8 +41,8 @@ class TextReport {
   }
 
  private:
-  const Scene& of() const { return report_.judged.scene; }
-  const Effects& judged() const { return report_.judged.effects; }
+  const Scene& of() const { return report_.judged.scene(); }
+  const Effects& judged() const { return report_.judged.effects(); }
 
   void heading(const std::string& title) {
     text_ += (text_.empty() ? "" : "\n") + (colour_ ? "\033[1m" + title + "\033[0m" : title) + "\n";
@@ -62,8 +62,16 @@ class TextReport {
     table.row({"meshes", grouped(of().meshes.size()) + ", " + grouped(triangles) + " triangles"});
     table.row({"size", significant(size.x, 3) + " x " + significant(size.y, 3) + " x " +
                            significant(size.z, 3) + " m"});
-    table.row({"camera", one_line(report_.judged.camera->name)});
+    table.row({"camera", one_line(report_.judged.camera().name)});
+    if (report_.judged.moves()) table.row({"moves", movement()});
     text_ += table.text();
+  }
+
+  // "for 2.5 s, then again; 3 meshes".
+  std::string movement() const {
+    const std::size_t meshes = report_.judged.moving_meshes().size();
+    return "for " + significant(report_.judged.duration(), 4) + " s, then again; " +
+           (meshes == 0 ? "no meshes" : grouped(meshes) + (meshes == 1 ? " mesh" : " meshes"));
   }
 
   // Meshes of one material and one judgement share a line.

@@ -117,7 +117,7 @@ ExitCode run_probe(const Arguments& arguments) {
   ProbeRequest request;
   if (!parse(arguments, request)) return ExitCode::Done;
   std::unique_ptr<JudgedScene> judged = load_scene(request.frame);
-  check_light(judged->scene, request);
+  check_light(judged->scene(), request);
   RenderedFrame frame(request.frame, std::move(judged), {{kLanding}});
   const PlannedPass& landing = find_landing(frame, request);
   frame.run();

@@ -1,16 +1,19 @@
 // caustics render: a scene to pictures.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "app/atomic_file.hpp"
 #include "app/dump.hpp"
 #include "app/frame_range.hpp"
+#include "app/image_file.hpp"
 #include "app/interrupt.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/stats.hpp"
 #include "app/summary.hpp"
 #include "app/terminal.hpp"
+#include "app/video_file.hpp"
 
 namespace caustics::app {
 
@@ -22,21 +25,39 @@ constexpr char kExamples[] =
     "  caustics render scene.glb -o a.png -o a.exr -r 640x360\n"
     "  caustics render scene.glb -o a.exr --aov beauty,caustic,depth\n"
     "  caustics render scene.glb --grid 1024 --map 1024 --stats a.json\n"
-    "  caustics render scene.glb --backend gl --frames 0..99 -o frame.%04d.png\n";
+    "  caustics render moving.glb --frames 0..99 --fps 25 -o frame.%04d.png --resume\n"
+    "  caustics render moving.glb -o film.mp4\n";
 
 struct RenderRequest {
   FrameRequest frame;
   OutputRequest outputs;
   std::optional<FrameRange> frames;
+  double rate = 24.0;  // frames a second
+  bool timed = false, resume = false;
   std::string stats, dump;
   bool quiet = false;
+
+  bool films() const {
+    return std::any_of(outputs.files.begin(), outputs.files.end(), is_video);
+  }
+  // Is there a row of frames, rather than one?
+  bool several() const { return frames ? frames->count() > 1 : films(); }
+  double seconds(int frame) const { return frame / rate; }
 };
 
-// Several frames need a file each.
+// Several frames need a file each, but for films.
 void check_frames(const RenderRequest& request) {
-  if (!request.frames || request.frames->count() == 1) return;
+  if (request.timed && (request.frames || request.films()))
+    throw Error(ExitCode::WrongUsage, "--time is for one still; --frames and --fps say the moments "
+                                      "of several");
+  if (request.resume && request.films())
+    throw Error(ExitCode::WrongUsage,
+                "--resume is for pictures: a film is written as a whole or not at all");
+  if (request.resume && !request.frames)
+    throw Error(ExitCode::WrongUsage, "--resume needs --frames A..B");
+  if (!request.several()) return;
   for (const std::filesystem::path& file : request.outputs.files) {
-    if (has_number(file)) continue;
+    if (has_number(file) || is_video(file)) continue;
     throw Error(ExitCode::WrongUsage, one_line(file.string()) +
                                           " would be written over by each frame; put %04d into the "
                                           "name, where the frame's number goes");
@@ -46,6 +67,17 @@ void check_frames(const RenderRequest& request) {
   }
 }
 
+void add_frame_row_options(Parser& parser, RenderRequest& request) {
+  parser.option("--frames", "A..B",
+                "frames A to B (default one; a film: all); %04d in -o is the number",
+                [&](const std::string& range) { request.frames = parse_frames(range); });
+  parser.option("--fps", "F", "frames a second: frame n shows n/F s; 0.01..1000 (default 24)",
+                [&](const std::string& value) {
+                  request.rate = parse_real("--fps", value, 0.01, 1000.0);
+                });
+  parser.flag("--resume", request.resume, "leave out frames whose files are there");
+}
+
 // False when only the help was asked for.
 bool parse(const Arguments& arguments, RenderRequest& request) {
   Parser parser("render", kPurpose, kExamples);
@@ -53,7 +85,7 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("Output");
   parser.repeated("-o,--output", "FILE",
-                  ".png or .exr; may stand several times (default SCENE.png)",
+                  ".png, .exr; .mp4, .mkv, .webm, .gif with ffmpeg; several (default SCENE.png)",
                   [&](const std::string& file) { request.outputs.files.emplace_back(file); });
   parser.option("--aov", "LIST", "EXR layers, listed below, with commas between (default beauty)",
                 [&](const std::string& list) { request.outputs.layers = parse_layers(list); });
@@ -61,15 +93,14 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
                 [&](const std::string& file) { request.stats = file; });
   parser.option("--dump", "DIR", "every pass's attachments as EXR (default: not written)",
                 [&](const std::string& folder) { request.dump = folder; });
-  parser.option("--frames", "A..B",
-                "frames A to B (default one frame, no number); %04d in -o is the number",
-                [&](const std::string& range) { request.frames = parse_frames(range); });
+  add_frame_row_options(parser, request);
   parser.flag("--quiet", request.quiet, "say nothing but errors");
   parser.footer("Layers for --aov, of the first surface that is hit:\n" + layer_help());
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "render");
+  request.timed = request.frame.seconds.has_value();
   if (request.outputs.files.empty()) {
     const std::string number = request.frames ? ".%04d" : "";
     request.outputs.files.emplace_back(request.frame.scene.stem().string() + number + ".png");
@@ -90,14 +121,14 @@ PlanGoal goal_of(const RenderRequest& request) {
 }
 
 // A picture with a hole in it is not written: the fault is named instead.
-void refuse_non_finite(const RenderedFrame& frame) {
+void refuse_non_finite(const RenderedFrame& frame, const std::string& which) {
   const Image beauty = frame.read("beauty");
   for (int y = 0; y < beauty.height(); ++y) {
     for (int x = 0; x < beauty.width(); ++x) {
       for (int c = 0; c < beauty.channels(); ++c) {
         if (std::isfinite(beauty.at(x, y, c))) continue;
         throw Error(ExitCode::NumericFault,
-                    "beauty is " + significant(beauty.at(x, y, c), 3) + " at pixel " +
+                    which + "beauty is " + significant(beauty.at(x, y, c), 3) + " at pixel " +
                         std::to_string(x) + "," + std::to_string(beauty.height() - 1 - y) +
                         " from the top left, channel " + "RGBA"[c] +
                         "; no picture is written, --dump DIR shows every pass");
@@ -110,22 +141,58 @@ void refuse_non_finite(const RenderedFrame& frame) {
 OutputRequest outputs_of(const RenderRequest& request, int frame) {
   OutputRequest outputs = request.outputs;
   if (!request.frames) return outputs;
-  for (std::filesystem::path& file : outputs.files) file = numbered(file, frame);
+  for (std::filesystem::path& file : outputs.files)
+    if (!is_video(file)) file = numbered(file, frame);
   return outputs;
+}
+
+// Is there a whole file for each output of the frame? Files appear whole or not at all, so that their
+// heads are enough to look at.
+bool is_there(const RenderRequest& request, int frame) {
+  const Settings& settings = request.frame.settings;
+  const OutputRequest outputs = outputs_of(request, frame);
+  return std::all_of(outputs.files.begin(), outputs.files.end(),
+                     [&](const std::filesystem::path& file) {
+                       return is_image_of_size(file, settings.width, settings.height);
+                     });
+}
+
+// Those that are to be drawn.
+std::vector<int> frames_to_draw(const RenderRequest& request) {
+  std::vector<int> frames;
+  const FrameRange range = request.frames.value_or(FrameRange{});
+  for (int n = range.first; n <= range.last; ++n)
+    if (!request.resume || !is_there(request, n)) frames.push_back(n);
+  return frames;
+}
+
+// A film of no given frames shows the whole animation once.
+FrameRange whole_animation(const JudgedScene& scene, double rate) {
+  if (!(scene.duration() > 0.0)) {
+    throw Error(ExitCode::WrongUsage,
+                "nothing moves in the scene, so a film has no length: say --frames A..B");
+  }
+  // A duration is stored in single precision: a hair beyond a whole number of frames is none more.
+  return frames_up_to(scene.duration() * rate - 1e-4);
 }
 
 class Renderer {
  public:
-  explicit Renderer(const RenderRequest& request) : request_(request), progress_(request.quiet) {
-    if (request.frames) frames_ = *request.frames;
+  explicit Renderer(RenderRequest request)
+      : request_(std::move(request)), progress_(request_.quiet), todo_(frames_to_draw(request_)) {
+    if (request_.frames && !todo_.empty())
+      request_.frame.seconds = request_.seconds(todo_.front());
   }
 
   void render() {
-    prepare();
-    for (int n = frames_.first; n <= frames_.last; ++n) {
-      draw(n);
-      refuse_non_finite(*frame_);
-      write(n);
+    if (!todo_.empty()) {
+      prepare();
+      for (const int n : todo_) {
+        draw(n);
+        refuse_non_finite(*frame_, request_.several() ? "frame " + std::to_string(n) + ": " : "");
+        write(n);
+        ++done_;
+      }
     }
     finish();
   }
@@ -134,14 +201,39 @@ class Renderer {
   void prepare() {
     progress_.show("loading " + request_.frame.scene.filename().string());
     std::unique_ptr<JudgedScene> judged = load_scene(request_.frame);
+    if (!request_.frames && request_.films()) {
+      request_.frames = whole_animation(*judged, request_.rate);
+      todo_ = frames_to_draw(request_);
+    }
+    if (!judged->moves()) say_that_nothing_moves();
     timing_.load = total_.milliseconds();
     progress_.show("finding where the light goes");
     frame_.emplace(request_.frame, std::move(judged), goal_of(request_));
     timing_.prepare = total_.milliseconds() - timing_.load;
     if (!request_.dump.empty()) dump_.emplace(request_.dump);
+    const Settings& size = request_.frame.settings;
+    for (const std::filesystem::path& file : request_.outputs.files)
+      if (is_video(file))
+        films_.push_back(
+            std::make_unique<VideoFile>(file, size.width, size.height, request_.rate));
+    started_ = Stopwatch();
+  }
+
+  void say_that_nothing_moves() {
+    if (request_.quiet || !(request_.several() || request_.timed)) return;
+    progress_.clear();
+    std::fputs(request_.several() ? "note: nothing moves in the scene: all frames are the same\n"
+                                  : "note: nothing moves in the scene: --time changes nothing\n",
+               stderr);
   }
 
   void draw(int n) {
+    if (done_ > 0 && frame_->moves()) {
+      progress_.show(frame_text(n) + "finding where the light goes");
+      const Stopwatch watch;
+      frame_->move_to(request_.seconds(n));
+      timing_.prepare += watch.milliseconds();
+    }
     const Stopwatch watch;
     reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done,
                                std::size_t of) {
@@ -152,7 +244,7 @@ class Renderer {
     });
     frame_times_.push_back(watch.milliseconds());
     timing_.passes += frame_times_.back();
-    if (n == frames_.first) first_made_ = frame_->device().made();
+    if (frame_times_.size() == 1) first_made_ = frame_->device().made();
     if (dump_) dump_->finish();
   }
 
@@ -160,10 +252,23 @@ class Renderer {
     progress_.show(frame_text(n) + "writing");
     const Stopwatch watch;
     write_outputs(outputs_of(request_, n), *frame_);
+    if (!films_.empty()) {
+      const Image picture = frame_->read("picture");
+      for (const auto& film : films_) film->add(picture);
+    }
     timing_.write += watch.milliseconds();
   }
 
   void finish() {
+    progress_.show("finishing");
+    for (const auto& film : films_) film->finish();
+    const int there = request_.frames ? request_.frames->count() - static_cast<int>(todo_.size()) : 0;
+    if (!frame_) {
+      progress_.clear();
+      if (!request_.quiet)
+        std::fprintf(stderr, "all %d frames are there already, nothing was drawn\n", there);
+      return;
+    }
     std::vector<LightLedger> ledgers;
     if (!request_.quiet || !request_.stats.empty()) ledgers = read_ledgers(*frame_);
     timing_.total = total_.milliseconds();
@@ -172,26 +277,31 @@ class Renderer {
                        stats_text(*frame_, reports_, ledgers, timing_, {frame_times_, first_made_}));
     }
     progress_.clear();
-    if (!request_.quiet) print_summary(*frame_, ledgers, timing_, request_.outputs.files);
+    if (request_.quiet) return;
+    print_summary(*frame_, ledgers, timing_, request_.outputs.files,
+                  request_.several() ? static_cast<int>(todo_.size()) : 0);
+    if (there > 0) std::fprintf(stderr, "%d frames were there already\n", there);
   }
 
-  // "frame 3 of 20, 12 s left: "
+  // "frame 3 of 20, 12 s left: "; in a resumed row only what is drawn counts.
   std::string frame_text(int n) const {
-    if (frames_.count() == 1) return {};
-    const int done = n - frames_.first;
-    std::string text = "frame " + std::to_string(done + 1) + " of " + std::to_string(frames_.count());
-    if (done > 0) {
-      const double each = (timing_.passes + timing_.write) / done;
-      text += ", " + duration_text(each * (frames_.count() - done)) + " left";
+    if (!request_.several()) return {};
+    std::string text = "frame " + std::to_string(n) + " (" + std::to_string(done_ + 1) + " of " +
+                       std::to_string(todo_.size()) + ")";
+    if (done_ > 0) {
+      const double each = started_.milliseconds() / static_cast<double>(done_);
+      text += ", " + duration_text(each * static_cast<double>(todo_.size() - done_)) + " left";
     }
     return text + ": ";
   }
 
-  const RenderRequest& request_;
-  FrameRange frames_;
-  Stopwatch total_;
+  RenderRequest request_;
+  Stopwatch total_, started_;  // the program; the first frame
   Timing timing_;
   Progress progress_;
+  std::vector<int> todo_;  // frames to draw
+  std::size_t done_ = 0;   // of todo_
+  std::vector<std::unique_ptr<VideoFile>> films_;
   std::optional<RenderedFrame> frame_;
   std::optional<Dump> dump_;
   std::vector<PassReport> reports_;  // of the last frame
@@ -206,7 +316,9 @@ ExitCode run_render(const Arguments& arguments) {
   if (!parse(arguments, request)) return ExitCode::Done;
   check_outputs(outputs_of(request, request.frames ? request.frames->first : 0));
   if (!request.stats.empty()) require_writable(request.stats);
-  Renderer(request).render();
+  for (const std::filesystem::path& file : request.outputs.files)
+    if (is_video(file)) require_ffmpeg(file);
+  Renderer(std::move(request)).render();
   return ExitCode::Done;
 }
 

@@ -83,7 +83,8 @@ std::vector<std::string> missing_caustics(const Scene& scene, const std::vector<
 }
 
 void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
-                   const Timing& timing, const std::vector<std::filesystem::path>& outputs) {
+                   const Timing& timing, const std::vector<std::filesystem::path>& outputs,
+                   int drawn) {
   print_some("note", frame.scene().notes);
   print_some("no caustic",
              missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)));
@@ -96,8 +97,9 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
   for (const std::filesystem::path& file : outputs) {
     files += (files.empty() ? "" : ", ") + one_line(file.string());
   }
-  std::fprintf(stderr, "%s: %dx%d in %s (load %s, prepare %s, passes %s, write %s)\n",
-               files.c_str(), frame.settings().width, frame.settings().height,
+  const std::string frames = drawn > 0 ? ", " + std::to_string(drawn) + " frames" : "";
+  std::fprintf(stderr, "%s: %dx%d%s in %s (load %s, prepare %s, passes %s, write %s)\n",
+               files.c_str(), frame.settings().width, frame.settings().height, frames.c_str(),
                duration_text(timing.total).c_str(), duration_text(timing.load).c_str(),
                duration_text(timing.prepare).c_str(), duration_text(timing.passes).c_str(),
                duration_text(timing.write).c_str());

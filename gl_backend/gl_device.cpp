@@ -119,6 +119,13 @@ class OpenGlDevice final : public GlDevice {
     return id;
   }
 
+  void update(MeshId id, const MeshData& data) override {
+    mesh_of(id);
+    context_.make_current();
+    update_mesh(meshes_.at(id), data);
+    debug_.check("filling a mesh");
+  }
+
   void destroy(MeshId mesh) override {
     context_.make_current();
     meshes_.erase(mesh);

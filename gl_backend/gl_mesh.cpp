@@ -13,8 +13,25 @@ BufferObject make_buffer(const std::vector<T>& values) {
   GLuint id = 0;
   glCreateBuffers(1, &id);
   BufferObject buffer(id);
-  glNamedBufferStorage(id, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), 0);
+  glNamedBufferStorage(id, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(),
+                       GL_DYNAMIC_STORAGE_BIT);
   return buffer;
+}
+
+template <class T>
+void write_buffer(const BufferObject& buffer, const std::vector<T>& values) {
+  if (values.empty()) return;
+  glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)),
+                       values.data());
+}
+
+void check_indices(const MeshData& data) {
+  const std::size_t count = data.vertex_count();
+  for (const std::uint32_t index : data.indices)
+    if (index >= count)
+      throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
+                                               " is beyond its " + std::to_string(count) +
+                                               " vertices");
 }
 
 // Bytes from a vertex's start to its attribute.
@@ -35,14 +52,19 @@ Mesh make_mesh(const MeshData& data) {
   mesh.vertex_count = data.vertex_count();
   mesh.index_count = data.indices.size();
   mesh.stride = data.floats_per_vertex() * static_cast<int>(sizeof(float));
-  for (const std::uint32_t index : data.indices)
-    if (index >= mesh.vertex_count)
-      throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
-                                               " is beyond its " +
-                                               std::to_string(mesh.vertex_count) + " vertices");
+  check_indices(data);
   if (!data.vertices.empty()) mesh.vertices = make_buffer(data.vertices);
   if (!data.indices.empty()) mesh.indices = make_buffer(data.indices);
   return mesh;
+}
+
+void update_mesh(Mesh& mesh, const MeshData& data) {
+  if (data.floats_per_vertex() * static_cast<int>(sizeof(float)) != mesh.stride ||
+      data.vertex_count() != mesh.vertex_count || data.indices.size() != mesh.index_count)
+    throw Error(ExitCode::InternalError, "a mesh is updated by one of another layout or size");
+  check_indices(data);
+  write_buffer(mesh.vertices, data.vertices);
+  write_buffer(mesh.indices, data.indices);
 }
 
 VertexArrayObject make_vertex_array(const Mesh& mesh, const ShaderInterface& interface) {

@@ -24,6 +24,8 @@ struct Mesh {
 
 // Throws Error (InternalError) when an index is beyond the vertices.
 Mesh make_mesh(const MeshData& data);
+// Other contents of the same layout and size, in the same buffers; throws Error (InternalError) otherwise.
+void update_mesh(Mesh& mesh, const MeshData& data);
 // Feeds attribute i of the interface to location i; the mesh must have them all (validated before).
 VertexArrayObject make_vertex_array(const Mesh& mesh, const ShaderInterface& interface);
 

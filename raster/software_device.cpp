@@ -53,16 +53,17 @@ class SoftwareDevice final : public Device {
   void destroy(TextureId texture) override { textures_.erase(texture); }
 
   MeshId create_mesh(const MeshData& mesh) override {
-    const std::size_t count = mesh.vertex_count();
-    for (const std::uint32_t index : mesh.indices)
-      if (index >= count)
-        throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
-                                                 " is beyond its " + std::to_string(count) +
-                                                 " vertices");
+    check_indices(mesh);
     ++made_.buffers;
     const auto id = static_cast<MeshId>(++last_mesh_);
     meshes_.emplace(id, mesh);
     return id;
+  }
+
+  void update(MeshId id, const MeshData& data) override {
+    check_same_extent(mesh_of(id), data);
+    check_indices(data);
+    meshes_[id] = data;
   }
 
   void destroy(MeshId mesh) override { meshes_.erase(mesh); }
@@ -102,6 +103,22 @@ class SoftwareDevice final : public Device {
     if (found == textures_.end())
       throw Error(ExitCode::InternalError, "a texture that does not exist is used");
     return found->second;
+  }
+
+  static void check_indices(const MeshData& mesh) {
+    const std::size_t count = mesh.vertex_count();
+    for (const std::uint32_t index : mesh.indices)
+      if (index >= count)
+        throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
+                                                 " is beyond its " + std::to_string(count) +
+                                                 " vertices");
+  }
+
+  static void check_same_extent(const MeshData& old, const MeshData& data) {
+    if (old.floats_per_vertex() == data.floats_per_vertex() &&
+        old.vertices.size() == data.vertices.size() && old.indices.size() == data.indices.size())
+      return;
+    throw Error(ExitCode::InternalError, "a mesh is updated by one of another layout or size");
   }
 
   const MeshData& mesh_of(MeshId id) const {

@@ -362,6 +362,26 @@ class Scene:
     def sun(self, travel, lux, **more):
         self.light(travel, name='sun', type='directional', intensity=lux, **more)
 
+    def keyframes(self, node, path, times, values, interpolation='LINEAR'):
+        """A channel of the scene's animation for the node of this name; of CUBICSPLINE three values a moment."""
+        def stored(rows):
+            while len(self.binary) % 4:
+                self.binary.append(0)
+            data = b''.join(struct.pack('<%df' % len(row), *row) for row in rows)
+            self.gltf['bufferViews'].append({'buffer': 0, 'byteOffset': len(self.binary), 'byteLength': len(data)})
+            self.binary += data
+            return len(self.gltf['bufferViews']) - 1
+
+        animation = self.gltf.setdefault('animations', [{'name': 'moves', 'channels': [], 'samplers': []}])[0]
+        moments = self.accessor(bufferView=stored([[t] for t in times]), componentType=5126, count=len(times),
+                                type='SCALAR', min=[min(times)], max=[max(times)])
+        output = self.accessor(bufferView=stored(values), componentType=5126, count=len(values),
+                               type='VEC%d' % len(values[0]))
+        animation['samplers'].append({'input': moments, 'output': output, 'interpolation': interpolation})
+        number = next(i for i, n in enumerate(self.gltf['nodes']) if n.get('name') == node)
+        animation['channels'].append({'sampler': len(animation['samplers']) - 1,
+                                      'target': {'node': number, 'path': path}})
+
     def camera(self, name, eye, target, fov_degrees):
         self.gltf['cameras'].append({'name': name, 'type': 'perspective', 'perspective': {
             'yfov': math.radians(fov_degrees), 'znear': 0.01, 'aspectRatio': 16 / 9}})
@@ -668,18 +688,68 @@ def stained_glass():
     return s
 
 
+def lens(radius, sphere_radius, segments, rings):
+    """A biconvex lens around the y axis and the origin: two caps of spheres, with the spheres' normals."""
+    drop = math.sqrt(sphere_radius ** 2 - radius ** 2)
+    half_angle = math.asin(radius / sphere_radius)
+    positions, normals, indices = [], [], []
+    for side in (1.0, -1.0):
+        first = len(positions)
+        for i in range(rings + 1):
+            a = half_angle * i / rings
+            for j in range(segments if i else 1):
+                b = 2 * math.pi * j / segments
+                n = (math.sin(a) * math.cos(b), side * math.cos(a), math.sin(a) * math.sin(b))
+                positions.append((sphere_radius * n[0], sphere_radius * n[1] - side * drop, sphere_radius * n[2]))
+                normals.append(n)
+        for i in range(rings):
+            for j in range(segments):
+                k = (j + 1) % segments
+                a, b = first + 1 + (i - 1) * segments, first + 1 + i * segments
+                faces = [(first, b + k, b + j)] if i == 0 else [(a + j, a + k, b + k), (a + j, b + k, b + j)]
+                for f in faces:
+                    indices += f if side > 0 else f[::-1]
+    return positions, normals, indices
+
+
+def moving_lens():
+    """A lens that circles once in 4 s above a floor and rocks, under a sun that swings: three ways of
+    interpolation, and everything as at the start when they end."""
+    s = Scene()
+    s.mesh('lens', lens(0.28, 0.50, 64, 10), glass('glass', 1.5))
+    s.mesh('floor', square(4.0), FLOOR)
+    s.mesh('post', box((-0.03, 0.0, -0.03), (0.03, 0.35, 0.03)), diffuse('post', 0.5))
+    s.sun((0.3, -1.0, 0.0), 10.0)
+    s.camera('view', (0.35, 1.75, 2.15), (0.0, 0.15, 0.0), 38)
+    s.camera_down('floor', (0.0, 0.1, 0.0), 1.0)
+    times, circle = [0.0, 1.0, 2.0, 3.0, 4.0], []
+    for t in times:  # a spline through four places of the circle, with the circle's own velocity
+        c, w = math.cos(math.pi * t / 2), math.sin(math.pi * t / 2)
+        velocity = (-0.45 * math.pi / 2 * w, 0.0, 0.45 * math.pi / 2 * c)
+        circle += [velocity, (0.45 * c, 0.55, 0.45 * w), velocity]
+    s.keyframes('lens', 'translation', times, circle, 'CUBICSPLINE')
+    lean = [(0.0, 0.0, math.sin(math.radians(d) / 2), math.cos(math.radians(d) / 2)) for d in (20, -20, 20)]
+    s.keyframes('lens', 'rotation', [0.0, 2.0, 4.0], lean)
+    s.keyframes('sun', 'rotation', [0.0, 2.0, 4.0],
+                [rotation_to(d, (0.0, 0.0, -1.0)) for d in ((0.3, -1.0, 0.0), (-0.3, -1.0, 0.0), (0.3, -1.0, 0.0))])
+    s.keyframes('post', 'translation', [0.0, 2.0], [(0.0, 0.0, 0.0), (0.0, 0.0, -0.5)], 'STEP')
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring,
               'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk,
-              'water_normal_map.glb': water_normal_map, 'stained_glass.glb': stained_glass}
+              'water_normal_map.glb': water_normal_map, 'stained_glass.glb': stained_glass,
+              'moving_lens.glb': moving_lens}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue
         scene = make()
         scene.write(name)
-        triangles = sum(a['count'] // 3 for a in scene.gltf['accessors'] if a['type'] == 'SCALAR')
+        triangles = sum(a['count'] // 3 for a in scene.gltf['accessors']
+                        if a['type'] == 'SCALAR' and a['componentType'] != 5126)
         size = os.path.getsize(os.path.join(HERE, name)) // 1024
         print(f'{name:20} {triangles:6} triangles {size:5} KB')
 

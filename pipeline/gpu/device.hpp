@@ -79,6 +79,9 @@ class Device {
   virtual TextureId upload(const Image& image) = 0;
   virtual void destroy(TextureId texture) = 0;
   virtual MeshId create_mesh(const MeshData& mesh) = 0;
+  // Other contents for a mesh; layout and numbers of vertices and indices must stay as they are, else
+  // Error (InternalError). Makes no new object.
+  virtual void update(MeshId mesh, const MeshData& data) = 0;
   virtual void destroy(MeshId mesh) = 0;
 
   // Validates (pipeline/gpu/validate.hpp) and executes. A target may not be read by the same run.

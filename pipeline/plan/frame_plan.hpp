@@ -14,6 +14,7 @@ struct PlannedTexture {
   Format format = Format::RGBA32F;
   int width = 0, height = 0;
   bool external = false;  // uploaded with the scene, not written by a pass
+  bool operator==(const PlannedTexture&) const = default;
 };
 
 struct PlannedPass {

@@ -200,33 +200,41 @@ void fit_to_landings(LightFrames& frames, std::vector<WeightedPoint> points, con
       glm::max(frames.caustic.window_upper, frames.caster.window_upper);
 }
 
+}  // namespace
+
 // Runs the passes that lead to the landings on small maps.
 class LandingScout {
  public:
-  LandingScout(const SceneOnDevice& scene, const Effects& effects, const Settings& settings,
-               const Registry& registry)
-      : scene_(scene), effects_(effects), registry_(registry), settings_(settings) {
+  LandingScout(const SceneOnDevice& scene, const Settings& settings, const Registry& registry)
+      : scene_(scene), registry_(registry), settings_(settings) {
     settings_.grid = std::min(settings.grid, kCoarseGrid);
     settings_.map = std::min(settings.map, kCoarseMap);
     settings_.iterations = std::max(settings.iterations, kCoarseIterations);
     settings_.estimator = Estimator::Secant;
-    plan_ = make_plan(scene.scene(), effects, settings_, registry,
-                      {.textures = {kLanding, kLandingFlux}});
+  }
+
+  // Plans for what the scene calls for now. Earlier textures are used again where they fit.
+  void plan(const Effects& effects) {
+    effects_ = &effects;
+    FramePlan plan = make_plan(scene_.scene(), effects, settings_, registry_,
+                               {.textures = {kLanding, kLandingFlux}});
+    if (plan.textures != plan_.textures) targets_.reset();
+    plan_ = std::move(plan);
   }
 
   bool finds_anything(int light) const {
-    return plan_.find(branch_texture(kLanding, light, effects_.branches.front())) >= 0;
+    return plan_.find(branch_texture(kLanding, light, effects_->branches.front())) >= 0;
   }
 
   void run(const std::vector<LightFrames>& frames) {
-    targets_ = std::make_unique<FrameTargets>(plan_, scene_.device());
+    if (!targets_) targets_ = std::make_unique<FrameTargets>(plan_, scene_.device());
     run_plan(plan_, registry_, scene_, *targets_,
-             {.settings = &settings_, .effects = &effects_, .frames = &frames, .view = {}});
+             {.settings = &settings_, .effects = effects_, .frames = &frames, .view = {}});
   }
 
   std::vector<WeightedPoint> found(int light, const Frame& frame) const {
     std::vector<WeightedPoint> points;
-    for (const Branch& branch : effects_.branches) {
+    for (const Branch& branch : effects_->branches) {
       const auto image = [&](const char* name) {
         return scene_.device().read_back((*targets_)[plan_.find(branch_texture(name, light, branch))]);
       };
@@ -237,34 +245,39 @@ class LandingScout {
 
  private:
   const SceneOnDevice& scene_;
-  const Effects& effects_;
+  const Effects* effects_ = nullptr;
   const Registry& registry_;
   Settings settings_;
   FramePlan plan_;
   std::unique_ptr<FrameTargets> targets_;
 };
 
-}  // namespace
+LightFitter::LightFitter(const SceneOnDevice& scene, const Settings& settings,
+                         const Registry& registry)
+    : scene_(scene), settings_(settings), registry_(registry) {}
 
-std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effects& effects,
-                                          const Settings& settings, const Registry& registry) {
+LightFitter::~LightFitter() = default;
+
+std::vector<LightFrames> LightFitter::fit(const Effects& effects) {
   std::vector<LightExtents> extents;
   std::vector<LightFrames> frames;
-  for (const Light& light : scene.scene().lights) {
-    extents.push_back(measure(scene.scene(), effects, light));
-    frames.push_back(widest_frames(extents.back(), effects, settings.grid));
+  for (const Light& light : scene_.scene().lights) {
+    extents.push_back(measure(scene_.scene(), effects, light));
+    frames.push_back(widest_frames(extents.back(), effects, settings_.grid));
   }
-  if (settings.shared_frames) {
+  if (settings_.shared_frames) {
     for (LightFrames& f : frames) {
       f.caustic.window_lower = f.receiver.window_lower = f.caster.window_lower;
       f.caustic.window_upper = f.receiver.window_upper = f.caster.window_upper;
     }
     return frames;
   }
-  LandingScout scout(scene, effects, settings, registry);
-  const double kernel_texels = splat_kernel(settings).radius + 2.0;
+  if (!scout_) scout_ = std::make_unique<LandingScout>(scene_, settings_, registry_);
+  LandingScout& scout = *scout_;
+  scout.plan(effects);
+  const double kernel_texels = splat_kernel(settings_).radius + 2.0;
   // First with everything in view, then again with the maps drawn in, for finer receivers.
-  for (const double margin : {0.5, 0.03 + 2.0 * kernel_texels / settings.map}) {
+  for (const double margin : {0.5, 0.03 + 2.0 * kernel_texels / settings_.map}) {
     bool any = false;
     for (int i = 0; i < static_cast<int>(frames.size()); ++i) any |= scout.finds_anything(i);
     if (!any) break;
@@ -272,10 +285,15 @@ std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effe
     for (int i = 0; i < static_cast<int>(frames.size()); ++i) {
       if (!scout.finds_anything(i)) continue;
       LightFrames& f = frames[static_cast<std::size_t>(i)];
-      fit_to_landings(f, scout.found(i, f.caustic), settings, margin);
+      fit_to_landings(f, scout.found(i, f.caustic), settings_, margin);
     }
   }
   return frames;
+}
+
+std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effects& effects,
+                                          const Settings& settings, const Registry& registry) {
+  return LightFitter(scene, settings, registry).fit(effects);
 }
 
 float exposure_of(const Scene& scene, const Settings& settings) {

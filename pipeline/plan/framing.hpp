@@ -1,14 +1,34 @@
 // Where the maps of a light look, and how bright a picture is made.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "pipeline/plan/scene_on_device.hpp"
 
 namespace caustics {
 
-// The frames of every light (by Scene::lights), fitted to the casters and to where their light lands.
-// Finds the latter by running the passes that lead to `landing` coarsely on the scene's device, which
-// should be the software device whatever backend renders, so that every backend sees the same frames.
+// Finds the frames of every light (by Scene::lights), fitted to the casters and to where their light
+// lands. Finds the latter by running the passes that lead to `landing` coarsely on the scene's device,
+// which should be the software device whatever backend renders, so that every backend sees the same
+// frames. Its textures are kept from one call to the next, for scenes that move; what a call returns
+// does not depend on earlier ones. All that it is made from must outlive it.
+class LightFitter {
+ public:
+  LightFitter(const SceneOnDevice& scene, const Settings& settings, const Registry& registry);
+  ~LightFitter();
+  LightFitter(const LightFitter&) = delete;
+  LightFitter& operator=(const LightFitter&) = delete;
+  // Of the scene as it is now.
+  std::vector<LightFrames> fit(const Effects& effects);
+
+ private:
+  const SceneOnDevice& scene_;
+  const Settings& settings_;
+  const Registry& registry_;
+  std::unique_ptr<class LandingScout> scout_;
+};
+
+// The same for a scene that stands still.
 std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effects& effects,
                                           const Settings& settings, const Registry& registry);
 

@@ -67,6 +67,13 @@ SceneOnDevice::~SceneOnDevice() {
   for (const auto& [name, texture] : externals_) device_.destroy(texture);
 }
 
+void SceneOnDevice::update(const std::vector<int>& meshes) {
+  for (const int mesh : meshes) {
+    const auto i = static_cast<std::size_t>(mesh);
+    device_.update(meshes_[i], mesh_data(scene_.meshes[i]));
+  }
+}
+
 TextureId SceneOnDevice::image(int index) const {
   return index < 0 ? TextureId::None : images_[static_cast<std::size_t>(index)];
 }

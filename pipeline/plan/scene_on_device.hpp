@@ -18,6 +18,10 @@ class SceneOnDevice {
   SceneOnDevice(const SceneOnDevice&) = delete;
   SceneOnDevice& operator=(const SceneOnDevice&) = delete;
 
+  // After the scene has changed: uploads these meshes anew (indices into Scene::meshes). They must have
+  // kept their numbers of vertices and indices; nothing else of the scene that is here may have changed.
+  void update(const std::vector<int>& meshes);
+
   const Scene& scene() const { return scene_; }
   Device& device() const { return device_; }
   MeshId mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }

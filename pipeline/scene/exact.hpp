@@ -43,6 +43,9 @@ Affine from_trs(const glm::dvec3& translation, const glm::dvec4& rotation, const
 // Sine and cosine, to about 1e-15 for |angle| up to 1e5.
 void sin_cos(double angle, double& sine, double& cosine);
 
+// The angle within -pi/2..pi/2 whose tangent is x, to about 1e-15; x may be infinite, not NaN.
+double arctangent(double x);
+
 // Natural logarithm of x > 0, to about 1e-15.
 double log(double x);
 

@@ -9,8 +9,9 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
-#include "pipeline/scene/scene.hpp"
+#include "pipeline/scene/animated_scene.hpp"
 
 namespace caustics {
 
@@ -26,10 +27,18 @@ struct LoadOptions {
   std::uint64_t max_vertices = 50'000'000;  // after instancing
   std::uint64_t max_triangles = 50'000'000;
   double max_coordinate = 1e12;  // metres; beyond it, products overflow single precision
+  std::uint64_t max_animation_values = 32'000'000;  // moments and what they hold, of one animation
+  // The animation to show: its name or else its number; "" the first, "none" the scene at rest.
+  std::string animation;
   int max_image_side = 16384;    // pixels
   std::uint64_t max_image_pixels = std::uint64_t{128} << 20;  // of all decoded images together
 };
 
+// The scene at 0 s of its animation.
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
+
+// The scene at any moment: docs/animation.md says what moves. An unknown LoadOptions::animation
+// throws Error(ExitCode::WrongUsage).
+AnimatedScene load_animated(const std::filesystem::path& path, const LoadOptions& options = {});
 
 }  // namespace caustics

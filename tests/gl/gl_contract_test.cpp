@@ -186,6 +186,15 @@ TEST_CASE("gl: textures beyond the limits and ids that do not exist are refused"
   CHECK_THROWS_AS(device->read_back(static_cast<TextureId>(99)), Error);
   MeshData mesh{.layout = {{"position", 1}}, .vertices = {1.0f}, .indices = {1}};
   CHECK_THROWS_AS(device->create_mesh(mesh), Error);
+  mesh.indices = {0};
+  const MeshId one = device->create_mesh(mesh);
+  const DeviceObjects made = device->made();
+  mesh.vertices = {2.0f};
+  CHECK_NOTHROW(device->update(one, mesh));
+  CHECK(device->made() == made);
+  mesh.vertices = {2.0f, 3.0f};
+  CHECK_THROWS_AS(device->update(one, mesh), Error);
+  CHECK_THROWS_AS(device->update(static_cast<MeshId>(99), mesh), Error);
   const TextureId texture = device->create_texture(Format::R32F, most, 1);
   device->destroy(texture);
   CHECK_THROWS_AS(device->shape(texture), Error);

@@ -101,6 +101,7 @@ class FlawedDevice final : public Device {
   TextureId upload(const Image& image) override { return device_->upload(image); }
   void destroy(TextureId texture) override { device_->destroy(texture); }
   MeshId create_mesh(const MeshData& mesh) override { return device_->create_mesh(mesh); }
+  void update(MeshId mesh, const MeshData& data) override { device_->update(mesh, data); }
   void destroy(MeshId mesh) override { device_->destroy(mesh); }
   PassResult run(const PassRun& run) override {
     PassResult result = device_->run(run);

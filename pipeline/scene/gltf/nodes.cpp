@@ -11,22 +11,20 @@ using exact::Affine;
 class Walk {
  public:
   Walk(Context& context, const Document& document, const tinygltf::Model& model)
-      : context_(context),
-        root_(document.root(context)),
-        model_(model),
-        visited_(model.nodes.size(), false) {
+      : context_(context), root_(document.root(context)), model_(model) {
+    placements_.place_of.assign(model.nodes.size(), -1);
     lights_ = root_.member("extensions").member("KHR_lights_punctual").member("lights").size();
   }
 
   Placements run() {
-    for (const int node : roots()) visit(node, Affine{}, 0, true);
+    for (const int node : roots()) visit(node, -1, Affine{}, 0, true);
     return std::move(placements_);
   }
 
  private:
   std::vector<int> roots();
-  void visit(int node, const Affine& parent, int depth, bool visible);
-  Affine local_transform(const Cursor& node, const tinygltf::Node& values);
+  void visit(int node, int above, const Affine& parent, int depth, bool visible);
+  NodeTransform transform(const Cursor& node, const tinygltf::Node& values);
   Affine matrix_transform(const Cursor& node, const std::vector<double>& m);
   void place(const Cursor& node, int index, const Affine& to_world, bool visible);
   void place_mesh(const Cursor& node, const Placement& placement);
@@ -36,7 +34,6 @@ class Walk {
   Context& context_;
   Cursor root_;
   const tinygltf::Model& model_;
-  std::vector<bool> visited_;
   std::uint64_t count_ = 0;
   std::size_t lights_ = 0;
   Placements placements_;
@@ -73,21 +70,23 @@ void Walk::count_visit(const Cursor& node, std::uint64_t number) {
   count_ += number;
 }
 
-void Walk::visit(int index, const Affine& parent, int depth, bool visible) {
+void Walk::visit(int index, int above, const Affine& parent, int depth, bool visible) {
   const auto i = static_cast<std::size_t>(index);
   const Cursor node = root_.member("nodes").element(i);
-  if (visited_[i]) {
+  if (placements_.place_of[i] >= 0) {
     node.fail("is reached twice: it has two parents or is its own ancestor",
               "nodes must form a tree (glTF 2.0, 3.5.2): export the file again");
   }
-  visited_[i] = true;
+  const int here = static_cast<int>(placements_.tree.size());
+  placements_.place_of[i] = here;
   count_visit(node, 1);
   if (depth > context_.options().max_node_depth) {
     node.fail("lies deeper than " + std::to_string(context_.options().max_node_depth) +
                   " levels in the node tree",
               "flatten the hierarchy");
   }
-  const Affine to_world = parent * local_transform(node, model_.nodes[i]);
+  placements_.tree.push_back({index, above, transform(node, model_.nodes[i])});
+  const Affine to_world = parent * placements_.tree.back().rest.local();
   if (!to_world.finite()) node.fail("its transform is not finite", "correct its scale");
   const Cursor extension = node.member("extensions").member("KHR_node_visibility");
   if (!extension.member("visible").boolean(true)) {
@@ -95,7 +94,9 @@ void Walk::visit(int index, const Affine& parent, int depth, bool visible) {
     visible = false;
   }
   place(node, index, to_world, visible);
-  for (const int child : model_.nodes[i].children) visit(child, to_world, depth + 1, visible);
+  for (const int child : model_.nodes[i].children) {
+    visit(child, here, to_world, depth + 1, visible);
+  }
 }
 
 Affine Walk::matrix_transform(const Cursor& node, const std::vector<double>& m) {
@@ -105,37 +106,42 @@ Affine Walk::matrix_transform(const Cursor& node, const std::vector<double>& m) 
   return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
 }
 
-Affine Walk::local_transform(const Cursor& node, const tinygltf::Node& values) {
-  if (values.matrix.size() == 16) return matrix_transform(node, values.matrix);
-  glm::dvec3 translation(0), scale(1);
-  glm::dvec4 rotation(0, 0, 0, 1);
+NodeTransform Walk::transform(const Cursor& node, const tinygltf::Node& values) {
+  NodeTransform result;
+  if (values.matrix.size() == 16) {
+    result.matrix = matrix_transform(node, values.matrix);
+    return result;
+  }
   const auto& t = values.translation;
   const auto& r = values.rotation;
   const auto& s = values.scale;
-  if (t.size() == 3) translation = {t[0], t[1], t[2]};
-  if (s.size() == 3) scale = {s[0], s[1], s[2]};
+  if (t.size() == 3) result.translation = {t[0], t[1], t[2]};
+  if (s.size() == 3) result.scale = {s[0], s[1], s[2]};
   if (r.size() == 4) {
-    rotation = {r[0], r[1], r[2], r[3]};
+    result.rotation = {r[0], r[1], r[2], r[3]};
     const double squared = r[0] * r[0] + r[1] * r[1] + (r[2] * r[2] + r[3] * r[3]);
     if (!(squared > 1e-12 && squared < 1e12)) {
       context_.note(node.path() + ".rotation is not a unit quaternion; no rotation is used.");
-      rotation = {0, 0, 0, 1};
+      result.rotation = {0, 0, 0, 1};
     }
   }
-  return exact::from_trs(translation, rotation, scale);
+  return result;
 }
 
 void Walk::place(const Cursor& node, int index, const Affine& to_world, bool visible) {
   const std::string name = node.member("name").string("");
-  const Placement here{index, 0, to_world, name};
+  const Placement here{index, 0, to_world, name, placements_.tree.size() - 1, {}, -1};
   const auto mesh = node.member("mesh").optional_index("meshes", model_.meshes.size());
   const auto camera =
       node.member("camera").optional_index("cameras", root_.member("cameras").size());
   const Cursor light = node.member("extensions").member("KHR_lights_punctual");
-  if (node.member("skin").present()) {
-    context_.note("Skins are not evaluated: skinned meshes stand as their nodes place them.");
+  if (mesh && visible) {
+    Placement body = here;
+    body.index = *mesh;
+    body.skin =
+        node.member("skin").optional_index("skins", root_.member("skins").size()).value_or(-1);
+    place_mesh(node, body);
   }
-  if (mesh && visible) place_mesh(node, {index, *mesh, to_world, name});
   if (camera) {
     placements_.cameras.push_back(here);
     placements_.cameras.back().index = *camera;
@@ -186,9 +192,10 @@ void Walk::place_instances(const Cursor& attributes, const Placement& placement)
       }
     }
     Placement instance = placement;
-    instance.to_world = placement.to_world * exact::from_trs({v[0][0], v[0][1], v[0][2]},
-                                                             {v[1][0], v[1][1], v[1][2], v[1][3]},
-                                                             {v[2][0], v[2][1], v[2][2]});
+    instance.inner =
+        exact::from_trs({v[0][0], v[0][1], v[0][2]}, {v[1][0], v[1][1], v[1][2], v[1][3]},
+                        {v[2][0], v[2][1], v[2][2]});
+    instance.to_world = placement.to_world * instance.inner;
     instance.name += " instance " + std::to_string(i);
     if (!instance.to_world.finite()) {
       attributes.fail("instance " + std::to_string(i) + ": its transform is not finite");
@@ -198,6 +205,10 @@ void Walk::place_instances(const Cursor& attributes, const Placement& placement)
 }
 
 }  // namespace
+
+Affine NodeTransform::local() const {
+  return matrix ? *matrix : exact::from_trs(translation, rotation, scale);
+}
 
 Placements place_nodes(Context& context, const Document& document, const tinygltf::Model& model) {
   return Walk(context, document, model).run();

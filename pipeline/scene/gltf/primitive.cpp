@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "pipeline/scene/gltf/accessor.hpp"
+#include "pipeline/scene/gltf/morph.hpp"
+#include "pipeline/scene/gltf/skin.hpp"
 
 namespace caustics::gltf {
 
@@ -96,10 +98,8 @@ void spend(const Context& context, const std::string& path, std::uint64_t& used,
 class Gather {
  public:
   Gather(const Context& context, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-         const exact::Affine& to_world, int uv_set)
+         int uv_set)
       : context_(context),
-        to_world_(to_world),
-        mirrored_(to_world.determinant() < 0),
         positions_(*attribute(context, model, primitive, "POSITION", 3)),
         normals_(attribute(context, model, primitive, "NORMAL", 3)),
         tangents_(attribute(context, model, primitive, "TANGENT", 4)),
@@ -110,21 +110,22 @@ class Gather {
   }
 
   std::size_t vertices() const { return positions_.size(); }
-  bool mirrored() const { return mirrored_; }
+  std::string position_path() const { return positions_.path(); }
 
-  void run(Shape& shape) {
-    std::vector<std::uint32_t> renumbered(positions_.size(), kUnused);
+  // Returns which vertices of the accessors are used, in their new order.
+  std::vector<std::uint32_t> run(Shape& shape) {
+    std::vector<std::uint32_t> renumbered(positions_.size(), kUnused), used;
     for (auto& triangle : shape.triangles) {
       for (std::uint32_t& corner : triangle) {
         if (renumbered[corner] == kUnused) {
           renumbered[corner] = static_cast<std::uint32_t>(shape.positions.size());
           add_vertex(shape, corner);
+          used.push_back(corner);
         }
         corner = renumbered[corner];
       }
-      // A mirrored place turns the winding round; turned back, outside stays outside.
-      if (mirrored_) std::swap(triangle[1], triangle[2]);
     }
+    return used;
   }
 
  private:
@@ -141,30 +142,21 @@ class Gather {
     return {accessor.value(i, 0), accessor.value(i, 1), accessor.value(i, 2)};
   }
 
-  glm::dvec3 world_position(std::size_t i) const {
+  glm::dvec3 position(std::size_t i) const {
     const glm::dvec3 local = vec3(positions_, i);
     if (!exact::finite(local)) {
       context_.fail(positions_.path(), "position " + std::to_string(i) + " is not finite",
                     "repair the mesh and export it again");
     }
-    const glm::dvec3 world = to_world_.point(local);
-    const double most = context_.options().max_coordinate;
-    const glm::dvec3 size = glm::abs(world);
-    if (!(size.x <= most && size.y <= most && size.z <= most)) {
-      context_.fail(positions_.path(),
-                    "position " + std::to_string(i) + " lies more than 1e12 m from the origin",
-                    "check the scene's scale");
-    }
-    return world;
+    return local;
   }
 
   void add_vertex(Shape& shape, std::size_t i) {
-    shape.positions.push_back(world_position(i));
-    if (normals_) shape.normals.push_back(to_world_.normal(vec3(*normals_, i)));
+    shape.positions.push_back(position(i));
+    if (normals_) shape.normals.push_back(vec3(*normals_, i));
     if (tangents_) {
-      const glm::dvec3 tangent = to_world_.direction(vec3(*tangents_, i));
-      const double handedness = (tangents_->value(i, 3) < 0) != mirrored_ ? -1.0 : 1.0;
-      shape.tangents.push_back({tangent.x, tangent.y, tangent.z, handedness});
+      const glm::dvec3 tangent = vec3(*tangents_, i);
+      shape.tangents.push_back({tangent.x, tangent.y, tangent.z, tangents_->value(i, 3)});
     }
     if (uvs_) {
       const glm::dvec2 uv(uvs_->value(i, 0), uvs_->value(i, 1));
@@ -174,11 +166,16 @@ class Gather {
   }
 
   const Context& context_;
-  const exact::Affine& to_world_;
-  bool mirrored_;
   Accessor positions_;
   std::optional<Accessor> normals_, tangents_, uvs_;
 };
+
+// Morph targets and sets of joints are as large as the base shape.
+std::uint64_t influence_set_count(const tinygltf::Primitive& primitive) {
+  return static_cast<std::uint64_t>(
+      std::count_if(primitive.attributes.begin(), primitive.attributes.end(),
+                    [](const auto& attribute) { return attribute.first.rfind("JOINTS_", 0) == 0; }));
+}
 
 bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive, const std::string& path) {
   const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
@@ -196,26 +193,28 @@ bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive, const 
 
 }  // namespace
 
-std::optional<Shape> read_primitive(Context& context, const Document& document,
-                                    const tinygltf::Model& model, const Placement& placement,
-                                    std::size_t number, int uv_set, GeometryBudget& budget) {
+std::optional<Body> read_primitive(Context& context, const Document& document,
+                                   const tinygltf::Model& model, const Placement& placement,
+                                   std::size_t number, int uv_set, std::size_t joints,
+                                   GeometryBudget& budget) {
   const auto mesh = static_cast<std::size_t>(placement.index);
   const tinygltf::Primitive& primitive = model.meshes[mesh].primitives[number];
   const Cursor cursor =
       document.root(context).member("meshes").element(mesh).member("primitives").element(number);
-  Shape shape;
+  Body body;
+  Shape& shape = body.shape;
   shape.path = cursor.path();
   if (!can_be_drawn(context, primitive, shape.path)) return std::nullopt;
-  if (cursor.member("targets").size() > 0) {
-    context.note("Morph targets are not evaluated: meshes keep their base shape.");
-  }
   const std::string& mesh_name = model.meshes[mesh].name;
   shape.name = printable(!placement.name.empty() ? placement.name
                          : !mesh_name.empty()    ? mesh_name
                                                  : "nodes[" + std::to_string(placement.node) + "]");
-  Gather gather(context, model, primitive, placement.to_world, uv_set);
+  Gather gather(context, model, primitive, uv_set);
   const LoadOptions& limits = context.options();
-  spend(context, shape.path, budget.vertices, gather.vertices(), limits.max_vertices, "vertices");
+  const std::uint64_t copies = 1 + cursor.member("targets").size() +
+                               (joints > 0 ? influence_set_count(primitive) : 0);
+  spend(context, shape.path, budget.vertices, copies * gather.vertices(), limits.max_vertices,
+        "vertices");
   const auto indices = read_indices(context, model, primitive, gather.vertices());
   const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   if (mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0) {
@@ -227,8 +226,11 @@ std::optional<Shape> read_primitive(Context& context, const Document& document,
                                     : std::max<std::size_t>(indices.size(), 2) - 2;
   spend(context, shape.path, budget.triangles, triangles, limits.max_triangles, "triangles");
   shape.triangles = assemble(indices, mode);
-  gather.run(shape);
-  return shape;
+  body.position_path = gather.position_path();
+  const std::vector<std::uint32_t> used = gather.run(shape);
+  body.targets = read_targets(context, cursor, model, gather.vertices(), used);
+  if (joints > 0) read_influences(context, cursor, model, gather.vertices(), used, joints, body);
+  return body;
 }
 
 }  // namespace caustics::gltf

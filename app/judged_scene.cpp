@@ -1,0 +1,121 @@
+#include "app/judged_scene.hpp"
+
+#include <algorithm>
+
+#include "app/interrupt.hpp"
+#include "app/terminal.hpp"
+#include "pipeline/plan/framing.hpp"
+#include "pipeline/plan/nearest.hpp"
+#include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/emitter.hpp"
+#include "pipeline/scene/light_samples.hpp"
+#include "pipeline/scene/load_environment.hpp"
+#include "pipeline/scene/load_gltf.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// A camera by its name, or else by its number.
+const Camera& choose_camera(const Scene& scene, const std::string& wanted) {
+  if (wanted.empty()) return scene.cameras.front();
+  std::vector<std::string> names;
+  for (const Camera& camera : scene.cameras) {
+    if (camera.name == wanted) return camera;
+    names.push_back(camera.name);
+  }
+  if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 8) {
+    const std::size_t number = static_cast<std::size_t>(std::stoi(wanted));
+    if (number < scene.cameras.size()) return scene.cameras[number];
+  }
+  throw Error(ExitCode::WrongUsage, "there is no camera '" + one_line(wanted).substr(0, 60) +
+                                        "'; the scene has " + std::to_string(names.size()) +
+                                        ", the nearest name is '" +
+                                        one_line(nearest_name(wanted, names)) + "'");
+}
+
+// More would plan for minutes before the memory that they need is refused.
+constexpr std::size_t kMostSamples = 4096;
+
+void sample_area_lights(Scene& scene, int count) {
+  const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+    return light.shape != LightShape::None;
+  });
+  const std::size_t samples = static_cast<std::size_t>(sized) * static_cast<std::size_t>(count);
+  if (samples > kMostSamples) {
+    throw Error(ExitCode::WrongUsage, std::to_string(sized) + " lights with a size would need " +
+                                          grouped(samples) + " samples, more than " +
+                                          grouped(kMostSamples) + "; lower -D light.samples");
+  }
+  sample_lights(scene, count);
+}
+
+AnimatedScene load(const FrameRequest& request) {
+  LoadOptions options;
+  options.animation = request.animation;
+  return load_animated(request.scene, options);
+}
+
+}  // namespace
+
+JudgedScene::JudgedScene(const FrameRequest& request)
+    : settings_(request.settings), animation_(load(request)), moving_(animation_.moving_meshes()) {
+  for (const int mesh : moving_) swept_.push_back(animation_.swept_bounds(mesh));
+  scene_ = animation_.take();
+  if (request.environment) scene_.environment = load_environment(*request.environment);
+  complete();
+  stop_if_interrupted();
+  if (moves()) {
+    move_to(request.seconds.value_or(0.0));
+  } else {
+    judge();
+  }
+}
+
+void JudgedScene::add_what_shines() {
+  if (settings_.emissive_lights) add_emissive_lights(scene_);
+  sample_area_lights(scene_, settings_.light_samples);
+}
+
+void JudgedScene::complete() {
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    Mesh& mesh = scene_.meshes[static_cast<std::size_t>(moving_[i])];
+    mesh.lower = glm::vec3(swept_[i].lower);
+    mesh.upper = glm::vec3(swept_[i].upper);
+  }
+  add_what_shines();
+  const bool has_lights = !scene_.lights.empty(), has_cameras = !scene_.cameras.empty();
+  complete_scene(scene_);
+  if (!has_lights) {
+    added_lights_ = scene_.lights;
+    added_sources_ = scene_.sources;
+  }
+  if (!has_cameras) added_cameras_ = scene_.cameras;
+  notes_ = scene_.notes;
+  exposure_ = exposure_of(scene_, settings_);
+}
+
+void JudgedScene::judge() {
+  effects_ = effects_of(scene_, settings_);
+  camera_ = &choose_camera(scene_, settings_.camera);
+}
+
+void JudgedScene::move_to(double seconds) {
+  if (!moves()) return;
+  animation_.move_to(seconds, scene_);
+  if (added_lights_.empty()) {
+    add_what_shines();
+  } else {
+    scene_.lights = added_lights_;
+    scene_.sources = added_sources_;
+  }
+  if (!added_cameras_.empty()) scene_.cameras = added_cameras_;
+  scene_.notes = notes_;
+  judge();
+}
+
+std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request) {
+  return std::make_unique<JudgedScene>(request);
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,54 @@
+// A scene as the sub-commands want it: loaded, completed, and judged for what it calls for; at any
+// moment of its animation.
+#pragma once
+#include <memory>
+
+#include "app/frame_options.hpp"
+#include "pipeline/plan/effects.hpp"
+#include "pipeline/scene/animated_scene.hpp"
+
+namespace caustics::app {
+
+// What a file leaves out (ground, light, camera, sky) and the automatic exposure are chosen once, from
+// the scene at 0 s with its moving meshes as large as all that they touch in the course of the
+// animation. So they do not depend on which moments are shown.
+class JudgedScene {
+ public:
+  // Stands at request.seconds, or 0 s. Throws Error: BadInput, or WrongUsage for an unknown camera or animation.
+  explicit JudgedScene(const FrameRequest& request);
+  JudgedScene(const JudgedScene&) = delete;
+  JudgedScene& operator=(const JudgedScene&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  const Effects& effects() const { return effects_; }
+  const Camera& camera() const { return *camera_; }
+  float exposure() const { return exposure_; }
+
+  bool moves() const { return animation_.moves(); }
+  double duration() const { return animation_.duration(); }
+  const std::vector<int>& moving_meshes() const { return moving_; }
+  // Everything as it is at that moment, whatever moment came before.
+  void move_to(double seconds);
+
+ private:
+  void add_what_shines();
+  void complete();
+  void judge();
+
+  Settings settings_;
+  AnimatedScene animation_;
+  std::vector<int> moving_;
+  std::vector<Bounds> swept_;  // by moving_
+  Scene scene_;
+  // What completing the scene added, if anything; each moment starts without it.
+  std::vector<Light> added_lights_, added_sources_;
+  std::vector<Camera> added_cameras_;
+  std::vector<std::string> notes_;
+  float exposure_ = 1.0f;
+  Effects effects_;
+  const Camera* camera_ = nullptr;  // into scene_
+};
+
+std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request);
+
+}  // namespace caustics::app

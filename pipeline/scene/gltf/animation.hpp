@@ -1,0 +1,31 @@
+// An animation of the file: which property of which node follows which keyframes.
+// Source: glTF 2.0 section 3.11.
+#pragma once
+#include <optional>
+
+#include "pipeline/scene/gltf/model.hpp"
+#include "pipeline/scene/keyframes.hpp"
+
+namespace caustics::gltf {
+
+enum class Property : std::uint8_t { Translation, Rotation, Scale, Weights };
+
+struct Channel {
+  std::size_t node = 0;
+  Property property = Property::Translation;
+  Keyframes keys;
+};
+
+struct Animation {
+  std::string name;
+  std::vector<Channel> channels;
+  double duration = 0.0;  // seconds: the last moment of any channel
+};
+
+// The animation that LoadOptions::animation names, the first by default; none where the file has none
+// or "none" is asked for. Channels without a node, and those of properties that are no node's, are
+// left out with a note. Fails on what no animation may be (BadInput); an unknown name is WrongUsage.
+std::optional<Animation> read_animation(Context& context, const Document& document,
+                                        const tinygltf::Model& model);
+
+}  // namespace caustics::gltf
