@@ -119,16 +119,33 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Judged
   stop_if_interrupted();
   frames_ = fit_frames(request.backend);
   stop_if_interrupted();
+  if (effects().active("water waves"))
+    water_ = std::make_unique<MovingWater>(judged_->scene, *device_, pass_registry());
   targets_ = std::make_unique<FrameTargets>(plan_, *device_);
   inputs_.settings = &settings_;
   inputs_.effects = &effects();
   inputs_.frames = &frames_;
   inputs_.view = frame_of(*judged_->camera, settings_.width, settings_.height, bounds_of(scene()));
   inputs_.exposure = exposure_of(scene(), settings_);
+  show(0.0);
+}
+
+void RenderedFrame::show(double seconds) {
+  if (!water_ || shown_ == seconds) return;
+  const bool with_state = std::any_of(plan_.passes.begin(), plan_.passes.end(),
+                                      [](const PlannedPass& pass) { return pass.water >= 0; });
+  water_report_ = water_->show(seconds, with_state, stop_if_interrupted);
+  on_device_->renew_waters(with_state);
+  shown_ = seconds;
 }
 
 // Always on the software device, so that every backend draws the same frames.
-std::vector<LightFrames> RenderedFrame::fit_frames(const BackendRequest& backend) const {
+std::vector<LightFrames> RenderedFrame::fit_frames(const BackendRequest& backend) {
+  if (effects().active("water waves")) {
+    const std::unique_ptr<Device> device = make_software_device({.threads = backend.threads});
+    return fit_moving_frames(judged_->scene, *device, effects(), settings_, pass_registry(),
+                             stop_if_interrupted);
+  }
   if (backend.backend == Backend::Software) {
     return fit_light_frames(*on_device_, effects(), settings_, pass_registry());
   }
@@ -142,7 +159,10 @@ std::vector<PassReport> RenderedFrame::run(const AfterPass& after) {
                            std::size_t total) {
     return (!after || after(pass, result, done, total)) && interruption() == ExitCode::Done;
   };
-  return run_plan(plan_, pass_registry(), *on_device_, *targets_, inputs_, watched);
+  std::vector<PassReport> reports = water_report_;
+  for (PassReport& report : run_plan(plan_, pass_registry(), *on_device_, *targets_, inputs_, watched))
+    reports.push_back(std::move(report));
+  return reports;
 }
 
 Image RenderedFrame::read(int texture) const {

@@ -5,6 +5,7 @@
 #include "app/frame_options.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/run_plan.hpp"
+#include "pipeline/water/moving_water.hpp"
 
 namespace caustics::app {
 
@@ -30,6 +31,8 @@ class RenderedFrame {
   RenderedFrame(const FrameRequest& request, std::unique_ptr<JudgedScene> judged,
                 const PlanGoal& goal);
 
+  // What moves is put where it is at this moment, seconds; at first it is at 0.
+  void show(double seconds);
   std::vector<PassReport> run(const AfterPass& after = {});
   bool has(const std::string& texture) const { return plan_.find(texture) >= 0; }
   // The texels of a texture of the plan, by its full name or its index.
@@ -48,13 +51,16 @@ class RenderedFrame {
   Device& device() const { return *device_; }
 
  private:
-  std::vector<LightFrames> fit_frames(const BackendRequest& backend) const;
+  std::vector<LightFrames> fit_frames(const BackendRequest& backend);
 
   Settings settings_;
   std::unique_ptr<JudgedScene> judged_;
   FramePlan plan_;
   std::unique_ptr<Device> device_;
   std::unique_ptr<SceneOnDevice> on_device_;
+  std::unique_ptr<MovingWater> water_;  // where the scene has any
+  WaterReport water_report_;           // of what was shown last
+  std::optional<double> shown_;        // the moment
   std::vector<LightFrames> frames_;
   std::unique_ptr<FrameTargets> targets_;
   FrameInputs inputs_;

@@ -10,6 +10,7 @@ namespace caustics::app {
 namespace {
 
 constexpr int kLastFrame = 999'999;
+constexpr double kFramesPerSecond = 24.0;
 
 // "%d" or "%04d" in a name: where it stands, and how many digits it asks for.
 struct NumberField {
@@ -42,6 +43,8 @@ FrameRange parse_frames(const std::string& text) {
   }
   return range;
 }
+
+double seconds_of(int frame) { return frame / kFramesPerSecond; }
 
 bool has_number(const std::filesystem::path& file) {
   return find_number(file.filename().string()).length > 0;

@@ -13,6 +13,9 @@ struct FrameRange {
 // "3" or "3..20", both ends included, each 0..999999. Throws Error (WrongUsage).
 FrameRange parse_frames(const std::string& text);
 
+// The moment that a frame shows, seconds: 24 frames a second.
+double seconds_of(int frame);
+
 // Has the file's name a place for the frame's number, as in "frame.%04d.png"?
 bool has_number(const std::filesystem::path& file);
 // The name with the number in its place; the file itself where it has none.

@@ -143,6 +143,7 @@ class Renderer {
 
   void draw(int n) {
     const Stopwatch watch;
+    frame_->show(seconds_of(n));
     reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done,
                                std::size_t of) {
       if (dump_) dump_->add(*frame_, pass);

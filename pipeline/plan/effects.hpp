@@ -75,6 +75,7 @@ struct Effects {
 //   "emissive lights" a mesh that shines and lights the scene
 //   "dispersion"      a refractor whose index depends on the wavelength
 //   "reflections"     what refractors mirror, on request
+//   "water waves"     a mesh that `extras` make water
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

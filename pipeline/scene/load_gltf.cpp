@@ -13,6 +13,7 @@
 #include "pipeline/scene/gltf/resources.hpp"
 #include "pipeline/scene/gltf/surface.hpp"
 #include "pipeline/scene/gltf/topology.hpp"
+#include "pipeline/scene/gltf/water.hpp"
 
 namespace caustics {
 
@@ -118,6 +119,7 @@ Scene load(Context& context) {
   gltf::Textures textures(context, document, model);
   const gltf::Materials materials = gltf::read_materials(context, document, textures);
   build_meshes({context, document, model, materials}, placements.meshes, scene);
+  gltf::read_waters(document.root(context), placements.meshes, scene);
   scene.lights = gltf::read_lights(context, document, placements.lights, scene.origin);
   scene.cameras = gltf::read_cameras(context, document, placements.cameras, scene.origin);
   if (document.root(context).member("animations").size() > 0) {
