@@ -108,7 +108,7 @@ std::string range_problem(const WaterSettings& s) {
   if (!within(s.speed, 0.001, 100.0)) return "speed must be 0.001 to 100 metres a second";
   if (!within(s.damping, 0.0, 1000.0)) return "damping must be 0 to 1000 a second";
   if (s.cells < 8 || s.cells > 2048) return "cells must be 8 to 2048";
-  if (!within(s.start, 0.0, 1e5)) return "start must be 0 to 100000 seconds";
+  if (!within(s.start, 0.0, 3600.0)) return "start must be 0 to 3600 seconds";
   if (!within(s.interval, 0.01, 1e4)) return "plops.interval must be 0.01 to 10000 seconds";
   return {};
 }

@@ -18,7 +18,7 @@ struct WaterSettings {
   double speed = 0.5;    // metres a second, 0.001..100: how fast waves run, all of them
   double damping = 0.4;  // 1/second, 0..1000: a calm wave loses 1/e of its height in 2 / damping
   int cells = 256;       // 8..2048, along the sheet's x axis
-  double start = 0.0;    // seconds, 0..1e5: how long the plops have fallen at time 0
+  double start = 0.0;    // seconds, 0..3600: how long the plops have fallen at time 0
   double interval = 0.4;         // seconds from plop to plop, 0.01..1e4; the first falls after one interval
   std::optional<double> radius;  // metres, at least 3 cells; none: 1/20 of the sheet's shorter side
   std::optional<double> height;  // metres, 0..radius, of the largest plop; none: 1/5 of the radius

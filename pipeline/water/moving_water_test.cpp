@@ -3,6 +3,7 @@
 #include "passes/registry.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "raster/software_device.hpp"
 #include "tests/gl/gl_or_skip.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/water.hpp"

@@ -82,7 +82,7 @@ TEST_CASE("Water's values out of range are refused with their place") {
   CHECK(contains(problem(R"({"speed":"fast"})"), "extras.water.speed"));
   CHECK(contains(problem(R"({"damping":-1})"), "damping must be 0 to 1000"));
   CHECK(contains(problem(R"({"cells":4})"), "extras.water.cells"));
-  CHECK(contains(problem(R"({"start":-1})"), "start must be 0 to 100000"));
+  CHECK(contains(problem(R"({"start":-1})"), "start must be 0 to 3600"));
   CHECK(contains(problem(R"({"plops":{"interval":0}})"), "plops.interval must be 0.01 to 10000"));
   CHECK(contains(problem(R"({"plops":{"radius":0.001}})"), "plops.radius must be at least 3 cells"));
   CHECK(contains(problem(R"({"plops":{"radius":2}})"), "at most half the sheet's shorter side"));
