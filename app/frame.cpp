@@ -70,7 +70,10 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Judged
   inputs_.frames = &frames_;
   inputs_.exposure = judged_->exposure();
   fit();
+  if (effects().active("water waves"))
+    water_ = std::make_unique<MovingWater>(judged_->scene(), *device_, pass_registry());
   targets_ = std::make_unique<FrameTargets>(plan_, *device_);
+  show_waters(request.seconds.value_or(0.0));
   if (judged_->moves()) return;
   fitter_.reset();  // what it needed is not needed again
   fitting_scene_.reset();
@@ -87,15 +90,34 @@ void RenderedFrame::make_fitter(const BackendRequest& backend) {
                                           pass_registry());
 }
 
+// The frames hold whatever the waves do, so that maps and shadows do not crawl.
 void RenderedFrame::fit() {
-  frames_ = fitter_->fit(effects());
+  if (effects().active("water waves")) {
+    frames_ = fit_moving_frames(judged_->scene(), fitting_device_ ? *fitting_device_ : *device_, effects(),
+                                settings_, pass_registry(), stop_if_interrupted);
+  } else {
+    frames_ = fitter_->fit(effects());
+  }
   stop_if_interrupted();
   inputs_.view =
       frame_of(judged_->camera(), settings_.width, settings_.height, bounds_of(scene()));
 }
 
 void RenderedFrame::move_to(double seconds) {
-  if (!judged_->moves()) return;
+  if (judged_->moves()) move_animation(seconds);
+  show_waters(seconds);
+}
+
+void RenderedFrame::show_waters(double seconds) {
+  if (!water_ || shown_ == seconds) return;
+  const bool with_state = std::any_of(plan_.passes.begin(), plan_.passes.end(),
+                                      [](const PlannedPass& pass) { return pass.water >= 0; });
+  water_report_ = water_->show(seconds, with_state, stop_if_interrupted);
+  on_device_->renew_waters(with_state);
+  shown_ = seconds;
+}
+
+void RenderedFrame::move_animation(double seconds) {
   judged_->move_to(seconds);
   on_device_->update(judged_->moving_meshes());
   if (fitting_scene_) fitting_scene_->update(judged_->moving_meshes());
@@ -108,6 +130,7 @@ void RenderedFrame::move_to(double seconds) {
     check_memory(plan_, effects());
   }
   fit();
+  shown_.reset();  // fitting leaves the waters at rest
   if (!same) targets_ = std::make_unique<FrameTargets>(plan_, *device_);
 }
 
@@ -116,7 +139,10 @@ std::vector<PassReport> RenderedFrame::run(const AfterPass& after) {
                            std::size_t total) {
     return (!after || after(pass, result, done, total)) && interruption() == ExitCode::Done;
   };
-  return run_plan(plan_, pass_registry(), *on_device_, *targets_, inputs_, watched);
+  std::vector<PassReport> reports = water_report_;
+  for (PassReport& report : run_plan(plan_, pass_registry(), *on_device_, *targets_, inputs_, watched))
+    reports.push_back(std::move(report));
+  return reports;
 }
 
 Image RenderedFrame::read(int texture) const {

@@ -5,6 +5,7 @@
 #include "app/judged_scene.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/run_plan.hpp"
+#include "pipeline/water/moving_water.hpp"
 
 namespace caustics::app {
 
@@ -35,7 +36,7 @@ class RenderedFrame {
 
   const Scene& scene() const { return judged_->scene(); }
   const Effects& effects() const { return judged_->effects(); }
-  bool moves() const { return judged_->moves(); }
+  bool moves() const { return judged_->moves() || water_ != nullptr; }
   const Settings& settings() const { return settings_; }
   const FramePlan& plan() const { return plan_; }
   const std::vector<LightFrames>& frames() const { return frames_; }
@@ -46,6 +47,8 @@ class RenderedFrame {
  private:
   void make_fitter(const BackendRequest& backend);
   void fit();
+  void move_animation(double seconds);
+  void show_waters(double seconds);
 
   Settings settings_;
   std::unique_ptr<JudgedScene> judged_;
@@ -57,6 +60,9 @@ class RenderedFrame {
   std::unique_ptr<Device> fitting_device_;
   std::unique_ptr<SceneOnDevice> fitting_scene_;
   std::unique_ptr<LightFitter> fitter_;
+  std::unique_ptr<MovingWater> water_;  // where the scene has any
+  WaterReport water_report_;           // of what was shown last
+  std::optional<double> shown_;         // the moment of the waters
   std::vector<LightFrames> frames_;
   std::unique_ptr<FrameTargets> targets_;
   FrameInputs inputs_;

@@ -11,6 +11,7 @@ namespace caustics::app {
 namespace {
 
 constexpr int kLastFrame = 999'999;
+constexpr double kFramesPerSecond = 24.0;
 
 // "%d" or "%04d" in a name: where it stands, and how many digits it asks for.
 struct NumberField {

@@ -20,6 +20,7 @@ class JudgedScene {
   JudgedScene& operator=(const JudgedScene&) = delete;
 
   const Scene& scene() const { return scene_; }
+  Scene& scene() { return scene_; }  // for its waters to move
   const Effects& effects() const { return effects_; }
   const Camera& camera() const { return *camera_; }
   float exposure() const { return exposure_; }

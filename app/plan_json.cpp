@@ -88,6 +88,12 @@ Json texture_json(const PlannedTexture& texture) {
 
 Json passes_json(const FramePlan& plan) {
   Json list = Json::array();
+  for (const PlannedSteps& steps : plan.before) {
+    list.push_back({{"pass", steps.label},
+                    {"reason", steps.reason},
+                    {"reads", Json::array()},
+                    {"writes", Json::array({texture_json(steps.writes)})}});
+  }
   for (const PlannedPass& pass : plan.passes) {
     Json reads = Json::array(), writes = Json::array();
     for (const int read : pass.reads) {

@@ -180,9 +180,16 @@ class TextReport {
 
   void passes() {
     const FramePlan& plan = report_.plan;
-    heading("passes (" + std::to_string(plan.passes.size()) + ", textures of " +
+    heading("passes (" + std::to_string(plan.before.size() + plan.passes.size()) + ", textures of " +
             bytes_text(static_cast<double>(plan.bytes())) + ")");
     Table table;
+    for (const PlannedSteps& steps : plan.before) {
+      table.row({one_line(steps.label),
+                 std::to_string(steps.writes.width) + "x" + std::to_string(steps.writes.height),
+                 one_line(steps.reason) + ", before the frame"});
+      table.row({"", "", "writes " + one_line(steps.writes.name) + " " +
+                             std::string(format_name(steps.writes.format))});
+    }
     for (std::size_t i = 0; i < plan.passes.size(); i += alike(i)) {
       const PlannedPass& pass = plan.passes[i];
       table.row({one_line(pass_label(pass, alike(i))),

@@ -205,7 +205,7 @@ class Renderer {
       request_.frames = whole_animation(*judged, request_.rate);
       todo_ = frames_to_draw(request_);
     }
-    if (!judged->moves()) say_that_nothing_moves();
+    if (!judged->moves() && !judged->effects().active("water waves")) say_that_nothing_moves();
     timing_.load = total_.milliseconds();
     progress_.show("finding where the light goes");
     frame_.emplace(request_.frame, std::move(judged), goal_of(request_));

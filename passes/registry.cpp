@@ -17,11 +17,14 @@
 #include "passes/textured_casters/textured_casters.hpp"
 #include "passes/tone_map/tone_map.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
+#include "passes/water_step/water_step.hpp"
 
 namespace caustics {
 
 const Registry& pass_registry() {
   static const Registry registry = {
+      // Of each water: its waves.
+      water_step_pass(),
       // Of each light: what its casters do.
       occluder_depth_pass(),
       caster_map_pass(),

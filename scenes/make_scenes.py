@@ -736,13 +736,32 @@ def moving_lens():
     return s
 
 
+def water_plops():
+    """A pool of 2 x 2 m, 0.4 m deep, whose water `extras` set in motion: plops at regular intervals."""
+    s = Scene()
+    s.mesh('water', square(1.0, 0.4), glass('water', 1.33))
+    s.gltf['nodes'][-1]['extras'] = {'water': {
+        'speed': 0.5, 'damping': 0.15, 'cells': 256, 'start': 5.0,
+        'plops': {'interval': 0.2, 'radius': 0.14, 'height': 0.1, 'seed': 8}}}
+    tiles = diffuse('tiles', (0.62, 0.80, 0.84))
+    s.mesh('floor', square(1.0), tiles)
+    for name, lower, upper in (('left', (-1.1, 0.0, -1.1), (-1.0, 0.5, 1.1)), ('right', (1.0, 0.0, -1.1), (1.1, 0.5, 1.1)),
+                               ('back', (-1.0, 0.0, -1.1), (1.0, 0.5, -1.0)), ('front', (-1.0, 0.0, 1.0), (1.0, 0.5, 1.1))):
+        s.mesh(name, box(lower, upper), tiles)
+    s.sun((0.22, -1.0, -0.12), 10.0)
+    s.camera('view', (0.40, 1.72, 1.08), (0.02, 0.10, -0.20), 41)
+    s.camera_down('floor', (0.0, 0.2, 0.0), 1.0)
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring,
               'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk,
               'water_normal_map.glb': water_normal_map, 'stained_glass.glb': stained_glass,
-              'moving_lens.glb': moving_lens}
+              'moving_lens.glb': moving_lens,
+              'water_plops.glb': water_plops}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

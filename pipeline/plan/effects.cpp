@@ -9,6 +9,7 @@
 #include "pipeline/plan/caustic_color.hpp"
 #include "pipeline/plan/surface_role.hpp"
 #include "pipeline/plan/textured_casters.hpp"
+#include "pipeline/plan/water_waves.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/frame.hpp"
 
@@ -291,6 +292,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   add_emitters(scene, effects);
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);
+  add_water_waves(scene, effects);
   add_missing_effects(judgements, effects);
   return effects;
 }

@@ -79,6 +79,7 @@ struct Effects {
 //   "dispersion"      a refractor whose index depends on the wavelength
 //   "reflections"     what refractors mirror, on request
 //   "coloured caustics"  a caster that tints them: the caustic map has three channels instead of one
+//   "water waves"     a mesh that `extras` make water
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

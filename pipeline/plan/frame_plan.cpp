@@ -4,6 +4,7 @@
 #include <set>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/surface_role.hpp"
 
 namespace caustics {
 
@@ -31,6 +32,10 @@ std::string branch_texture(std::string_view name, int light, const Branch& branc
   return std::string(name) + "[" + std::to_string(light) + " " + branch.name + "]";
 }
 
+std::string water_texture(std::string_view name, std::size_t water) {
+  return std::string(name) + "[water " + std::to_string(water) + "]";
+}
+
 namespace {
 
 // Who a pass runs for, or a texture belongs to: the frame, a light, or a light's branch.
@@ -54,6 +59,8 @@ Size size_of(Extent extent, const Settings& settings) {
       return {settings.map, settings.map};
     case Extent::Shadow:
       return {settings.shadow, settings.shadow};
+    case Extent::Water:
+      break;  // each water's own
   }
   return {};
 }
@@ -86,6 +93,10 @@ class Planner {
     }
     if (pass.each == Each::Frame) {
       add(index, {}, *reason);
+      return;
+    }
+    if (pass.each == Each::Water) {
+      for (std::size_t water = 0; water < scene_.waters.size(); ++water) add_water(index, water, *reason);
       return;
     }
     bool any = false;
@@ -127,6 +138,31 @@ class Planner {
       planned.writes.push_back(target(planned, write.name, write.format, owner));
     if (definition.depth)
       planned.depth = target(planned, definition.depth->name, Format::Depth32F, owner);
+    plan_.passes.push_back(std::move(planned));
+  }
+
+  // The steps of a water, and the last of them once more as a pass of the plan.
+  void add_water(int index, std::size_t number, const std::string& reason) {
+    const Water& water = scene_.waters[number];
+    const PassDefinition& definition = registry_[static_cast<std::size_t>(index)].definition;
+    PlannedPass planned{.pass = index,
+                        .water = static_cast<int>(number),
+                        .label = definition.name + "[" + (water.name.empty() ? std::to_string(number) : water.name) + "]",
+                        .reason = reason,
+                        .width = water.columns,
+                        .height = water.rows};
+    for (const TextureRead& read : definition.reads) {
+      plan_.textures.push_back({.name = water_texture(read.name, number), .external = true});
+      planned.reads.push_back(static_cast<int>(plan_.textures.size()) - 1);
+    }
+    for (const ColorWrite& write : definition.writes) {
+      plan_.before.push_back({planned.label,
+                              reason + ": a step every " + number_text(1e3 * water.step) + " ms",
+                              {water_texture(write.name, number), write.format, water.columns, water.rows}});
+      plan_.textures.push_back(plan_.before.back().writes);
+      planned.writes.push_back(static_cast<int>(plan_.textures.size()) - 1);
+      planned.keep.push_back(false);
+    }
     plan_.passes.push_back(std::move(planned));
   }
 
@@ -221,6 +257,7 @@ FramePlan pruned(FramePlan plan, const PlanGoal& goal) {
   const std::vector<bool> stays = needed_passes(plan, goal);
   FramePlan result;
   result.skipped = std::move(plan.skipped);
+  result.before = std::move(plan.before);
   std::vector<int> renumbered(plan.textures.size(), -1);
   const auto keep_texture = [&](int& texture) {
     if (texture < 0) return;
@@ -234,7 +271,7 @@ FramePlan pruned(FramePlan plan, const PlanGoal& goal) {
   for (std::size_t i = 0; i < plan.passes.size(); ++i) {
     PlannedPass& pass = plan.passes[i];
     if (!stays[i]) {
-      result.skipped.push_back({pass.label, "no wanted image depends on it"});
+      if (pass.water < 0) result.skipped.push_back({pass.label, "no wanted image depends on it"});
       continue;
     }
     for (int& texture : pass.reads) keep_texture(texture);

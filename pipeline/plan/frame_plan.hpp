@@ -24,6 +24,7 @@ struct PlannedPass {
   int pass = 0;        // index into the registry
   int light = -1;      // index into Scene::lights, -1 for a pass of the frame
   int branch = -1;     // index into Effects::branches, -1 for a pass of the frame or of a light
+  int water = -1;      // index into Scene::waters, -1 for all other passes
   std::string label;   // "caustic_map[sun]"
   std::string reason;
   std::vector<int> reads{};   // indices into FramePlan::textures, or the constants above
@@ -33,6 +34,13 @@ struct PlannedPass {
   int width = 0, height = 0;
 };
 
+// A pass of a water: run before the frame's passes, by pipeline/water.
+struct PlannedSteps {
+  std::string label;   // "water_step[pool]"
+  std::string reason;  // with the number of steps
+  PlannedTexture writes;
+};
+
 struct SkippedPass {
   std::string name;
   std::string reason;
@@ -40,6 +48,7 @@ struct SkippedPass {
 
 struct FramePlan {
   std::vector<PlannedTexture> textures;
+  std::vector<PlannedSteps> before;  // in turn, before `passes`
   std::vector<PlannedPass> passes;
   std::vector<SkippedPass> skipped;
   // Index of a texture by its full name, or -1.
@@ -61,5 +70,7 @@ FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& 
 // The full name of a light's own texture, and of a branch's.
 std::string light_texture(std::string_view name, int light);
 std::string branch_texture(std::string_view name, int light, const Branch& branch);
+// And of a water: "name[water 0]".
+std::string water_texture(std::string_view name, std::size_t water);
 
 }  // namespace caustics

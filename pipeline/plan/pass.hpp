@@ -12,8 +12,9 @@
 
 namespace caustics {
 
-// How often a pass runs in a frame.
-enum class Each : std::uint8_t { Frame, Light, Branch };
+// How often a pass runs in a frame. What belongs to a Water runs before the frame's passes, as many times
+// as its waves need steps (pipeline/water); a plan that is to be looked at in full has the last step again.
+enum class Each : std::uint8_t { Frame, Light, Branch, Water };
 
 // What a pass draws.
 enum class DrawSet : std::uint8_t {
@@ -28,7 +29,7 @@ enum class DrawSet : std::uint8_t {
 
 // Size of a pass's targets.
 // Wide is half the picture's size over three times its view, for what glass shows of the surroundings.
-enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow };
+enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow, Water };
 
 // The frames of one light. All share origin and axes; only the windows and depth ranges differ.
 struct LightFrames {
@@ -54,6 +55,8 @@ struct PassContext {
   const Frame* wide = nullptr;          // three times as wide and high
   const Light* light = nullptr;         // Each::Light and Each::Branch
   const Branch* branch = nullptr;       // Each::Branch only
+  const Water* water = nullptr;         // Each::Water only
+  std::int64_t water_step = 0;          // likewise: which step, counted from rest
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   int material_row = 0;   // row of `caster_materials`: the mesh's material
@@ -93,6 +96,8 @@ using Registry = std::vector<Pass>;
 inline constexpr char kCasterMaterials[] = "caster_materials";
 inline constexpr char kEnvironment[] = "environment";
 inline constexpr char kCasterNormal[] = "caster_normal";
+inline constexpr char kWaterStep[] = "water_step";
+inline constexpr char kWaterBefore[] = "water_before";
 inline constexpr char kLanding[] = "landing";
 inline constexpr char kLandingFlux[] = "landing_flux";
 inline constexpr char kLandingFresnel[] = "landing_fresnel";

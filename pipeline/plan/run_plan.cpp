@@ -92,6 +92,10 @@ class PassRunner {
       context.light = &scene_.scene().lights[light];
       context.frames = &(*inputs_.frames)[light];
     }
+    if (planned.water >= 0) {
+      context.water = &scene_.scene().waters[static_cast<std::size_t>(planned.water)];
+      context.water_step = context.water->last_step;
+    }
     if (planned.branch >= 0)
       context.branch = &inputs_.effects->branches[static_cast<std::size_t>(planned.branch)];
     return context;

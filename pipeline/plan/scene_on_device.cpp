@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics {
@@ -57,8 +58,22 @@ SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device&
   for (const Mesh& mesh : scene.meshes) meshes_.push_back(device.create_mesh(mesh_data(mesh)));
   for (const Image& image : scene.images) images_.push_back(device.upload(image));
   upload_caster_materials(effects);
+  for (std::size_t i = 0; i < scene.waters.size(); ++i)
+    externals_[water_texture(kWaterBefore, i)] = device.upload(scene.waters[i].before);
   if (scene.environment.image)
     externals_[kEnvironment] = device.upload(*scene.environment.image);
+}
+
+void SceneOnDevice::renew_waters(bool with_state) {
+  for (std::size_t i = 0; i < scene_.waters.size(); ++i) {
+    const auto mesh = static_cast<std::size_t>(scene_.waters[i].mesh);
+    device_.destroy(meshes_[mesh]);
+    meshes_[mesh] = device_.create_mesh(mesh_data(scene_.meshes[mesh]));
+    if (!with_state) continue;
+    TextureId& before = externals_[water_texture(kWaterBefore, i)];
+    device_.destroy(before);
+    before = device_.upload(scene_.waters[i].before);
+  }
 }
 
 SceneOnDevice::~SceneOnDevice() {

@@ -25,8 +25,10 @@ class SceneOnDevice {
   const Scene& scene() const { return scene_; }
   Device& device() const { return device_; }
   MeshId mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
+  // Takes the scene's waters as they stand now: their meshes, and if asked for Water::before.
+  void renew_waters(bool with_state);
   TextureId image(int index) const;                   // None for index -1
-  TextureId external(const std::string& name) const;  // kCasterMaterials, kEnvironment, or None
+  TextureId external(const std::string& name) const;  // kCasterMaterials, kEnvironment, a water's, or None
   // The row of a caster's material in kCasterMaterials; 0 for meshes that are no casters.
   int material_row(int mesh) const { return rows_[static_cast<std::size_t>(mesh)]; }
 

@@ -15,6 +15,7 @@
 #include "pipeline/scene/gltf/resources.hpp"
 #include "pipeline/scene/gltf/surface.hpp"
 #include "pipeline/scene/gltf/topology.hpp"
+#include "pipeline/scene/gltf/water.hpp"
 
 namespace caustics {
 
@@ -297,6 +298,7 @@ Loaded load(Context& context) {
         std::move(animation), std::move(geometry.bodies)});
   }
   build_meshes(geometry, loaded.motion.get(), scene);
+  gltf::read_waters(document.root(context), placements.meshes, scene);
   scene.lights = gltf::read_lights(context, document, placements.lights, scene.origin);
   scene.cameras = gltf::read_cameras(context, document, placements.cameras, scene.origin);
   scene.materials = materials.list;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "pipeline/gpu/image.hpp"
+#include "pipeline/scene/water.hpp"
 
 namespace caustics {
 
@@ -136,6 +137,7 @@ struct Scene {
   std::vector<Light> sources;
   std::vector<Camera> cameras;
   Environment environment;
+  std::vector<Water> waters;  // meshes that waves run over, as they stand at the moment shown
   // What the loader assumed or left out, one sentence each, in the order found; for people.
   std::vector<std::string> notes;
 };

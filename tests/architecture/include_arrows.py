@@ -10,6 +10,7 @@ MAY = {
     'pipeline/shader': {'pipeline/gpu'},
     'pipeline/scene': {'pipeline/gpu'},
     'pipeline/plan': {'pipeline/scene', 'pipeline/gpu'},
+    'pipeline/water': {'pipeline/plan', 'pipeline/scene', 'pipeline/gpu'},
     'passes': {'pipeline'},
     'raster': {'pipeline'},
     'gl_backend': {'pipeline'},

@@ -1,0 +1,38 @@
+// One step of the wave equation on a grid of heights. water_step.md explains.
+UNIFORMS_BEGIN
+#include "passes/water_step/water_step_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, water_before)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, water_after)
+
+// What this step's part of a plop adds to the height, metres: a bump with a ring around it that takes
+// away as much water.
+Float plop_at(Float column, Float row) {
+  Float x = (column - Float(u.plop_place.x)) * Float(u.plop_shape.x);
+  Float z = (row - Float(u.plop_place.y)) * Float(u.plop_shape.y);
+  Float q = x * x + z * z;
+  Float rest = max_of(1.0f - q, Float(0.0f));
+  Float bump = (rest * rest) * rest;
+  return (bump * (1.0f - q * Float(u.plop_shape.w))) * Float(u.plop_shape.z);
+}
+
+void main() {
+  Int x = floor_to_int(frag_x());
+  Int y = floor_to_int(frag_y());
+  Vec4 here = fetch_clamped(water_before, x, y);
+  Float h = here.x;
+  // Beyond a wall stands the cell before it, so that nothing flows there: the slope at the wall is 0.
+  Float east = fetch_clamped(water_before, x + 1, y).x - h;
+  Float west = h - fetch_clamped(water_before, x - 1, y).x;
+  Float north = fetch_clamped(water_before, x, y + 1).x - h;
+  Float south = h - fetch_clamped(water_before, x, y - 1).x;
+  Float pull = (east - west) * Float(u.wave.x) + (north - south) * Float(u.wave.y);
+  Float rate = (here.y + pull) * Float(u.wave.z);
+  Float height = h + rate * Float(u.wave.w);
+  water_after = Vec4(height + plop_at(frag_x(), frag_y()), rate, Float(0.0f), Float(0.0f));
+}
+#endif

@@ -1,0 +1,154 @@
+// Water that moves, from the waves to the light on the floor (METHOD: row 7, figure 8 of the paper).
+#include <cmath>
+
+#include "pipeline/water/moving_water.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/water.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A pool at one moment after another, as the program renders it.
+class Film {
+ public:
+  Film(Scene scene, const Settings& settings)
+      : scene_(std::move(scene)), settings_(settings), effects_(effects_of(scene_, settings_)),
+        frames_(fit_moving_frames(scene_, *device_, effects_, settings_, pass_registry())),
+        moving_(scene_, *device_, pass_registry()), on_device_(scene_, effects_, *device_) {}
+
+  const Rendering& show(double seconds) {
+    moving_.show(seconds, false);
+    on_device_.renew_waters(false);
+    const FramePlan plan = make_plan(scene_, effects_, settings_, pass_registry(),
+                                     {{"picture", "aov_caustic", "aov_direct", kCausticMap, kLanding, kLandingFlux,
+                                       kLandingFresnel, kLandingAbsorbed, kCellFlux}});
+    const FrameTargets targets(plan, *device_);
+    const FrameInputs inputs{
+        .settings = &settings_,
+        .effects = &effects_,
+        .frames = &frames_,
+        .view = frame_of(scene_.cameras[0], settings_.width, settings_.height, bounds_of(scene_)),
+        .exposure = exposure_of(scene_, settings_)};
+    out_.frames = frames_;
+    out_.branches = effects_.branches;
+    out_.passes = run_plan(plan, pass_registry(), on_device_, targets, inputs);
+    out_.images.clear();
+    for (std::size_t i = 0; i < plan.textures.size(); ++i)
+      if (!plan.textures[i].external)
+        out_.images[plan.textures[i].name] = device_->read_back(targets[static_cast<int>(i)]);
+    return out_;
+  }
+
+  Ledger ledger() const { return ledger_of(out_, settings_); }
+  const Mesh& water() const { return scene_.meshes[1]; }
+
+ private:
+  Scene scene_;
+  Settings settings_;
+  std::unique_ptr<Device> device_ = make_software_device();
+  Effects effects_;
+  std::vector<LightFrames> frames_;
+  MovingWater moving_;
+  SceneOnDevice on_device_;
+  Rendering out_;
+};
+
+WaterSettings waves() {
+  return {.speed = 0.5, .damping = 0.2, .cells = 64, .start = 2.0, .interval = 0.3, .radius = 0.2, .height = 0.02, .seed = 5};
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return sum / static_cast<double>(values.size());
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const double ma = mean(a), mb = mean(b);
+  double ab = 0.0, aa = 0.0, bb = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ab += (a[i] - ma) * (b[i] - mb);
+    aa += (a[i] - ma) * (a[i] - ma);
+    bb += (b[i] - mb) * (b[i] - mb);
+  }
+  return ab / std::sqrt(aa * bb);
+}
+
+// The water's height over the middle of each of n x n equal parts of the sheet, row 0 at +z as in the
+// picture; its mesh has a vertex in every middle where n is half its own parts.
+std::vector<double> heights(const Mesh& water, int n) {
+  std::vector<double> result(static_cast<std::size_t>(n * n), 0.0);
+  for (const Vertex& v : water.vertices) {
+    const double x = (static_cast<double>(v.position.x) + 1.0) * 0.5 * n - 0.5;
+    const double y = (1.0 - static_cast<double>(v.position.z)) * 0.5 * n - 0.5;
+    const int i = static_cast<int>(std::floor(x + 0.5)), j = static_cast<int>(std::floor(y + 0.5));
+    if (i < 0 || j < 0 || i >= n || j >= n || std::fabs(x - i) > 1e-3 || std::fabs(y - j) > 1e-3) continue;
+    result[static_cast<std::size_t>(j * n + i)] = static_cast<double>(v.position.y);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("water film: all light that enters is booked in every frame, and the floor's mean stays") {
+  Film film(pool_scene(0.4, waves()), small_settings(128, 128, 64));
+  for (int n = 0; n < 12; ++n) {
+    film.show(n / 8.0);
+    const Ledger ledger = film.ledger();
+    INFO("frame " << n);
+    // A vertical light of 1 lux on 4 square metres, in grid cells of 2 m / 124 whose middles are in or out:
+    // 1 / 124 a side at worst.
+    CHECK(ledger.entered[0] == Approx(4.0).epsilon(0.01));
+    const double lost = ledger.missed[0] + ledger.outside[0] + ledger.not_converged[0] + ledger.total_reflection[0];
+    // What a wave at the edge throws beyond the floor: it is booked as missed.
+    CHECK(lost < 0.05 * ledger.entered[0]);
+    CHECK(ledger.fresnel[0] == Approx(0.02 * ledger.entered[0]).epsilon(0.05));
+    CHECK(ledger.in_map[0] + lost + ledger.fresnel[0] == Approx(ledger.entered[0]).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("water film: where the water is curved like a crest the floor below is bright") {
+  // 0.1 m deep the waves do not focus yet: E = 1 / (1 - d (1 - 1/n) (-laplace h)) to first order (METHOD 4.4),
+  // so brightness follows the negative Laplacian, and goes with the height.
+  Film film(pool_scene(0.1, waves()), small_settings(256, 256, 32));
+  for (const double seconds : {0.0, 0.5, 1.0, 1.5}) {
+    const Rendering& r = film.show(seconds);
+    const std::vector<double> h = heights(film.water(), 32);
+    std::vector<double> bright, height, crest;
+    for (int y = 2; y < 30; ++y)
+      for (int x = 2; x < 30; ++x) {
+        const auto at = [&](int i, int j) { return h[static_cast<std::size_t>(j * 32 + i)]; };
+        bright.push_back(static_cast<double>(r["aov_caustic"].at(x, y, 0)));
+        height.push_back(at(x, y));
+        crest.push_back(4.0 * at(x, y) - at(x - 1, y) - at(x + 1, y) - at(x, y - 1) - at(x, y + 1));
+      }
+    INFO("at " << seconds << " s: curvature " << correlation(bright, crest) << ", height "
+               << correlation(bright, height) << ", mean " << mean(bright));
+    CHECK(correlation(bright, crest) > 0.8);
+    CHECK(correlation(bright, height) > 0.2);
+    CHECK(mean(bright) == Approx(0.98).epsilon(0.02));
+  }
+}
+
+TEST_CASE("water film: a frame alone is the frame of a film, to the bit") {
+  const Settings settings = small_settings(64, 64, 48);
+  Film film(pool_scene(0.4, waves()), settings);
+  for (const double seconds : {0.25, 0.5, 0.75}) film.show(seconds);
+  const std::string in_film = sha256(film.show(1.0)["picture"]);
+  CHECK(sha256(Film(pool_scene(0.4, waves()), settings).show(1.0)["picture"]) == in_film);
+}
+
+TEST_CASE("water film: flat water lights the floor evenly at every moment") {
+  WaterSettings calm = waves();
+  calm.height = 0.0;
+  Film film(pool_scene(0.4, calm), small_settings(128, 128, 32));
+  for (const double seconds : {0.0, 1.0}) {
+    const Rendering& r = film.show(seconds);
+    for (int y = 1; y < 31; ++y)
+      for (int x = 1; x < 31; ++x)
+        CHECK(static_cast<double>(r["aov_caustic"].at(x, y, 0)) == Approx(1.0 - 0.0200588).epsilon(2e-3));
+  }
+}
