@@ -565,11 +565,88 @@ def sun_disk():
     return s
 
 
+def lens(centre, axis, radius, curvature, cells):
+    """A biconvex lens with an edge that tapers to nothing: two caps of spheres, with the spheres' own normals."""
+    z = unit(axis)
+    x = unit(cross((0.0, 0.0, 1.0) if abs(z[2]) < 0.9 else (0.0, 1.0, 0.0), z))
+    y = cross(z, x)
+    depth = curvature - math.sqrt(curvature ** 2 - radius ** 2)  # of one cap
+    positions, normals, indices = [], [], []
+    for side in (1.0, -1.0):
+        middle = add(centre, mul(z, side * (depth - curvature)))
+        first = len(positions)
+        rings, around = cells, 4 * cells
+        for i in range(rings + 1):
+            r = radius * i / rings
+            for j in range(1 if i == 0 else around):
+                turn = 2 * math.pi * j / around
+                out = add(mul(x, r * math.cos(turn)), mul(y, r * math.sin(turn)))
+                n = unit(add(out, mul(z, side * math.sqrt(curvature ** 2 - r * r))))
+                positions.append(add(middle, mul(n, curvature)))
+                normals.append(n)
+
+        def at(i, j): return first if i == 0 else first + 1 + (i - 1) * around + j % around
+
+        for i in range(rings):
+            for j in range(around):
+                a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+                faces = [(a, b, c)] + ([(a, c, d)] if i else [])
+                for f in faces:
+                    indices += f if side > 0 else (f[0], f[2], f[1])
+    return positions, normals, indices
+
+
+def holed_board(centre, axis, hole, half, thickness, cells):
+    """A square board across `axis` with a round hole, its walls included."""
+    z = unit(axis)
+    x = unit(cross((0.0, 1.0, 0.0), z))
+    y = cross(z, x)
+    inner, outer = [], []
+    for j in range(cells):
+        c, w = math.cos(2 * math.pi * j / cells), math.sin(2 * math.pi * j / cells)
+        reach = half / max(abs(c), abs(w))
+        inner.append((hole * c, hole * w))
+        outer.append((reach * c, reach * w))
+
+    def placed(p, side):
+        return add(add(centre, add(mul(x, p[0]), mul(y, p[1]))), mul(z, 0.5 * side * thickness))
+
+    faces = []
+    for j in range(cells):
+        k = (j + 1) % cells
+        for side in (1, -1):
+            quad = [placed(inner[j], side), placed(outer[j], side), placed(outer[k], side), placed(inner[k], side)]
+            faces.append(quad if side > 0 else quad[::-1])
+        faces.append([placed(inner[j], 1), placed(inner[k], 1), placed(inner[k], -1), placed(inner[j], -1)])
+        faces.append([placed(outer[j], -1), placed(outer[k], -1), placed(outer[k], 1), placed(outer[j], 1)])
+    return flat_faces(faces)
+
+
+def hazy_lens():
+    """A lens of 0.15 m in the shutter of a dark, hazy room. Parallel light; f = 0.806 m (docs/medium.md)."""
+    s = Scene()
+    travel = unit((1.0, -0.25, 0.0))
+    place = (-0.95, 0.62, 0.0)
+    s.mesh('lens', lens(place, travel, 0.15, 0.8216, 16), glass('glass', 1.5168))
+    s.mesh('shutter', holed_board(place, travel, 0.149, 0.6, 0.02, 64), diffuse('black board', 0.12))
+    s.mesh('floor', ([(-1.4, 0.0, 0.7), (1.1, 0.0, 0.7), (1.1, 0.0, -0.7), (-1.4, 0.0, -0.7)], [(0.0, 1.0, 0.0)] * 4,
+                     [0, 1, 2, 0, 2, 3]), diffuse('floor', (0.45, 0.42, 0.40)))
+    s.mesh('back wall', ([(-1.4, 0.0, -0.7), (1.1, 0.0, -0.7), (1.1, 1.3, -0.7), (-1.4, 1.3, -0.7)], [(0.0, 0.0, 1.0)] * 4,
+                         [0, 1, 2, 0, 2, 3]), diffuse('wall', (0.20, 0.21, 0.24)))
+    s.mesh('screen', ([(1.1, 0.0, 0.7), (1.1, 1.3, 0.7), (1.1, 1.3, -0.7), (1.1, 0.0, -0.7)], [(-1.0, 0.0, 0.0)] * 4,
+                      [0, 1, 2, 0, 2, 3]), diffuse('screen', 0.7))
+    s.sun(travel, 10.0, color=[1.0, 0.86, 0.66])
+    s.camera('view', (0.05, 0.85, 1.95), (0.0, 0.42, -0.1), 40)
+    s.gltf['scenes'][0]['extras'] = {'medium': {'scattering': 0.35, 'absorption': 0.02, 'anisotropy': 0.3}}
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring,
-              'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk}
+              'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk,
+              'hazy_lens.glb': hazy_lens}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

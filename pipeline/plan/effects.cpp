@@ -6,6 +6,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/branches.hpp"
+#include "pipeline/plan/medium_effects.hpp"
 #include "pipeline/plan/surface_role.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/frame.hpp"
@@ -287,6 +288,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   add_light_effects(scene, settings, effects);
   add_emitters(scene, effects);
   add_branches(scene, settings, effects);
+  add_medium(scene, effects);
   add_missing_effects(judgements, effects);
   return effects;
 }

@@ -75,6 +75,9 @@ struct Effects {
 //   "emissive lights" a mesh that shines and lights the scene
 //   "dispersion"      a refractor whose index depends on the wavelength
 //   "reflections"     what refractors mirror, on request
+//   "medium"          haze in the air, which takes light on its way
+//   "scattering"      and scatters it towards the camera
+//   "light shafts"    caustics in a medium that scatters
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

@@ -8,6 +8,7 @@
 #include "pipeline/scene/gltf/check.hpp"
 #include "pipeline/scene/gltf/lights.hpp"
 #include "pipeline/scene/gltf/materials.hpp"
+#include "pipeline/scene/gltf/medium.hpp"
 #include "pipeline/scene/gltf/nodes.hpp"
 #include "pipeline/scene/gltf/primitive.hpp"
 #include "pipeline/scene/gltf/resources.hpp"
@@ -120,6 +121,7 @@ Scene load(Context& context) {
   build_meshes({context, document, model, materials}, placements.meshes, scene);
   scene.lights = gltf::read_lights(context, document, placements.lights, scene.origin);
   scene.cameras = gltf::read_cameras(context, document, placements.cameras, scene.origin);
+  scene.medium = gltf::read_medium(context, document);
   if (document.root(context).member("animations").size() > 0) {
     context.note("Animations are not played: the scene stands as at rest.");
   }
