@@ -623,21 +623,22 @@ def holed_board(centre, axis, hole, half, thickness, cells):
 
 
 def hazy_lens():
-    """A lens of 0.15 m in the shutter of a dark, hazy room. Parallel light; f = 0.806 m (docs/medium.md)."""
+    """A lens in the shutter of a dark, hazy room. Parallel light converges 1.097 m behind it (docs/medium.md)."""
     s = Scene()
-    travel = unit((1.0, -0.25, 0.0))
-    place = (-0.95, 0.62, 0.0)
-    s.mesh('lens', lens(place, travel, 0.15, 0.8216, 16), glass('glass', 1.5168))
-    s.mesh('shutter', holed_board(place, travel, 0.149, 0.6, 0.02, 64), diffuse('black board', 0.12))
-    s.mesh('floor', ([(-1.4, 0.0, 0.7), (1.1, 0.0, 0.7), (1.1, 0.0, -0.7), (-1.4, 0.0, -0.7)], [(0.0, 1.0, 0.0)] * 4,
-                     [0, 1, 2, 0, 2, 3]), diffuse('floor', (0.45, 0.42, 0.40)))
-    s.mesh('back wall', ([(-1.4, 0.0, -0.7), (1.1, 0.0, -0.7), (1.1, 1.3, -0.7), (-1.4, 1.3, -0.7)], [(0.0, 0.0, 1.0)] * 4,
-                         [0, 1, 2, 0, 2, 3]), diffuse('wall', (0.20, 0.21, 0.24)))
-    s.mesh('screen', ([(1.1, 0.0, 0.7), (1.1, 1.3, 0.7), (1.1, 1.3, -0.7), (1.1, 0.0, -0.7)], [(-1.0, 0.0, 0.0)] * 4,
-                      [0, 1, 2, 0, 2, 3]), diffuse('screen', 0.7))
+    travel = unit((1.0, -0.12, 0.0))
+    place = (-0.95, 0.68, 0.0)
+    s.mesh('lens', lens(place, travel, 0.15, 1.137, 16), glass('glass', 1.5168))
+    s.mesh('shutter', holed_board(place, travel, 0.149, 2.4, 0.02, 64), diffuse('black board', 0.10))
+    left, right, back, front, high = -1.4, 1.1, -0.8, 2.4, 2.2
+    s.mesh('floor', ([(left, 0.0, front), (right, 0.0, front), (right, 0.0, back), (left, 0.0, back)],
+                     [(0.0, 1.0, 0.0)] * 4, [0, 1, 2, 0, 2, 3]), diffuse('floor', (0.30, 0.27, 0.25)))
+    s.mesh('back wall', ([(left, 0.0, back), (right, 0.0, back), (right, high, back), (left, high, back)],
+                         [(0.0, 0.0, 1.0)] * 4, [0, 1, 2, 0, 2, 3]), diffuse('wall', (0.10, 0.11, 0.13)))
+    s.mesh('screen', ([(right, 0.0, front), (right, high, front), (right, high, back), (right, 0.0, back)],
+                      [(-1.0, 0.0, 0.0)] * 4, [0, 1, 2, 0, 2, 3]), diffuse('screen', 0.6))
     s.sun(travel, 10.0, color=[1.0, 0.86, 0.66])
-    s.camera('view', (0.05, 0.85, 1.95), (0.0, 0.42, -0.1), 40)
-    s.gltf['scenes'][0]['extras'] = {'medium': {'scattering': 0.35, 'absorption': 0.02, 'anisotropy': 0.3}}
+    s.camera('view', (-0.35, 1.0, 2.05), (0.14, 0.50, 0.0), 42)
+    s.gltf['scenes'][0]['extras'] = {'medium': {'scattering': 0.5, 'absorption': 0.02, 'anisotropy': 0.3}}
     return s
 
 

@@ -125,11 +125,20 @@ void main() {
   widths = Vec4(rows.x, rows.y, columns.x, columns.y);
   follows = sel(follows_y, Float(1.0f), Float(0.0f));
 
-  // A parallelogram over whole pixels along the beam, and as wide across as the beam can be, and a little more.
-  Float half_width = max_of(width(rows.x, w.x) + width(columns.x, w.x), width(rows.y, w.y) + width(columns.y, w.y)) * 0.5f + 2.0f;
+  // A trapezium over whole pixels along the beam. Across it reaches a pixel beyond the beam's foot: half a pixel for
+  // the pixels' own width, half for the ends, where the middle of what a pixel holds of the beam is not the pixel's.
+  Float low_foot = (width(rows.x, w.x) + width(columns.x, w.x)) * 0.5f;
+  Float high_foot = (width(rows.y, w.y) + width(columns.y, w.y)) * 0.5f;
+  // Offsets change linearly along the picture, so between the ends a foot is no wider than the line between its
+  // ends, unless an end has been limited.
+  Bool limited = max_of(low_foot, high_foot) > u.picture.z * 0.5f;
+  Float widest = max_of(low_foot, high_foot);
   Bool at_high = corner == 1 || corner == 2 || corner == 4;
   Bool above = corner == 2 || corner == 4 || corner == 5;
   Float m = sel(at_high, floor(high) + 1.0f, floor(low));
+  // A beam across whose ends the trapezium goes on to whole pixels gets the wider foot if it is short.
+  Float half_width = sel(limited || high - low < 4.0f, widest, sel(at_high, high_foot, low_foot)) + 1.0f +
+                     sel(has_extent, abs(high_foot - low_foot) / max_of(high - low, 4.0f), Float(0.0f));
   Float n = across(p, follows_y) + slope * (m - low) + sel(above, half_width, -half_width);
   Float px = sel(follows_y, n, m);
   Float py = sel(follows_y, m, n);

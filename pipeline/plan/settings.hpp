@@ -24,7 +24,7 @@ struct Settings {
   int shadow = 2048;               // shadow map, texels a side
   int light_samples = 16;          // points by which a light with a size is drawn
   bool emissive_lights = false;    // meshes that shine light the scene
-  int shafts = 256;                // beams a side by which light shafts are drawn; at most the grid
+  int shafts = 128;                // beams a side by which light shafts are drawn; at most the grid
   int medium_steps = 32;           // along each camera ray through a medium
   int iterations = 5;
   Estimator estimator = Estimator::Secant;
