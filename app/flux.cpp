@@ -6,7 +6,8 @@
 namespace caustics::app {
 
 std::vector<std::string> ledger_textures() {
-  return {kCasterNormal, kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellFlux, kCausticMap};
+  return {kCasterNormal, kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kLandingMedium,
+          kCellFlux, kCausticMap};
 }
 
 namespace {
@@ -72,6 +73,7 @@ std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger) {
           {"fresnel", ledger.fresnel},
           {"absorbed", ledger.absorbed},
           {"total_reflection", ledger.total_reflection},
+          {"medium", ledger.medium},
           {"missed", ledger.missed},
           {"outside", ledger.outside},
           {"not_converged", ledger.not_converged},

@@ -62,7 +62,7 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const ProbeRequest& 
   for (const PlannedPass& pass : frame.plan().passes) {
     const PassDefinition& definition =
         pass_registry()[static_cast<std::size_t>(pass.pass)].definition;
-    if (definition.name == kLanding && pass.light == light) return pass;
+    if (definition.writes.front().name == kLanding && pass.light == light) return pass;
   }
   throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
                                         " throws no caustic here; 'caustics plan' says why");

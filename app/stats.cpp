@@ -74,6 +74,8 @@ Json settings_json(const Settings& s) {
           {"shadow", s.shadow},
           {"light.samples", s.light_samples},
           {"emissive.lights", s.emissive_lights ? "on" : "off"},
+          {"shafts", s.shafts},
+          {"medium.steps", s.medium_steps},
           {"iterations", s.iterations},
           {"estimator", name_of(s.estimator)},
           {"thickness", name_of(s.thickness)},

@@ -1,5 +1,6 @@
 #include "passes/registry.hpp"
 
+#include "passes/beams/beams.hpp"
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/caustic_cells/caustic_cells.hpp"
@@ -10,6 +11,8 @@
 #include "passes/glass/glass.hpp"
 #include "passes/landing/landing.hpp"
 #include "passes/light_shading/light_shading.hpp"
+#include "passes/light_shafts/light_shafts.hpp"
+#include "passes/medium/medium.hpp"
 #include "passes/occluder_depth/occluder_depth.hpp"
 #include "passes/panes/panes.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
@@ -34,6 +37,8 @@ const Registry& pass_registry() {
       detailed_exit_map_pass(),
       receiver_map_pass(),
       landing_pass(),
+      landing_in_medium_pass(),
+      beams_pass(),
       cells_pass(),
       caustic_cells_pass(),
       caustic_cells_grey_pass(),
@@ -46,6 +51,8 @@ const Registry& pass_registry() {
       wide_surfaces_pass(),
       light_shading_pass(),
       wide_shading_pass(),
+      light_shading_in_medium_pass(),
+      wide_shading_in_medium_pass(),
       compose_pass(),
       compose_beauty_pass(),
       wide_compose_pass(),
@@ -58,6 +65,11 @@ const Registry& pass_registry() {
       glass_pass(),
       view_panes_pass(),
       view_pane_mirror_pass(),
+      // And the air before it.
+      view_medium_pass(),
+      light_haze_pass(),
+      light_shafts_pass(),
+      haze_pass(),
       first_hit_pass(),
       tone_map_pass(),
   };

@@ -754,6 +754,84 @@ def water_plops():
     return s
 
 
+def lens_along(centre, axis, radius, curvature, cells):
+    """A biconvex lens with an edge that tapers to nothing: two caps of spheres, with the spheres' own normals."""
+    z = unit(axis)
+    x = unit(cross((0.0, 0.0, 1.0) if abs(z[2]) < 0.9 else (0.0, 1.0, 0.0), z))
+    y = cross(z, x)
+    depth = curvature - math.sqrt(curvature ** 2 - radius ** 2)  # of one cap
+    positions, normals, indices = [], [], []
+    for side in (1.0, -1.0):
+        middle = add(centre, mul(z, side * (depth - curvature)))
+        first = len(positions)
+        rings, around = cells, 4 * cells
+        for i in range(rings + 1):
+            r = radius * i / rings
+            for j in range(1 if i == 0 else around):
+                turn = 2 * math.pi * j / around
+                out = add(mul(x, r * math.cos(turn)), mul(y, r * math.sin(turn)))
+                n = unit(add(out, mul(z, side * math.sqrt(curvature ** 2 - r * r))))
+                positions.append(add(middle, mul(n, curvature)))
+                normals.append(n)
+
+        def at(i, j): return first if i == 0 else first + 1 + (i - 1) * around + j % around
+
+        for i in range(rings):
+            for j in range(around):
+                a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+                faces = [(a, b, c)] + ([(a, c, d)] if i else [])
+                for f in faces:
+                    indices += f if side > 0 else (f[0], f[2], f[1])
+    return positions, normals, indices
+
+
+def holed_board(centre, axis, hole, half, thickness, cells):
+    """A square board across `axis` with a round hole, its walls included."""
+    z = unit(axis)
+    x = unit(cross((0.0, 1.0, 0.0), z))
+    y = cross(z, x)
+    inner, outer = [], []
+    for j in range(cells):
+        c, w = math.cos(2 * math.pi * j / cells), math.sin(2 * math.pi * j / cells)
+        reach = half / max(abs(c), abs(w))
+        inner.append((hole * c, hole * w))
+        outer.append((reach * c, reach * w))
+
+    def placed(p, side):
+        return add(add(centre, add(mul(x, p[0]), mul(y, p[1]))), mul(z, 0.5 * side * thickness))
+
+    faces = []
+    for j in range(cells):
+        k = (j + 1) % cells
+        for side in (1, -1):
+            quad = [placed(inner[j], side), placed(outer[j], side), placed(outer[k], side), placed(inner[k], side)]
+            faces.append(quad if side > 0 else quad[::-1])
+        faces.append([placed(inner[j], 1), placed(inner[k], 1), placed(inner[k], -1), placed(inner[j], -1)])
+        faces.append([placed(outer[j], -1), placed(outer[k], -1), placed(outer[k], 1), placed(outer[j], 1)])
+    return flat_faces(faces)
+
+
+def hazy_lens():
+    """A lens in the shutter of a dark, hazy room. Parallel light converges 1.096 m behind it (docs/medium.md)."""
+    s = Scene()
+    travel = unit((1.0, -0.12, 0.0))
+    place = (-0.95, 0.68, 0.0)
+    s.mesh('lens', lens_along(place, travel, 0.158, 1.137, 16), glass('glass', 1.5168))
+    # The lens leans against the board, on the light's side: no gap for a map's texels to see through.
+    s.mesh('shutter', holed_board(add(place, mul(travel, 0.013)), travel, 0.149, 2.4, 0.02, 64), diffuse('black board', 0.10))
+    left, right, back, front, high = -1.4, 1.1, -0.8, 2.4, 2.2
+    s.mesh('floor', ([(left, 0.0, front), (right, 0.0, front), (right, 0.0, back), (left, 0.0, back)],
+                     [(0.0, 1.0, 0.0)] * 4, [0, 1, 2, 0, 2, 3]), diffuse('floor', (0.30, 0.27, 0.25)))
+    s.mesh('back wall', ([(left, 0.0, back), (right, 0.0, back), (right, high, back), (left, high, back)],
+                         [(0.0, 0.0, 1.0)] * 4, [0, 1, 2, 0, 2, 3]), diffuse('wall', (0.10, 0.11, 0.13)))
+    s.mesh('screen', ([(right, 0.0, front), (right, high, front), (right, high, back), (right, 0.0, back)],
+                      [(-1.0, 0.0, 0.0)] * 4, [0, 1, 2, 0, 2, 3]), diffuse('screen', 0.6))
+    s.sun(travel, 10.0, color=[1.0, 0.86, 0.66])
+    s.camera('view', (-0.35, 1.0, 2.05), (0.14, 0.50, 0.0), 42)
+    s.gltf['scenes'][0]['extras'] = {'medium': {'scattering': 0.5, 'absorption': 0.02, 'anisotropy': 0.3}}
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
@@ -761,7 +839,8 @@ def main():
               'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk,
               'water_normal_map.glb': water_normal_map, 'stained_glass.glb': stained_glass,
               'moving_lens.glb': moving_lens,
-              'water_plops.glb': water_plops}
+              'water_plops.glb': water_plops,
+              'hazy_lens.glb': hazy_lens}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

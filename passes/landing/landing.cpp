@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
 
 namespace caustics {
 
 extern const Shader landing_shader;
+extern const Shader landing_in_medium_shader;
 
 namespace {
 
@@ -96,7 +98,7 @@ Pass landing_pass() {
               .shader = &landing_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics")) return {};
+        if (!effects.active("caustics") || effects.active("medium")) return {};
         return "each grid vertex's light is bent and followed to a receiver";
       },
       .each = Each::Branch,
@@ -104,6 +106,30 @@ Pass landing_pass() {
       .extent = Extent::Grid,
       .uniforms = [](const PassContext& context) { return uniform_bytes(landing_uniforms(context)); },
   };
+}
+
+Pass landing_in_medium_pass() {
+  Pass pass = landing_pass();
+  PassDefinition& definition = pass.definition;
+  definition.name = "landing_in_medium";
+  definition.purpose += ", through a medium";
+  definition.shader = &landing_in_medium_shader;
+  definition.writes.push_back({.name = kLandingMedium,
+                               .meaning = "rgb: flux that the medium takes before the caster and after it"});
+  definition.writes.push_back({.name = "landing_start",
+                               .meaning = "xyz: where the light leaves the caster, metres, scene space; w: how far "
+                                          "it goes from there through the medium, metres"});
+  definition.writes.push_back({.name = "landing_way",
+                               .meaning = "xyz: its direction, unit; w: 1 where light leaves, else 0"});
+  definition.writes.push_back({.name = "landing_start_flux", .meaning = "rgb: its flux where it leaves"});
+  pass.called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+    if (!effects.active("caustics") || !effects.active("medium")) return {};
+    return "each grid vertex's light is bent and followed through the medium to a receiver";
+  };
+  pass.uniforms = [](const PassContext& context) {
+    return with_medium(uniform_bytes(landing_uniforms(context)), *context.scene);
+  };
+  return pass;
 }
 
 }  // namespace caustics

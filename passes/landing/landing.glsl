@@ -2,6 +2,9 @@
 // receiver; and what happened to its flux on the way. landing.md explains.
 UNIFORMS_BEGIN
 #include "passes/landing/landing_uniforms.glsl"
+#ifdef HAZE
+#include "passes/medium/medium_uniforms.glsl"
+#endif
 UNIFORMS_END
 TEXTURE(0, caster_position)
 TEXTURE(1, caster_normal)
@@ -18,10 +21,19 @@ OUTPUT(0, Vec4, landing)
 OUTPUT(1, Vec4, landing_flux)
 OUTPUT(2, Vec4, landing_fresnel)
 OUTPUT(3, Vec4, landing_absorbed)
+#ifdef HAZE
+OUTPUT(4, Vec4, landing_medium)
+OUTPUT(5, Vec4, landing_start)
+OUTPUT(6, Vec4, landing_way)
+OUTPUT(7, Vec4, landing_start_flux)
+#endif
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/intersect.glsl"
 #include "passes/shared/light_intensity.glsl"
+#ifdef HAZE
+#include "passes/medium/medium.glsl"
+#endif
 
 Hit find_surface(Texture positions, vec4 window, vec4 depth, Vec3 start, Vec3 direction,
                  bool beyond_is_behind) {
@@ -209,6 +221,28 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Vec3 after_medium = passed * refracted_in;
   Vec3 carried = after_medium * (1.0f - r2);
   Vec3 absorbed = Vec3(refracted_in) - after_medium;
+  Vec3 mirrored = Vec3(entered * r1) + after_medium * r2;
+#ifdef HAZE
+  // What the air takes before the caster; then on the way from it to the landing, or out of the medium.
+  bool positional = u.caster_depth.z > 0.5f;
+  Vec3 arriving = transmittance(Vec3(u.extinction), light_way(p1, d0, Vec3(u.light), positional));
+  Vec3 taken = Vec3(entered) - arriving * entered;
+  mirrored = mirrored * arriving;
+  absorbed = absorbed * arriving;
+  // What is mirrored off a dielectric came with the light that is let in, and has been booked there: what it lost
+  // before is not Fresnel's.
+  if (u.variant.x == 1) {
+    mirrored = taken;
+    taken = Vec3(0.0f);
+  }
+  Vec3 leaving = carried * arriving;
+  Float way_out = medium_exit(p2, d2);
+  Bool meets = hit.inside && hit.covered && converged;
+  Bool sent = covered && !blocked1 && !blocked2 && !exit_unknown;
+  Float way = sel(sent, sel(meets, min_of(flight, way_out), way_out), Float(0.0f));
+  carried = leaving * transmittance(Vec3(u.extinction), way);
+  taken = taken + (leaving - carried);
+#endif
   Bool exhausted = largest(carried) <= entered * 1.0e-6f;
 
   Float status = Float(1.0f);
@@ -229,9 +263,14 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   landing = sel(covered, Vec4(p3, status), Vec4(0.0f));
   Vec3 share = Vec3(u.branch);
   landing_flux = sel(covered, Vec4(carried * share, hit.residual), Vec4(0.0f));
-  landing_fresnel =
-      sel(covered, Vec4((Vec3(entered * r1) + after_medium * r2) * share, entered), Vec4(0.0f));
+  landing_fresnel = sel(covered, Vec4(mirrored * share, entered), Vec4(0.0f));
   landing_absorbed = sel(covered, Vec4(absorbed * share, inside_length), Vec4(0.0f));
+#ifdef HAZE
+  landing_medium = sel(covered, Vec4(taken * share, Float(0.0f)), Vec4(0.0f));
+  landing_start = sel(sent, Vec4(p2, way), Vec4(0.0f));
+  landing_way = sel(sent, Vec4(d2, Float(1.0f)), Vec4(0.0f));
+  landing_start_flux = sel(sent, Vec4(leaving * share, Float(0.0f)), Vec4(0.0f));
+#endif
 }
 
 void main() {
@@ -243,6 +282,12 @@ void main() {
   landing_flux = Vec4(0.0f);
   landing_fresnel = Vec4(0.0f);
   landing_absorbed = Vec4(0.0f);
+#ifdef HAZE
+  landing_medium = Vec4(0.0f);
+  landing_start = Vec4(0.0f);
+  landing_way = Vec4(0.0f);
+  landing_start_flux = Vec4(0.0f);
+#endif
   if (any_lane(covered)) follow(entry, texel_fetch(caster_normal, column, row), covered);
 }
 #endif

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
 
 namespace caustics {
 
 extern const Shader light_shading_shader;
+extern const Shader light_shading_in_medium_shader;
 
 namespace {
 
@@ -90,12 +92,21 @@ PassDefinition definition(const std::string& view, const std::string& name,
   };
 }
 
+// The same light where a medium takes its share on the way.
+Pass in_medium(Pass pass, std::optional<std::string> (*called_for_by)(const Effects&)) {
+  pass.definition.name += "_in_medium";
+  pass.definition.shader = &light_shading_in_medium_shader;
+  pass.called_for_by = called_for_by;
+  pass.uniforms = [](const PassContext& context) { return with_medium(uniforms(context), *context.scene); };
+  return pass;
+}
+
 }  // namespace
 
 Pass light_shading_pass() {
   return {.definition = definition("view", "light_shading", "direct", "caustic"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light")) return {};
+            if (!effects.active("light") || effects.active("medium")) return {};
             return "the light shines on what the camera sees";
           },
           .each = Each::Light,
@@ -108,12 +119,27 @@ Pass wide_shading_pass() {
   return {.definition = definition("wide", "wide_shading", "wide_direct", "wide_caustic"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
             if (!effects.active("light") || !effects.active("seen casters")) return {};
+            if (effects.active("medium")) return {};
             return "the light shines on what glass shows";
           },
           .each = Each::Light,
           .extent = Extent::Wide,
           .uniforms = uniforms,
           .owner = Each::Frame};
+}
+
+Pass light_shading_in_medium_pass() {
+  return in_medium(light_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
+    if (!effects.active("light") || !effects.active("medium")) return {};
+    return "the light shines through the medium on what the camera sees";
+  });
+}
+
+Pass wide_shading_in_medium_pass() {
+  return in_medium(wide_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
+    if (!effects.active("light") || !effects.active("seen casters") || !effects.active("medium")) return {};
+    return "the light shines through the medium on what glass shows";
+  });
 }
 
 }  // namespace caustics

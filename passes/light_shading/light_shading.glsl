@@ -2,6 +2,9 @@
 // irradiance from its caustics.
 UNIFORMS_BEGIN
 #include "passes/light_shading/light_shading_uniforms.glsl"
+#ifdef HAZE
+#include "passes/medium/medium_uniforms.glsl"
+#endif
 UNIFORMS_END
 TEXTURE(0, view_position)
 TEXTURE(1, view_normal)
@@ -20,6 +23,10 @@ OUTPUT(1, Vec4, caustic)
 #include "passes/shared/light_intensity.glsl"
 #include "passes/shared/column.glsl"
 #include "passes/shared/surface_plane.glsl"
+#ifdef HAZE
+#include "passes/shared/optics.glsl"
+#include "passes/medium/medium.glsl"
+#endif
 
 // The surface's tangent plane in frame coordinates, to compare depths where a map's texel is instead of
 // where the shaded point is: that leaves nothing of the usual slope for a bias to hide. It is the
@@ -193,6 +200,9 @@ void main() {
   irradiance = sel(visible, irradiance, Float(0.0f));
   Vec3 tint = Vec3(1.0f);
   if (u.uses.w > 0.5f) tint = through_panes(p);
+#ifdef HAZE
+  tint = tint * transmittance(Vec3(u.extinction), light_way(position, travel, Vec3(u.light), u.light.w > 0.5f));
+#endif
   direct = Vec4(Vec3(u.intensity) * tint * irradiance, Float(0.0f));
 
   // Flux in a texel over the receiver's area under it: texel area / |n.l|, or solid angle r^2 / |n.l|.

@@ -26,6 +26,7 @@ void add_caustic_color(const Scene& scene, Effects& effects) {
   };
   if (!effects.active("caustics")) return add(false, "there is no caustic");
   if (effects.active("dispersion")) return add(true, "wavelengths land in different places");
+  if (!is_grey(scene.medium.extinction())) return add(true, "the medium takes its colours unequally");
   if (effects.active("textured casters")) return add(true, "a texture tints them");
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (!is_caster(effects.surfaces[i].role)) continue;

@@ -7,6 +7,7 @@
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/branches.hpp"
 #include "pipeline/plan/caustic_color.hpp"
+#include "pipeline/plan/medium_effects.hpp"
 #include "pipeline/plan/surface_role.hpp"
 #include "pipeline/plan/textured_casters.hpp"
 #include "pipeline/plan/water_waves.hpp"
@@ -293,6 +294,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);
   add_water_waves(scene, effects);
+  add_medium(scene, effects);
   add_missing_effects(judgements, effects);
   return effects;
 }

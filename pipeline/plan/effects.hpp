@@ -80,6 +80,9 @@ struct Effects {
 //   "reflections"     what refractors mirror, on request
 //   "coloured caustics"  a caster that tints them: the caustic map has three channels instead of one
 //   "water waves"     a mesh that `extras` make water
+//   "medium"          haze in the air, which takes light on its way
+//   "scattering"      and scatters it towards the camera
+//   "light shafts"    caustics in a medium that scatters
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

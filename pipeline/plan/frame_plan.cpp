@@ -61,6 +61,8 @@ Size size_of(Extent extent, const Settings& settings) {
       return {settings.shadow, settings.shadow};
     case Extent::Water:
       break;  // each water's own
+    case Extent::Beams:
+      return {beams_a_side(settings), beams_a_side(settings)};
   }
   return {};
 }
@@ -113,7 +115,9 @@ class Planner {
   // A light's caustic passes run only where one of its caustics is to be expected.
   bool light_needs(const Pass& pass, int light) const {
     if (!(scene_.lights[static_cast<std::size_t>(light)].intensity > 0.0f)) return false;
-    if (pass.extent != Extent::Grid && pass.extent != Extent::Map) return true;
+    const bool of_casters = pass.extent == Extent::Grid || pass.extent == Extent::Map ||
+                            pass.extent == Extent::Beams || pass.draws == DrawSet::Beams;
+    if (!of_casters) return true;
     return std::any_of(effects_.expectations.begin(), effects_.expectations.end(),
                        [&](const Expectation& e) { return e.light == light && e.expected; });
   }

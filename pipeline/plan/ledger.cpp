@@ -74,7 +74,7 @@ double Ledger::residual() const {
   for (std::size_t c = 0; c < 3; ++c) {
     if (entered[c] <= 0.0) continue;
     const double booked = fresnel[c] + absorbed[c] + total_reflection[c] + missed[c] + outside[c] +
-                          not_converged[c] + kernel_edge[c] + in_map[c];
+                          not_converged[c] + kernel_edge[c] + medium[c] + in_map[c];
     worst = std::max(worst, std::fabs(entered[c] - booked) / entered[c]);
   }
   return worst;
@@ -84,7 +84,7 @@ void add(Ledger& sum, const Ledger& other, double share) {
   for (FluxRgb Ledger::*account :
        {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection,
         &Ledger::missed, &Ledger::outside, &Ledger::not_converged, &Ledger::kernel_edge,
-        &Ledger::in_map})
+        &Ledger::medium, &Ledger::in_map})
     add(sum.*account, other.*account, share);
   for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
 }
@@ -117,6 +117,7 @@ void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
   }
   add(ledger.fresnel, rgb(images.fresnel, x, y));
   add(ledger.absorbed, rgb(images.absorbed, x, y));
+  if (!images.medium.values.empty()) add(ledger.medium, rgb(images.medium, x, y));
   const FluxRgb carried = rgb(images.flux, x, y);
   if (FluxRgb* account = account_of(ledger, status)) return add(*account, carried);
   const glm::dvec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1),
@@ -135,9 +136,11 @@ std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& br
   std::vector<BranchImages> result;
   for (const Branch& branch : branches) {
     const auto own = [&](const char* name) { return read(branch_texture(name, light, branch)); };
+    const auto if_any = [&](const char* name) {
+      return has(branch_texture(name, light, branch)) ? own(name) : Image{};
+    };
     result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel),
-                      own(kLandingAbsorbed),
-                      has(branch_texture(kCellFlux, light, branch)) ? own(kCellFlux) : Image{}});
+                      own(kLandingAbsorbed), if_any(kCellFlux), if_any(kLandingMedium)});
   }
   return result;
 }

@@ -35,6 +35,7 @@ struct Ledger {
   FluxRgb fresnel{};             // reflected at the surfaces
   FluxRgb absorbed{};            // in the material, and what ended as Absorbed
   FluxRgb total_reflection{};
+  FluxRgb medium{};              // absorbed and scattered by the medium, before and after the casters
   FluxRgb missed{};
   FluxRgb outside{};
   FluxRgb not_converged{};
@@ -54,6 +55,7 @@ struct BranchImages {
   Branch branch;
   Image landing, flux, fresnel, absorbed;
   Image cell_flux;  // without values where landings are splatted one by one
+  Image medium;     // without values where there is no medium
 };
 
 // What a light's passes hold, of all its branches; `read` gives a texture by its full name, and `has` tells

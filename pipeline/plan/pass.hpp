@@ -25,11 +25,13 @@ enum class DrawSet : std::uint8_t {
   ThinPanes,       // every ThinPane
   GridVertices,    // grid * grid points
   GridCells,       // (grid - 1) * (grid - 1) points
+  Beams,           // beams * beams quadrilaterals of two triangles
 };
 
 // Size of a pass's targets.
 // Wide is half the picture's size over three times its view, for what glass shows of the surroundings.
-enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow, Water };
+// Beams is the grid's size, coarser where one beam stands for several grid vertices.
+enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow, Water, Beams };
 
 // The frames of one light. All share origin and axes; only the windows and depth ranges differ.
 struct LightFrames {
@@ -102,6 +104,8 @@ inline constexpr char kLanding[] = "landing";
 inline constexpr char kLandingFlux[] = "landing_flux";
 inline constexpr char kLandingFresnel[] = "landing_fresnel";
 inline constexpr char kLandingAbsorbed[] = "landing_absorbed";
+// Of scenes with a medium only.
+inline constexpr char kLandingMedium[] = "landing_medium";
 inline constexpr char kCausticMap[] = "caustic_map";
 inline constexpr char kCellNear[] = "cell_near";
 inline constexpr char kCellFar[] = "cell_far";

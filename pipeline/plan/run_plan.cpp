@@ -37,6 +37,7 @@ bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
     case DrawSet::FullScreen:
     case DrawSet::GridVertices:
     case DrawSet::GridCells:
+    case DrawSet::Beams:
       return false;
   }
   return false;
@@ -67,6 +68,11 @@ class PassRunner {
         if (const int cells = inputs_.settings->grid - 1; cells > 0)
           run.draws.push_back(draw(pass, planned, context, MeshId::None, cells * cells));
         break;
+      case DrawSet::Beams: {
+        const int beams = beams_a_side(*inputs_.settings);
+        run.draws.push_back(draw(pass, planned, context, MeshId::None, 6 * beams * beams));
+        break;
+      }
       case DrawSet::Receivers:
       case DrawSet::Casters:
       case DrawSet::SolidCasters:

@@ -82,6 +82,10 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return number(v, 1, kMaxLightSamples, s.light_samples); }},
     {"emissive.lights", "off|on, default off", "meshes that shine light the scene",
      [](Settings& s, Value v) { return choice(v, kOffOn, s.emissive_lights); }},
+    {"shafts", "1..1024, default 128", "beams a side by which light shafts in a medium are drawn",
+     [](Settings& s, Value v) { return number(v, 1, kMaxShafts, s.shafts); }},
+    {"medium.steps", "1..1024, default 32", "steps of each camera ray through a medium",
+     [](Settings& s, Value v) { return number(v, 1, kMaxMediumSteps, s.medium_steps); }},
     {"iterations", "1..1000, default 5", "steps of the estimator at each surface",
      [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
     {"estimator", "paper|newton|secant, default secant", "what finds where a ray lands",
@@ -175,6 +179,17 @@ void check(const Settings& settings) {
   check_range("shadow", settings.shadow, kMaxMap);
   check_range("iterations", settings.iterations, kMaxIterations);
   check_range("light.samples", settings.light_samples, kMaxLightSamples);
+  check_range("shafts", settings.shafts, kMaxShafts);
+  check_range("medium.steps", settings.medium_steps, kMaxMediumSteps);
+}
+
+int vertices_per_beam(const Settings& settings) {
+  return (settings.grid + settings.shafts - 1) / settings.shafts;
+}
+
+int beams_a_side(const Settings& settings) {
+  const int vertices = vertices_per_beam(settings);
+  return (settings.grid + vertices - 1) / vertices;
 }
 
 std::string_view name_of(Estimator estimator) { return kEstimators[static_cast<int>(estimator)]; }

@@ -24,6 +24,8 @@ struct Settings {
   int shadow = 2048;               // shadow map, texels a side
   int light_samples = 16;          // points by which a light with a size is drawn
   bool emissive_lights = false;    // meshes that shine light the scene
+  int shafts = 128;                // beams a side by which light shafts are drawn; at most the grid
+  int medium_steps = 32;           // along each camera ray through a medium
   int iterations = 5;
   Estimator estimator = Estimator::Secant;
   Thickness thickness = Thickness::Map;
@@ -49,6 +51,7 @@ struct Settings {
 inline constexpr int kMaxPicture = 16384, kMaxGrid = 8192, kMaxMap = 8192, kMaxIterations = 1000,
                      kLeastSpectrum = 8, kMaxWavelengths = 64;
 inline constexpr int kMaxLightSamples = 256;
+inline constexpr int kMaxShafts = 1024, kMaxMediumSteps = 1024;
 
 // Sets one `-D key=value`. Throws Error (WrongUsage) naming the key, its range and the nearest key.
 // Keys: see settings.cpp's table, printed by setting_keys().
@@ -57,6 +60,9 @@ void set_option(Settings& settings, std::string_view key, std::string_view value
 std::vector<std::string> setting_keys();
 // Throws Error (WrongUsage) when a size or count lies outside its documented limits.
 void check(const Settings& settings);
+// Grid vertices a side that one beam of light stands for, and beams a side.
+int vertices_per_beam(const Settings& settings);
+int beams_a_side(const Settings& settings);
 
 std::string_view name_of(Estimator estimator);
 std::string_view name_of(Thickness thickness);

@@ -9,6 +9,7 @@
 #include "pipeline/scene/gltf/check.hpp"
 #include "pipeline/scene/gltf/lights.hpp"
 #include "pipeline/scene/gltf/materials.hpp"
+#include "pipeline/scene/gltf/medium.hpp"
 #include "pipeline/scene/gltf/morph.hpp"
 #include "pipeline/scene/gltf/motion.hpp"
 #include "pipeline/scene/gltf/primitive.hpp"
@@ -301,6 +302,7 @@ Loaded load(Context& context) {
   gltf::read_waters(document.root(context), placements.meshes, scene);
   scene.lights = gltf::read_lights(context, document, placements.lights, scene.origin);
   scene.cameras = gltf::read_cameras(context, document, placements.cameras, scene.origin);
+  scene.medium = gltf::read_medium(context, document);
   scene.materials = materials.list;
   scene.images = std::move(textures.images());
   scene.notes = std::move(context.notes());

@@ -21,4 +21,12 @@ Bounds bounds_of(const Scene& scene) {
   return bounds;
 }
 
+Bounds medium_bounds(const Scene& scene) {
+  Bounds bounds = bounds_of(scene);
+  for (const Camera& camera : scene.cameras) bounds.add(camera.position);
+  for (const Light& light : scene.lights)
+    if (light.type != LightType::Directional) bounds.add(light.position);
+  return bounds;
+}
+
 }  // namespace caustics

@@ -125,6 +125,19 @@ struct Environment {
   glm::vec3 zenith{0.0f}, horizon{0.0f}, ground{0.0f};  // nit, without an image
 };
 
+// Haze in the air: homogeneous, outside of glass, in the box that medium_bounds gives (docs/medium.md).
+struct Medium {
+  glm::vec3 scattering{0.0f};  // per metre and channel, 0..1000
+  glm::vec3 absorption{0.0f};  // likewise
+  // Mean cosine of the angle by which scattering turns light (Henyey and Greenstein 1941), -0.99..0.99.
+  float anisotropy = 0.0f;
+  glm::vec3 extinction() const { return scattering + absorption; }
+  bool scatters() const { return scattering.x > 0.0f || scattering.y > 0.0f || scattering.z > 0.0f; }
+  bool present() const {
+    return scatters() || absorption.x > 0.0f || absorption.y > 0.0f || absorption.z > 0.0f;
+  }
+};
+
 struct Scene {
   std::string file;
   glm::dvec3 origin{0.0};  // glTF world coordinates of scene space's origin
@@ -138,6 +151,7 @@ struct Scene {
   std::vector<Camera> cameras;
   Environment environment;
   std::vector<Water> waters;  // meshes that waves run over, as they stand at the moment shown
+  Medium medium;
   // What the loader assumed or left out, one sentence each, in the order found; for people.
   std::vector<std::string> notes;
 };
@@ -163,5 +177,7 @@ struct Bounds {
 };
 Bounds bounds_of(const Mesh& mesh);
 Bounds bounds_of(const Scene& scene);
+// Where the medium is: the box around all meshes, cameras and lights that have a place.
+Bounds medium_bounds(const Scene& scene);
 
 }  // namespace caustics

@@ -1,0 +1,42 @@
+// Joins the light of neighbouring grid vertices, from the caster to its landing, to beams. beams.md explains.
+UNIFORMS_BEGIN
+#include "passes/beams/beams_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, landing_start)
+TEXTURE(1, landing_way)
+TEXTURE(2, landing_start_flux)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, beam_start)
+OUTPUT(1, Vec4, beam_way)
+OUTPUT(2, Vec4, beam_flux)
+
+void main() {
+  Int x = floor_to_int(frag_x()) * Int(u.grid.y);
+  Int y = floor_to_int(frag_y()) * Int(u.grid.y);
+  Vec4 start = Vec4(0.0f);
+  Vec3 way = Vec3(0.0f);
+  Vec3 flux = Vec3(0.0f);
+  Float sum = Float(0.0f);
+  for (int j = 0; j < u.grid.y; j++) {
+    for (int i = 0; i < u.grid.y; i++) {
+      Bool in_grid = x + i < u.grid.x && y + j < u.grid.x;
+      Vec4 heading = fetch_clamped(landing_way, x + i, y + j);
+      Vec3 carried = Vec3(fetch_clamped(landing_start_flux, x + i, y + j));
+      Float weight = sel(in_grid && heading.w != 0.0f, carried.x + carried.y + carried.z, Float(0.0f));
+      Bool counts = weight > 0.0f;
+      start = start + sel(counts, fetch_clamped(landing_start, x + i, y + j), Vec4(0.0f)) * weight;
+      way = way + sel(counts, Vec3(heading), Vec3(0.0f)) * weight;
+      flux = flux + sel(counts, carried, Vec3(0.0f));
+      sum = sum + weight;
+    }
+  }
+  Vec3 mean_way = normalize_or(way / sel(sum > 0.0f, sum, Float(1.0f)), Vec3(0.0f));
+  Bool any = sum > 0.0f && dot3(mean_way, mean_way) > 0.5f;
+  beam_start = sel(any, start / sel(any, sum, Float(1.0f)), Vec4(0.0f));
+  beam_way = sel(any, Vec4(mean_way, Float(1.0f)), Vec4(0.0f));
+  beam_flux = sel(any, Vec4(flux, Float(0.0f)), Vec4(0.0f));
+}
+#endif

@@ -1,0 +1,59 @@
+#include "passes/light_shafts/light_shafts.hpp"
+
+#include "passes/medium/medium_uniforms.hpp"
+
+namespace caustics {
+
+extern const Shader light_shafts_shader;
+
+namespace {
+
+// Beams are drawn no wider than this share of the picture's larger side.
+constexpr float kWidest = 0.0625f;
+
+UniformBytes uniforms(const PassContext& context) {
+  const FrameUniforms view = pack(*context.view);
+  const float width = static_cast<float>(context.width), height = static_cast<float>(context.height);
+  const double pixels = static_cast<double>(context.width) * static_cast<double>(context.height);
+  const float widest = std::max(kWidest * std::max(width, height), 4.0f);
+  return with_medium(
+      uniform_bytes(LightShaftsUniforms{
+          .from_scene = view.from_scene,
+          .window = view.window,
+          .depth = view.depth,
+          .picture = {width, height, widest, static_cast<float>(context.view->window_area() / pixels)},
+          .intensity = glm::vec4(context.light->color * context.light->intensity, 0.0f),
+          .beams = {beams_a_side(*context.settings), 0, 0, 0}}),
+      *context.scene);
+}
+
+}  // namespace
+
+Pass light_shafts_pass() {
+  return {
+      .definition =
+          {
+              .name = "light_shafts",
+              .purpose = "draws what the medium scatters of the casters' light on its way",
+              .reads = {{.name = "beam_start", .meaning = "where each beam starts, and its length"},
+                        {.name = "beam_way", .meaning = "its direction"},
+                        {.name = "beam_flux", .meaning = "its flux"},
+                        {.name = "view_range", .meaning = "what hides it"}},
+              .writes = {{.name = "haze",
+                          .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
+                          .blend = kAccumulate}},
+              .shader = &light_shafts_shader,
+          },
+      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+        if (!effects.active("light shafts")) return {};
+        return "the medium scatters the casters' light";
+      },
+      .each = Each::Branch,
+      .draws = DrawSet::Beams,
+      .extent = Extent::Picture,
+      .uniforms = uniforms,
+      .owner = Each::Frame,
+  };
+}
+
+}  // namespace caustics

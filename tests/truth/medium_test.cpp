@@ -1,0 +1,196 @@
+// A medium around scenes with known answers: attenuation, single scattering, flux on planes, the place of a focus.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+Scene with_medium(Scene scene, const glm::vec3& scattering, const glm::vec3& absorption, float anisotropy = 0.0f) {
+  scene.medium = {scattering, absorption, anisotropy};
+  return scene;
+}
+
+// A camera 1 m above the floor that looks along -z over it, 1 x 1 m, from its edge at z = 3.
+Scene side_view() {
+  Scene scene = without_casters(sphere_scene(1.5f));
+  Camera& camera = scene.cameras[0];
+  camera.position = {0.0, 1.0, 3.0};
+  camera.up = {0.0, 1.0, 0.0};
+  camera.forward = {0.0, 0.0, -1.0};
+  camera.half_width = camera.half_height = 0.5;
+  return scene;
+}
+
+// Light left of a vertical unit irradiance under a sphere of radius 0.5 that bends and takes nothing and is no
+// medium itself: integral of exp(-s (h - 2 c)) 2 pi r dr, c = sqrt(R^2 - r^2), h the way without the sphere.
+double under_clear_sphere(double s, double h) {
+  return 2.0 * kPi * std::exp(-s * h) * (std::exp(s) * (s - 1.0) + 1.0) / (4.0 * s * s);
+}
+
+}  // namespace
+
+TEST_CASE("medium: one that only absorbs dims a floor by Beer's and Lambert's law") {
+  // The medium reaches up to the camera, 0.2 m: the light goes through it down and up again.
+  const glm::vec3 absorption{0.5f, 1.0f, 2.0f};
+  const Scene scene = with_medium(without_casters(sphere_scene(1.5f)), glm::vec3(0.0f), absorption);
+  const Rendering r = render(scene, small_settings(8, 8, 9), {"beauty", "aov_direct"});
+  for (int c = 0; c < 3; ++c) {
+    CHECK(r["aov_direct"].at(4, 4, c) == Approx(std::exp(-0.2 * absorption[c])).epsilon(1e-5));
+    CHECK(r["beauty"].at(4, 4, c) == Approx(0.8 / kPi * std::exp(-0.4 * absorption[c])).epsilon(1e-5));
+  }
+  CHECK(r.images.count("haze") == 0);
+}
+
+TEST_CASE("medium: light that reaches all of a ray alike scatters as the closed form says") {
+  // Rays of 6 m across a vertical light of 1 lux, which has come 1 - y metres through the medium. Henyey and
+  // Greenstein across: (1 - g^2) / (4 pi (1 + g^2)^1.5). No surface is seen, and there is no sky.
+  const glm::vec3 scattering{0.1f, 0.3f, 1.0f}, absorption{0.05f, 0.0f, 0.2f};
+  Scene scene = with_medium(side_view(), scattering, absorption, 0.5f);
+  const Rendering r = render(scene, small_settings(8, 8, 8), {"beauty"});
+  const double phase = 0.75 / (4.0 * kPi * std::pow(1.25, 1.5));
+  for (int row = 0; row < 4; ++row) {
+    const double y = 0.5 + (row + 0.5) / 8.0;
+    for (int c = 0; c < 3; ++c) {
+      const double s = double(scattering[c]) + double(absorption[c]);
+      const double expected = scattering[c] * phase * std::exp(-s * (1.0 - y)) * (1.0 - std::exp(-6.0 * s)) / s;
+      CHECK(r["beauty"].at(3, row, c) == Approx(expected).epsilon(1e-5));
+    }
+  }
+  // Above the medium's box there is nothing.
+  CHECK(r["beauty"].at(3, 6, 0) == 0.0f);
+}
+
+TEST_CASE("medium: towards the light both ways count") {
+  // Straight down on the floor from 0.2 m, light from behind the camera: it has come as far as it goes back. The
+  // steps follow the sum of both ways exactly.
+  Scene scene = with_medium(without_casters(sphere_scene(1.5f)), glm::vec3(2.0f), glm::vec3(1.0f));
+  scene.materials[0].base_color = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  const Rendering r = render(scene, small_settings(8, 8, 9), {"beauty"});
+  CHECK(r["beauty"].at(4, 4, 0) == Approx(2.0 / (4.0 * kPi) * (1.0 - std::exp(-1.2)) / 6.0).epsilon(1e-5));
+}
+
+TEST_CASE("medium: a lamp's light scatters by the inverse square, also along rays that pass near it") {
+  // A ray of 6 m in a thin medium, which passes the lamp at its middle at 0.1 m: the integral of I / r^2 is
+  // 2 atan(3 / 0.1) / 0.1 candela per metre.
+  Scene scene = with_medium(side_view(), glm::vec3(1e-4f), glm::vec3(0.0f));
+  scene.lights = {Light{.name = "lamp", .type = LightType::Point, .intensity = 5.0f}};
+  // Row 3's middle lies at y = 0.9375, column 4's at x = 0.0625.
+  scene.lights[0].position = {0.0625, 0.8375, 0.0};
+  const Rendering r = render(scene, small_settings(8, 8, 8), {"beauty"});
+  CHECK(r["beauty"].at(4, 3, 0) == Approx(1e-4 * 5.0 / (4.0 * kPi) * 20.0 * std::atan(30.0)).epsilon(1e-3));
+}
+
+TEST_CASE("medium: an opaque surface's shadow is dark in the haze") {
+  // A lid over the floor shadows 2 of the 6 m of each ray below it.
+  Scene scene = with_medium(side_view(), glm::vec3(1e-3f), glm::vec3(0.0f));
+  scene.meshes.push_back(box({-3.0, 1.2, -1.0}, {3.0, 1.3, 1.0}, 0));
+  Settings settings = small_settings(128, 64, 8);
+  settings.medium_steps = 96;
+  const float haze = render(scene, settings, {"haze"})["haze"].at(3, 2, 0);
+  // The medium takes up to 0.6 % on the way, a step is 1 %.
+  CHECK(haze == Approx(1e-3 / (4.0 * kPi) * 4.0).epsilon(0.02));
+}
+
+TEST_CASE("medium: the flux on every plane is the photons' alive, less what the medium took") {
+  const double s = 0.7;
+  const Scene scene = with_medium(sphere_scene(1.0f), glm::vec3(0.4f), glm::vec3(0.3f));
+  const Settings settings = small_settings(128, 128, 16);
+  const Rendering r = render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
+  const Image &start = r["landing_start[0]"], &way = r["landing_way[0]"], &flux = r["landing_start_flux[0]"];
+  for (const double height : {0.25, 0.1, 0.0}) {
+    double sum = 0.0;
+    for (int y = 0; y < start.height(); ++y)
+      for (int x = 0; x < start.width(); ++x) {
+        if (way.at(x, y, 3) == 0.0f) continue;
+        const double distance = (double(start.at(x, y, 1)) - height) / -double(way.at(x, y, 1));
+        if (distance < 0.0 || distance > double(start.at(x, y, 3)) + 1e-4) continue;
+        sum += double(flux.at(x, y, 0)) * std::exp(-s * distance);
+      }
+    // The light enters at the sphere's top, 1.3 m up. Coverage of the grid and the sphere's facets: 2e-3.
+    CHECK(sum == Approx(under_clear_sphere(s, 1.3 - height)).epsilon(3e-3));
+  }
+  const Ledger ledger = ledger_of(r, settings);
+  CHECK(ledger.in_map[0] == Approx(under_clear_sphere(s, 1.3)).epsilon(3e-3));
+  CHECK(ledger.medium[0] == Approx(0.25 * kPi - under_clear_sphere(s, 1.3)).epsilon(3e-3));
+  CHECK(ledger.residual() < 1e-5);
+}
+
+TEST_CASE("medium: the ledger closes with every branch") {
+  Scene scene = with_medium(sphere_scene(1.5f), {0.3f, 0.5f, 0.7f}, glm::vec3(0.1f));
+  scene.materials[1].dispersion = 0.5f;
+  Settings settings = small_settings(64, 64, 16);
+  settings.reflections = true;
+  const Rendering r = render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
+  const Ledger ledger = ledger_of(r, settings);
+  CHECK(ledger.residual() < 1e-5);
+  for (std::size_t c = 0; c < 3; ++c) {
+    CHECK(ledger.medium[c] > 0.0);
+    CHECK(ledger.fresnel[c] > 0.0);
+  }
+  CHECK(ledger.medium[0] < ledger.medium[2]);
+}
+
+TEST_CASE("medium: behind clear glass beams fill in what it takes out of the direct haze") {
+  // IOR 1 bends and takes nothing, so below the sphere the haze is as bright, all in all, as without it. Seen from
+  // the side; a lid of 2 cm keeps the medium as high. With one grid vertex a beam, and with four by four.
+  Scene scene = with_medium(sphere_scene(1.0f), glm::vec3(1e-3f), glm::vec3(0.0f));
+  Camera& camera = scene.cameras[0];
+  camera.position = {0.0, 0.6, 3.0};
+  camera.up = {0.0, 1.0, 0.0};
+  camera.forward = {0.0, 0.0, -1.0};
+  camera.half_width = camera.half_height = 0.8;
+  Scene bare = without_casters(scene);
+  bare.meshes.push_back(floor(0.01, 1.3, 0));
+  Settings settings = small_settings(64, 64, 96);
+  settings.medium_steps = 300;
+  // Rows 0 to 23 of 96 are those up to 0.2 m, columns 18 to 77 those beside the axis up to 0.5 m.
+  const auto below_sphere = [](const Image& haze) {
+    double sum = 0.0;
+    for (int y = 0; y < 24; ++y)
+      for (int x = 18; x < 78; ++x) sum += double(haze.at(x, y, 0));
+    return sum;
+  };
+  const double without = below_sphere(render(bare, settings, {"haze"})["haze"]);
+  REQUIRE(without > 0.0);
+  for (const int shafts : {64, 16}) {
+    settings.shafts = shafts;
+    CHECK(below_sphere(render(scene, settings, {"haze"})["haze"]) == Approx(without).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("medium: a sphere's beams cross its axis at the focus") {
+  // n R / (2 (n - 1)) = 0.75 m from the centre for rays near the axis, with a sine of incidence below 0.06: the
+  // longitudinal aberration there is under 0.3 %, facets of the mesh bend by a little more.
+  Scene scene = with_medium(sphere_scene(1.5f, 6), glm::vec3(0.1f), glm::vec3(0.0f));
+  const Rendering r = render(scene, small_settings(256, 64, 16), {kLandingMedium});
+  const Image &start = r["landing_start[0]"], &way = r["landing_way[0]"];
+  double sum = 0.0;
+  int count = 0;
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const double px = start.at(x, y, 0), pz = start.at(x, y, 2), radius = std::hypot(px, pz);
+      if (way.at(x, y, 3) == 0.0f || radius < 0.005 || radius > 0.01) continue;
+      const double inwards = -(px * double(way.at(x, y, 0)) + pz * double(way.at(x, y, 2))) / radius;
+      sum += 0.8 - (double(start.at(x, y, 1)) + double(way.at(x, y, 1)) * radius / inwards);
+      ++count;
+    }
+  REQUIRE(count > 10);
+  CHECK(sum / count == Approx(0.75).epsilon(0.01));
+}
+
+TEST_CASE("medium: clear air has no pass, texture or number of its own") {
+  const Scene scene = sphere_scene(1.5f);
+  const Settings settings = small_settings(16, 16, 8);
+  const FramePlan plan = make_plan(scene, effects_of(scene, settings), settings, pass_registry());
+  for (const char* name : {"haze", "view_range", "landing_medium[0]", "landing_start[0]", "beam_start[0]"})
+    CHECK(plan.find(name) < 0);
+  for (const PlannedPass& pass : plan.passes) CHECK(pass.label.find("medium") == std::string::npos);
+}
