@@ -4,6 +4,7 @@ caustics_add_shader(caustics_passes occluder_depth TEXT passes/occluder_depth/oc
 caustics_add_shader(caustics_passes caster_map TEXT passes/caster_map/caster_map.glsl)
 caustics_add_shader(caustics_passes caster_exit_map TEXT passes/caster_exit_map/caster_exit_map.glsl)
 caustics_add_shader(caustics_passes receiver_map TEXT passes/receiver_map/receiver_map.glsl)
+caustics_add_shader(caustics_passes impostor_map TEXT passes/impostor_map/impostor_map.glsl)
 caustics_add_shader(caustics_passes landing TEXT passes/landing/landing.glsl)
 caustics_add_shader(caustics_passes cells TEXT passes/cells/cells.glsl)
 caustics_add_shader(caustics_passes caustic_cells TEXT passes/caustic_cells/caustic_cells.glsl)

@@ -10,6 +10,7 @@ VARYING_FLAT(0, Vec3, flux)
 VARYING_FLAT(3, Vec2, centre)
 
 #ifdef VERTEX_STAGE
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 // Quarters of a grid vertex's flux that the cells around it have not taken.

@@ -14,6 +14,7 @@ TEXTURE(3, receiver_position)
 OUTPUT(0, Vec4, cell_near)
 OUTPUT(1, Vec4, cell_far)
 OUTPUT(2, Vec4, cell_flux)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/intersect.glsl"
 

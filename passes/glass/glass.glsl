@@ -18,6 +18,7 @@ TEXTURE(9, environment)
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, beauty)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/intersect.glsl"

@@ -1,6 +1,7 @@
 #include "passes/landing/landing.hpp"
 
 #include "passes/shared/light_uniforms.hpp"
+#include "pipeline/plan/all_around.hpp"
 
 namespace caustics {
 
@@ -15,6 +16,9 @@ LandingUniforms landing_uniforms(const PassContext& context) {
   const FrameUniforms caster = pack(frames.caster);
   const FrameUniforms receiver = pack(frames.receiver);
   const FrameUniforms caustic = pack(frames.caustic);
+  const bool around = settings.estimator == Estimator::Impostor && context.effects->active("distance impostors");
+  const FrameUniforms impostors =
+      around ? pack(with_atlas(context.effects->impostors, settings.map)) : FrameUniforms{};
   const LightCone cone = light_cone(*context.light);
   const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
   return {
@@ -33,6 +37,10 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
                kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
       .branch = glm::vec4(branch.color, static_cast<float>(branch.bend)),
+      .impostor_from_scene = impostors.from_scene,
+      .impostor_window = impostors.window,
+      .impostor_depth = impostors.depth,
+      .impostor_centre = glm::vec4(glm::vec3(context.effects->impostors.origin), 0.0f),
       .method = {settings.iterations, static_cast<int>(settings.estimator),
                  settings.weights == Weights::Paper ? 1 : 0,
                  context.effects->active("exit surface") ? 1 : 0},
@@ -59,7 +67,10 @@ Pass landing_pass() {
                         {.name = "receiver_position", .meaning = "what the light can land on"},
                         {.name = "caster_materials",
                          .meaning = "row a material: index of refraction n_d, n_F - n_C, 1 for a mirror; "
-                                    "absorption per metre, 1 for a solid; base colour"}},
+                                    "absorption per metre, 1 for a solid; base colour"},
+                        {.name = "impostor_position",
+                         .meaning = "what lies around the casters, for the estimator impostor",
+                         .optional = true}},
               .writes = {{.name = "landing",
                           .format = Format::RGBA32F,
                           .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},

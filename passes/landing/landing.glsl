@@ -9,6 +9,7 @@ TEXTURE(2, caster_exit_position)
 TEXTURE(3, caster_exit_normal)
 TEXTURE(4, receiver_position)
 TEXTURE(5, caster_materials)
+TEXTURE(6, impostor_position)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -17,6 +18,7 @@ OUTPUT(0, Vec4, landing)
 OUTPUT(1, Vec4, landing_flux)
 OUTPUT(2, Vec4, landing_fresnel)
 OUTPUT(3, Vec4, landing_absorbed)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/intersect.glsl"
@@ -33,6 +35,18 @@ Hit find_surface(Texture positions, vec4 window, vec4 depth, Vec3 start, Vec3 di
   } else {
     hit = intersect_secant(positions, u.from_scene, window, depth, start, direction, u.method.x,
                            beyond_is_behind);
+  }
+  return hit;
+}
+
+// Where the light lands. Impostors are for this only: what a ray leaves a solid through is found by the secant.
+Hit find_receiver(Vec3 start, Vec3 direction) {
+  Hit hit;
+  if (u.method.y == 3) {
+    hit = intersect_impostor(impostor_position, u.impostor_from_scene, u.impostor_window, u.impostor_depth, start,
+                             direction, Vec3(u.impostor_centre), u.method.x);
+  } else {
+    hit = find_surface(receiver_position, u.receiver_window, u.receiver_depth, start, direction, false);
   }
   return hit;
 }
@@ -157,13 +171,17 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   }
   TRACE(outside_direction, d2);
 
-  Hit hit = find_surface(receiver_position, u.receiver_window, u.receiver_depth, p2, d2, false);
+  Hit hit = find_receiver(p2, d2);
   Float flight = max_of(hit.distance, 0.0f);
   Vec3 p3 = p2 + d2 * flight;
   Vec3 q3 = frame_coordinates(u.from_scene, p3);
   Vec2 uv3 = frame_uv(q3, u.caustic_window, u.caustic_depth);
   Float tolerance =
       u.cell.z * texel_extent(receiver_position, q3, u.receiver_window, u.receiver_depth);
+  if (u.method.y == 3) {
+    Vec3 around = frame_coordinates(u.impostor_from_scene, p3);
+    tolerance = u.cell.z * texel_extent(impostor_position, around, u.impostor_window, u.impostor_depth);
+  }
   Bool converged = hit.residual <= tolerance;
   TRACE(landing_point, p3);
   TRACE(landing_residual, hit.residual);

@@ -16,6 +16,7 @@ TEXTURE(6, pane_transmittance)
 #else
 OUTPUT(0, Vec4, direct)
 OUTPUT(1, Vec4, caustic)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/light_intensity.glsl"
 #include "passes/shared/column.glsl"

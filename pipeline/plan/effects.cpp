@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/all_around.hpp"
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/branches.hpp"
 #include "pipeline/plan/surface_role.hpp"
@@ -287,6 +288,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   add_light_effects(scene, settings, effects);
   add_emitters(scene, effects);
   add_branches(scene, settings, effects);
+  add_all_around(scene, settings, effects);
   add_missing_effects(judgements, effects);
   return effects;
 }

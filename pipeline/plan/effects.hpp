@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/plan/settings.hpp"
+#include "pipeline/scene/frame.hpp"
 #include "pipeline/scene/scene.hpp"
 
 namespace caustics {
@@ -56,6 +57,7 @@ struct Effects {
   std::vector<Effect> list;
   std::vector<Expectation> expectations;
   std::vector<Branch> branches{Branch{}};  // at least one
+  Frame impostors;  // where "distance impostors" is active: the cube around the casters, without an atlas yet
   // The effect of this name, which must be in the list.
   const Effect& find(std::string_view name) const;
   bool active(std::string_view name) const { return find(name).active; }
@@ -75,6 +77,7 @@ struct Effects {
 //   "emissive lights" a mesh that shines and lights the scene
 //   "dispersion"      a refractor whose index depends on the wavelength
 //   "reflections"     what refractors mirror, on request
+//   "distance impostors" asked for by the estimator (Estimator::Impostor)
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

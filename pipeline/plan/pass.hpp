@@ -59,6 +59,7 @@ struct PassContext {
   int material_row = 0;   // row of `caster_materials`: the mesh's material
   int mesh_index = 0;
   int width = 0, height = 0;  // of the pass's targets
+  int face = 4;           // of a cube frame: the face that is drawn
   float exposure = 1.0f;  // factor from nit to display white
 };
 
@@ -81,6 +82,8 @@ struct Pass {
   DrawSet draws = DrawSet::FullScreen;
   Extent extent = Extent::Picture;
   UniformBytes (*uniforms)(const PassContext&) = nullptr;
+  // Of a pass that draws its meshes once for each face of a cube of its own: that cube.
+  Frame (*all_around)(const PassContext&) = nullptr;
   // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to
   // its light's.
   Each owner = each;

@@ -1,6 +1,7 @@
 #include "pipeline/plan/run_plan.hpp"
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/all_around.hpp"
 
 namespace caustics {
 
@@ -107,8 +108,21 @@ class PassRunner {
       context.mesh_index = static_cast<int>(i);
       context.material = &scene.materials[static_cast<std::size_t>(context.mesh->material)];
       context.material_row = scene_.material_row(context.mesh_index);
-      run.draws.push_back(
-          draw(pass, planned, context, scene_.mesh(static_cast<int>(i)), 0));
+      add_mesh_draw(pass, planned, context, run);
+    }
+  }
+
+  // Once, or once for each face of a cube that may see it.
+  void add_mesh_draw(const Pass& pass, const PlannedPass& planned, PassContext& context,
+                     PassRun& run) const {
+    const MeshId mesh = scene_.mesh(context.mesh_index);
+    const int faces = pass.all_around ? 6 : 1;
+    for (int face = 0; face < faces; ++face) {
+      if (pass.all_around) {
+        context.face = face;
+        if (!face_sees(pass.all_around(context), face, *context.mesh)) continue;
+      }
+      run.draws.push_back(draw(pass, planned, context, mesh, 0));
     }
   }
 

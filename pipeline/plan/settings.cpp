@@ -6,13 +6,14 @@
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/nearest.hpp"
+#include "pipeline/scene/cube_atlas.hpp"
 
 namespace caustics {
 
 namespace {
 
 // Named choices: the texts that the command line takes, in the order of the enumerations.
-constexpr std::string_view kEstimators[] = {"paper", "secant", "newton"};
+constexpr std::string_view kEstimators[] = {"paper", "secant", "newton", "impostor"};
 constexpr std::string_view kThicknesses[] = {"map", "wyman"};
 constexpr std::string_view kSplats[] = {"point", "gaussian", "cell"};
 constexpr std::string_view kWeights[] = {"physical", "paper"};
@@ -84,7 +85,7 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return choice(v, kOffOn, s.emissive_lights); }},
     {"iterations", "1..1000, default 5", "steps of the estimator at each surface",
      [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
-    {"estimator", "paper|newton|secant, default secant", "what finds where a ray lands",
+    {"estimator", "paper|newton|secant|impostor, default secant", "what finds where a ray lands",
      [](Settings& s, Value v) { return choice(v, kEstimators, s.estimator); }},
     {"thickness", "map|wyman, default map", "what tells a ray's way inside a solid caster",
      [](Settings& s, Value v) { return choice(v, kThicknesses, s.thickness); }},
@@ -173,6 +174,11 @@ void check(const Settings& settings) {
   check_range("grid", settings.grid, kMaxGrid);
   check_range("map", settings.map, kMaxMap);
   check_range("shadow", settings.shadow, kMaxMap);
+  if (settings.estimator == Estimator::Impostor && settings.map < kLeastAtlas) {
+    throw Error(ExitCode::WrongUsage, "map is " + std::to_string(settings.map) +
+                                          ", must be at least " + std::to_string(kLeastAtlas) +
+                                          " with the estimator impostor");
+  }
   check_range("iterations", settings.iterations, kMaxIterations);
   check_range("light.samples", settings.light_samples, kMaxLightSamples);
 }

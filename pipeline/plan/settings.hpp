@@ -9,7 +9,7 @@
 namespace caustics {
 
 // What finds where a ray meets a height map (docs: passes/landing/landing.md).
-enum class Estimator : std::uint8_t { Paper, Secant, Newton };
+enum class Estimator : std::uint8_t { Paper, Secant, Newton, Impostor };
 // How a landing becomes light in the caustic map.
 enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
