@@ -19,6 +19,9 @@ LandingUniforms landing_uniforms(const PassContext& context) {
   const bool around = settings.estimator == Estimator::Impostor && context.effects->active("distance impostors");
   const FrameUniforms impostors =
       around ? pack(with_atlas(context.effects->impostors, settings.map)) : FrameUniforms{};
+  glm::vec4 tile{0.0f};
+  if (const auto& cube = frames.caster.cube)
+    tile = {cube->tile_width(), cube->tile_height(), cube->guard, 1.0f};
   const LightCone cone = light_cone(*context.light);
   const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
   return {
@@ -36,6 +39,7 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .cone = cone.scale_offset,
       .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
                kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
+      .tile = tile,
       .branch = glm::vec4(branch.color, static_cast<float>(branch.bend)),
       .impostor_from_scene = impostors.from_scene,
       .impostor_window = impostors.window,

@@ -89,8 +89,21 @@ Hit thickness_of_wyman(Vec3 p, Vec3 q, Vec3 d0, Vec3 d1, Vec3 n, Float ior) {
 
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
-// Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros.
-void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
+// The light's flux on a grid vertex's cell at frame coordinates q, seen by `face`, relative to its intensity: the
+// solid angle from a point, by the midpoint form.
+Float solid_angle(Vec3 q, Int face, Bool covered) {
+  Vec3 t = in_face(q, face, u.caster_depth);
+  Float w = sel(covered, t.z, Float(1.0f));
+  Float x = t.x / w;
+  Float y = t.y / w;
+  Float squared = 1.0f + x * x + y * y;
+  return u.cell.x / (squared * sqrt(squared));
+}
+
+// Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros. `face` and
+// `guard` of a cube's caster map: whose tile the vertex is in, and whether beyond that face, where it belongs to
+// another and carries no flux.
+void follow(Vec4 entry, Vec4 entry_normal, Bool covered, Int face, Bool guard) {
   Bool from_inside = entry.w < 0.0f;
   Vec3 p1 = Vec3(entry);
   Int material = floor_to_int(entry_normal.w + 0.5f);
@@ -107,12 +120,9 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Float entered = Float(u.cell.x);
   if (u.caster_depth.z > 0.5f) {
     d0 = normalize_or(p1 - Vec3(u.light), Vec3(u.cone_axis));
-    Float x = q1.x / sel(covered, q1.z, Float(1.0f));
-    Float y = q1.y / sel(covered, q1.z, Float(1.0f));
-    Float squared = 1.0f + x * x + y * y;
-    entered = u.cell.x / (squared * sqrt(squared)) * cone_falloff(d0);
+    entered = solid_angle(q1, face, covered) * cone_falloff(d0);
   }
-  entered = sel(covered, entered, Float(0.0f));
+  entered = sel(covered && !guard, entered, Float(0.0f));
   TRACE(light_direction, d0);
 
   // First interface.
@@ -211,7 +221,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Vec3 after_medium = passed * refracted_in;
   Vec3 carried = after_medium * (1.0f - r2);
   Vec3 absorbed = Vec3(refracted_in) - after_medium;
-  Bool exhausted = largest(carried) <= entered * 1.0e-6f;
+  Bool exhausted = !guard && largest(carried) <= entered * 1.0e-6f;
 
   Float status = Float(1.0f);
   status = sel(!inside_unit(uv3.x, uv3.y), Float(3.0f), status);
@@ -241,6 +251,18 @@ void main() {
   landing_flux = Vec4(0.0f);
   landing_fresnel = Vec4(0.0f);
   landing_absorbed = Vec4(0.0f);
-  if (any_lane(covered)) follow(entry, texel_fetch(caster_normal, column, row), covered);
+  Int face = Int(4);
+  Bool guard = Bool(false);
+  if (u.tile.w > 0.5f) {
+    Float tile_column = floor((Float(column) + 0.5f) / u.tile.x);
+    Float tile_row = floor((Float(row) + 0.5f) / u.tile.y);
+    Float x = Float(column) - tile_column * u.tile.x;
+    Float y = Float(row) - tile_row * u.tile.y;
+    face = floor_to_int(tile_row * 3.0f + tile_column);
+    guard = x < u.tile.z || x >= u.tile.x - u.tile.z || y < u.tile.z || y >= u.tile.y - u.tile.z;
+    // What is left over at the texture's edge is no tile.
+    covered = covered && tile_column < 2.5f && tile_row < 1.5f;
+  }
+  if (any_lane(covered)) follow(entry, texel_fetch(caster_normal, column, row), covered, face, guard);
 }
 #endif

@@ -65,6 +65,7 @@ struct Bench {
                       .cone_axis = {0.0f, -1.0f, 0.0f, 0.0f},
                       .cone = glm::vec4(0.0f),
                       .cell = {0.25f, 2.0f, 2.0f, mirror ? 1.0f : 0.0f},
+                      .tile = glm::vec4(0.0f),
                       .branch = branch,
                       .impostor_from_scene = pack(impostors).from_scene,
                       .impostor_window = pack(impostors).window,

@@ -10,6 +10,7 @@ vec4 cone_axis;        // xyz: unit axis of a spot light's cone, the way it shin
 vec4 cone;             // scale and offset of the cone's falloff; x = 0 where there is none; z: 1 for a plain cosine
 vec4 cell;             // x: area of a grid cell in window units squared; y, z: tolerance of the exit and of
                        // the landing, in texels' extents; w: 1 where there are mirrors
+vec4 tile;             // of a cube's caster map: width and height of a tile, and its guard, texels; w: 1 for a cube
 vec4 branch;           // rgb: share of each channel; w: bend, the index of refraction is n_d + bend (n_F - n_C)
 mat4 impostor_from_scene;  // the cube around the casters
 vec4 impostor_window;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pipeline/plan/surface_role.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics {
@@ -48,7 +49,100 @@ void add_impostors(const Scene& scene, const Settings& settings, Effects& effect
   effects.impostors = cube_frame(casters.centre(), distances);
 }
 
+// A window through which a light looks at its casters is at most this wide to be preferred to a cube: tan 60 degrees.
+constexpr double kModerateTangent = 1.7320508;
+
+// Do the casters that this light reaches fit a window towards their middle?
+bool casters_fit(const Scene& scene, const Light& light, const std::vector<std::size_t>& casters) {
+  Bounds bounds;
+  for (const std::size_t i : casters) bounds.add(bounds_of(scene.meshes[i]));
+  const Frame axes = frame_along(
+      light.position, exact::normalise(bounds.centre() - light.position, light.direction));
+  for (const std::size_t i : casters)
+    for (const Vertex& v : scene.meshes[i].vertices) {
+      const glm::dvec3 q = axes.coordinates(glm::dvec3(v.position));
+      if (!(std::max(std::fabs(q.x), std::fabs(q.y)) <= kModerateTangent * q.z)) return false;
+    }
+  return true;
+}
+
+// Do receivers stand on all sides of a point?
+bool enclosed(const Scene& scene, const Effects& effects, const glm::dvec3& p) {
+  Bounds bounds;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    if (is_receiver(effects, i)) bounds.add(bounds_of(scene.meshes[i]));
+  if (bounds.empty()) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(p[axis] > bounds.lower[axis] && p[axis] < bounds.upper[axis])) return false;
+  return true;
+}
+
+// Why a light is to see all around by itself, or nothing.
+std::string calls_for_cube(const Scene& scene, const Settings& settings, const Effects& effects, int index) {
+  const Light& light = scene.lights[static_cast<std::size_t>(index)];
+  if (light.type != LightType::Point || light.lambertian) return {};
+  std::vector<std::size_t> casters;
+  bool any_way = settings.reflections;
+  for (const Expectation& e : effects.expectations) {
+    if (e.light != index || !e.expected) continue;
+    casters.push_back(static_cast<std::size_t>(e.mesh));
+    any_way |= effects.surfaces[casters.back()].role == Role::Mirror;
+  }
+  if (casters.empty()) return {};
+  if (!casters_fit(scene, light, casters)) return "its casters stand all around it";
+  if (any_way && enclosed(scene, effects, light.position))
+    return "what mirrors send its light to stands all around it";
+  return {};
+}
+
+void add_lights(const Scene& scene, const Settings& settings, Effects& effects) {
+  const std::string small = too_small_for_cubes(settings);
+  std::string first, refused;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    std::string reason;
+    if (settings.cube == Cube::Auto) reason = calls_for_cube(scene, settings, effects, static_cast<int>(i));
+    if (settings.cube == Cube::On && light.type != LightType::Directional) reason = "as asked for";
+    if (!small.empty() && !reason.empty()) {
+      refused = small;
+      reason.clear();
+    }
+    if (first.empty() && !reason.empty())
+      first = quoted_name("light", source_of(scene, static_cast<int>(i)).name, i) + ": " + reason;
+    effects.all_around.push_back(std::move(reason));
+  }
+  const auto count = static_cast<std::size_t>(
+      std::count_if(effects.all_around.begin(), effects.all_around.end(),
+                    [](const std::string& reason) { return !reason.empty(); }));
+  if (count > 1) first += ", and " + std::to_string(count - 1) + " more";
+  effects.list.push_back({"all around", count > 0,
+                          count > 0                     ? first
+                          : !refused.empty()            ? refused + " for a light among its casters"
+                          : settings.cube == Cube::Off  ? "lights look one way, as asked for"
+                                                        : "no light stands among its casters"});
+}
+
 }  // namespace
+
+LightFrames frames_all_around(const Scene& scene, const Effects& effects, const Settings& settings,
+                              const Light& light) {
+  const auto shone_on = [&](std::size_t i) { return light.emitter != static_cast<int>(i); };
+  const Frame all = cube_frame(light.position, distances_from(light.position, scene, shone_on));
+  const Distances casters = distances_from(light.position, scene, [&](std::size_t i) {
+    return shone_on(i) && is_caster(effects.surfaces[i].role);
+  });
+  const Frame map = with_atlas(all, settings.map), shadow = with_atlas(all, settings.shadow);
+  LightFrames frames{.caster = with_atlas(all, settings.grid),
+                     .receiver = map,
+                     .caustic = with_atlas(all, settings.map, caustic_guard(settings)),
+                     .shadow = shadow,
+                     .panes = shadow,
+                     .column = map};
+  // Mirrored light can land on what stands nearer than all casters; refracted light goes on.
+  const bool comes_back = effects.active("mirrors") || effects.active("reflections");
+  frames.casters_nearest = casters.empty() || comes_back ? 0.0 : casters.nearest * 0.999;
+  return frames;
+}
 
 Distances distances_from(const glm::dvec3& point, const Mesh& mesh) {
   Distances result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -100,6 +194,7 @@ bool face_sees(const Frame& frame, int face, const Mesh& mesh) {
 
 void add_all_around(const Scene& scene, const Settings& settings, Effects& effects) {
   add_impostors(scene, settings, effects);
+  add_lights(scene, settings, effects);
 }
 
 }  // namespace caustics

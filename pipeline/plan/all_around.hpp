@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "pipeline/plan/effects.hpp"
+#include "pipeline/plan/pass.hpp"
 #include "pipeline/scene/frame.hpp"
 
 namespace caustics {
@@ -27,6 +27,10 @@ Frame with_atlas(Frame frame, int side, int guard = kLeastGuard);
 
 // Can a face of a cube frame see a mesh? True where in doubt.
 bool face_sees(const Frame& frame, int face, const Mesh& mesh);
+
+// The frames of a light that sees all around.
+LightFrames frames_all_around(const Scene& scene, const Effects& effects, const Settings& settings,
+                              const Light& light);
 
 // Adds the effects "distance impostors" and "all around".
 void add_all_around(const Scene& scene, const Settings& settings, Effects& effects);

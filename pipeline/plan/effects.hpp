@@ -57,6 +57,8 @@ struct Effects {
   std::vector<Effect> list;
   std::vector<Expectation> expectations;
   std::vector<Branch> branches{Branch{}};  // at least one
+  // By Scene::lights: why the light is drawn onto a cube (effect "all around"); empty where it is not.
+  std::vector<std::string> all_around;
   Frame impostors;  // where "distance impostors" is active: the cube around the casters, without an atlas yet
   // The effect of this name, which must be in the list.
   const Effect& find(std::string_view name) const;
@@ -78,6 +80,7 @@ struct Effects {
 //   "dispersion"      a refractor whose index depends on the wavelength
 //   "reflections"     what refractors mirror, on request
 //   "distance impostors" asked for by the estimator (Estimator::Impostor)
+//   "all around"      a light that stands among its casters, or is asked to see all around
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "pipeline/plan/all_around.hpp"
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/plan/ledger.hpp"
@@ -245,11 +246,14 @@ class LandingScout {
 
 std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effects& effects,
                                           const Settings& settings, const Registry& registry) {
-  std::vector<LightExtents> extents;
   std::vector<LightFrames> frames;
+  const auto all_around = [&](std::size_t light) { return !effects.all_around[light].empty(); };
   for (const Light& light : scene.scene().lights) {
-    extents.push_back(measure(scene.scene(), effects, light));
-    frames.push_back(widest_frames(extents.back(), effects, settings.grid));
+    if (all_around(frames.size())) {
+      frames.push_back(frames_all_around(scene.scene(), effects, settings, light));
+      continue;
+    }
+    frames.push_back(widest_frames(measure(scene.scene(), effects, light), effects, settings.grid));
   }
   if (settings.shared_frames) {
     for (LightFrames& f : frames) {
@@ -262,12 +266,15 @@ std::vector<LightFrames> fit_light_frames(const SceneOnDevice& scene, const Effe
   const double kernel_texels = splat_kernel(settings).radius + 2.0;
   // First with everything in view, then again with the maps drawn in, for finer receivers.
   for (const double margin : {0.5, 0.03 + 2.0 * kernel_texels / settings.map}) {
+    const auto fitted = [&](int i) {
+      return scout.finds_anything(i) && !all_around(static_cast<std::size_t>(i));
+    };
     bool any = false;
-    for (int i = 0; i < static_cast<int>(frames.size()); ++i) any |= scout.finds_anything(i);
+    for (int i = 0; i < static_cast<int>(frames.size()); ++i) any |= fitted(i);
     if (!any) break;
     scout.run(frames);
     for (int i = 0; i < static_cast<int>(frames.size()); ++i) {
-      if (!scout.finds_anything(i)) continue;
+      if (!fitted(i)) continue;
       LightFrames& f = frames[static_cast<std::size_t>(i)];
       fit_to_landings(f, scout.found(i, f.caustic), settings, margin);
     }

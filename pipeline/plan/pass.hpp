@@ -30,7 +30,8 @@ enum class DrawSet : std::uint8_t {
 // Wide is half the picture's size over three times its view, for what glass shows of the surroundings.
 enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow };
 
-// The frames of one light. All share origin and axes; only the windows and depth ranges differ.
+// The frames of one light. All share origin and axes; only the windows and depth ranges differ. All of them are
+// cubes, or none is.
 struct LightFrames {
   Frame caster;    // on the casters: caster map, exit map
   Frame receiver;  // from the casters to where their light lands: receiver map
@@ -40,7 +41,7 @@ struct LightFrames {
   // z of the casters' nearest point: what lies before it within the column's window stands between light and
   // casters, and is no receiver of their light. Refracted light goes on forwards, so the column has everything
   // in it; mirrored light comes back, so it is the casters' own.
-  double casters_nearest = 0.0;
+  double casters_nearest = 0.0;  // in cubes a distance
   Frame column;
 };
 

@@ -15,6 +15,8 @@ enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 // What tells how far light goes inside a solid caster: its back's map, or Wyman's (2005) mean of two thicknesses.
 enum class Thickness : std::uint8_t { Map, Wyman };
+// Which lights with a position are drawn onto a cube instead of through a window (pipeline/plan/all_around.hpp).
+enum class Cube : std::uint8_t { Auto, On, Off };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
 struct Settings {
@@ -36,6 +38,7 @@ struct Settings {
   int wavelengths = 3;
   bool reflections = false;  // light that glass and water mirror throws caustics too
   bool assume_solid = false;
+  Cube cube = Cube::Auto;
   // Caster, receiver and caustic map share the caster's window: for studies of the splat alone.
   bool shared_frames = false;
   // Where a caustic's map is framed: this share of the landed flux may fall outside it.
@@ -57,6 +60,12 @@ void set_option(Settings& settings, std::string_view key, std::string_view value
 std::vector<std::string> setting_keys();
 // Throws Error (WrongUsage) when a size or count lies outside its documented limits.
 void check(const Settings& settings);
+
+// Texels by which a tile of a cube's caustic map is wider than its face: room for splats, and for cells that
+// reach over the face's edge.
+int caustic_guard(const Settings& settings);
+// "grid is 16, must be at least 48" where the maps have no room for six tiles, else empty.
+std::string too_small_for_cubes(const Settings& settings);
 
 std::string_view name_of(Estimator estimator);
 std::string_view name_of(Thickness thickness);
