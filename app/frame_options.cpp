@@ -18,7 +18,7 @@ constexpr SettingOption kMethod[] = {
     {"--grid", "grid", "N", "grid vertices a side, one ray each; 1..8192 (default 512)"},
     {"--map", "map", "N", "texels a side of the caustic map; 1..8192 (default 512)"},
     {"--iterations", "iterations", "N", "estimator's steps at each surface; 1..1000 (default 5)"},
-    {"--estimator", "estimator", "NAME", "paper, newton or secant: finds where rays land (default secant)"},
+    {"--estimator", "estimator", "NAME", "where rays land: paper, newton, secant or impostor (default secant)"},
     {"--splat", "splat", "NAME", "point, gaussian or cell: how a ray's light is laid (default cell)"},
     {"--interfaces", "interfaces", "N",
      "1 or 2 surfaces that bend, or auto: 2 for closed meshes (default auto)"},

@@ -9,6 +9,7 @@
 #include "passes/compose/compose.hpp"
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
+#include "passes/impostor_map/impostor_map.hpp"
 #include "passes/landing/landing.hpp"
 #include "passes/light_shading/light_shading.hpp"
 #include "passes/light_shafts/light_shafts.hpp"
@@ -28,6 +29,8 @@ const Registry& pass_registry() {
   static const Registry registry = {
       // Of each water: its waves.
       water_step_pass(),
+      // Of the casters: what lies around them.
+      impostor_map_pass(),
       // Of each light: what its casters do.
       occluder_depth_pass(),
       caster_map_pass(),

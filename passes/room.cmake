@@ -7,6 +7,7 @@ caustics_add_shader(caustics_passes detailed_casters TEXT passes/textured_caster
 caustics_add_shader(caustics_passes tinted_casters TEXT passes/textured_casters/tinted_casters.glsl)
 caustics_add_shader(caustics_passes detailed_exits TEXT passes/textured_casters/detailed_exits.glsl)
 caustics_add_shader(caustics_passes receiver_map TEXT passes/receiver_map/receiver_map.glsl)
+caustics_add_shader(caustics_passes impostor_map TEXT passes/impostor_map/impostor_map.glsl)
 caustics_add_shader(caustics_passes landing TEXT passes/landing/landing.glsl)
 caustics_add_shader(caustics_passes cells TEXT passes/cells/cells.glsl)
 caustics_add_shader(caustics_passes caustic_cells TEXT passes/caustic_cells/caustic_cells.glsl)

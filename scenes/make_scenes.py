@@ -832,6 +832,32 @@ def hazy_lens():
     return s
 
 
+def room(lower, upper):
+    """The six sides of a room, seen from inside: name and shape."""
+    positions, _, _ = box(lower, upper)
+    names = ('ceiling', 'floor', 'front wall', 'back wall', 'right wall', 'left wall')
+    for i, name in enumerate(names):
+        yield name, flat_faces([positions[4 * i:4 * i + 4][::-1]])
+
+
+def closed_room():
+    """A lamp in a closed room, glass and metal on all sides of it: caustics on floor, walls and ceiling."""
+    s = Scene()
+    for name, shape in room((-2.0, 0.0, -2.0), (2.0, 3.0, 2.0)):
+        rgb = {'floor': (0.80, 0.72, 0.62), 'right wall': (0.62, 0.70, 0.80), 'left wall': (0.80, 0.66, 0.60)}
+        s.mesh(name, shape, diffuse(name if name in rgb else 'wall', rgb.get(name, 0.75)))
+    s.mesh('right sphere', icosphere((1.05, 1.35, 0.2), 0.28, 3), glass('glass', 1.5))
+    s.mesh('upper sphere', icosphere((0.05, 2.4, 0.15), 0.22, 3), glass('glass', 1.5))
+    s.mesh('left sphere', icosphere((-0.95, 1.55, 0.1), 0.24, 3), glass('amber', 1.5, ((0.98, 0.65, 0.20), 0.4)))
+    s.mesh('ring', torus((0.0, 0.8, -0.1), 0.30, 0.11, (0.10, 1.0, 0.06), 28), glass('glass', 1.5))
+    s.mesh('slab', box((-0.35, 1.15, -1.15), (0.30, 1.70, -1.0)), glass('glass', 1.5))
+    s.mesh('ball', icosphere((0.15, 1.35, 1.0), 0.14, 2), metal('gold', (1.0, 0.78, 0.34)))
+    s.light((0.0, -1.0, 0.0), (0.1, 1.45, -0.05), name='lamp', type='point', intensity=20.0)
+    s.camera('view', (1.75, 2.35, 1.8), (-0.35, 1.05, -0.5), 64)
+    s.camera('other', (-1.75, 0.6, -1.8), (0.35, 1.6, 0.5), 64)
+    return s
+
+
 def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
@@ -840,7 +866,8 @@ def main():
               'water_normal_map.glb': water_normal_map, 'stained_glass.glb': stained_glass,
               'moving_lens.glb': moving_lens,
               'water_plops.glb': water_plops,
-              'hazy_lens.glb': hazy_lens}
+              'hazy_lens.glb': hazy_lens,
+              'closed_room.glb': closed_room}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

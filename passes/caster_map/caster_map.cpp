@@ -11,7 +11,8 @@ CasterMapUniforms caster_map_uniforms(const Frame& frame, int material_row) {
   return {.from_scene = f.from_scene,
           .window = f.window,
           .depth = f.depth,
-          .material = {static_cast<float>(material_row), 0.0f, 0.0f, 0.0f}};
+          .material = {static_cast<float>(material_row),
+                       frame.cube ? static_cast<float>(frame.cube->side) : 0.0f, 0.0f, 0.0f}};
 }
 
 Pass caster_map_pass() {

@@ -8,13 +8,17 @@ VARYING_SMOOTH(3, Vec3, surface_normal)
 #ifdef VERTEX_STAGE
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec3, normal)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/mesh_vertex.glsl"
 #else
 OUTPUT(0, Vec4, caster_position)
 OUTPUT(1, Vec4, caster_normal)
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/outside_tile.glsl"
 
 void main() {
+  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.material.y));
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
   caster_normal = Vec4(normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f)), Float(u.material.x));
 }

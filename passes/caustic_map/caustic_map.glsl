@@ -10,6 +10,7 @@ VARYING_FLAT(0, Vec3, flux)
 VARYING_FLAT(3, Vec2, centre)
 
 #ifdef VERTEX_STAGE
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 // Quarters of a grid vertex's flux that the cells around it have not taken.
@@ -35,6 +36,8 @@ void main() {
   Float part = Float(1.0f);
   if (u.grid.z == 1) part = quarters_left(column, row) * 0.25f;
   drawn = drawn && part > 0.0f;
+  // The guard vertices of a cube's caster map carry nothing.
+  if (u.depth.z > 1.5f) drawn = drawn && max_of(max_of(carried.x, carried.y), carried.z) > 0.0f;
   Vec3 q = frame_coordinates(u.from_scene, Vec3(place));
   Vec2 uv = frame_uv(q, u.window, u.depth);
   flux = Vec3(carried) * part;

@@ -12,6 +12,9 @@ CellsUniforms cells_uniforms(const PassContext& context) {
   const FrameUniforms receiver = pack(context.frames->receiver);
   const FrameUniforms caustic = pack(context.frames->caustic);
   const CellLimits limits;
+  glm::vec4 tile{0.0f};
+  if (const auto& cube = context.frames->caustic.cube)
+    tile = {cube->tile_width(), cube->tile_height(), 0.0f, 0.0f};
   const int map = context.settings->map;
   return {
       .from_scene = caustic.from_scene,
@@ -21,6 +24,7 @@ CellsUniforms cells_uniforms(const PassContext& context) {
       .caustic_depth = caustic.depth,
       .limits = {limits.jump, limits.smallest_jump,
                  std::min(limits.largest_share * static_cast<float>(map), limits.largest), limits.gap},
+      .tile = tile,
       .grid = {context.settings->grid, map, 0, 0},
   };
 }

@@ -4,4 +4,5 @@ vec4 receiver_depth;
 vec4 caustic_window;
 vec4 caustic_depth;
 vec4 limits;           // CellLimits: jump; smallest jump, texels; largest cell, texels; gap, texels' extents
+vec4 tile;             // of a cube's caustic map: width and height of a tile, texels
 ivec4 grid;            // grid vertices a side, map texels a side, unused, unused

@@ -16,6 +16,7 @@ OUTPUT(0, Vec4, aov_direct)
 OUTPUT(1, Vec4, aov_caustic)
 OUTPUT(2, Vec4, aov_position)
 OUTPUT(3, Vec4, aov_normal)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 void main() {

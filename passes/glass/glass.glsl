@@ -19,6 +19,7 @@ TEXTURE(10, view_caster_tint)
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, beauty)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/intersect.glsl"

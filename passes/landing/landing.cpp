@@ -4,6 +4,7 @@
 
 #include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
+#include "pipeline/plan/all_around.hpp"
 
 namespace caustics {
 
@@ -30,6 +31,12 @@ LandingUniforms landing_uniforms(const PassContext& context) {
   const FrameUniforms caster = pack(frames.caster);
   const FrameUniforms receiver = pack(frames.receiver);
   const FrameUniforms caustic = pack(frames.caustic);
+  const bool around = settings.estimator == Estimator::Impostor && context.effects->active("distance impostors");
+  const FrameUniforms impostors =
+      around ? pack(with_atlas(context.effects->impostors, settings.map)) : FrameUniforms{};
+  glm::vec4 tile{0.0f};
+  if (const auto& cube = frames.caster.cube)
+    tile = {cube->tile_width(), cube->tile_height(), cube->guard, 1.0f};
   const LightCone cone = light_cone(*context.light);
   const Bounds receivers = receivers_box(context);
   const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
@@ -50,7 +57,12 @@ LandingUniforms landing_uniforms(const PassContext& context) {
                kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
       .receivers_lower = glm::vec4(receivers.lower, 0.0),
       .receivers_upper = glm::vec4(receivers.upper, 0.0),
+      .tile = tile,
       .branch = glm::vec4(branch.color, static_cast<float>(branch.bend)),
+      .impostor_from_scene = impostors.from_scene,
+      .impostor_window = impostors.window,
+      .impostor_depth = impostors.depth,
+      .impostor_centre = glm::vec4(glm::vec3(context.effects->impostors.origin), 0.0f),
       .method = {settings.iterations, static_cast<int>(settings.estimator),
                  settings.weights == Weights::Paper ? 1 : 0,
                  context.effects->active("exit surface") ? 1 : 0},
@@ -81,6 +93,9 @@ Pass landing_pass() {
                                     "absorption per metre, 1 for a solid; base colour"},
                         {.name = "caster_tint",
                          .meaning = "the grid vertices' colours, where textures give them",
+                         .optional = true},
+                        {.name = "impostor_position",
+                         .meaning = "what lies around the casters, for the estimator impostor",
                          .optional = true}},
               .writes = {{.name = "landing",
                           .format = Format::RGBA32F,

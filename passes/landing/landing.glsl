@@ -13,6 +13,7 @@ TEXTURE(3, caster_exit_normal)
 TEXTURE(4, receiver_position)
 TEXTURE(5, caster_materials)
 TEXTURE(6, caster_tint)
+TEXTURE(7, impostor_position)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -27,6 +28,7 @@ OUTPUT(5, Vec4, landing_start)
 OUTPUT(6, Vec4, landing_way)
 OUTPUT(7, Vec4, landing_start_flux)
 #endif
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/intersect.glsl"
@@ -46,6 +48,18 @@ Hit find_surface(Texture positions, vec4 window, vec4 depth, Vec3 start, Vec3 di
   } else {
     hit = intersect_secant(positions, u.from_scene, window, depth, start, direction, u.method.x,
                            beyond_is_behind);
+  }
+  return hit;
+}
+
+// Where the light lands. Impostors are for this only: what a ray leaves a solid through is found by the secant.
+Hit find_receiver(Vec3 start, Vec3 direction) {
+  Hit hit;
+  if (u.method.y == 3) {
+    hit = intersect_impostor(impostor_position, u.impostor_from_scene, u.impostor_window, u.impostor_depth, start,
+                             direction, Vec3(u.impostor_centre), u.method.x);
+  } else {
+    hit = find_surface(receiver_position, u.receiver_window, u.receiver_depth, start, direction, false);
   }
   return hit;
 }
@@ -102,8 +116,21 @@ Bool meets_receivers(Vec3 start, Vec3 direction) {
 
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
-// Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros.
-void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
+// The light's flux on a grid vertex's cell at frame coordinates q, seen by `face`, relative to its intensity: the
+// solid angle from a point, by the midpoint form.
+Float solid_angle(Vec3 q, Int face, Bool covered) {
+  Vec3 t = in_face(q, face, u.caster_depth);
+  Float w = sel(covered, t.z, Float(1.0f));
+  Float x = t.x / w;
+  Float y = t.y / w;
+  Float squared = 1.0f + x * x + y * y;
+  return u.cell.x / (squared * sqrt(squared));
+}
+
+// Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros. `face` and
+// `guard` of a cube's caster map: whose tile the vertex is in, and whether beyond that face, where it belongs to
+// another and carries no flux.
+void follow(Vec4 entry, Vec4 entry_normal, Bool covered, Int face, Bool guard) {
   Bool from_inside = entry.w < 0.0f;
   Vec3 p1 = Vec3(entry);
   Int material = floor_to_int(entry_normal.w + 0.5f);
@@ -120,12 +147,9 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   Float entered = Float(u.cell.x);
   if (u.caster_depth.z > 0.5f) {
     d0 = normalize_or(p1 - Vec3(u.light), Vec3(u.cone_axis));
-    Float x = q1.x / sel(covered, q1.z, Float(1.0f));
-    Float y = q1.y / sel(covered, q1.z, Float(1.0f));
-    Float squared = 1.0f + x * x + y * y;
-    entered = u.cell.x / (squared * sqrt(squared)) * cone_falloff(d0);
+    entered = solid_angle(q1, face, covered) * cone_falloff(d0);
   }
-  entered = sel(covered, entered, Float(0.0f));
+  entered = sel(covered && !guard, entered, Float(0.0f));
   TRACE(light_direction, d0);
 
   // First interface.
@@ -184,13 +208,17 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   }
   TRACE(outside_direction, d2);
 
-  Hit hit = find_surface(receiver_position, u.receiver_window, u.receiver_depth, p2, d2, false);
+  Hit hit = find_receiver(p2, d2);
   Float flight = max_of(hit.distance, 0.0f);
   Vec3 p3 = p2 + d2 * flight;
   Vec3 q3 = frame_coordinates(u.from_scene, p3);
   Vec2 uv3 = frame_uv(q3, u.caustic_window, u.caustic_depth);
   Float tolerance =
       u.cell.z * texel_extent(receiver_position, q3, u.receiver_window, u.receiver_depth);
+  if (u.method.y == 3) {
+    Vec3 around = frame_coordinates(u.impostor_from_scene, p3);
+    tolerance = u.cell.z * texel_extent(impostor_position, around, u.impostor_window, u.impostor_depth);
+  }
   Bool converged = hit.residual <= tolerance;
   TRACE(landing_point, p3);
   TRACE(landing_residual, hit.residual);
@@ -243,7 +271,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered) {
   carried = leaving * transmittance(Vec3(u.extinction), way);
   taken = taken + (leaving - carried);
 #endif
-  Bool exhausted = largest(carried) <= entered * 1.0e-6f;
+  Bool exhausted = !guard && largest(carried) <= entered * 1.0e-6f;
 
   Float status = Float(1.0f);
   status = sel(!inside_unit(uv3.x, uv3.y), Float(3.0f), status);
@@ -288,6 +316,18 @@ void main() {
   landing_way = Vec4(0.0f);
   landing_start_flux = Vec4(0.0f);
 #endif
-  if (any_lane(covered)) follow(entry, texel_fetch(caster_normal, column, row), covered);
+  Int face = Int(4);
+  Bool guard = Bool(false);
+  if (u.tile.w > 0.5f) {
+    Float tile_column = floor((Float(column) + 0.5f) / u.tile.x);
+    Float tile_row = floor((Float(row) + 0.5f) / u.tile.y);
+    Float x = Float(column) - tile_column * u.tile.x;
+    Float y = Float(row) - tile_row * u.tile.y;
+    face = floor_to_int(tile_row * 3.0f + tile_column);
+    guard = x < u.tile.z || x >= u.tile.x - u.tile.z || y < u.tile.z || y >= u.tile.y - u.tile.z;
+    // What is left over at the texture's edge is no tile.
+    covered = covered && tile_column < 2.5f && tile_row < 1.5f;
+  }
+  if (any_lane(covered)) follow(entry, texel_fetch(caster_normal, column, row), covered, face, guard);
 }
 #endif

@@ -12,7 +12,12 @@ vec4 cell;             // x: area of a grid cell in window units squared; y, z: 
                        // the landing, in texels' extents; w: 1 where there are mirrors
 vec4 receivers_lower;  // the box around all receivers, scene space
 vec4 receivers_upper;
+vec4 tile;             // of a cube's caster map: width and height of a tile, and its guard, texels; w: 1 for a cube
 vec4 branch;           // rgb: share of each channel; w: bend, the index of refraction is n_d + bend (n_F - n_C)
-ivec4 method;          // iterations; estimator (0 paper, 1 secant, 2 newton); weights (0 physical, 1 paper); solid casters (0, 1)
+mat4 impostor_from_scene;  // the cube around the casters
+vec4 impostor_window;
+vec4 impostor_depth;
+vec4 impostor_centre;  // xyz: its origin, scene space
+ivec4 method;          // iterations; estimator (0 paper, 1 secant, 2 newton, 3 impostor); weights (0 physical, 1 paper); solid casters (0, 1)
 ivec4 variant;         // 1: what dielectrics mirror, not what they let in; way inside (0 met in the exit map, 1 Wyman's
                        // thickness); 1: caster_tint has the colours; unused

@@ -37,6 +37,10 @@ UniformBytes uniforms(const PassContext& context) {
   const bool caustics = context.effects->active("caustics") && throws_caustic(context);
   const double texels =
       static_cast<double>(context.settings->map) * static_cast<double>(context.settings->map);
+  glm::vec2 reach{0.0f};
+  if (const auto& cube = frames.caustic.cube)
+    reach = glm::vec2(0.5 * glm::dvec2(cube->tile_width() - 1, cube->tile_height() - 1) /
+                      static_cast<double>(cube->side));
   return uniform_bytes(LightShadingUniforms{
       .from_scene = shadow.from_scene,
       .caster_window = caster.window,
@@ -57,8 +61,8 @@ UniformBytes uniforms(const PassContext& context) {
                              !directional && std::isfinite(light.range) ? light.range : 0.0f),
       .column = column.window,
       .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(frames.casters_nearest)),
-      .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels),
-                        context.effects->active("coloured caustics") ? 0.0f : 1.0f, 0.0f, 0.0f},
+      .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), reach.x, reach.y,
+                        context.effects->active("coloured caustics") ? 0.0f : 1.0f},
       .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
                caustics ? 1.0f : 0.0f, context.effects->active("thin panes") ? 1.0f : 0.0f},
   });

@@ -19,6 +19,7 @@ TEXTURE(6, pane_transmittance)
 #else
 OUTPUT(0, Vec4, direct)
 OUTPUT(1, Vec4, caustic)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/light_intensity.glsl"
 #include "passes/shared/column.glsl"
@@ -32,8 +33,10 @@ OUTPUT(1, Vec4, caustic)
 // where the shaded point is: that leaves nothing of the usual slope for a bias to hide. It is the
 // triangle's plane, which is what the maps drew; shading normals lean away from it.
 struct TangentPlane {
-  Vec3 q;       // the point
-  Vec3 normal;  // in frame axes
+  Vec3 at;      // the point
+  Int face;     // of a cube: the face that sees it
+  Vec3 q;       // the point and
+  Vec3 normal;  // the normal in that face's axes; in other frames in the frame's
 };
 
 // A plane steeper than 1 in 500 against the light counts as that steep: what is left of it is rounding.
@@ -80,8 +83,8 @@ Corners corners_at(Vec2 uv, int width, int height) {
   return c;
 }
 
-// Window coordinate of a texel's centre.
-Float window_of(Int texel, int size, float scale, float offset) {
+// Window coordinate of a texel's centre; window coordinate 0 of the frame, or of the face, lies at `offset`.
+Float window_of(Int texel, int size, float scale, Float offset) {
   return ((Float(texel) + 0.5f) / float(size) - offset) / scale;
 }
 
@@ -93,8 +96,9 @@ Bool in_map(Int x, Int y, int width, int height) {
 Float occluded(TangentPlane p, Int x, Int y, Float bias) {
   int width = texture_width(shadow_depth);
   int height = texture_height(shadow_depth);
-  Float z = plane_z(p, window_of(x, width, u.shadow_window.x, u.shadow_window.z),
-                    window_of(y, height, u.shadow_window.y, u.shadow_window.w));
+  Vec2 offset = face_offset(p.face, u.shadow_window, u.shadow_range);
+  Float z = plane_z(p, window_of(x, width, u.shadow_window.x, offset.x),
+                    window_of(y, height, u.shadow_window.y, offset.y));
   Float stored = fetch_clamped(shadow_depth, x, y).x;
   // What lies behind the point cannot shadow it, even where the plane runs on far behind.
   Bool blocked = in_map(x, y, width, height) && stored < min_of(z, p.q.z) - bias;
@@ -104,62 +108,101 @@ Float occluded(TangentPlane p, Int x, Int y, Float bias) {
 Float shadow_share(TangentPlane p) {
   int width = texture_width(shadow_depth);
   int height = texture_height(shadow_depth);
-  Vec2 uv = frame_uv(p.q, u.shadow_window, u.shadow_range);
+  Vec2 uv = frame_uv(p.at, u.shadow_window, u.shadow_range);
   Corners c = corners_at(uv, width, height);
   // A map knows where a surface lies to a texel's extent across the light. What is nearer to the plane
   // than that, measured across the plane, is the surface itself: along the light, the extent over the slope.
   Float slant = 1.0f / max_of(abs(plane_slope(p)), 0.02f);
-  Float bias = slant * frame_w(p.q, u.shadow_range) *
+  Float bias = slant * frame_w(p.at, u.shadow_range) *
                max_of(Float(1.0f / (u.shadow_window.x * float(width))),
                       Float(1.0f / (u.shadow_window.y * float(height))));
   Float bottom = occluded(p, c.x0, c.y0, bias) * (1.0f - c.fx) + occluded(p, c.x0 + 1, c.y0, bias) * c.fx;
   Float top = occluded(p, c.x0, c.y0 + 1, bias) * (1.0f - c.fx) +
               occluded(p, c.x0 + 1, c.y0 + 1, bias) * c.fx;
-  return sel(frame_w(p.q, u.shadow_range) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
+  return sel(frame_w(p.at, u.shadow_range) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
 }
 
 // 1 where a caster covers this texel before the point, else 0.
 Float covered_by_caster(TangentPlane p, Int x, Int y) {
   Vec4 caster = fetch_clamped(caster_position, x, y);
-  Float z = frame_coordinates(u.from_scene, Vec3(caster)).z;
+  Float z = in_face(frame_coordinates(u.from_scene, Vec3(caster)), p.face, u.caster_depth).z;
   Bool blocked = in_map(x, y, texture_width(caster_position), texture_height(caster_position)) &&
                  caster.w != 0.0f && z < p.q.z;
   return sel(blocked, Float(1.0f), Float(0.0f));
 }
 
 Float caster_share(TangentPlane p) {
-  Vec2 uv = frame_uv(p.q, u.caster_window, u.caster_depth);
+  Vec2 uv = frame_uv(p.at, u.caster_window, u.caster_depth);
   Corners c = corners_at(uv, texture_width(caster_position), texture_height(caster_position));
   Float bottom = covered_by_caster(p, c.x0, c.y0) * (1.0f - c.fx) +
                  covered_by_caster(p, c.x0 + 1, c.y0) * c.fx;
   Float top = covered_by_caster(p, c.x0, c.y0 + 1) * (1.0f - c.fx) +
               covered_by_caster(p, c.x0 + 1, c.y0 + 1) * c.fx;
-  return sel(frame_w(p.q, u.caster_depth) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
+  return sel(frame_w(p.at, u.caster_depth) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
 }
 
 // What thin panes leave of the direct light.
 Vec3 through_panes(TangentPlane p) {
-  Vec2 uv = frame_uv(p.q, u.pane_window, u.pane_depth);
-  Bool inside = inside_unit(uv.x, uv.y) && frame_w(p.q, u.pane_depth) > 0.0f;
+  Vec2 uv = frame_uv(p.at, u.pane_window, u.pane_depth);
+  Bool inside = inside_unit(uv.x, uv.y) && frame_w(p.at, u.pane_depth) > 0.0f;
   return sel(inside, Vec3(fetch_bilinear(pane_transmittance, uv.x, uv.y)), Vec3(1.0f));
 }
 
 // Does the receiver map see this point, and not something before it? Two texels' extents may lie between.
 Bool receives(TangentPlane p) {
-  Vec2 uv = frame_uv(p.q, u.receiver_window, u.receiver_depth);
+  Vec2 uv = frame_uv(p.at, u.receiver_window, u.receiver_depth);
   int width = texture_width(receiver_position);
   int height = texture_height(receiver_position);
   Int x = floor_to_int(uv.x * float(width));
   Int y = floor_to_int(uv.y * float(height));
   Vec4 receiver = fetch_clamped(receiver_position, x, y);
-  Float seen = frame_coordinates(u.from_scene, Vec3(receiver)).z;
-  Float z = plane_z(p, window_of(x, width, u.receiver_window.x, u.receiver_window.z),
-                    window_of(y, height, u.receiver_window.y, u.receiver_window.w));
-  Float extent = frame_w(p.q, u.receiver_depth) *
+  Float seen = in_face(frame_coordinates(u.from_scene, Vec3(receiver)), p.face, u.receiver_depth).z;
+  Vec2 offset = face_offset(p.face, u.receiver_window, u.receiver_depth);
+  Float z = plane_z(p, window_of(x, width, u.receiver_window.x, offset.x),
+                    window_of(y, height, u.receiver_window.y, offset.y));
+  Float extent = frame_w(p.at, u.receiver_depth) *
                  max_of(Float(1.0f / (u.receiver_window.x * float(width))),
                         Float(1.0f / (u.receiver_window.y * float(height))));
-  return inside_unit(uv.x, uv.y) && !stands_before_casters(p.q) && receiver.w != 0.0f &&
+  return inside_unit(uv.x, uv.y) && !stands_before_casters(p.at) && receiver.w != 0.0f &&
          z <= seen + 2.0f * extent;
+}
+
+// Area of a caustic map's texel across the light, at a point on its face: flux in a texel over the receiver's area
+// under it is texel area / |n.l|, or solid angle r^2 / |n.l|.
+Float texel_area(Vec3 q, Float distance_squared) {
+  Float area = Float(u.caustic_texel.x);
+  if (u.light.w > 0.5f) {
+    Float z = sel(q.z > 0.0f, q.z, Float(1.0f));
+    Float x = q.x / z;
+    Float y = q.y / z;
+    Float squared = 1.0f + x * x + y * y;
+    area = u.caustic_texel.x / (squared * sqrt(squared)) * distance_squared;
+  }
+  return area;
+}
+
+// The flux at a point in texels of the face that sees it. What landed near a face's border may lie in the guard of
+// its neighbour's tile, so the tiles of all faces that reach here add up: at most one along each axis.
+Vec3 flux_all_around(Vec3 q) {
+  Float own = texel_area(in_face(q, cube_face(q), u.caustic_depth), Float(1.0f));
+  Vec3 flux = Vec3(0.0f);
+  for (int axis = 0; axis < 3; axis++) {
+    Float along = q.x;
+    if (axis == 1) along = q.y;
+    if (axis == 2) along = q.z;
+    Int face = sel(along >= 0.0f, Int(2 * axis), Int(2 * axis + 1));
+    Vec3 t = in_face(q, face, u.caustic_depth);
+    // In the tile, all four texels around: half a texel from its border.
+    Bool reaches = t.z > 0.0f && abs(t.x) * u.caustic_window.x <= t.z * u.caustic_texel.y &&
+                   abs(t.y) * u.caustic_window.y <= t.z * u.caustic_texel.z;
+    if (any_lane(reaches)) {
+      Vec2 uv = face_uv(q, face, u.caustic_window, u.caustic_depth);
+      Vec3 there = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
+      Float share = own / texel_area(t, Float(1.0f));
+      flux = flux + sel(reaches, there * share, Vec3(0.0f));
+    }
+  }
+  return flux;
 }
 
 void main() {
@@ -187,9 +230,11 @@ void main() {
   }
   Float facing = max_of(-dot3(n, travel), 0.0f);
   TangentPlane p;
-  p.q = frame_coordinates(u.from_scene, position);
+  p.at = frame_coordinates(u.from_scene, position);
+  p.face = frame_face(p.at, u.shadow_range);
+  p.q = in_face(p.at, p.face, u.shadow_range);
   Vec3 plane = plane_normal(view_position, column, row, position, n);
-  p.normal = transform_vector(u.from_scene, plane);
+  p.normal = in_face(transform_vector(u.from_scene, plane), p.face, u.shadow_range);
 
   Float lit = Float(1.0f);
   Float turned = -dot3(plane, travel);
@@ -205,21 +250,20 @@ void main() {
 #endif
   direct = Vec4(Vec3(u.intensity) * tint * irradiance, Float(0.0f));
 
-  // Flux in a texel over the receiver's area under it: texel area / |n.l|, or solid angle r^2 / |n.l|.
   Vec3 caught = Vec3(0.0f);
   if (u.uses.z > 0.5f) {
-    Vec2 uv = frame_uv(p.q, u.caustic_window, u.caustic_depth);
-    Vec3 flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
-    if (u.caustic_texel.y > 0.5f) flux = Vec3(flux.x);
-    Float area = Float(u.caustic_texel.x);
-    if (u.light.w > 0.5f) {
-      Float z = sel(p.q.z > 0.0f, p.q.z, Float(1.0f));
-      Float x = p.q.x / z;
-      Float y = p.q.y / z;
-      Float squared = 1.0f + x * x + y * y;
-      area = u.caustic_texel.x / (squared * sqrt(squared)) * distance_squared;
+    Vec3 flux = Vec3(0.0f);
+    Bool inside = Bool(true);
+    if (u.caustic_depth.z > 1.5f) {
+      flux = flux_all_around(p.at);
+    } else {
+      Vec2 uv = frame_uv(p.at, u.caustic_window, u.caustic_depth);
+      inside = inside_unit(uv.x, uv.y);
+      flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
     }
-    Bool takes = visible && inside_unit(uv.x, uv.y) && receives(p);
+    if (u.caustic_texel.w > 0.5f) flux = Vec3(flux.x);
+    Float area = texel_area(p.q, distance_squared);
+    Bool takes = visible && inside && receives(p);
     caught = sel(takes, flux * (facing / area), Vec3(0.0f));
   }
   caustic = Vec4(Vec3(u.intensity) * caught, Float(0.0f));

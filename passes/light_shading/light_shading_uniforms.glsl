@@ -15,5 +15,6 @@ vec4 cone;
 vec4 intensity;          // rgb: lux (directional) or candela; w: range in metres, 0 for none
 vec4 column;             // the window that receivers leave free before the casters, and
 vec4 column_depth;       // its depth range; w: z of the casters' nearest point
-vec4 caustic_texel;      // x: area of a caustic map texel in window units squared; y: 1 where the map has one channel
+vec4 caustic_texel;      // x: area of a caustic map texel in window units squared; y, z: of a cube, from a
+                         // tile's middle to its outermost texels' centres, in map coordinates; w: 1 where the map has one channel
 vec4 uses;               // 1 where there is a shadow map, a caster map, a caustic map, thin panes

@@ -15,6 +15,7 @@ VARYING_FLAT(9, Vec4, ends)       // along the picture's axis that the beam foll
 VARYING_FLAT(13, Vec4, widths)    // across, at the two ends: to a neighbour in the grid's rows, and in its columns,
                                   // pixels times what window coordinates are divided by
 VARYING_FLAT(17, Float, follows)  // 0: the picture's x, 1: y
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 // Pixel coordinates of a point in the camera's frame.

@@ -13,6 +13,7 @@ TEXTURE(3, pane_transmittance)
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, haze)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/light_intensity.glsl"
 #include "passes/shared/optics.glsl"

@@ -12,6 +12,7 @@ TEXTURE(2, view_caster_position)
 #else
 OUTPUT(0, Vec4, beauty)
 OUTPUT(1, Vec4, view_range)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/medium/medium.glsl"

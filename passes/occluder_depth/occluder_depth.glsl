@@ -9,6 +9,7 @@ VARYING_SMOOTH(0, Vec2, surface_uv)
 #ifdef VERTEX_STAGE
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec2, uv)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 void main() {
@@ -17,6 +18,11 @@ void main() {
 }
 #else
 #include "passes/shared/cutout.glsl"
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/outside_tile.glsl"
 
-void main() { discard_if(cut_out(surface_uv)); }
+void main() {
+  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.alpha.w));
+  discard_if(cut_out(surface_uv));
+}
 #endif

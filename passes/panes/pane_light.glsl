@@ -8,17 +8,20 @@ TEXTURE(1, shadow_depth)
 
 #ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, pane_transmittance_rgb)
+#include "passes/shared/outside_tile.glsl"
 
 // Is an opaque surface nearer to the light? Two of its map's texels' extents may lie between.
 Bool in_shadow() {
-  Vec3 q = frame_coordinates(u.from_scene, surface_position);
-  Vec2 uv = frame_uv(q, u.shadow_window, u.shadow_range);
-  Float extent = frame_w(q, u.shadow_range) / (u.shadow_window.x * float(texture_width(shadow_depth)));
+  Vec3 at = frame_coordinates(u.from_scene, surface_position);
+  Vec2 uv = frame_uv(at, u.shadow_window, u.shadow_range);
+  Vec3 q = in_face(at, frame_face(at, u.shadow_range), u.shadow_range);
+  Float extent = frame_w(at, u.shadow_range) / (u.shadow_window.x * float(texture_width(shadow_depth)));
   Float stored = fetch_nearest(shadow_depth, uv.x, uv.y).x;
   return u.uses.y > 0.5f && inside_unit(uv.x, uv.y) && stored < q.z - 2.0f * extent;
 }
 
 void main() {
+  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.uses.z));
   discard_if(cut_out(surface_uv) || in_shadow());
   pane_transmittance_rgb = Vec4(pane_transmittance(ray_direction()), Float(1.0f));
 }

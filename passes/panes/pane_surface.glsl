@@ -8,6 +8,7 @@ VARYING_SMOOTH(6, Vec2, surface_uv)
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec3, normal)
 ATTRIBUTE(6, Vec2, uv)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 void main() {
@@ -18,6 +19,7 @@ void main() {
 }
 #else
 #include "passes/shared/cutout.glsl"
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/optics.glsl"

@@ -37,6 +37,7 @@ PaneUniforms pane_uniforms(const Frame& frame, const glm::dvec3& eye, const Pass
   u.alpha = {m.base_color.a, masked ? m.alpha_cutoff : 0.0f, masked && textured ? 1.0f : 0.0f, 0.0f};
   u.uv_row0 = {uv[0][0], uv[1][0], uv[2][0], 0.0f};
   u.uv_row1 = {uv[0][1], uv[1][1], uv[2][1], 0.0f};
+  u.uses.z = frame.cube ? static_cast<float>(frame.cube->side) : 0.0f;
   u.uses.x = textured ? 1.0f : 0.0f;
   return u;
 }

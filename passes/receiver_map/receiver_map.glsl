@@ -9,6 +9,7 @@ VARYING_SMOOTH(3, Vec2, surface_uv)
 #ifdef VERTEX_STAGE
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec2, uv)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 void main() {
@@ -19,10 +20,13 @@ void main() {
 #else
 OUTPUT(0, Vec4, receiver_position)
 #include "passes/shared/cutout.glsl"
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/column.glsl"
+#include "passes/shared/outside_tile.glsl"
 
 void main() {
+  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.alpha.w));
   discard_if(cut_out(surface_uv) ||
              stands_before_casters(frame_coordinates(u.from_scene, surface_position)));
   receiver_position = Vec4(surface_position, Float(1.0f));

@@ -9,19 +9,23 @@ VARYING_SMOOTH(1, Vec2, surface_uv)
 #ifdef VERTEX_STAGE
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec2, uv)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 void main() {
   Vec3 q = frame_coordinates(u.from_scene, position);
-  along = q.z;
+  along = in_face(q, floor_to_int(Float(u.depth.w)), u.depth).z;
   surface_uv = uv;
   set_position(frame_clip(q, u.window, u.depth));
 }
 #else
 OUTPUT(0, Vec4, shadow_depth)
 #include "passes/shared/cutout.glsl"
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/outside_tile.glsl"
 
 void main() {
+  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.alpha.w));
   discard_if(cut_out(surface_uv));
   shadow_depth = Vec4(along, Float(0.0f), Float(0.0f), Float(1.0f));
 }

@@ -10,9 +10,9 @@ struct Gap {
   Bool covered;  // and there is a surface
 };
 
-// A surface's z (parallel) or 1/z (perspective) at a texel; both are linear over a plane.
-Float gap_height(Vec4 texel, mat4 from_scene, vec4 depth) {
-  Vec3 q = frame_coordinates(from_scene, Vec3(texel));
+// A surface's z (parallel) or 1/z (perspective) at a texel; both are linear over a plane. Of a cube: z along `face`.
+Float gap_height(Vec4 texel, mat4 from_scene, vec4 depth, Int face) {
+  Vec3 q = in_face(frame_coordinates(from_scene, Vec3(texel)), face, depth);
   Float height = q.z;
   if (depth.z > 0.5f) height = 1.0f / sel(q.z > 0.0f, q.z, Float(1.0e-20f));
   return height;
@@ -28,13 +28,15 @@ Float gap_of_height(Float height, Float z, vec4 depth, Float scale) {
 // steeper than 83 degrees; elsewhere, and otherwise, the texel that holds p decides.
 Gap gap_at(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p, Float scale,
            bool smoothly) {
-  Vec3 q = frame_coordinates(from_scene, p);
-  Vec2 uv = frame_uv(q, window, depth);
+  Vec3 at = frame_coordinates(from_scene, p);
+  Int face = frame_face(at, depth);
+  Vec3 q = in_face(at, face, depth);
+  Vec2 uv = frame_uv(at, window, depth);
   Gap gap;
   gap.inside = inside_unit(uv.x, uv.y);
   Vec4 nearest = fetch_nearest(positions, uv.x, uv.y);
   gap.covered = gap.inside && nearest.w != 0.0f;
-  Float height = gap_height(nearest, from_scene, depth);
+  Float height = gap_height(nearest, from_scene, depth, face);
   if (smoothly) {
     Float x = uv.x * Float(texture_width(positions)) - 0.5f;
     Float y = uv.y * Float(texture_height(positions)) - 0.5f;
@@ -46,10 +48,10 @@ Gap gap_at(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p, 
     Vec4 t10 = fetch_clamped(positions, x0 + 1, y0);
     Vec4 t01 = fetch_clamped(positions, x0, y0 + 1);
     Vec4 t11 = fetch_clamped(positions, x0 + 1, y0 + 1);
-    Float h00 = gap_height(t00, from_scene, depth);
-    Float h10 = gap_height(t10, from_scene, depth);
-    Float h01 = gap_height(t01, from_scene, depth);
-    Float h11 = gap_height(t11, from_scene, depth);
+    Float h00 = gap_height(t00, from_scene, depth, face);
+    Float h10 = gap_height(t10, from_scene, depth, face);
+    Float h01 = gap_height(t01, from_scene, depth, face);
+    Float h11 = gap_height(t11, from_scene, depth, face);
     Float low = min_of(min_of(h00, h10), min_of(h01, h11));
     Float high = max_of(max_of(h00, h10), max_of(h01, h11));
     // A texel's extent on the surface: parallel in metres; perspective in units of 1/z per 1/z.
@@ -235,8 +237,9 @@ Hit close_in(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 s
 // level: a plane across the light is met exactly.
 Bracket bracket_at_start(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
                          Vec3 direction) {
-  Float scale = frame_w(frame_coordinates(from_scene, start), depth);
-  Float fall = transform_vector(from_scene, direction).z;
+  Vec3 at = frame_coordinates(from_scene, start);
+  Float scale = frame_w(at, depth);
+  Float fall = in_face(transform_vector(from_scene, direction), frame_face(at, depth), depth).z;
   Gap gap = gap_at(positions, from_scene, window, depth, start, scale, false);
   Float reach = Float(depth.y - depth.x);
   Bool above = gap.covered && gap.value < 0.0f;
@@ -327,5 +330,51 @@ Hit intersect_secant(Texture positions, mat4 from_scene, vec4 window, vec4 depth
       hit.covered = (again && second.covered) || (!again && hit.covered);
     }
   }
+  return hit;
+}
+
+// Distance impostors (Szirmay-Kalos, Aszodi, Lazanyi, Premecz 2005): the frame is a cube around a point near the
+// casters. q = |p| / D(p), the point's distance from there over the surface's in the same direction, passes 1 where
+// the ray meets the surface, and is linear along the ray over any plane. Theirs are the start, exact where one plane
+// lies in the ray's direction and in the start's, and the steps: with D of the ray's own direction from the start
+// until the ray has once been too far, after that the secant between the last point before and the last behind.
+Hit intersect_impostor(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start, Vec3 direction,
+                       Vec3 centre, int iterations) {
+  Float reach = Float(depth.y);
+  Gap ahead = gap_at(positions, from_scene, window, depth, centre + direction * reach, Float(1.0f), true);
+  Float share = ahead.value + 1.0f;
+  Float along = sel(ahead.covered && share > 1.0e-6f, reach / sel(share > 1.0e-6f, share, Float(1.0f)), reach);
+  Gap gap = gap_at(positions, from_scene, window, depth, start, Float(1.0f), true);
+  // A start at the very centre has no direction, and q = 0.
+  Float q_under = sel(gap.covered, gap.value + 1.0f, Float(0.0f));
+  Float under = Float(0.0f);
+  Float over = Float(0.0f);
+  Float q_over = Float(1.0f);
+  Bool overshot = Bool(false);
+  Float d = max_of(along * (1.0f - q_under), 0.0f);
+  Float q = Float(0.0f);
+  for (int k = 0; k < iterations + 1; k++) {
+    gap = gap_at(positions, from_scene, window, depth, start + direction * d, Float(1.0f), true);
+    TRACE(distance, d);
+    q = sel(gap.covered, gap.value + 1.0f, Float(0.0f));
+    TRACE(quotient, q);
+    Bool behind = q > 1.0f;
+    over = sel(behind, d, over);
+    q_over = sel(behind, q, q_over);
+    under = sel(behind, under, d);
+    q_under = sel(behind, q_under, q);
+    overshot = overshot || behind;
+    Float rise = q_over - q_under;
+    Bool rising = rise > 1.0e-9f;
+    Float secant = under + (over - under) * (1.0f - q_under) / sel(rising, rise, Float(1.0f));
+    Float next = sel(overshot && rising, secant, d + along * (1.0f - q));
+    if (k < iterations) d = clamp_to(next, 0.0f, 2.0f * reach);
+  }
+  Hit hit;
+  hit.distance = d;
+  hit.residual = abs(q - 1.0f) * length3(start + direction * d - centre);
+  hit.inside = Bool(true);
+  hit.left = Bool(false);
+  hit.covered = gap.covered;
   return hit;
 }

@@ -11,7 +11,7 @@ OUTPUT(0, Vec4, caster_position)
 OUTPUT(1, Vec4, caster_normal)
 
 void main() {
-  discard_if(cut_out_here());
+  discard_if(elsewhere() || cut_out_here());
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
   caster_normal = Vec4(caster_normal_here(), Float(u.material.x));
 }

@@ -12,7 +12,7 @@ OUTPUT(0, Vec4, caster_exit_position)
 OUTPUT(1, Vec4, caster_exit_normal)
 
 void main() {
-  discard_if(cut_out_here());
+  discard_if(elsewhere() || cut_out_here());
   caster_exit_position = Vec4(surface_position, Float(1.0f));
   caster_exit_normal = Vec4(caster_normal_here(), Float(1.0f));
 }

@@ -1,7 +1,8 @@
 mat4 from_scene;      // the frame that sees the casters
 vec4 window;
 vec4 depth;
-vec4 material;        // row of the material in caster_materials, scale of the normal texture, unused, unused
+vec4 material;        // row of the material in caster_materials, scale of the normal texture, side of a cube
+                      // frame's map, unused
 vec4 color_factor;    // rgb: what the base colour texture is multiplied by; a: unused
 vec4 color_offset;    // rgb: added to that: a metal's dielectric share
 vec4 uses;            // 1 where there is a texture: base colour, normal, transmission; unused

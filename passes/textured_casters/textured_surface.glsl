@@ -12,6 +12,7 @@ ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec3, normal)
 ATTRIBUTE(6, Vec4, tangent)
 ATTRIBUTE(10, Vec2, uv)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/material.glsl"
 
@@ -26,7 +27,9 @@ void main() {
   set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
 }
 #else
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/material.glsl"
+#include "passes/shared/outside_tile.glsl"
 #include "passes/shared/tangent_space.glsl"
 
 // glTF's alpha mask: is the base colour's alpha below the cutoff here? Nearest texel, repeated.
@@ -35,6 +38,13 @@ Bool cut_out_here() {
   if (u.alpha.z > 0.5f)
     opacity = opacity * fetch_nearest(base_color, color_uv.x - floor(color_uv.x), color_uv.y - floor(color_uv.y)).w;
   return opacity < u.alpha.y;
+}
+
+// Of a cube frame: does the fragment lie outside the tile that is drawn?
+Bool elsewhere() {
+  Bool outside = Bool(false);
+  if (u.depth.z > 1.5f) outside = outside_tile(u.window, u.depth, u.material.z);
+  return outside;
 }
 
 // The outward normal, leaned by the normal texture but never out of the hemisphere around the smooth normal:

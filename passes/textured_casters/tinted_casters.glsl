@@ -22,7 +22,7 @@ Vec3 caster_color_here() {
 }
 
 void main() {
-  discard_if(cut_out_here());
+  discard_if(elsewhere() || cut_out_here());
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
   caster_normal = Vec4(caster_normal_here(), Float(u.material.x));
   caster_tint = Vec4(caster_color_here(), Float(1.0f));

@@ -15,6 +15,7 @@ ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec3, normal)
 ATTRIBUTE(6, Vec4, tangent)
 ATTRIBUTE(10, Vec2, uv)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 
 void main() {
@@ -29,6 +30,7 @@ OUTPUT(0, Vec4, view_position)
 OUTPUT(1, Vec4, view_normal)
 OUTPUT(2, Vec4, view_albedo)
 OUTPUT(3, Vec4, view_emission)
+#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/frame_space.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/tangent_space.glsl"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/all_around.hpp"
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/branches.hpp"
 #include "pipeline/plan/caustic_color.hpp"
@@ -295,6 +296,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   add_caustic_color(scene, effects);
   add_water_waves(scene, effects);
   add_medium(scene, effects);
+  add_all_around(scene, settings, effects);
   add_missing_effects(judgements, effects);
   return effects;
 }

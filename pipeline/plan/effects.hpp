@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/plan/settings.hpp"
+#include "pipeline/scene/frame.hpp"
 #include "pipeline/scene/scene.hpp"
 
 namespace caustics {
@@ -56,6 +57,9 @@ struct Effects {
   std::vector<Effect> list;
   std::vector<Expectation> expectations;
   std::vector<Branch> branches{Branch{}};  // at least one
+  // By Scene::lights: why the light is drawn onto a cube (effect "all around"); empty where it is not.
+  std::vector<std::string> all_around;
+  Frame impostors;  // where "distance impostors" is active: the cube around the casters, without an atlas yet
   // The effect of this name, which must be in the list.
   const Effect& find(std::string_view name) const;
   bool active(std::string_view name) const { return find(name).active; }
@@ -83,6 +87,8 @@ struct Effects {
 //   "medium"          haze in the air, which takes light on its way
 //   "scattering"      and scatters it towards the camera
 //   "light shafts"    caustics in a medium that scatters
+//   "distance impostors" asked for by the estimator (Estimator::Impostor)
+//   "all around"      a light that stands among its casters, or is asked to see all around
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "pipeline/plan/all_around.hpp"
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/plan/ledger.hpp"
@@ -259,11 +260,14 @@ LightFitter::LightFitter(const SceneOnDevice& scene, const Settings& settings,
 LightFitter::~LightFitter() = default;
 
 std::vector<LightFrames> LightFitter::fit(const Effects& effects) {
-  std::vector<LightExtents> extents;
   std::vector<LightFrames> frames;
+  const auto all_around = [&](std::size_t light) { return !effects.all_around[light].empty(); };
   for (const Light& light : scene_.scene().lights) {
-    extents.push_back(measure(scene_.scene(), effects, light));
-    frames.push_back(widest_frames(extents.back(), effects, settings_.grid));
+    if (all_around(frames.size())) {
+      frames.push_back(frames_all_around(scene_.scene(), effects, settings_, light));
+      continue;
+    }
+    frames.push_back(widest_frames(measure(scene_.scene(), effects, light), effects, settings_.grid));
   }
   if (settings_.shared_frames) {
     for (LightFrames& f : frames) {
@@ -278,12 +282,15 @@ std::vector<LightFrames> LightFitter::fit(const Effects& effects) {
   const double kernel_texels = splat_kernel(settings_).radius + 2.0;
   // First with everything in view, then again with the maps drawn in, for finer receivers.
   for (const double margin : {0.5, 0.03 + 2.0 * kernel_texels / settings_.map}) {
+    const auto fitted = [&](int i) {
+      return scout.finds_anything(i) && !all_around(static_cast<std::size_t>(i));
+    };
     bool any = false;
-    for (int i = 0; i < static_cast<int>(frames.size()); ++i) any |= scout.finds_anything(i);
+    for (int i = 0; i < static_cast<int>(frames.size()); ++i) any |= fitted(i);
     if (!any) break;
     scout.run(frames);
     for (int i = 0; i < static_cast<int>(frames.size()); ++i) {
-      if (!scout.finds_anything(i)) continue;
+      if (!fitted(i)) continue;
       LightFrames& f = frames[static_cast<std::size_t>(i)];
       fit_to_landings(f, scout.found(i, f.caustic), settings_, margin);
     }

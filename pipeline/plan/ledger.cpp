@@ -104,9 +104,11 @@ double share_of_points(const Image& cell_flux, int x, int y) {
 void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
                 const SplatKernel& kernel, int map, Ledger& ledger) {
   const auto status = static_cast<LandingStatus>(static_cast<int>(images.landing.at(x, y, 3)));
-  ++ledger.vertices[static_cast<std::size_t>(status)];
-  if (status == LandingStatus::Empty) return;
   const double flux = images.fresnel.at(x, y, 3);
+  // The guard vertices of a cube's grid belong to other faces: they carry nothing.
+  const bool guard = frame.cube && flux == 0.0;
+  ++ledger.vertices[static_cast<std::size_t>(guard ? LandingStatus::Empty : status)];
+  if (status == LandingStatus::Empty || guard) return;
   const glm::vec3& color = images.branch.color;
   const FluxRgb entered{flux * double(color.x), flux * double(color.y), flux * double(color.z)};
   // What was mirrored has entered with the light that was let in, and is booked there as Fresnel's.
@@ -120,6 +122,7 @@ void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
   if (!images.medium.values.empty()) add(ledger.medium, rgb(images.medium, x, y));
   const FluxRgb carried = rgb(images.flux, x, y);
   if (FluxRgb* account = account_of(ledger, status)) return add(*account, carried);
+  if (frame.cube) return;  // a tile's guard holds every splat whole
   const glm::dvec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1),
                      images.landing.at(x, y, 2)};
   const glm::dvec2 uv = (frame.window(frame.coordinates(p)) - frame.window_lower) /

@@ -33,7 +33,8 @@ enum class DrawSet : std::uint8_t {
 // Beams is the grid's size, coarser where one beam stands for several grid vertices.
 enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow, Water, Beams };
 
-// The frames of one light. All share origin and axes; only the windows and depth ranges differ.
+// The frames of one light. All share origin and axes; only the windows and depth ranges differ. All of them are
+// cubes, or none is.
 struct LightFrames {
   Frame caster;    // on the casters: caster map, exit map
   Frame receiver;  // from the casters to where their light lands: receiver map
@@ -43,7 +44,7 @@ struct LightFrames {
   // z of the casters' nearest point: what lies before it within the column's window stands between light and
   // casters, and is no receiver of their light. Refracted light goes on forwards, so the column has everything
   // in it; mirrored light comes back, so it is the casters' own.
-  double casters_nearest = 0.0;
+  double casters_nearest = 0.0;  // in cubes a distance
   Frame column;
 };
 
@@ -64,6 +65,7 @@ struct PassContext {
   int material_row = 0;   // row of `caster_materials`: the mesh's material
   int mesh_index = 0;
   int width = 0, height = 0;  // of the pass's targets
+  int face = 4;           // of a cube frame: the face that is drawn
   float exposure = 1.0f;  // factor from nit to display white
 };
 
@@ -86,6 +88,8 @@ struct Pass {
   DrawSet draws = DrawSet::FullScreen;
   Extent extent = Extent::Picture;
   UniformBytes (*uniforms)(const PassContext&) = nullptr;
+  // Of a pass that draws its meshes once for each face of a cube of its own: that cube.
+  Frame (*all_around)(const PassContext&) = nullptr;
   // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to
   // its light's.
   Each owner = each;

@@ -1,6 +1,7 @@
 #include "pipeline/plan/run_plan.hpp"
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/all_around.hpp"
 
 namespace caustics {
 
@@ -117,9 +118,42 @@ class PassRunner {
       context.mesh_index = static_cast<int>(i);
       context.material = &scene.materials[static_cast<std::size_t>(context.mesh->material)];
       context.material_row = scene_.material_row(context.mesh_index);
-      run.draws.push_back(
-          draw(pass, planned, context, scene_.mesh(static_cast<int>(i)), 0));
+      add_mesh_draw(pass, planned, context, run);
     }
+  }
+
+  // Once, or once for each face of a cube that may see it.
+  void add_mesh_draw(const Pass& pass, const PlannedPass& planned, PassContext& context,
+                     PassRun& run) const {
+    const MeshId mesh = scene_.mesh(context.mesh_index);
+    const LightFrames* frames = context.frames;
+    const bool light_all_around = frames && frames->caster.cube;
+    if (!light_all_around && !pass.all_around) {
+      run.draws.push_back(draw(pass, planned, context, mesh, 0));
+      return;
+    }
+    LightFrames faced;
+    for (int face = 0; face < 6; ++face) {
+      context.face = face;
+      if (light_all_around) {
+        faced = facing(*frames, face);
+        context.frames = &faced;
+      }
+      const bool seen = light_all_around
+                            ? face_sees(faced.caster, face, *context.mesh) ||
+                                  face_sees(faced.caustic, face, *context.mesh)
+                            : face_sees(pass.all_around(context), face, *context.mesh);
+      if (seen) run.draws.push_back(draw(pass, planned, context, mesh, 0));
+    }
+    context.frames = frames;
+  }
+
+  // The frames of a light that sees all around, as one of their faces is drawn.
+  static LightFrames facing(LightFrames frames, int face) {
+    for (Frame LightFrames::*frame : {&LightFrames::caster, &LightFrames::receiver, &LightFrames::caustic,
+                                      &LightFrames::shadow, &LightFrames::panes})
+      (frames.*frame).face = face;
+    return frames;
   }
 
   Draw draw(const Pass& pass, const PlannedPass& planned, const PassContext& context, MeshId mesh,

@@ -2,22 +2,26 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/nearest.hpp"
+#include "pipeline/plan/splat_kernel.hpp"
+#include "pipeline/scene/cube_atlas.hpp"
 
 namespace caustics {
 
 namespace {
 
 // Named choices: the texts that the command line takes, in the order of the enumerations.
-constexpr std::string_view kEstimators[] = {"paper", "secant", "newton"};
+constexpr std::string_view kEstimators[] = {"paper", "secant", "newton", "impostor"};
 constexpr std::string_view kThicknesses[] = {"map", "wyman"};
 constexpr std::string_view kSplats[] = {"point", "gaussian", "cell"};
 constexpr std::string_view kWeights[] = {"physical", "paper"};
 constexpr std::string_view kInterfaces[] = {"auto", "1", "2"};
 constexpr std::string_view kFrames[] = {"fitted", "shared"};
+constexpr std::string_view kCubes[] = {"auto", "on", "off"};
 constexpr std::string_view kYesNo[] = {"no", "yes"};
 constexpr std::string_view kOffOn[] = {"off", "on"};
 
@@ -88,7 +92,7 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return number(v, 1, kMaxMediumSteps, s.medium_steps); }},
     {"iterations", "1..1000, default 5", "steps of the estimator at each surface",
      [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
-    {"estimator", "paper|newton|secant, default secant", "what finds where a ray lands",
+    {"estimator", "paper|newton|secant|impostor, default secant", "what finds where a ray lands",
      [](Settings& s, Value v) { return choice(v, kEstimators, s.estimator); }},
     {"thickness", "map|wyman, default map", "what tells a ray's way inside a solid caster",
      [](Settings& s, Value v) { return choice(v, kThicknesses, s.thickness); }},
@@ -106,6 +110,8 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return choice(v, kYesNo, s.reflections); }},
     {"frames", "fitted|shared, default fitted", "shared: the maps keep the caster map's window",
      [](Settings& s, Value v) { return choice(v, kFrames, s.shared_frames); }},
+    {"cube", "auto|on|off, default auto", "lights among their casters see all around",
+     [](Settings& s, Value v) { return choice(v, kCubes, s.cube); }},
     {"outside_share", "0..0.5, default 0.001", "share of the flux that may fall outside the map",
      [](Settings& s, Value v) { return number(v, 0.0, 0.5, s.outside_share); }},
     {"assume_solid", "no|yes, default no", "glass without a volume is solid instead of thin",
@@ -137,7 +143,25 @@ void check_range(std::string_view name, int value, int most) {
                                         ", must be 1.." + std::to_string(most));
 }
 
+std::string too_small(std::string_view name, int side, int guard) {
+  const int least = std::max(kLeastAtlas, 9 * guard);
+  if (side >= least) return {};
+  return std::string(name) + " is " + std::to_string(side) + ", must be at least " + std::to_string(least);
+}
+
 }  // namespace
+
+int caustic_guard(const Settings& settings) {
+  const int kernel = static_cast<int>(std::ceil(splat_kernel(settings).radius)) + 2;
+  return std::max({kLeastGuard, kernel, settings.map / 40});
+}
+
+std::string too_small_for_cubes(const Settings& settings) {
+  std::string small = too_small("grid", settings.grid, kLeastGuard);
+  if (small.empty()) small = too_small("map", settings.map, caustic_guard(settings));
+  if (small.empty()) small = too_small("shadow", settings.shadow, kLeastGuard);
+  return small;
+}
 
 void set_option(Settings& settings, std::string_view key, std::string_view value) {
   const auto found =
@@ -177,6 +201,13 @@ void check(const Settings& settings) {
   check_range("grid", settings.grid, kMaxGrid);
   check_range("map", settings.map, kMaxMap);
   check_range("shadow", settings.shadow, kMaxMap);
+  if (settings.estimator == Estimator::Impostor && settings.map < kLeastAtlas) {
+    throw Error(ExitCode::WrongUsage, "map is " + std::to_string(settings.map) +
+                                          ", must be at least " + std::to_string(kLeastAtlas) +
+                                          " with the estimator impostor");
+  }
+  if (const std::string small = too_small_for_cubes(settings); settings.cube == Cube::On && !small.empty())
+    throw Error(ExitCode::WrongUsage, small + " for -D cube=on");
   check_range("iterations", settings.iterations, kMaxIterations);
   check_range("light.samples", settings.light_samples, kMaxLightSamples);
   check_range("shafts", settings.shafts, kMaxShafts);

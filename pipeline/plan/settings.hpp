@@ -9,12 +9,14 @@
 namespace caustics {
 
 // What finds where a ray meets a height map (docs: passes/landing/landing.md).
-enum class Estimator : std::uint8_t { Paper, Secant, Newton };
+enum class Estimator : std::uint8_t { Paper, Secant, Newton, Impostor };
 // How a landing becomes light in the caustic map.
 enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 // What tells how far light goes inside a solid caster: its back's map, or Wyman's (2005) mean of two thicknesses.
 enum class Thickness : std::uint8_t { Map, Wyman };
+// Which lights with a position are drawn onto a cube instead of through a window (pipeline/plan/all_around.hpp).
+enum class Cube : std::uint8_t { Auto, On, Off };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
 struct Settings {
@@ -38,6 +40,7 @@ struct Settings {
   int wavelengths = 3;
   bool reflections = false;  // light that glass and water mirror throws caustics too
   bool assume_solid = false;
+  Cube cube = Cube::Auto;
   // Caster, receiver and caustic map share the caster's window: for studies of the splat alone.
   bool shared_frames = false;
   // Where a caustic's map is framed: this share of the landed flux may fall outside it.
@@ -63,6 +66,12 @@ void check(const Settings& settings);
 // Grid vertices a side that one beam of light stands for, and beams a side.
 int vertices_per_beam(const Settings& settings);
 int beams_a_side(const Settings& settings);
+
+// Texels by which a tile of a cube's caustic map is wider than its face: room for splats, and for cells that
+// reach over the face's edge.
+int caustic_guard(const Settings& settings);
+// "grid is 16, must be at least 48" where the maps have no room for six tiles, else empty.
+std::string too_small_for_cubes(const Settings& settings);
 
 std::string_view name_of(Estimator estimator);
 std::string_view name_of(Thickness thickness);

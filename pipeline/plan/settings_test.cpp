@@ -70,7 +70,7 @@ TEST_CASE("an unknown key names the nearest") {
 }
 
 TEST_CASE("names of choices are what sets them") {
-  for (const Estimator e : {Estimator::Paper, Estimator::Secant, Estimator::Newton}) {
+  for (const Estimator e : {Estimator::Paper, Estimator::Secant, Estimator::Newton, Estimator::Impostor}) {
     Settings settings;
     set_option(settings, "estimator", name_of(e));
     CHECK(settings.estimator == e);

@@ -19,6 +19,7 @@ glm::dvec2 Frame::window(const glm::dvec3& c) const {
 }
 
 double Frame::window_area() const {
+  if (cube) return cube->texel_area() * static_cast<double>(cube->side) * static_cast<double>(cube->side);
   return (window_upper.x - window_lower.x) * (window_upper.y - window_lower.y);
 }
 
@@ -32,12 +33,20 @@ FrameUniforms pack(const Frame& frame) {
     uniforms.from_scene[3][row] = static_cast<float>(
         -(a.x * frame.origin.x + a.y * frame.origin.y + a.z * frame.origin.z));
   }
+  uniforms.depth = glm::vec4(static_cast<float>(frame.near), static_cast<float>(frame.far),
+                             frame.perspective ? 1.0f : 0.0f, 0.0f);
+  if (frame.cube) {
+    const CubeAtlas& atlas = *frame.cube;
+    const glm::dvec4 texels{atlas.face_width(), atlas.face_height(), atlas.tile_width(), atlas.tile_height()};
+    uniforms.window = glm::vec4(0.5 * texels / static_cast<double>(atlas.side));
+    uniforms.depth.z = 2.0f;
+    uniforms.depth.w = static_cast<float>(frame.face);
+    return uniforms;
+  }
   const glm::dvec2 size = frame.window_upper - frame.window_lower;
   uniforms.window = glm::vec4(static_cast<float>(1.0 / size.x), static_cast<float>(1.0 / size.y),
                               static_cast<float>(-frame.window_lower.x / size.x),
                               static_cast<float>(-frame.window_lower.y / size.y));
-  uniforms.depth = glm::vec4(static_cast<float>(frame.near), static_cast<float>(frame.far),
-                             frame.perspective ? 1.0f : 0.0f, 0.0f);
   return uniforms;
 }
 

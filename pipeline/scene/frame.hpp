@@ -5,9 +5,14 @@
 // z = forward.(p - origin), metres. z is the distance along the way the light travels or the camera
 // looks. Window coordinates are x, y (parallel frames) or x/z, y/z (perspective frames); map
 // coordinates u, v run from 0 to 1 across the window, v upwards.
+//
+// A cube frame sees all around: six perspective faces along its axes, each 90 degrees wide, whose tiles lie side
+// by side in the map (cube_atlas.hpp). It has no window of its own.
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 
+#include "pipeline/scene/cube_atlas.hpp"
 #include "pipeline/scene/scene.hpp"
 
 namespace caustics {
@@ -18,21 +23,25 @@ struct Frame {
   bool perspective = false;
   // Metres across the light, or tangents of angles in a perspective frame.
   glm::dvec2 window_lower{-1.0}, window_upper{1.0};
-  double near = 0.0, far = 1.0;  // range of z; near > 0 in a perspective frame
+  double near = 0.0, far = 1.0;  // range of z; near > 0 in a perspective frame; of a cube, of each face's z
+  std::optional<CubeAtlas> cube;  // a cube frame, and then `perspective` too
+  int face = 4;                   // of a cube: the face that is drawn
 
   glm::dvec3 coordinates(const glm::dvec3& p) const;
-  // (x, y) or (x/z, y/z); z must be positive in a perspective frame.
+  // (x, y) or (x/z, y/z); z must be positive in a perspective frame. Not for cubes.
   glm::dvec2 window(const glm::dvec3& coordinates) const;
-  // Area of the window: square metres, or tangent units squared.
+  // Area of the window: square metres, or tangent units squared. Of a cube: that of all its map's texels, used
+  // or not, so that the map's size divides it into the area of a texel.
   double window_area() const;
 };
 
 // What shaders get of a frame (passes/shared/frame_space.glsl). u = x/w * window.x + window.z and
-// v = y/w * window.y + window.w with w = 1 (parallel) or z (perspective).
+// v = y/w * window.y + window.w with w = 1 (parallel) or z (perspective). In a cube window.zw is half a tile,
+// which a tile's column and row multiply.
 struct FrameUniforms {
   glm::mat4 from_scene{1.0f};
   glm::vec4 window{0.0f};
-  glm::vec4 depth{0.0f};  // near, far, 1 in a perspective frame, unused
+  glm::vec4 depth{0.0f};  // near, far, 1 in a perspective frame (2: a cube), face that is drawn
 };
 FrameUniforms pack(const Frame& frame);
 

@@ -106,6 +106,34 @@ TEST_CASE("truth: figures of the glass sphere at full size", "[.figures]") {
       }
 }
 
+TEST_CASE("truth: distance impostors find the landings on a floor as the secant does") {
+  // All of the floor is one plane, on which both are exact; the maps of positions differ.
+  const int pixels = 128;
+  Settings settings = small_settings(256, 256, pixels);
+  settings.iterations = 3;
+  settings.estimator = Estimator::Impostor;
+  const Comparison impostor = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  INFO("impostor: relative L1 " << impostor.relative_l1_in_shadow << ", flux " << impostor.flux_ratio);
+  CHECK(impostor.relative_l1_in_shadow < 0.06);
+  CHECK(impostor.flux_ratio == Approx(1.0).epsilon(0.01));
+}
+
+TEST_CASE("truth: figures of the estimators at three steps", "[.figures]") {
+  // Shah et al. 2007, figure 6: three iterations each.
+  const int pixels = 512;
+  for (const Estimator estimator :
+       {Estimator::Paper, Estimator::Newton, Estimator::Impostor, Estimator::Secant}) {
+    Settings settings = small_settings(512, 512, pixels);
+    settings.iterations = 3;
+    settings.estimator = estimator;
+    const Rendering r = render(sphere_scene(1.5f, 6), settings, {"aov_direct", "aov_caustic"});
+    const Comparison c = compare_sphere(floor_irradiance(r, settings), pixels);
+    WARN(name_of(estimator) << ": relative L1 " << c.relative_l1_in_shadow << ", flux ratio " << c.flux_ratio
+                            << ", impostor map " << milliseconds(r, {"impostor_map"}) << " ms, landing "
+                            << milliseconds(r, {"landing"}) << " ms");
+  }
+}
+
 TEST_CASE("truth: a slab of glass shifts slanting light and dims it") {
   // Thickness 0.3 m, its lower face 0.5 m above the floor, 2 m wide; light at 40 degrees. On the floor the
   // light through the slab is shifted back by t (tan 40 - tan theta_t) and dimmed by T(40)^2.

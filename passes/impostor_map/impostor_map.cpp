@@ -1,0 +1,52 @@
+#include "passes/impostor_map/impostor_map.hpp"
+
+#include "passes/receiver_map/receiver_map.hpp"
+#include "pipeline/plan/all_around.hpp"
+
+namespace caustics {
+
+extern const Shader impostor_map_shader;
+
+namespace {
+
+Frame impostor_frame(const PassContext& context) {
+  Frame frame = with_atlas(context.effects->impostors, context.width);
+  frame.face = context.face;
+  return frame;
+}
+
+}  // namespace
+
+Pass impostor_map_pass() {
+  return {
+      .definition =
+          {
+              .name = "impostor_map",
+              .purpose = "finds the receivers all around the casters",
+              .reads = {{.name = "base_color",
+                         .meaning = "the material's base colour; alpha masks cut holes",
+                         .of_material = true}},
+              .writes = {{.name = "impostor_position",
+                          .format = Format::RGBA32F,
+                          .meaning = "six tiles. xyz: position of the nearest receiver, metres, scene space; "
+                                     "w: its distance from the casters' centre, metres, 0 where there is none"}},
+              .depth = DepthWrite{.name = "impostor_depth",
+                                  .meaning = "window depth of the nearest receiver"},
+              .depth_state = {.compare = Compare::Less, .write = true},
+              .shader = &impostor_map_shader,
+          },
+      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
+        if (!effects.active("distance impostors")) return {};
+        return "landings are looked up around the casters";
+      },
+      .draws = DrawSet::Receivers,
+      .extent = Extent::Map,
+      .uniforms =
+          [](const PassContext& context) {
+            return uniform_bytes(receiver_map_uniforms(impostor_frame(context), *context.material));
+          },
+      .all_around = impostor_frame,
+  };
+}
+
+}  // namespace caustics

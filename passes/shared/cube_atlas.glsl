@@ -1,0 +1,32 @@
+// The six faces of a cube in one texture: pipeline/scene/cube_atlas.hpp. Face f looks along +x, -x, +y, -y, +z, -z
+// of the frame (f = 0..5) and lies in tile (f mod 3, f / 3), counted from the lower left.
+
+// The face that a direction lies in: that of its largest component; of equal ones z wins over x, x over y, so
+// that every direction has one face.
+Int cube_face(Vec3 q) {
+  Float x = abs(q.x);
+  Float y = abs(q.y);
+  Float z = abs(q.z);
+  Bool along_z = z >= x && z >= y;
+  Int face_z = sel(q.z >= 0.0f, Int(4), Int(5));
+  Int face_x = sel(q.x >= 0.0f, Int(0), Int(1));
+  Int face_y = sel(q.y >= 0.0f, Int(2), Int(3));
+  return sel(along_z, face_z, sel(x >= y, face_x, face_y));
+}
+
+// q turned so that the face's axis is z: +x (-z, y, x), -x (z, y, -x), +y (x, -z, y), -y (x, z, -y), -z (-x, y, -z).
+// All are rotations, so that front faces stay front faces.
+Vec3 cube_turned(Vec3 q, Int face) {
+  Vec3 turned = sel(face == 5, Vec3(-q.x, q.y, -q.z), q);
+  turned = sel(face == 0, Vec3(-q.z, q.y, q.x), turned);
+  turned = sel(face == 1, Vec3(q.z, q.y, -q.x), turned);
+  turned = sel(face == 2, Vec3(q.x, -q.z, q.y), turned);
+  return sel(face == 3, Vec3(q.x, q.z, -q.y), turned);
+}
+
+// Twice the tile's column and row, plus 1: times half a tile this is the tile's middle.
+Vec2 cube_middle(Int face) {
+  Int row = sel(face >= 3, Int(1), Int(0));
+  Int column = face - row * 3;
+  return Vec2(Float(column) * 2.0f + 1.0f, Float(row) * 2.0f + 1.0f);
+}
