@@ -817,8 +817,11 @@ def hazy_lens():
     travel = unit((1.0, -0.12, 0.0))
     place = (-0.95, 0.68, 0.0)
     s.mesh('lens', lens_along(place, travel, 0.158, 1.137, 16), glass('glass', 1.5168))
-    # The lens leans against the board, on the light's side: no gap for a map's texels to see through.
-    s.mesh('shutter', holed_board(add(place, mul(travel, 0.013)), travel, 0.149, 2.4, 0.02, 64), diffuse('black board', 0.10))
+    # The lens is wider than the hole before it, and the wall behind has a hole narrower than that and wider than the
+    # converging light: neither map's texels see through between them, and no light ends on a rim.
+    board = diffuse('black board', 0.10)
+    s.mesh('shutter', holed_board(add(place, mul(travel, -0.013)), travel, 0.149, 2.4, 0.02, 64), board)
+    s.mesh('wall', holed_board(add(place, mul(travel, 0.05)), travel, 0.146, 2.4, 0.02, 64), board)
     left, right, back, front, high = -1.4, 1.1, -0.8, 2.4, 2.2
     s.mesh('floor', ([(left, 0.0, front), (right, 0.0, front), (right, 0.0, back), (left, 0.0, back)],
                      [(0.0, 1.0, 0.0)] * 4, [0, 1, 2, 0, 2, 3]), diffuse('floor', (0.30, 0.27, 0.25)))

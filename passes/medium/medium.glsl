@@ -1,9 +1,10 @@
 // Haze that fills a box, outside of glass (docs/medium.md). Expects medium_uniforms.glsl and optics.glsl.
 
-// How far a ray goes along one axis until it leaves the box.
+// How far a ray goes along one axis until it leaves the box. One that runs along a face stays inside.
 Float slab_exit(Float p, Float d, float lower, float upper) {
   Float reach = sel(d >= 0.0f, upper - p, p - lower);
-  return max_of(reach, 0.0f) / max_of(abs(d), 1.0e-20f);
+  Bool moves = abs(d) > 1.0e-12f;
+  return sel(moves, max_of(reach, 0.0f) / sel(moves, abs(d), Float(1.0f)), Float(1.0e30f));
 }
 
 // How far a ray from inside the box goes until it leaves it, metres.

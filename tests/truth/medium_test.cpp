@@ -166,24 +166,29 @@ TEST_CASE("medium: behind clear glass beams fill in what it takes out of the dir
   }
 }
 
-TEST_CASE("medium: a sphere's beams cross its axis at the focus") {
-  // n R / (2 (n - 1)) = 0.75 m from the centre for rays near the axis, with a sine of incidence below 0.06: the
-  // longitudinal aberration there is under 0.3 %, facets of the mesh bend by a little more.
-  Scene scene = with_medium(sphere_scene(1.5f, 6), glm::vec3(0.1f), glm::vec3(0.0f));
+TEST_CASE("medium: a sphere's beams cross its axis where a ray of their height does") {
+  // R sin i / sin 2(i - t) from the centre, sin i = b / R = n sin t (METHOD: 0.75 m for b towards 0). Interpolated
+  // normals and the exit map's texels scatter single rays; the mean over a ring is held to half a per cent.
+  const Scene scene = with_medium(sphere_scene(1.5f, 6), glm::vec3(0.1f), glm::vec3(0.0f));
   const Rendering r = render(scene, small_settings(256, 64, 16), {kLandingMedium});
-  const Image &start = r["landing_start[0]"], &way = r["landing_way[0]"];
-  double sum = 0.0;
-  int count = 0;
-  for (int y = 0; y < 256; ++y)
-    for (int x = 0; x < 256; ++x) {
-      const double px = start.at(x, y, 0), pz = start.at(x, y, 2), radius = std::hypot(px, pz);
-      if (way.at(x, y, 3) == 0.0f || radius < 0.005 || radius > 0.01) continue;
-      const double inwards = -(px * double(way.at(x, y, 0)) + pz * double(way.at(x, y, 2))) / radius;
-      sum += 0.8 - (double(start.at(x, y, 1)) + double(way.at(x, y, 1)) * radius / inwards);
-      ++count;
-    }
-  REQUIRE(count > 10);
-  CHECK(sum / count == Approx(0.75).epsilon(0.01));
+  const Image &start = r["landing_start[0]"], &way = r["landing_way[0]"], &entry = r["caster_position[0]"];
+  for (const double ring : {0.05, 0.1, 0.2, 0.3}) {
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < 256; ++y)
+      for (int x = 0; x < 256; ++x) {
+        const double b = std::hypot(double(entry.at(x, y, 0)), double(entry.at(x, y, 2)));
+        if (way.at(x, y, 3) == 0.0f || std::fabs(b - ring) > 0.01) continue;
+        const double i = std::asin(b / 0.5), t = std::asin(b / 0.75);
+        const double expected = b / std::sin(2.0 * (i - t));
+        const double radius = std::hypot(double(start.at(x, y, 0)), double(start.at(x, y, 2)));
+        const double across = std::hypot(double(way.at(x, y, 0)), double(way.at(x, y, 2)));
+        sum += (0.8 - double(start.at(x, y, 1)) - double(way.at(x, y, 1)) * radius / across) / expected;
+        ++count;
+      }
+    REQUIRE(count > 100);
+    CHECK(sum / count == Approx(1.0).epsilon(0.005));
+  }
 }
 
 TEST_CASE("medium: clear air has no pass, texture or number of its own") {
