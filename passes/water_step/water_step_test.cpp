@@ -145,13 +145,14 @@ TEST_CASE("water_step: a standing wave of the box swings with the scheme's own f
 }
 
 TEST_CASE("water_step: the mean height stays") {
-  // Each of a cell's flows is rounded by itself: 1e-7 of the flow, at random, in 1000 steps and 1024 cells.
+  // A rate near 1 is rounded by 3e-8, so the mean of 1024 by 1e-9 a step. These add up at random in the mean
+  // rate, and that in the mean height: 1e-9 dt sqrt(n^3 / 3), 9e-6 after 1000 steps. Three times that is allowed.
   const Water water = bare_water(32, 32);
   const Image start = state_of(water, [](int x, int y) { return (x * 7 + y * 13) % 11 * 0.1; }, nothing);
   const double mean = sum(start, 0) / 1024.0;
   Steps steps(water, water_step_uniforms(water, 0), start);
   steps.make(999);
-  CHECK(sum(steps.state(), 0) / 1024.0 == Approx(mean).margin(1e-5));
+  CHECK(sum(steps.state(), 0) / 1024.0 == Approx(mean).margin(2.7e-5));
 }
 
 TEST_CASE("water_step: a plop adds no water") {
@@ -160,7 +161,7 @@ TEST_CASE("water_step: a plop adds no water") {
   const Image plopped = Steps(water, plop_uniforms(water, 16.0, 16.0), flat).state();
   // The sum of (1 - q)^3 (1 - 5 q) over cells differs a little from the plane's integral, 0.
   CHECK(std::fabs(sum(plopped, 0)) < 0.05);
-  Scene scene = pool_scene(0.5, {.cells = 40, .interval = 0.1, .radius = 0.2});
+  Scene scene = pool_scene(0.5, {.cells = 40, .interval = 0.1, .radius = 0.2, .height = 0.04});
   const Water& real = scene.waters[0];
   const Image before(Format::RG32F, real.columns, real.rows);
   for (std::int64_t n = 1; n < 20; ++n) {

@@ -15,7 +15,9 @@ namespace {
 constexpr double kCourant = 0.5;
 constexpr double kMostStepsPerSecond = 20'000.0;
 constexpr std::size_t kMostTriangles = std::size_t{1} << 20;
-constexpr double kHighestOverPlop = 4.0;
+// Room for waves above and below the level: plops' heights, or shares of the shorter side, so that the
+// bounds of calm water have a depth too.
+constexpr double kHighestOverPlop = 4.0, kLeastRoom = 1e-3;
 constexpr int kMostRows = 4096;
 // A sheet rises and falls at rest by at most this share of its shorter side; and its normals' least
 // upward part.
@@ -192,7 +194,8 @@ std::string add_water(Scene& scene, int index, const glm::dvec3& axis, const Wat
     if (!problem.empty()) return problem;
   if (const std::string problem = lay_grid(rectangle, water); !problem.empty()) return problem;
   if (const std::string problem = lay_steps(water); !problem.empty()) return problem;
-  water.highest = kHighestOverPlop * water.height;
+  const glm::dvec2 size = rectangle.upper - rectangle.lower;
+  water.highest = std::max(kHighestOverPlop * water.height, kLeastRoom * std::min(size.x, size.y));
   water.before = Image(Format::RG32F, water.columns, water.rows);
   refine(mesh, 1.5 * std::max(water.dx, water.dz));
   mesh.lower.y -= static_cast<float>(water.highest);
