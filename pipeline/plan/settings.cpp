@@ -86,7 +86,7 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return number(v, 1, kMaxLightSamples, s.light_samples); }},
     {"emissive.lights", "off|on, default off", "meshes that shine light the scene",
      [](Settings& s, Value v) { return choice(v, kOffOn, s.emissive_lights); }},
-    {"shafts", "1..1024, default 128", "beams a side by which light shafts in a medium are drawn",
+    {"shafts", "1..1024, default 128", "beams a side by which light shafts are drawn",
      [](Settings& s, Value v) { return number(v, 1, kMaxShafts, s.shafts); }},
     {"medium.steps", "1..1024, default 32", "steps of each camera ray through a medium",
      [](Settings& s, Value v) { return number(v, 1, kMaxMediumSteps, s.medium_steps); }},
