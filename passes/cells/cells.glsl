@@ -123,8 +123,11 @@ void main() {
   Place at_d = place_at(x + 1, y + 1, x, y);
   Int face = Int(4);
   if (u.caustic_depth.z > 1.5f) {
-    face = cube_face((landing_direction(at_a) + landing_direction(at_d)) +
-                     (landing_direction(at_b) + landing_direction(at_c)));
+    // A row of cells that straddles an edge evenly, as undeviated light does, must lie in one tile all along: z is
+    // preferred to x and x to y by more than rounding.
+    Vec3 towards = (landing_direction(at_a) + landing_direction(at_d)) +
+                   (landing_direction(at_b) + landing_direction(at_c));
+    face = cube_face(Vec3(towards.x, towards.y * 0.9998f, towards.z * 1.0002f));
   }
   Corner a = corner_at(at_a, face);
   Corner b = corner_at(at_b, face);
