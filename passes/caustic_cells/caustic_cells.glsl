@@ -31,7 +31,7 @@ void main() {
   Float y = max_of(min_of(bottom, float(u.grid.y) - side), Float(0.0f)) * 2.0f + side;
   Vec4 at = Vec4(x / float(u.grid.y) - 1.0f, y / float(u.grid.y) - 1.0f, Float(0.5f), Float(1.0f));
   // Outside the volume: not drawn.
-  set_position(sel(carried.w == 1.0f, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
+  set_position(sel(carried.w > 0.0f, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
   set_point_size(side);
 }
 #else

@@ -15,6 +15,8 @@ CellsUniforms cells_uniforms(const PassContext& context) {
   glm::vec4 tile{0.0f};
   if (const auto& cube = context.frames->caustic.cube)
     tile = {cube->tile_width(), cube->tile_height(), 0.0f, 0.0f};
+  glm::vec4 grid_tile{0.0f};
+  if (const auto& cube = context.frames->caster.cube) grid_tile = {cube->tile_width(), cube->guard, 0.0f, 0.0f};
   const int map = context.settings->map;
   return {
       .from_scene = caustic.from_scene,
@@ -25,6 +27,7 @@ CellsUniforms cells_uniforms(const PassContext& context) {
       .limits = {limits.jump, limits.smallest_jump,
                  std::min(limits.largest_share * static_cast<float>(map), limits.largest), limits.gap},
       .tile = tile,
+      .grid_tile = grid_tile,
       .grid = {context.settings->grid, map, 0, 0},
   };
 }

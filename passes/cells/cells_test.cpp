@@ -30,6 +30,7 @@ struct Bench {
                           .limits = {limits.jump, limits.smallest_jump, limits.largest_share * 8.0f,
                                      limits.gap},
                           .tile = glm::vec4(0.0f),
+                          .grid_tile = glm::vec4(0.0f),
                           .grid = {6, 8, 0, 0}};
     Image places(Format::RGBA32F, 6, 6), normals(Format::RGBA32F, 6, 6), floor(Format::RGBA32F, 64, 64);
     for (int y = 0; y < 6; ++y)

@@ -133,9 +133,13 @@ LightFrames frames_all_around(const Scene& scene, const Effects& effects, const 
     return shone_on(i) && is_caster(effects.surfaces[i].role);
   });
   const Frame map = with_atlas(all, settings.map), shadow = with_atlas(all, settings.shadow);
-  LightFrames frames{.caster = with_atlas(all, settings.grid),
+  // The landings' maps alike: what reaches over an edge must be as wide in both tiles.
+  Frame grid = with_atlas(all, settings.grid);
+  Frame caustic = with_atlas(all, settings.map, caustic_guard(settings));
+  grid.cube->square = caustic.cube->square = true;
+  LightFrames frames{.caster = grid,
                      .receiver = map,
-                     .caustic = with_atlas(all, settings.map, caustic_guard(settings)),
+                     .caustic = caustic,
                      .shadow = shadow,
                      .panes = shadow,
                      .column = map};

@@ -8,13 +8,17 @@
 
 namespace caustics {
 
-// Texels of one atlas. Its few texels beyond 3 * tile_width and 2 * tile_height are not used.
+// Texels of one atlas. Its texels beyond 3 * tile_width and 2 * tile_height are not used.
 struct CubeAtlas {
   int side = 0;   // of the texture
   int guard = 0;  // 2 * guard must be less than tile_width
+  // Tiles as high as wide; the upper third of the texture is then not used. Of a grid of vertices: its cells meet
+  // over an edge of the cube only where both faces have the same spacing, and no way to lay six oblong tiles
+  // around a cube has that at every edge.
+  bool square = false;
 
   int tile_width() const { return side / 3; }
-  int tile_height() const { return side / 2; }
+  int tile_height() const { return square ? side / 3 : side / 2; }
   // Texels of a face, without the guard: 2 tangent units.
   int face_width() const { return tile_width() - 2 * guard; }
   int face_height() const { return tile_height() - 2 * guard; }

@@ -1,0 +1,48 @@
+// Where the neighbours of a grid vertex are stored. Over the border of a cube's tile the grid goes on with the vertices
+// of the face beyond the edge, at the same distance from it. Needs cube_atlas.glsl and the uniforms grid, grid_tile
+// and caustic_depth.
+struct Place {
+  Int x;
+  Int y;
+  Bool exists;  // there is such a vertex; beyond two borders at once, at the cube's corners, there is none
+};
+
+// cube_turned back.
+Vec3 cube_unturned(Vec3 t, Int face) {
+  Vec3 q = sel(face == 5, Vec3(-t.x, t.y, -t.z), t);
+  q = sel(face == 0, Vec3(t.z, t.y, -t.x), q);
+  q = sel(face == 1, Vec3(-t.z, t.y, t.x), q);
+  q = sel(face == 2, Vec3(t.x, t.z, -t.y), q);
+  return sel(face == 3, Vec3(t.x, -t.z, t.y), q);
+}
+
+// (x, y) counted on in the tile that (home_x, home_y) is in.
+Place place_at(Int x, Int y, Int home_x, Int home_y) {
+  Place place;
+  place.x = x;
+  place.y = y;
+  place.exists = x >= 0 && y >= 0 && x < u.grid.x && y < u.grid.x;
+  if (u.caustic_depth.z > 1.5f) {
+    float size = u.grid_tile.x;
+    float radius = 0.5f * size - u.grid_tile.y;
+    Float column = floor((Float(home_x) + 0.5f) / size);
+    Float row = floor((Float(home_y) + 0.5f) / size);
+    // On the face, -1 to 1, and beyond.
+    Float tx = (Float(x) + 0.5f - (column + 0.5f) * size) / radius;
+    Float ty = (Float(y) + 0.5f - (row + 0.5f) * size) / radius;
+    Bool over_x = abs(tx) > 1.0f;
+    Bool over_y = abs(ty) > 1.0f;
+    // What lies beyond is folded back over the edge.
+    Vec3 t = Vec3(tx, ty, Float(1.0f));
+    t = sel(over_y, Vec3(tx, sel(ty < 0.0f, Float(-1.0f), Float(1.0f)), 2.0f - abs(ty)), t);
+    t = sel(over_x, Vec3(sel(tx < 0.0f, Float(-1.0f), Float(1.0f)), ty, 2.0f - abs(tx)), t);
+    Vec3 q = cube_unturned(t, floor_to_int(row * 3.0f + column));
+    Int face = cube_face(q);
+    Vec3 there = cube_turned(q, face);
+    Vec2 middle = cube_middle(face);
+    place.x = floor_to_int(middle.x * (0.5f * size) + there.x * radius);
+    place.y = floor_to_int(middle.y * (0.5f * size) + there.y * radius);
+    place.exists = column < 2.5f && row < 1.5f && !(over_x && over_y);
+  }
+  return place;
+}
