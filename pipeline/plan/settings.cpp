@@ -92,7 +92,7 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return number(v, 1, kMaxMediumSteps, s.medium_steps); }},
     {"iterations", "1..1000, default 5", "steps of the estimator at each surface",
      [](Settings& s, Value v) { return number(v, 1, kMaxIterations, s.iterations); }},
-    {"estimator", "paper|newton|secant|impostor, default secant", "what finds where a ray lands",
+    {"estimator", "paper|newton|secant|impostor", "what finds where a ray lands, default secant",
      [](Settings& s, Value v) { return choice(v, kEstimators, s.estimator); }},
     {"thickness", "map|wyman, default map", "what tells a ray's way inside a solid caster",
      [](Settings& s, Value v) { return choice(v, kThicknesses, s.thickness); }},
