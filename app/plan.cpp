@@ -25,8 +25,8 @@ FrameRequest coarse_request(FrameRequest request) {
 
 ExitCode run_plan_command(const Arguments& arguments) {
   Parser parser("plan",
-                "Says what a scene holds, which effects and passes run and why, and where caustics "
-                "are to be expected and what becomes of their light.",
+                "Says what a scene holds, which effects and passes run and why, where caustics\n"
+                "are to be expected, and what becomes of their light.",
                 "  caustics plan scene.glb\n"
                 "  caustics plan scene.glb --assume-solid      what would change\n"
                 "  caustics plan scene.glb --json | jq .expectations\n");

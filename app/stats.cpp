@@ -49,7 +49,6 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
   Json flux = {{"unit", flux_unit(light)}};
   for (const auto& [name, value] : accounts(entry.ledger)) flux[name] = value;
   flux["residual"] = entry.ledger.residual();
-  flux["leaves_share"] = entry.leaves();
   Json vertices;
   for (int s = 0; s < kLandingStatuses; ++s) {
     vertices[std::string(name_of(static_cast<LandingStatus>(s)))] =
@@ -61,6 +60,7 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
           {"intensity_unit", intensity_unit(light)},
           {"samples", samples_of(scene, entry.light).size()},
           {"flux", flux},
+          {"leaves_share", entry.leaves()},
           {"vertices", vertices}};
 }
 

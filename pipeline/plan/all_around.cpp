@@ -49,8 +49,9 @@ void add_impostors(const Scene& scene, const Settings& settings, Effects& effect
   effects.impostors = cube_frame(casters.centre(), distances);
 }
 
-// A window through which a light looks at its casters is at most this wide to be preferred to a cube: tan 60 degrees.
-constexpr double kModerateTangent = 1.7320508;
+// A window through which a light looks at its casters is at most this wide to be preferred to a cube, as wide as
+// framing.cpp makes any: tan 71.6 degrees. Its texels are then as large as those of a cube's tiles.
+constexpr double kWidestTangent = 3.0;
 
 // Do the casters that this light reaches fit a window towards their middle?
 bool casters_fit(const Scene& scene, const Light& light, const std::vector<std::size_t>& casters) {
@@ -61,7 +62,7 @@ bool casters_fit(const Scene& scene, const Light& light, const std::vector<std::
   for (const std::size_t i : casters)
     for (const Vertex& v : scene.meshes[i].vertices) {
       const glm::dvec3 q = axes.coordinates(glm::dvec3(v.position));
-      if (!(std::max(std::fabs(q.x), std::fabs(q.y)) <= kModerateTangent * q.z)) return false;
+      if (!(std::max(std::fabs(q.x), std::fabs(q.y)) <= kWidestTangent * q.z)) return false;
     }
   return true;
 }
