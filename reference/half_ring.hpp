@@ -1,5 +1,5 @@
 // The floor inside a half ring of metal, counted: what the closed form of one ray
-// (closed_forms.hpp, METHOD.md 4.3) adds up to over all rays that reach a pixel.
+// (closed_forms.hpp) adds up to over all rays that reach a pixel.
 #pragma once
 #include "reference/closed_forms.hpp"
 

@@ -3,7 +3,7 @@
 // are: whatever a rendering adds to the point comes from its own resolution.
 //
 // Each is the set of points of equal optical path between a plane across the light and the focus
-// (Descartes' ovals at infinity): METHOD.md 4.6. z along the axis, r from it, the vertex at z = 0.
+// (Descartes' ovals at infinity). z along the axis, r from it, the vertex at z = 0.
 #pragma once
 #include <glm/glm.hpp>
 

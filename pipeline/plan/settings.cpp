@@ -112,7 +112,7 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return choice(v, kFrames, s.shared_frames); }},
     {"cube", "auto|on|off, default auto", "lights among their casters see all around",
      [](Settings& s, Value v) { return choice(v, kCubes, s.cube); }},
-    {"outside_share", "0..0.5, default 0.001", "share of the flux that may fall outside the map",
+    {"outside_share", "0..0.5, default 0.004", "share of the flux that may fall outside the map",
      [](Settings& s, Value v) { return number(v, 0.0, 0.5, s.outside_share); }},
     {"assume_solid", "no|yes, default no", "glass without a volume is solid instead of thin",
      [](Settings& s, Value v) { return choice(v, kYesNo, s.assume_solid); }},

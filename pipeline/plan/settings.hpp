@@ -44,7 +44,7 @@ struct Settings {
   // Caster, receiver and caustic map share the caster's window: for studies of the splat alone.
   bool shared_frames = false;
   // Where a caustic's map is framed: this share of the landed flux may fall outside it.
-  double outside_share = 1e-3;
+  double outside_share = 4e-3;
   std::string camera;              // name or number; empty: the first
   std::optional<float> exposure;   // EV added to the scene's own; none: automatic
   float mirror_metallic = 0.5f, mirror_roughness = 0.2f;  // a mirror: at least, at most

@@ -178,13 +178,13 @@ Rows slab_rows(const Bench& bench) {
     const std::string text = text_of(settings);
     const double texel = texel_on_floor(slab.scene, r, settings);
     // Roundings of coordinates up to 5 m, of which the floor's is stretched along the slant.
-    rows.push_back({"slab (4.5)", "landings, floor shift at " + degrees_text(angle) + ", worst, m",
+    rows.push_back({"slab", "landings, floor shift at " + degrees_text(angle) + ", worst, m",
                     worst_landing(slab, r), 4.0 * 5.0 * kUlp / std::cos(angle), text});
     const char* names[] = {"T^2, free of absorption", "T^2 and 0.6 left after 0.3 m",
                            "T^2 and 0.2 left after 0.3 m"};
     const double margin = 3.0 * texel + 2.0 * 1.6 / settings.width;
     for (int c = 0; c < 3; ++c)
-      rows.push_back({c == 0 ? "slab (4.5)" : "Beer and Lambert (4.7)",
+      rows.push_back({c == 0 ? "slab" : "Beer and Lambert",
                       std::string(names[c]) + ", " + degrees_text(angle) + ", worst pixel",
                       worst_pixel(slab, r, settings.width, margin, c),
                       4.0 * settings.map * 0.5 * kUlp, text});
@@ -204,7 +204,7 @@ Rows prism_rows(const Bench& bench) {
     const double deviation = *prism_deviation(60.0 * kDegree, 1.5, incidence * kDegree);
     // Across the ray, seen from the prism's middle.
     const double squared_cosine = std::cos(deviation) * std::cos(deviation);
-    rows.push_back({"prism (4.8)",
+    rows.push_back({"prism",
                     "deviation at " + degrees_text(incidence * kDegree) + ", worst ray, radians",
                     compared > 0 ? worst * squared_cosine / prism.height : 1.0,
                     // Some ulps of each coordinate, up to 4 m; the exit's cosine divides them.
@@ -219,7 +219,7 @@ Rows prism_rows(const Bench& bench) {
   for (const Branch& branch : r.branches)
     worst = std::max(worst, worst_landing(prism, r, branch_texture(kLanding, 0, branch),
                                           1.5168 + 0.5168 / 64.17 * branch.bend, compared));
-  rows.push_back({"prism (4.8)", "BK7, landings of the C, d and F lines, worst, m",
+  rows.push_back({"prism", "BK7, landings of the C, d and F lines, worst, m",
                   r.branches.size() == 3 ? worst : 1.0, 4.0 * 4.0 * kUlp, text_of(settings)});
   return rows;
 }
@@ -231,7 +231,7 @@ Rows interface_rows(const Bench& bench) {
     const std::string n = "n = " + std::to_string(index).substr(0, 4);
     const auto add = [&](const std::string& what, const std::vector<double>& angles) {
       // The angle that comes nearest to its bound.
-      Row worst{"interface (4.7)", "R, " + what + ", " + n, 0.0, 1.0, "grid 256"};
+      Row worst{"interface", "R, " + what + ", " + n, 0.0, 1.0, "grid 256"};
       double most = -1.0;
       for (const double angle : angles) {
         const double error =
@@ -252,7 +252,7 @@ Rows interface_rows(const Bench& bench) {
   for (const double index : {1.33, 1.5, 1.7}) {
     const double rounded = static_cast<float>(index);
     const double expected = prism_least_incidence(60.0 * kDegree, rounded);
-    rows.push_back({"interface (4.7)",
+    rows.push_back({"interface",
                     "total reflection inside a prism: incidence where it ends, n = " +
                         std::to_string(index).substr(0, 4) + ", radians",
                     std::fabs(found_least_incidence(bench, rounded, expected) - expected),

@@ -263,7 +263,7 @@ Row lens_irradiance(const Bench& bench) {
       exact.push_back(truth(landed));
       shifted.push_back(truth(landed + texel));
     }
-  return {"hyperbolic lens (4.6)", "irradiance, floor at half the focus, relative L1",
+  return {"hyperbolic lens", "irradiance, floor at half the focus, relative L1",
           relative_l1(picture, exact), relative_l1(shifted, exact), fine.text()};
 }
 
@@ -271,10 +271,10 @@ Row lens_irradiance(const Bench& bench) {
 
 Rows imager_rows(const Bench& bench) {
   Rows rows;
-  add_rows(bench, hyperbolic_lens, "hyperbolic lens (4.6)", {0.25, 0.5, 0.75, 1.0, 1.5}, 1.0, rows);
+  add_rows(bench, hyperbolic_lens, "hyperbolic lens", {0.25, 0.5, 0.75, 1.0, 1.5}, 1.0, rows);
   rows.push_back(lens_irradiance(bench));
-  add_rows(bench, ellipsoidal_entry, "ellipsoidal entry (4.6)", {0.5, 1.0, 1.5}, 1.0, rows);
-  add_rows(bench, paraboloid, "paraboloid mirror (4.6)", {0.25, 0.1}, 0.25, rows);
+  add_rows(bench, ellipsoidal_entry, "ellipsoidal entry", {0.5, 1.0, 1.5}, 1.0, rows);
+  add_rows(bench, paraboloid, "paraboloid mirror", {0.25, 0.1}, 0.25, rows);
   return rows;
 }
 

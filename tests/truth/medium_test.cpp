@@ -167,7 +167,7 @@ TEST_CASE("medium: behind clear glass beams fill in what it takes out of the dir
 }
 
 TEST_CASE("medium: a sphere's beams cross its axis where a ray of their height does") {
-  // R sin i / sin 2(i - t) from the centre, sin i = b / R = n sin t (METHOD: 0.75 m for b towards 0). Interpolated
+  // R sin i / sin 2(i - t) from the centre, sin i = b / R = n sin t (0.75 m for b towards 0). Interpolated
   // normals and the exit map's texels scatter single rays; the mean over a ring is held to half a per cent.
   const Scene scene = with_medium(sphere_scene(1.5f, 6), glm::vec3(0.1f), glm::vec3(0.0f));
   const Rendering r = render(scene, small_settings(256, 64, 16), {kLandingMedium});

@@ -82,11 +82,11 @@ Rows ring_rows(const Bench& bench) {
   const std::vector<double> inside = inside_ring(exact, pixels);
   const double by_a_texel = relative_l1(inside_ring(truth(texel), pixels), inside);
   const double brightest = brightest_on_axis(picture, pixels) - brightest_on_axis(exact, pixels);
-  return {{"half ring (4.3)", "irradiance inside the ring, relative L1",
+  return {{"half ring", "irradiance inside the ring, relative L1",
            relative_l1(inside_ring(picture, pixels), inside), by_a_texel, text_of(settings)},
-          {"half ring (4.3)", "brightest pixel of the axis, against the closed form's means, m",
+          {"half ring", "brightest pixel of the axis, against the closed form's means, m",
            std::fabs(brightest), texel + 2.0 / pixels, text_of(settings)},
-          {"half ring (4.3)", "cusp from R / 2, by 1 / E along the axis before it, m",
+          {"half ring", "cusp from R / 2, by 1 / E along the axis before it, m",
            std::fabs(cusp_by_extrapolation(picture, pixels) - 0.5), texel, text_of(settings)}};
 }
 

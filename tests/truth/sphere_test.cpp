@@ -95,11 +95,11 @@ Rows sphere_rows(const Bench& bench) {
   const double lost = (l.fresnel[0] + l.total_reflection[0] + l.not_converged[0]) / l.entered[0];
   const double counted = counted_area_error(r, settings.grid, 0.5);
   const std::string text = text_of(settings) + ", 81 920 triangles";
-  return {{"glass sphere (4.1)", "irradiance in the shadow, relative L1", figures.error,
+  return {{"glass sphere", "irradiance in the shadow, relative L1", figures.error,
            figures.by_a_texel, text},
-          {"glass sphere (4.1)", "flux that enters, relative",
+          {"glass sphere", "flux that enters, relative",
            std::fabs(l.entered[0] / (0.25 * kPi) - 1.0), counted, text},
-          {"glass sphere (4.1)", "share reflected, and not followed at the rim",
+          {"glass sphere", "share reflected, and not followed at the rim",
            std::fabs(lost - (1.0 - share)), counted + rim_share(r, settings.grid), text}};
 }
 
@@ -113,13 +113,13 @@ Rows bubble_rows(const Bench& bench) {
     const std::string text = text_of(settings) + ", 81 920 triangles";
     const std::string name = index == 0.75 ? "n = 0.75" : "n = 1 / 1.33";
     // Two discs are counted: the sphere's and that of what passes.
-    rows.push_back({"gas bubble (4.2)", "share of total reflection, 1 - n^2, " + name,
+    rows.push_back({"gas bubble", "share of total reflection, 1 - n^2, " + name,
                     std::fabs(l.total_reflection[0] / l.entered[0] - (1.0 - index * index)),
                     counted_area_error(r, settings.grid, 0.5) +
                         counted_area_error(r, settings.grid, 0.5 * index),
                     text});
     const SphereFigures figures = compare(r, scene, settings, index, 0.5);
-    rows.push_back({"gas bubble (4.2)", "irradiance in the shadow, relative L1, " + name,
+    rows.push_back({"gas bubble", "irradiance in the shadow, relative L1, " + name,
                     figures.error, figures.by_a_texel, text});
   }
   return rows;

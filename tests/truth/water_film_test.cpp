@@ -1,4 +1,4 @@
-// Water that moves, from the waves to the light on the floor (METHOD: row 7, figure 8 of the paper).
+// Water that moves, from the waves to the light on the floor (figure 8 of the paper).
 #include <cmath>
 
 #include "pipeline/water/moving_water.hpp"
@@ -111,7 +111,7 @@ TEST_CASE("water film: all light that enters is booked in every frame, and as mu
 }
 
 TEST_CASE("water film: where the water is curved like a crest the floor below is bright") {
-  // 0.1 m deep the waves do not focus yet: E = 1 / (1 - d (1 - 1/n) (-laplace h)) to first order (METHOD 4.4),
+  // 0.1 m deep the waves do not focus yet: E = 1 / (1 - d (1 - 1/n) (-laplace h)) to first order,
   // so brightness follows the negative Laplacian, and goes with the height.
   Film film(pool_scene(0.1, waves()), small_settings(256, 256, 32));
   for (const double seconds : {0.0, 0.5, 1.0, 1.5}) {

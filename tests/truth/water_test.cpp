@@ -78,10 +78,10 @@ void add_picture_rows(const Bench& bench, double share, const std::string& where
   };
   const std::vector<double> exact = truth(0.0);
   const std::string text = text_of(settings) + ", 400 x 400 cells";
-  rows.push_back({"sine water (4.4)", "irradiance, floor at " + where + ", relative L1",
+  rows.push_back({"sine water", "irradiance, floor at " + where + ", relative L1",
                   relative_l1(strips(r, settings.width), exact),
                   relative_l1(truth(texel_on_floor(water.scene, r, settings)), exact), text});
-  rows.push_back({"sine water (4.4)", "landings, floor at " + where + ", worst, m",
+  rows.push_back({"sine water", "landings, floor at " + where + ", worst, m",
                   worst_landing(water, r), water.landing_bound(), text});
 }
 
@@ -163,13 +163,13 @@ Rows water_rows(const Bench& bench) {
   add_picture_rows(bench, 1.5, "1.5 of the first focus", rows);
   const Brightest brightest = brightest_depth(bench);
   const std::string text = text_of(bench.settings()) + ", 400 x 400 cells";
-  rows.push_back({"sine water (4.4)", "brightest depth against the closed form's, share of it",
+  rows.push_back({"sine water", "brightest depth against the closed form's, share of it",
                   std::fabs(brightest.picture - brightest.truth), kDepthStep + 1e-9, text});
   // Two strips of the picture, under a crest: E varies by its curvature over their width and over a
   // texel, (k w)^2 / 2 together at most.
   const double w = 2.0 * 0.5 / bench.pixels();
   const double k = 2.0 * kPi / 0.5;
-  rows.push_back({"sine water (4.4)", "first focus by 1 / E under the crest, share of it",
+  rows.push_back({"sine water", "first focus by 1 / E under the crest, share of it",
                   std::fabs(focus_by_extrapolation(bench) - 1.0), 0.5 * (k * w) * (k * w), text});
   return rows;
 }
@@ -198,7 +198,7 @@ Rows point_light_rows(const Bench& bench) {
     }
   Rows rows;
   for (int i = 0; i < kBands; ++i)
-    rows.push_back({"point light over water (4.5)",
+    rows.push_back({"point light over water",
                     "irradiance, " + std::to_string(10 * i) + " to " + std::to_string(10 * i + 10) +
                         " degrees, worst pixel",
                     worst[i], bound[i], text_of(settings)});
