@@ -62,7 +62,7 @@ fs::path find_program(const std::string& name) {
   const std::string list = variable ? variable : "/usr/local/bin:/usr/bin:/bin";
   for (std::size_t start = 0; start <= list.size();) {
     const std::size_t end = std::min(list.find(':', start), list.size());
-    const fs::path file = fs::path(list.substr(start, end - start)) / name;
+    fs::path file = fs::path(list.substr(start, end - start)) / name;
     std::error_code error;
     if (end > start && fs::is_regular_file(file, error) && access(file.c_str(), X_OK) == 0)
       return file;
@@ -82,6 +82,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
     cannot_start(arguments[0], error);
   }
   std::vector<char*> list;
+  list.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) list.push_back(const_cast<char*>(argument.c_str()));
   list.push_back(nullptr);
   const SpawnSetup setup(ends[0], fileno(complaints_));

@@ -13,7 +13,7 @@ SphereFloorError compare_with_sphere(const std::vector<double>& picture, const G
   std::size_t lit = 0, dark = 0;
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) {
-      const auto i = static_cast<std::size_t>(y * pixels + x);
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x);
       const glm::dvec2 lower = square.lower + pixel * glm::dvec2(x, y), upper = lower + pixel;
       const double shadowed = disc_in_box(sphere.radius, lower, upper) / (pixel * pixel);
       const double expected = truth.values[i] + 1.0 - shadowed;

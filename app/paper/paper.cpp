@@ -47,6 +47,7 @@ bool parse(const Arguments& arguments, PaperRequest& request) {
 std::vector<Row> wanted_rows(const PaperRequest& request) {
   std::vector<Row> rows = paper_rows();
   std::vector<std::string> ids;
+  ids.reserve(rows.size());
   for (const Row& row : rows) ids.push_back(row.id);
   for (const std::string& id : request.rows)
     if (std::find(ids.begin(), ids.end(), id) == ids.end())

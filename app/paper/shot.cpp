@@ -20,8 +20,12 @@ fs::path find_scene(const std::string& name) {
 
 std::string joined(const Arguments& words) {
   std::string text;
-  for (const std::string& word : words) text += " " + word;
+  for (const std::string& word : words) text.append(" ").append(word);
   return text;
+}
+
+[[noreturn]] void lacks_layer(const std::string& shot, const std::string& layer) {
+  throw Error(ExitCode::InternalError, "the shot '" + shot + "' has no layer '" + layer + "'");
 }
 
 }  // namespace
@@ -80,11 +84,12 @@ FloorLayer Shots::layer(const std::string& name, const std::string& wanted) cons
   const ImagePlanes planes = read_planes(file(name, ".exr"));
   FloorLayer result;
   for (int c = 0; c < 3; ++c) {
-    const std::string channel = wanted + "." + "RGB"[c];
+    std::string channel = wanted;
+    channel.append(".").append(1, "RGB"[c]);
     const auto found = std::find_if(planes.planes.begin(), planes.planes.end(),
                                     [&](const Plane& plane) { return plane.name == channel; });
     if (found == planes.planes.end())
-      throw Error(ExitCode::InternalError, "the shot '" + name + "' has no layer '" + wanted + "'");
+      lacks_layer(name, wanted);
     const ChannelView& view = found->view;
     result.width = view.width;
     result.height = view.height;

@@ -192,8 +192,8 @@ std::string add_water(Scene& scene, int index, const glm::dvec3& axis, const Wat
   const Rectangle rectangle = rectangle_of(mesh, water);
   for (const std::string& problem : {range_problem(settings), shape_problem(mesh, rectangle)})
     if (!problem.empty()) return problem;
-  if (const std::string problem = lay_grid(rectangle, water); !problem.empty()) return problem;
-  if (const std::string problem = lay_steps(water); !problem.empty()) return problem;
+  if (std::string problem = lay_grid(rectangle, water); !problem.empty()) return problem;
+  if (std::string problem = lay_steps(water); !problem.empty()) return problem;
   const glm::dvec2 size = rectangle.upper - rectangle.lower;
   water.highest = std::max(kHighestOverPlop * water.height, kLeastRoom * std::min(size.x, size.y));
   water.before = Image(Format::RG32F, water.columns, water.rows);
