@@ -11,7 +11,6 @@ namespace caustics::app {
 namespace {
 
 constexpr int kLastFrame = 999'999;
-constexpr double kFramesPerSecond = 24.0;
 
 // "%d" or "%04d" in a name: where it stands, and how many digits it asks for.
 struct NumberField {

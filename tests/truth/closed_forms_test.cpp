@@ -1,5 +1,6 @@
 // Whole frames against closed forms that share no code with the passes (reference/closed_forms.hpp).
 #include "reference/closed_forms.hpp"
+#include "reference/sphere_floor.hpp"
 
 #include <cmath>
 
@@ -36,33 +37,9 @@ double milliseconds(const Rendering& r, const std::vector<std::string>& passes) 
   return sum;
 }
 
-struct Comparison {
-  double relative_l1_in_shadow = 0.0;  // sum |difference| / sum of the truth, r < radius
-  double flux_ratio = 0.0;             // over the whole square
-};
-
-// The sphere scene's floor against the closed form with T^2, averaged per pixel. Outside the shadow the
-// direct light adds 1, by the share of the pixel that is outside.
-Comparison compare_sphere(const std::vector<double>& picture, int pixels) {
-  const double radius = 0.5;
-  const GlassSphere sphere{.radius = radius, .index = 1.5, .distance = 0.8};
-  const FloorSquare square{.lower = glm::dvec2(-1.0), .side = 2.0, .pixels = pixels};
-  const FloorIrradiance truth = irradiance_average(sphere, square);
-  const double side = 2.0 / pixels;
-  double difference = 0.0, inside = 0.0, picture_flux = 0.0, truth_flux = 0.0;
-  for (int y = 0; y < pixels; ++y)
-    for (int x = 0; x < pixels; ++x) {
-      const auto i = static_cast<std::size_t>(y * pixels + x);
-      const glm::dvec2 lower = square.lower + side * glm::dvec2(x, y), upper = lower + side;
-      const double shadowed = disc_in_box(radius, lower, upper) / (side * side);
-      const double expected = truth.values[i] + 1.0 - shadowed;
-      picture_flux += picture[i];
-      truth_flux += expected;
-      if (shadowed < 1.0) continue;
-      difference += std::fabs(picture[i] - expected);
-      inside += expected;
-    }
-  return {difference / inside, picture_flux / truth_flux};
+// The sphere scene's floor against the closed form, direct light included.
+SphereFloorError compare_sphere(const std::vector<double>& picture) {
+  return compare_with_sphere(picture, {.radius = 0.5, .index = 1.5, .distance = 0.8}, 2.0);
 }
 
 }  // namespace
@@ -73,17 +50,17 @@ TEST_CASE("truth: the caustic of a glass sphere, by points, Gaussians and cells"
   const int pixels = 128;
   Settings settings = small_settings(256, 256, pixels);
   settings.splat = Splat::Gaussian;
-  const Comparison gaussian = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  const SphereFloorError gaussian = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
   INFO("Gaussian: relative L1 " << gaussian.relative_l1_in_shadow << ", flux " << gaussian.flux_ratio);
   CHECK(gaussian.relative_l1_in_shadow < 0.11);
   CHECK(gaussian.flux_ratio == Approx(1.0).epsilon(0.01));
   settings.splat = Splat::Point;
-  const Comparison point = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  const SphereFloorError point = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
   INFO("point: relative L1 " << point.relative_l1_in_shadow << ", flux " << point.flux_ratio);
   CHECK(point.relative_l1_in_shadow < 0.07);
   CHECK(point.flux_ratio == Approx(1.0).epsilon(0.01));
   settings.splat = Splat::Cell;
-  const Comparison cell = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  const SphereFloorError cell = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
   INFO("cell: relative L1 " << cell.relative_l1_in_shadow << ", flux " << cell.flux_ratio);
   CHECK(cell.relative_l1_in_shadow < 0.05);
   CHECK(cell.flux_ratio == Approx(1.0).epsilon(0.01));
@@ -98,7 +75,7 @@ TEST_CASE("truth: figures of the glass sphere at full size", "[.figures]") {
         Settings settings = small_settings(grid, map, pixels);
         settings.splat = splat;
         const Rendering r = render(sphere_scene(1.5f, 6), settings, {"aov_direct", "aov_caustic"});
-        const Comparison c = compare_sphere(floor_irradiance(r, settings), pixels);
+        const SphereFloorError c = compare_sphere(floor_irradiance(r, settings));
         WARN("map " << map << ", grid " << grid << ", " << name_of(splat) << ": relative L1 "
                     << c.relative_l1_in_shadow << ", flux ratio " << c.flux_ratio << ", "
                     << milliseconds(r, {"landing", "cells", "caustic_cells", "caustic_map"})
@@ -112,7 +89,7 @@ TEST_CASE("truth: distance impostors find the landings on a floor as the secant 
   Settings settings = small_settings(256, 256, pixels);
   settings.iterations = 3;
   settings.estimator = Estimator::Impostor;
-  const Comparison impostor = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings), pixels);
+  const SphereFloorError impostor = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
   INFO("impostor: relative L1 " << impostor.relative_l1_in_shadow << ", flux " << impostor.flux_ratio);
   CHECK(impostor.relative_l1_in_shadow < 0.06);
   CHECK(impostor.flux_ratio == Approx(1.0).epsilon(0.01));
@@ -127,7 +104,7 @@ TEST_CASE("truth: figures of the estimators at three steps", "[.figures]") {
     settings.iterations = 3;
     settings.estimator = estimator;
     const Rendering r = render(sphere_scene(1.5f, 6), settings, {"aov_direct", "aov_caustic"});
-    const Comparison c = compare_sphere(floor_irradiance(r, settings), pixels);
+    const SphereFloorError c = compare_sphere(floor_irradiance(r, settings));
     WARN(name_of(estimator) << ": relative L1 " << c.relative_l1_in_shadow << ", flux ratio " << c.flux_ratio
                             << ", impostor map " << milliseconds(r, {"impostor_map"}) << " ms, landing "
                             << milliseconds(r, {"landing"}) << " ms");
