@@ -56,10 +56,19 @@ void check_memory(const FramePlan& plan, const Effects& effects) {
                   (effects.active("area lights") ? " or -D light.samples" : ""));
 }
 
+std::vector<LightFrames> fit_frames(JudgedScene& judged, const FrameRequest& request) {
+  const std::unique_ptr<Device> device = make_software_device({.threads = request.backend.threads});
+  if (judged.effects().active("water waves"))
+    return fit_moving_frames(judged.scene(), *device, judged.effects(), request.settings, pass_registry(),
+                             stop_if_interrupted);
+  return fit_light_frames(SceneOnDevice(judged.scene(), judged.effects(), *device), judged.effects(),
+                          request.settings, pass_registry());
+}
+
 RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<JudgedScene> judged,
                              const PlanGoal& goal)
     : settings_(request.settings), judged_(std::move(judged)), goal_(goal) {
-  plan_ = make_plan(scene(), effects(), settings_, pass_registry(), goal_);
+  plan_frame();
   check_memory(plan_, effects());
   device_ = make_device(request.backend);
   on_device_ = std::make_unique<SceneOnDevice>(scene(), effects(), *device_);
@@ -70,6 +79,8 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Judged
   inputs_.frames = &frames_;
   inputs_.exposure = judged_->exposure();
   fit();
+  plan_frame();
+  check_memory(plan_, effects());
   if (effects().active("water waves"))
     water_ = std::make_unique<MovingWater>(judged_->scene(), *device_, pass_registry());
   targets_ = std::make_unique<FrameTargets>(plan_, *device_);
@@ -78,6 +89,10 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Judged
   fitter_.reset();  // what it needed is not needed again
   fitting_scene_.reset();
   fitting_device_.reset();
+}
+
+void RenderedFrame::plan_frame() {
+  plan_ = make_plan(scene(), effects(), settings_, pass_registry(), goal_);
 }
 
 // Always on the software device, so that every backend draws the same frames.
@@ -98,6 +113,7 @@ void RenderedFrame::fit() {
   } else {
     frames_ = fitter_->fit(effects());
   }
+  judged_->judge_cascades(frames_);
   stop_if_interrupted();
   inputs_.view =
       frame_of(judged_->camera(), settings_.width, settings_.height, bounds_of(scene()));
@@ -121,17 +137,15 @@ void RenderedFrame::move_animation(double seconds) {
   judged_->move_to(seconds);
   on_device_->update(judged_->moving_meshes());
   if (fitting_scene_) fitting_scene_->update(judged_->moving_meshes());
-  FramePlan plan = make_plan(scene(), effects(), settings_, pass_registry(), goal_);
-  // Other textures only where the moment calls for other effects.
-  const bool same = plan.textures == plan_.textures;
-  plan_ = std::move(plan);
-  if (!same) {
-    targets_.reset();
-    check_memory(plan_, effects());
-  }
   fit();
   shown_.reset();  // fitting leaves the waters at rest
-  if (!same) targets_ = std::make_unique<FrameTargets>(plan_, *device_);
+  const std::vector<PlannedTexture> before = std::move(plan_.textures);
+  plan_frame();
+  // Other textures only where the moment calls for other effects.
+  if (plan_.textures == before) return;
+  targets_.reset();
+  check_memory(plan_, effects());
+  targets_ = std::make_unique<FrameTargets>(plan_, *device_);
 }
 
 std::vector<PassReport> RenderedFrame::run(const AfterPass& after) {

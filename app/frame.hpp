@@ -15,6 +15,9 @@ std::uint64_t memory_needed(const FramePlan& plan);
 // Throws Error (WrongUsage) when the frame needs more than three quarters of this machine's memory.
 void check_memory(const FramePlan& plan, const Effects& effects);
 
+// The frames of every light, fitted on a software device of its own. Leaves waters at rest.
+std::vector<LightFrames> fit_frames(JudgedScene& judged, const FrameRequest& request);
+
 // A frame on the device, ready to run; one after the other where the scene moves. Everything it refers
 // to it owns.
 class RenderedFrame {
@@ -45,6 +48,7 @@ class RenderedFrame {
   Device& device() const { return *device_; }
 
  private:
+  void plan_frame();
   void make_fitter(const BackendRequest& backend);
   void fit();
   void move_animation(double seconds);

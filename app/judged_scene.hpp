@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/frame_options.hpp"
+#include "pipeline/plan/cascades.hpp"
 #include "pipeline/plan/effects.hpp"
 #include "pipeline/scene/animated_scene.hpp"
 
@@ -22,6 +23,10 @@ class JudgedScene {
   const Scene& scene() const { return scene_; }
   Scene& scene() { return scene_; }  // for its waters to move
   const Effects& effects() const { return effects_; }
+  // Which lights have a cascade, once their frames are known.
+  void judge_cascades(const std::vector<LightFrames>& frames) {
+    caustics::judge_cascades(frames, settings_, effects_);
+  }
   const Camera& camera() const { return *camera_; }
   float exposure() const { return exposure_; }
 

@@ -1,6 +1,7 @@
 #include "passes/registry.hpp"
 
 #include "passes/beams/beams.hpp"
+#include "passes/cascade_map/cascade_map.hpp"
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/caustic_cells/caustic_cells.hpp"
@@ -47,6 +48,10 @@ const Registry& pass_registry() {
       caustic_cells_grey_pass(),
       caustic_map_pass(),
       caustic_map_grey_pass(),
+      cascade_cells_pass(),
+      cascade_cells_grey_pass(),
+      cascade_map_pass(),
+      cascade_map_grey_pass(),
       shadow_map_pass(),
       pane_light_pass(),
       // Of the camera: the scene without glass, in the picture and around it.

@@ -11,6 +11,7 @@ caustics_add_shader(caustics_passes impostor_map TEXT passes/impostor_map/impost
 caustics_add_shader(caustics_passes landing TEXT passes/landing/landing.glsl)
 caustics_add_shader(caustics_passes cells TEXT passes/cells/cells.glsl)
 caustics_add_shader(caustics_passes caustic_cells TEXT passes/caustic_cells/caustic_cells.glsl)
+caustics_add_shader(caustics_passes cascade_cells TEXT passes/cascade_map/cascade_cells.glsl)
 caustics_add_shader(caustics_passes caustic_map TEXT passes/caustic_map/caustic_map.glsl)
 caustics_add_shader(caustics_passes shadow_map TEXT passes/shadow_map/shadow_map.glsl)
 caustics_add_shader(caustics_passes view_surfaces TEXT passes/view_surfaces/view_surfaces.glsl)

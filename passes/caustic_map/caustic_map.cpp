@@ -9,8 +9,18 @@ extern const Shader caustic_map_shader;
 
 namespace {
 
-CausticMapUniforms caustic_map_uniforms(const PassContext& context) {
-  const FrameUniforms frame = pack(context.frames->caustic);
+// The flux is gathered where there is any, in as many channels as it has.
+std::optional<std::string> called_for(const Effects& effects, bool coloured) {
+  if (!effects.active("caustics") || effects.active("coloured caustics") != coloured) return {};
+  return "the landings' flux is gathered for the camera";
+}
+std::optional<std::string> called_for_coloured(const Effects& e) { return called_for(e, true); }
+std::optional<std::string> called_for_grey(const Effects& e) { return called_for(e, false); }
+
+}  // namespace
+
+CausticMapUniforms caustic_map_uniforms(const PassContext& context, const Frame& map) {
+  const FrameUniforms frame = pack(map);
   const SplatKernel kernel = splat_kernel(*context.settings);
   return {
       .from_scene = frame.from_scene,
@@ -23,13 +33,7 @@ CausticMapUniforms caustic_map_uniforms(const PassContext& context) {
   };
 }
 
-// The flux is gathered where there is any, in as many channels as it has.
-std::optional<std::string> called_for(const Effects& effects, bool coloured) {
-  if (!effects.active("caustics") || effects.active("coloured caustics") != coloured) return {};
-  return "the landings' flux is gathered for the camera";
-}
-std::optional<std::string> called_for_coloured(const Effects& e) { return called_for(e, true); }
-std::optional<std::string> called_for_grey(const Effects& e) { return called_for(e, false); }
+namespace {
 
 Pass caustic_map_pass(bool coloured) {
   return {
@@ -51,7 +55,9 @@ Pass caustic_map_pass(bool coloured) {
       .draws = DrawSet::GridVertices,
       .extent = Extent::Map,
       .uniforms =
-          [](const PassContext& context) { return uniform_bytes(caustic_map_uniforms(context)); },
+          [](const PassContext& context) {
+            return uniform_bytes(caustic_map_uniforms(context, context.frames->caustic));
+          },
       .owner = Each::Light,
   };
 }

@@ -12,6 +12,9 @@ struct CausticMapUniforms {
 #include "passes/caustic_map/caustic_map_uniforms.glsl"
 };
 
+// Of the map whose frame is `map`.
+CausticMapUniforms caustic_map_uniforms(const PassContext& context, const Frame& map);
+
 // caustic_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caustic_map_pass();
 // The same into one channel, where nothing tints the caustics.

@@ -5,6 +5,7 @@
 
 #include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
+#include "pipeline/plan/splat_kernel.hpp"
 
 namespace caustics {
 
@@ -12,6 +13,9 @@ extern const Shader light_shading_shader;
 extern const Shader light_shading_in_medium_shader;
 
 namespace {
+
+// Texels along a cascade's border whose splats may have their middles beyond it, and one for the look-up.
+constexpr double kBorder = 1.0;
 
 struct LightShadingUniforms {
   using vec4 = glm::vec4;
@@ -41,6 +45,12 @@ UniformBytes uniforms(const PassContext& context) {
   if (const auto& cube = frames.caustic.cube)
     reach = glm::vec2(0.5 * glm::dvec2(cube->tile_width() - 1, cube->tile_height() - 1) /
                       static_cast<double>(cube->side));
+  const FrameUniforms cascade = pack(frames.cascade.value_or(Frame{}));
+  glm::vec4 cascade_texel{0.0f};
+  if (frames.cascade && caustics)
+    cascade_texel = {static_cast<float>(frames.cascade->window_area() / texels),
+                     static_cast<float>((splat_kernel(*context.settings).radius + kBorder) / context.settings->map),
+                     1.0f, 0.0f};
   return uniform_bytes(LightShadingUniforms{
       .from_scene = shadow.from_scene,
       .caster_window = caster.window,
@@ -63,6 +73,8 @@ UniformBytes uniforms(const PassContext& context) {
       .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(frames.casters_nearest)),
       .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), reach.x, reach.y,
                         context.effects->active("coloured caustics") ? 0.0f : 1.0f},
+      .cascade_window = cascade.window,
+      .cascade_texel = cascade_texel,
       .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
                caustics ? 1.0f : 0.0f, context.effects->active("thin panes") ? 1.0f : 0.0f},
   });
@@ -83,6 +95,7 @@ PassDefinition definition(const std::string& view, const std::string& name,
                  .meaning = "which surfaces the caustic map belongs to",
                  .optional = true},
                 {.name = "caustic_map", .meaning = "the casters' light", .optional = true},
+                {.name = kCascadeMap, .meaning = "a part of it, finer", .optional = true},
                 {.name = "pane_transmittance",
                  .meaning = "what thin panes let through",
                  .optional = true}},

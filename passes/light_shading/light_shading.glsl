@@ -12,7 +12,8 @@ TEXTURE(2, shadow_depth)
 TEXTURE(3, caster_position)
 TEXTURE(4, receiver_position)
 TEXTURE(5, caustic_map)
-TEXTURE(6, pane_transmittance)
+TEXTURE(6, cascade_map)
+TEXTURE(7, pane_transmittance)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -169,14 +170,15 @@ Bool receives(TangentPlane p) {
 
 // Area of a caustic map's texel across the light, at a point on its face: flux in a texel over the receiver's area
 // under it is texel area / |n.l|, or solid angle r^2 / |n.l|.
-Float texel_area(Vec3 q, Float distance_squared) {
-  Float area = Float(u.caustic_texel.x);
+// `in_window`: its area in window units squared.
+Float texel_area(Float in_window, Vec3 q, Float distance_squared) {
+  Float area = in_window;
   if (u.light.w > 0.5f) {
     Float z = sel(q.z > 0.0f, q.z, Float(1.0f));
     Float x = q.x / z;
     Float y = q.y / z;
     Float squared = 1.0f + x * x + y * y;
-    area = u.caustic_texel.x / (squared * sqrt(squared)) * distance_squared;
+    area = in_window / (squared * sqrt(squared)) * distance_squared;
   }
   return area;
 }
@@ -184,7 +186,7 @@ Float texel_area(Vec3 q, Float distance_squared) {
 // The flux at a point in texels of the face that sees it. What landed near a face's border may lie in the guard of
 // its neighbour's tile, so the tiles of all faces that reach here add up: at most one along each axis.
 Vec3 flux_all_around(Vec3 q) {
-  Float own = texel_area(in_face(q, cube_face(q), u.caustic_depth), Float(1.0f));
+  Float own = texel_area(Float(u.caustic_texel.x), in_face(q, cube_face(q), u.caustic_depth), Float(1.0f));
   Vec3 flux = Vec3(0.0f);
   for (int axis = 0; axis < 3; axis++) {
     Float along = q.x;
@@ -198,7 +200,7 @@ Vec3 flux_all_around(Vec3 q) {
     if (any_lane(reaches)) {
       Vec2 uv = face_uv(q, face, u.caustic_window, u.caustic_depth);
       Vec3 there = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
-      Float share = own / texel_area(t, Float(1.0f));
+      Float share = own / texel_area(Float(u.caustic_texel.x), t, Float(1.0f));
       flux = flux + sel(reaches, there * share, Vec3(0.0f));
     }
   }
@@ -254,15 +256,24 @@ void main() {
   if (u.uses.z > 0.5f) {
     Vec3 flux = Vec3(0.0f);
     Bool inside = Bool(true);
+    Float texel = Float(u.caustic_texel.x);
     if (u.caustic_depth.z > 1.5f) {
       flux = flux_all_around(p.at);
     } else {
       Vec2 uv = frame_uv(p.at, u.caustic_window, u.caustic_depth);
       inside = inside_unit(uv.x, uv.y);
       flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
+      if (u.cascade_texel.z > 0.5f) {
+        Vec2 finer = frame_uv(p.at, u.cascade_window, u.caustic_depth);
+        Bool reaches = inside_unit(finer.x - u.cascade_texel.y, finer.y - u.cascade_texel.y) &&
+                       inside_unit(finer.x + u.cascade_texel.y, finer.y + u.cascade_texel.y);
+        flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), flux);
+        texel = sel(reaches, Float(u.cascade_texel.x), texel);
+        inside = inside || reaches;
+      }
     }
     if (u.caustic_texel.w > 0.5f) flux = Vec3(flux.x);
-    Float area = texel_area(p.q, distance_squared);
+    Float area = texel_area(texel, p.q, distance_squared);
     Bool takes = visible && inside && receives(p);
     caught = sel(takes, flux * (facing / area), Vec3(0.0f));
   }

@@ -24,7 +24,7 @@ struct Bench {
   float covered = 1.0f;
   bool occluders = false, caustics = false;
   double casters_nearest = 0.0;
-  Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, panes{};
+  Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, cascade_map{}, panes{};
 
   UniformBytes uniforms(const Pass& pass) const {
     Scene scene;
@@ -44,13 +44,14 @@ struct Bench {
     }
     LightFrames frames{.caster = frame, .receiver = frame, .caustic = frame, .shadow = frame,
                        .panes = frame, .casters_nearest = casters_nearest, .column = frame};
+    if (!cascade_map.values.empty()) frames.cascade = widened(frame, 0.5);
     return pass.uniforms({.scene = &scene, .settings = &settings, .effects = &effects,
                           .frames = &frames, .light = &scene.lights[0]});
   }
 
   std::vector<Image> textures() const {
     return {filled(1, 1, {position, covered}), filled(1, 1, {normal, 0.0f}), shadow_depth, caster,
-            receiver, caustic_map, panes};
+            receiver, caustic_map, cascade_map, panes};
   }
 
   PassImages run() const {
@@ -273,6 +274,24 @@ TEST_CASE("light_shading: two lights add up in one target by blending") {
   }
   device->run(run);
   CHECK(device->read_back(run.colors[0]).at(0, 0, 0) == Approx(125.0));
+}
+
+TEST_CASE("light_shading: a cascade is taken where it reaches, in its own texels") {
+  Bench bench = with_caustic();
+  // Half as wide and high as the map: texels of a quarter of the area, so 0.5 is 8 times as much a square metre.
+  bench.cascade_map = filled(8, 8, {0.5f, 1.0f, 0.0f, 1.0f});
+  const float by_map = bench.caustic();
+  bench.position = {0.05f, 0.0f, -0.05f};
+  CHECK(bench.caustic() == 8.0f * by_map);
+  // Three texels from the cascade's border, where splats may lack, the map is taken.
+  bench.position = {0.5f, 0.0f, -0.5f};
+  CHECK(bench.caustic() == by_map);
+  bench.light.type = LightType::Point;
+  bench.light.position = {0.0, 10.0, 0.0};
+  bench.position = {0.01f, 0.0f, -0.01f};
+  const float finer = bench.caustic();
+  bench.cascade_map = Image{};
+  CHECK(finer == Approx(8.0 * bench.caustic()));
 }
 
 TEST_CASE("light_shading: thin panes tint the direct light under them, not the caustic") {

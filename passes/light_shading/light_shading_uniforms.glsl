@@ -17,4 +17,7 @@ vec4 column;             // the window that receivers leave free before the cast
 vec4 column_depth;       // its depth range; w: z of the casters' nearest point
 vec4 caustic_texel;      // x: area of a caustic map texel in window units squared; y, z: of a cube, from a
                          // tile's middle to its outermost texels' centres, in map coordinates; w: 1 where the map has one channel
+vec4 cascade_window;
+vec4 cascade_texel;      // x: area of a cascade's texel in window units squared; y: map coordinates from the cascade's
+                         // border that are not looked up; z: 1 where there is a cascade
 vec4 uses;               // 1 where there is a shadow map, a caster map, a caustic map, thin panes

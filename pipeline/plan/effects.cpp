@@ -7,6 +7,7 @@
 #include "pipeline/plan/all_around.hpp"
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/branches.hpp"
+#include "pipeline/plan/cascades.hpp"
 #include "pipeline/plan/caustic_color.hpp"
 #include "pipeline/plan/medium_effects.hpp"
 #include "pipeline/plan/surface_role.hpp"
@@ -297,6 +298,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   add_water_waves(scene, effects);
   add_medium(scene, effects);
   add_all_around(scene, settings, effects);
+  add_cascades(settings, effects);
   add_missing_effects(judgements, effects);
   return effects;
 }

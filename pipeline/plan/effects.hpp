@@ -59,6 +59,8 @@ struct Effects {
   std::vector<Branch> branches{Branch{}};  // at least one
   // By Scene::lights: why the light is drawn onto a cube (effect "all around"); empty where it is not.
   std::vector<std::string> all_around;
+  // By Scene::lights, once their frames are known: why a light has a cascade, empty where it has none.
+  std::vector<std::string> cascades;
   Frame impostors;  // where "distance impostors" is active: the cube around the casters, without an atlas yet
   // The effect of this name, which must be in the list.
   const Effect& find(std::string_view name) const;
@@ -89,6 +91,7 @@ struct Effects {
 //   "light shafts"    caustics in a medium that scatters
 //   "distance impostors" asked for by the estimator (Estimator::Impostor)
 //   "all around"      a light that stands among its casters, or is asked to see all around
+//   "cascades"        a light whose caustic is small in its map, once the lights' frames are known
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

@@ -115,6 +115,7 @@ class Planner {
   // A light's caustic passes run only where one of its caustics is to be expected.
   bool light_needs(const Pass& pass, int light) const {
     if (!(scene_.lights[static_cast<std::size_t>(light)].intensity > 0.0f)) return false;
+    if (pass.light_needs && !pass.light_needs(effects_, light)) return false;
     const bool of_casters = pass.extent == Extent::Grid || pass.extent == Extent::Map ||
                             pass.extent == Extent::Beams || pass.draws == DrawSet::Beams;
     if (!of_casters) return true;

@@ -6,7 +6,9 @@
 
 #include "pipeline/plan/all_around.hpp"
 #include "pipeline/plan/backdrop.hpp"
+#include "pipeline/plan/cascades.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/plan/landing_window.hpp"
 #include "pipeline/plan/ledger.hpp"
 #include "pipeline/plan/run_plan.hpp"
 #include "pipeline/plan/splat_kernel.hpp"
@@ -21,6 +23,8 @@ namespace {
 constexpr double kWidestTangent = 3.0;
 // A window that nothing lies beside.
 constexpr double kEverywhere = 1e12;
+// Of the share that may fall outside of a map, where the map has a cascade.
+constexpr double kCascadedShare = 0.25;
 // The coarse run that looks for landings.
 constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
 
@@ -59,16 +63,6 @@ Extents extents_of(const Mesh& mesh, const Frame& axes, double closest) {
   Extents extents;
   for (const Vertex& v : mesh.vertices) add_point(extents, axes, glm::dvec3(v.position), closest);
   return extents;
-}
-
-void set_window(Frame& frame, glm::dvec2 lower, glm::dvec2 upper, double margin) {
-  glm::dvec2 size = upper - lower;
-  const glm::dvec2 centre = 0.5 * (lower + upper);
-  // No side shorter than half the other: texels stay compact.
-  const double shortest = std::max(0.5 * std::max(size.x, size.y), 1e-9);
-  size = glm::max(size, glm::dvec2(shortest)) * (1.0 + margin);
-  frame.window_lower = centre - 0.5 * size;
-  frame.window_upper = centre + 0.5 * size;
 }
 
 // `reach`: how far from the light anything lies. Coordinates are rounded to some ulps of it, and what is
@@ -125,23 +119,23 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
 // The frames before anything is known of the landings: the receiver map sees everything.
 LightFrames widest_frames(const LightExtents& extents, const Effects& effects, int grid) {
   LightFrames frames{extents.axes, extents.axes, extents.axes, extents.axes, extents.axes,
-                     0.0,          extents.axes};
+                     0.0,          extents.axes, {}};
   const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
   const double reach = extents.everything.farthest;
   if (!shadow.empty()) {
-    set_window(frames.shadow, shadow.lower, shadow.upper, 0.01);
+    set_window(frames.shadow, {shadow.lower, shadow.upper}, 0.01);
     set_depth(frames.shadow, extents.everything.nearest, reach, reach);
   }
   if (!extents.panes.empty()) {
-    set_window(frames.panes, extents.panes.lower, extents.panes.upper, 0.01);
+    set_window(frames.panes, {extents.panes.lower, extents.panes.upper}, 0.01);
     set_depth(frames.panes, extents.everything.nearest, reach, reach);
   }
   if (extents.casters.empty()) return frames;
-  set_window(frames.caster, extents.casters.lower, extents.casters.upper, 4.0 / grid);
+  set_window(frames.caster, {extents.casters.lower, extents.casters.upper}, 4.0 / grid);
   set_depth(frames.caster, extents.everything.nearest, extents.casters.farthest, reach);
   Extents all = extents.casters;
   if (!extents.receivers.empty()) all.add(extents.receivers);
-  set_window(frames.receiver, all.lower, all.upper, 0.01);
+  set_window(frames.receiver, {all.lower, all.upper}, 0.01);
   set_depth(frames.receiver, all.nearest, all.farthest, reach);
   frames.casters_nearest = extents.casters.nearest;
   frames.column = frames.caster;
@@ -152,11 +146,6 @@ LightFrames widest_frames(const LightExtents& extents, const Effects& effects, i
   frames.caustic = frames.receiver;
   return frames;
 }
-
-struct WeightedPoint {
-  glm::dvec2 window;
-  double weight = 0.0;
-};
 
 void add_landings(const Image& landing, const Image& flux, const Frame& frame,
                   std::vector<WeightedPoint>& points) {
@@ -170,31 +159,17 @@ void add_landings(const Image& landing, const Image& flux, const Frame& frame,
     }
 }
 
-// The range along one axis that leaves out at most `share` of the weight at each end. The whole range
-// where it is hardly wider.
-glm::dvec2 weighted_range(std::vector<WeightedPoint>& points, int axis, double share) {
-  std::sort(points.begin(), points.end(), [axis](const WeightedPoint& a, const WeightedPoint& b) {
-    if (a.window[axis] != b.window[axis]) return a.window[axis] < b.window[axis];
-    return a.weight < b.weight;
-  });
-  double total = 0.0;
-  for (const WeightedPoint& p : points) total += p.weight;
-  std::size_t first = 0, last = points.size() - 1;
-  for (double sum = points[first].weight; first < last && sum < share * total;)
-    sum += points[++first].weight;
-  for (double sum = points[last].weight; last > first && sum < share * total;)
-    sum += points[--last].weight;
-  const glm::dvec2 whole{points.front().window[axis], points.back().window[axis]};
-  const glm::dvec2 cut{points[first].window[axis], points[last].window[axis]};
-  return whole.y - whole.x < 1.2 * (cut.y - cut.x) ? whole : cut;
-}
-
 // Draws the caustic frame in to the landings, and the receiver frame to them and the casters.
-void fit_to_landings(LightFrames& frames, std::vector<WeightedPoint> points, const Settings& settings, double margin) {
+void fit_to_landings(LightFrames& frames, std::vector<WeightedPoint> points, const Settings& settings,
+                     double margin) {
+  frames.cascade.reset();
   if (points.empty()) return;
-  const glm::dvec2 x = weighted_range(points, 0, 0.25 * settings.outside_share);
-  const glm::dvec2 y = weighted_range(points, 1, 0.25 * settings.outside_share);
-  set_window(frames.caustic, {x.x, y.x}, {x.y, y.y}, margin);
+  const LandedFlux landed(std::move(points));
+  set_window(frames.caustic, landed.window(0.25 * settings.outside_share), margin);
+  if (settings.cascades) frames.cascade = cascade_frame(frames.caustic, landed, margin);
+  // Where a cascade shows the bright part, the map around it can be wider and lose less.
+  if (frames.cascade)
+    set_window(frames.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin);
   frames.receiver.window_lower =
       glm::min(frames.caustic.window_lower, frames.caster.window_lower);
   frames.receiver.window_upper =

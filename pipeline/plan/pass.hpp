@@ -25,6 +25,7 @@ enum class DrawSet : std::uint8_t {
   ThinPanes,       // every ThinPane
   GridVertices,    // grid * grid points
   GridCells,       // (grid - 1) * (grid - 1) points
+  GridCellQuads,   // (grid - 1) * (grid - 1) quadrilaterals of two triangles
   Beams,           // beams * beams quadrilaterals of two triangles
 };
 
@@ -46,6 +47,7 @@ struct LightFrames {
   // in it; mirrored light comes back, so it is the casters' own.
   double casters_nearest = 0.0;  // in cubes a distance
   Frame column;
+  std::optional<Frame> cascade;  // a part of `caustic` that has a finer map of its own (pipeline/plan/cascades.hpp)
 };
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
@@ -90,6 +92,8 @@ struct Pass {
   UniformBytes (*uniforms)(const PassContext&) = nullptr;
   // Of a pass that draws its meshes once for each face of a cube of its own: that cube.
   Frame (*all_around)(const PassContext&) = nullptr;
+  // Of a pass that only some lights need: which ones.
+  bool (*light_needs)(const Effects&, int light) = nullptr;
   // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to
   // its light's.
   Each owner = each;
@@ -111,6 +115,8 @@ inline constexpr char kLandingAbsorbed[] = "landing_absorbed";
 // Of scenes with a medium only.
 inline constexpr char kLandingMedium[] = "landing_medium";
 inline constexpr char kCausticMap[] = "caustic_map";
+// A finer map of a part of it, for lights with a cascade.
+inline constexpr char kCascadeMap[] = "cascade_map";
 inline constexpr char kCellNear[] = "cell_near";
 inline constexpr char kCellFar[] = "cell_far";
 inline constexpr char kCellFlux[] = "cell_flux";

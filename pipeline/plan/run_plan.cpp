@@ -38,6 +38,7 @@ bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
     case DrawSet::FullScreen:
     case DrawSet::GridVertices:
     case DrawSet::GridCells:
+    case DrawSet::GridCellQuads:
     case DrawSet::Beams:
       return false;
   }
@@ -68,6 +69,10 @@ class PassRunner {
       case DrawSet::GridCells:
         if (const int cells = inputs_.settings->grid - 1; cells > 0)
           run.draws.push_back(draw(pass, planned, context, MeshId::None, cells * cells));
+        break;
+      case DrawSet::GridCellQuads:
+        if (const int cells = inputs_.settings->grid - 1; cells > 0)
+          run.draws.push_back(draw(pass, planned, context, MeshId::None, 6 * cells * cells));
         break;
       case DrawSet::Beams: {
         const int beams = beams_a_side(*inputs_.settings);

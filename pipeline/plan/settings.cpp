@@ -24,6 +24,7 @@ constexpr std::string_view kFrames[] = {"fitted", "shared"};
 constexpr std::string_view kCubes[] = {"auto", "on", "off"};
 constexpr std::string_view kYesNo[] = {"no", "yes"};
 constexpr std::string_view kOffOn[] = {"off", "on"};
+constexpr std::string_view kOffAuto[] = {"off", "auto"};
 
 struct Key {
   std::string_view name;
@@ -112,6 +113,8 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return choice(v, kFrames, s.shared_frames); }},
     {"cube", "auto|on|off, default auto", "lights among their casters see all around",
      [](Settings& s, Value v) { return choice(v, kCubes, s.cube); }},
+    {"cascades", "auto|off, default auto", "a caustic that is small in its map gets a finer one",
+     [](Settings& s, Value v) { return choice(v, kOffAuto, s.cascades); }},
     {"outside_share", "0..0.5, default 0.004", "share of the flux that may fall outside the map",
      [](Settings& s, Value v) { return number(v, 0.0, 0.5, s.outside_share); }},
     {"assume_solid", "no|yes, default no", "glass without a volume is solid instead of thin",

@@ -64,9 +64,11 @@ std::vector<LightFrames> fit_moving_frames(Scene& scene, Device& device, const E
                                            const Breath& breath) {
   MovingWater moving(scene, device, registry);
   std::vector<LightFrames> frames;
+  Settings uncascaded = settings;
+  uncascaded.cascades = false;
   const auto look = [&] {
     const std::vector<LightFrames> found =
-        fit_light_frames(SceneOnDevice(scene, effects, device), effects, settings, registry);
+        fit_light_frames(SceneOnDevice(scene, effects, device), effects, uncascaded, registry);
     if (frames.empty()) frames = found;
     for (std::size_t i = 0; i < frames.size(); ++i) widen(frames[i], found[i]);
   };

@@ -40,7 +40,7 @@ class MovingWater {
   std::vector<std::unique_ptr<Moving>> waters_;
 };
 
-// The frames of every light (fit_light_frames) of a scene whose water moves: the same at every moment, so
+// The frames of every light (fit_light_frames), without cascades, of a scene whose water moves: the same at every moment, so
 // that neither maps nor shadows crawl from frame to frame. They hold what is seen and lit with the water
 // flat at the top and at the bottom of its bounds, and with the waves of three moments after the first
 // plops. `device` as for fit_light_frames. Leaves the water at rest.

@@ -3,6 +3,7 @@
 
 #include "passes/parity_allowances.hpp"
 #include "passes/registry.hpp"
+#include "pipeline/plan/cascades.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/parity.hpp"
 #include "tests/parity/match.hpp"
@@ -75,13 +76,18 @@ struct ReadyFrame {
   SceneOnDevice on_software{scene, effects, *software};
   std::vector<LightFrames> frames =
       fit_light_frames(on_software, effects, settings, pass_registry());
-  FramePlan plan = make_plan(scene, effects, settings, pass_registry());
+  FramePlan plan = with_cascades();
   FrameInputs inputs{
       .settings = &settings,
       .effects = &effects,
       .frames = &frames,
       .view = frame_of(scene.cameras[0], settings.width, settings.height, bounds_of(scene)),
       .exposure = exposure_of(scene, settings)};
+
+  FramePlan with_cascades() {
+    judge_cascades(frames, settings, effects);
+    return make_plan(scene, effects, settings, pass_registry());
+  }
 
   FrameParity against(Device& device) const {
     const SceneOnDevice on_device(scene, effects, device);

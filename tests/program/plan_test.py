@@ -21,32 +21,36 @@ BYTES = {
     "wide_shading": (WIDE, 0), "compose": (PICTURE, 16), "compose_beauty": (PICTURE, 16), "wide_compose": (WIDE, 16),
     "view_caster_map": (PICTURE, 36), "view_exit_map": (PICTURE, 36), "glass": (PICTURE, 16),
     "view_panes": (PICTURE, 0), "view_pane_mirror": (PICTURE, 0), "tone_map": (PICTURE, 4),
-    "caustic_map": (MAP, 0), "caustic_map_grey": (MAP, 0),
+    "caustic_map": (MAP, 0), "caustic_map_grey": (MAP, 0), "cascade_cells": (MAP, 0), "cascade_cells_grey": (MAP, 0),
+    "cascade_map": (MAP, 0), "cascade_map_grey": (MAP, 0),
 }
 # What one pass of each light, or all of the frame, add to: direct and caustic irradiance, the caustic map.
-SHARED = {"light_shading": 32 * PICTURE, "wide_shading": 32 * WIDE, "caustic_map": 16 * MAP, "caustic_map_grey": 4 * MAP}
+SHARED = {"light_shading": 32 * PICTURE, "wide_shading": 32 * WIDE, "caustic_map": 16 * MAP, "caustic_map_grey": 4 * MAP,
+          "cascade_map": 16 * MAP, "cascade_map_grey": 4 * MAP}
 
 CAMERA = ["view_surfaces", "light_shading", "tone_map"]
 CAUSTIC = ["caster_map", "receiver_map", "landing", "cells"]
 GREY, COLOURED = ["caustic_cells_grey", "caustic_map_grey"], ["caustic_cells", "caustic_map"]
+# Of lights whose caustic is small in its map.
+GREY_CASCADE, CASCADE = ["cascade_cells_grey", "cascade_map_grey"], ["cascade_cells", "cascade_map"]
 SEEN = CAMERA + ["wide_surfaces", "wide_shading", "compose", "wide_compose", "view_caster_map", "glass"]
 SOLID = ["caster_exit_map", "view_exit_map"]
 SHADOWS = ["occluder_depth", "shadow_map"]
 PANES = ["pane_light", "view_panes", "view_pane_mirror"]
-LIGHT_PASSES = set(CAUSTIC + GREY + COLOURED + SHADOWS + ["caster_exit_map", "light_shading", "wide_shading", "pane_light"])
-BRANCH_PASSES = {"landing", "cells", "caustic_cells", "caustic_map", "caustic_cells_grey", "caustic_map_grey"}
+LIGHT_PASSES = set(CAUSTIC + GREY + COLOURED + GREY_CASCADE + CASCADE + SHADOWS + ["caster_exit_map", "light_shading", "wide_shading", "pane_light"])
+BRANCH_PASSES = set(["landing", "cells"] + GREY + COLOURED + GREY_CASCADE + CASCADE)
 
 # Scene: passes, number of lights, number of branches.
 CALLED_FOR = {
-    "glass_sphere": (CAUSTIC + GREY + SEEN + SOLID, 1, 1),
-    "glass_figure": (CAUSTIC + COLOURED + SEEN + SOLID, 1, 1),  # green glass: three channels
+    "glass_sphere": (CAUSTIC + GREY + GREY_CASCADE + SEEN + SOLID, 1, 1),
+    "glass_figure": (CAUSTIC + COLOURED + CASCADE + SEEN + SOLID, 1, 1),  # green glass: three channels
     "metal_ring": (CAUSTIC + COLOURED + SEEN, 1, 1),            # a mirror has no second surface; gold
     "prism": (CAUSTIC + COLOURED + SEEN + SOLID, 1, 3),         # the C, d and F lines
     "slab": (CAUSTIC + GREY + SEEN + SOLID, 1, 1),
     "slab_glass": (CAUSTIC + GREY + SEEN + SOLID, 1, 1),
     "spectrum": (CAUSTIC + COLOURED + SEEN + SOLID + SHADOWS, 1, 3),
-    "sun_disk": (CAUSTIC + GREY + SEEN + SOLID + SHADOWS, 16, 1),
-    "two_lights": (CAUSTIC + GREY + SEEN + SOLID, 2, 1),
+    "sun_disk": (CAUSTIC + GREY + GREY_CASCADE + SEEN + SOLID + SHADOWS, 16, 1),
+    "two_lights": (CAUSTIC + GREY + GREY_CASCADE + SEEN + SOLID, 2, 1),
     "water_patch": (CAUSTIC + GREY + SEEN, 1, 1),               # open water: no exit map
     "water_sine": (CAUSTIC + GREY + SEEN, 1, 1),
 }
@@ -65,7 +69,7 @@ def expected_bytes(count, lights):
         texels, size = BYTES[name]
         total += times * texels * size
         # The picture's shading is one for all lights, a caustic map one for all branches.
-        total += SHARED.get(name, 0) * (lights if name.startswith("caustic") else 1)
+        total += SHARED.get(name, 0) * (lights if name.startswith(("caustic", "cascade")) else 1)
     return total
 
 
@@ -89,6 +93,9 @@ class SampleScenes(PlanTest):
             with self.subTest(scene):
                 self.check(self.plan(SCENES / f"{scene}.glb"), names, lights, branches)
 
+    def test_a_cascade_can_be_done_without(self):
+        self.check(self.plan(SCENES / "glass_sphere.glb", "-D", "cascades=off"), CAUSTIC + GREY + SEEN + SOLID, 1)
+
     def test_invocations_follow_from_grid_and_map(self):
         self.succeeds("render", str(SCENES / "glass_sphere.glb"), *SMALL, "--stats", "s.json", "--quiet")
         passes = {bare(p["pass"]): p for p in json.loads((self.folder / "s.json").read_text())["passes"]}
@@ -98,6 +105,8 @@ class SampleScenes(PlanTest):
         self.assertEqual(passes["cells"]["fragments"], GRID)
         self.assertEqual(passes["caustic_cells_grey"]["vertices"], 31 * 31)
         self.assertEqual(passes["caustic_map_grey"]["vertices"], GRID)
+        self.assertEqual(passes["cascade_cells_grey"]["vertices"], 6 * 31 * 31)
+        self.assertEqual(passes["cascade_map_grey"]["vertices"], GRID)
         self.assertEqual(passes["light_shading"]["fragments"], PICTURE)
         self.assertEqual(passes["wide_shading"]["fragments"], WIDE)
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "passes/registry.hpp"
+#include "pipeline/plan/cascades.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/ledger.hpp"
 #include "pipeline/plan/run_plan.hpp"
@@ -24,7 +25,7 @@ struct Rendering {
 // `framer`: the device that fits the light frames; none: the same one.
 inline Rendering render_on(Device& device, const Scene& scene, const Settings& settings,
                            const std::vector<std::string>& textures, Device* framer = nullptr) {
-  const Effects effects = effects_of(scene, settings);
+  Effects effects = effects_of(scene, settings);
   const SceneOnDevice on_device(scene, effects, device);
   Rendering out;
   out.branches = effects.branches;
@@ -34,6 +35,7 @@ inline Rendering render_on(Device& device, const Scene& scene, const Settings& s
   } else {
     out.frames = fit_light_frames(on_device, effects, settings, pass_registry());
   }
+  judge_cascades(out.frames, settings, effects);
   const FramePlan plan = make_plan(scene, effects, settings, pass_registry(), {textures});
   const FrameTargets targets(plan, device);
   const FrameInputs inputs{

@@ -132,6 +132,18 @@ TEST_CASE("truth: a glass sphere's irradiance, flux and loss on both devices") {
   caustics::test::check_rows(caustics::test::sphere_rows);
 }
 
+TEST_CASE("truth: a cascade takes the sphere's caustic closer to its closed form than a map of twice the side") {
+  using namespace caustics;
+  using namespace caustics::test;
+  const Scene scene = sphere_scene(1.5f, 6);
+  const auto error = [&](int map, bool cascades) {
+    Settings settings = small_settings(128, map, 256);
+    settings.cascades = cascades;
+    return compare(render(scene, settings, kTextures), scene, settings, 1.5, 0.5).error;
+  };
+  CHECK(error(128, true) < error(256, false));
+}
+
 TEST_CASE("truth: a gas bubble reflects all light beyond n R and spreads the rest") {
   caustics::test::check_rows(caustics::test::bubble_rows);
 }
