@@ -33,7 +33,7 @@ struct Measurement {
   bool has_flip = false;               // was asked for
   std::vector<ImageMetrics> channels;  // one for each of the difference's channels; all none
                                        // without a counterpart
-  std::vector<LayerMeasure> layers;  // in the order of their first channels
+  std::vector<LayerMeasure> layers;    // in the order of their first channels
 };
 
 // `difference` lives as long as the result.

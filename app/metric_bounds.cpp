@@ -81,6 +81,7 @@ MetricBound parse_metric_bound(const std::string& text) {
 std::vector<BoundAnswer> judge(const std::vector<MetricBound>& bounds,
                                const Measurement& measurement) {
   std::vector<BoundAnswer> answers;
+  answers.reserve(bounds.size());
   for (const MetricBound& bound : bounds) answers.push_back(judge(bound, measurement));
   return answers;
 }

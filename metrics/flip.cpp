@@ -54,11 +54,12 @@ double sum_of(const Kernel& kernel) {
 Field along_rows(const Field& field, const Kernel& kernel) {
   const int radius = radius_of(kernel);
   Field result(field.width, field.height);
-  std::vector<double> padded(static_cast<std::size_t>(field.width + 2 * radius));
+  std::vector<double> padded(static_cast<std::size_t>(field.width) + kernel.size() - 1);
   for (int y = 0; y < field.height; ++y) {
     const double* from = field.row(y);
     for (int x = -radius; x < field.width + radius; ++x) {
-      padded[static_cast<std::size_t>(x + radius)] = from[std::clamp(x, 0, field.width - 1)];
+      const int at = x + radius;
+      padded[static_cast<std::size_t>(at)] = from[std::clamp(x, 0, field.width - 1)];
     }
     double* to = result.row(y);
     for (std::size_t k = 0; k < kernel.size(); ++k) {

@@ -68,7 +68,8 @@ TEST_CASE("flip: colour spaces at their corners") {
 }
 
 TEST_CASE("flip: black against white") {
-  // The distance is 100, and 203.3 between green and blue (from the table above: 55.44 in lightness,
+  // The distance is 100, and 203.3 between green and blue (from the table above: 55.44 in
+  // lightness,
   // (-101.19, 107.82) across). Powers of 0.7: 25.119 and 41.276. 0.4 of the latter is 16.510, so
   // 0.95 + 0.05 (25.119 - 16.510) / (41.276 - 16.510) = 0.96738.
   CHECK(of_plain(plain(0, 0, 0), plain(1, 1, 1)) == Approx(0.96738).margin(1e-5));
