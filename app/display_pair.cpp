@@ -45,14 +45,18 @@ Image image_of(const Colors& colors) {
   return image;
 }
 
-double exposure_for(const Colors& truth, const Selection& selection) {
+double luminance_at(const Image& image, int x, int y) {
+  return 0.2126 * static_cast<double>(image.at(x, y, 0)) +
+         0.7152 * static_cast<double>(image.at(x, y, 1)) +
+         0.0722 * static_cast<double>(image.at(x, y, 2));
+}
+
+double exposure_for(const Image& truth, const Selection& selection) {
   std::vector<double> lit;
-  for (int y = 0; y < truth[0]->view.height; ++y) {
-    for (int x = 0; x < truth[0]->view.width; ++x) {
-      if (!selection.has(x, y)) continue;
-      const double luminance = 0.2126 * static_cast<double>(truth[0]->view.at(x, y)) +
-                               0.7152 * static_cast<double>(truth[1]->view.at(x, y)) +
-                               0.0722 * static_cast<double>(truth[2]->view.at(x, y));
+  for (int y = 0; y < truth.height(); ++y) {
+    for (int x = 0; x < truth.width(); ++x) {
+      if (!selection.has(x, truth.height() - 1 - y)) continue;
+      const double luminance = luminance_at(truth, x, y);
       if (luminance > 0.0) lit.push_back(luminance);
     }
   }
@@ -80,6 +84,20 @@ Image toned(Device& device, const Image& linear, double exposure) {
 
 }  // namespace
 
+DisplayPair display_pair(const Image& a, const Image& b, const Selection& selection) {
+  DisplayPair pair;
+  const std::unique_ptr<Device> device = make_software_device();
+  if (std::max(a.width(), a.height()) > device->max_texture_size()) {
+    pair.impossible = "is larger than " + std::to_string(device->max_texture_size()) +
+                      " texels a side, the most that the tone map takes";
+    return pair;
+  }
+  pair.exposure = exposure_for(b, selection);
+  pair.a = toned(*device, a, *pair.exposure);
+  pair.b = toned(*device, b, *pair.exposure);
+  return pair;
+}
+
 DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels,
                          const Selection& selection) {
   DisplayPair pair;
@@ -92,18 +110,9 @@ DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels,
     pair.impossible = "holds display values in one image and linear light in the other";
     return pair;
   }
+  if (!any_integers(b)) return display_pair(image_of(a), image_of(b), selection);
   pair.a = image_of(a);
   pair.b = image_of(b);
-  if (any_integers(b)) return pair;
-  const std::unique_ptr<Device> device = make_software_device();
-  if (std::max(pair.a.width(), pair.a.height()) > device->max_texture_size()) {
-    pair.impossible = "is larger than " + std::to_string(device->max_texture_size()) +
-                      " texels a side, the most that the tone map takes";
-    return pair;
-  }
-  pair.exposure = exposure_for(b, selection);
-  pair.a = toned(*device, pair.a, *pair.exposure);
-  pair.b = toned(*device, pair.b, *pair.exposure);
   return pair;
 }
 

@@ -17,11 +17,14 @@ struct DisplayPair {
   std::string impossible;  // why there is none, else ""
 };
 
+// Of linear light: two images of one size with three channels or more, rows from the bottom. Both
+// take one exposure, at which the 99th percentile (nearest rank) of B's luminances above 0 (0.2126
+// R + 0.7152 G + 0.0722 B, selected texels) becomes 0.8, the end of the tone map's straight part;
+// then the pass tone_map, on the software device.
+DisplayPair display_pair(const Image& a, const Image& b, const Selection& selection = {});
+
 // Of the channels R, G and B of one layer, which both images have in one size. Channels stored as
-// integers are display values already. Others are linear light: both images take one exposure, at
-// which the 99th percentile (nearest rank) of B's luminances above 0 (0.2126 R + 0.7152 G + 0.0722
-// B, selected texels) becomes 0.8, the end of the tone map's straight part; then the pass tone_map,
-// on the software device.
+// integers are display values already, others linear light.
 DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels,
                          const Selection& selection);
 
