@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "app/color_scale.hpp"
 #include "app/image_file.hpp"
 #include "app/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -17,20 +17,6 @@ namespace {
 // beside black.
 constexpr double kDecades = 6.0;
 constexpr double kDarkest = 0.1;
-
-struct Color {
-  double r, g, b;
-};
-
-// D. A. Green, "A colour scheme for the display of astronomical intensity images", 2011, eq. 2
-// with its defaults: brightness grows steadily from black (0) to white (1).
-Color cubehelix(double level) {
-  const double angle = 2.0 * std::numbers::pi * (0.5 / 3.0 + 1.0 - 1.5 * level);
-  const double amplitude = level * (1.0 - level) / 2.0;
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {level + amplitude * (-0.14861 * c + 1.78277 * s),
-          level + amplitude * (-0.29227 * c - 0.90649 * s), level + amplitude * 1.97294 * c};
-}
 
 // Black is kept for equal values, magenta for NaN and infinities.
 Color color_of(double magnitude, double largest) {
@@ -49,12 +35,14 @@ std::vector<const ChannelDifference*> drawable(const PlanesDifference& differenc
   return channels;
 }
 
-// A - B; 0 where both are the same infinity, NaN where either is NaN. Rows from the bottom.
-Image signed_difference(const ChannelDifference& channel) {
+// A - B; 0 where both are the same infinity or the texel is not selected, NaN where either is NaN.
+// Rows from the bottom.
+Image signed_difference(const ChannelDifference& channel, const Selection& selection) {
   const ChannelView& a = channel.a->view;
   Image image(Format::R32F, a.width, a.height);
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
+      if (!selection.has(x, y)) continue;
       const float in_a = a.at(x, y), in_b = channel.b->view.at(x, y);
       image.at(x, a.height - 1 - y, 0) = in_a == in_b ? 0.0f : in_a - in_b;
     }
@@ -118,13 +106,14 @@ std::string why_not_drawable(const PlanesDifference& difference) {
 }
 
 std::string write_difference_images(const DifferencePaths& paths,
-                                    const PlanesDifference& difference) {
+                                    const PlanesDifference& difference,
+                                    const Selection& selection) {
   const std::vector<const ChannelDifference*> channels = drawable(difference);
   std::vector<Image> images;
   images.reserve(channels.size());
   std::vector<ExrChannel> named;
   for (const ChannelDifference* channel : channels) {
-    images.push_back(signed_difference(*channel));
+    images.push_back(signed_difference(*channel, selection));
     named.push_back({channel->name, &images.back(), 0, 0.0, -1});
   }
   const double largest = largest_magnitude(images);

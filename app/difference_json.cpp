@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "app/difference_report.hpp"
+#include "app/measurement_report.hpp"
 #include "app/stats.hpp"
 #include "app/version.hpp"
 
@@ -75,9 +76,20 @@ Json head(const Comparison& comparison, Verdict verdict) {
 
 }  // namespace
 
-std::string report_json(const Comparison& comparison, const PlanesDifference& difference) {
-  Json document = head(comparison, difference.verdict());
-  document["channels"] = channels_json(difference);
+std::string report_json(const Comparison& comparison, const ImageAnswer& answer) {
+  const Selection& selection = answer.measurement.selection;
+  Json document = head(comparison, answer.difference.verdict());
+  document["passed"] = answer.passed();
+  if (!selection.all()) {
+    document["selected"] = {{"texels", selection.texels}, {"of", selection.mask.size()}};
+  }
+  document["channels"] = channels_json(answer.difference);
+  for (std::size_t i = 0; i < answer.difference.channels.size(); ++i) {
+    if (!answer.difference.channels[i].mismatch.empty()) continue;
+    document["channels"][i]["metrics"] = metrics_json(answer.measurement.channels[i]);
+  }
+  document["layers"] = layers_json(answer.measurement);
+  if (!answer.bounds.empty()) document["bounds"] = bounds_json(answer.bounds);
   return json_text(document);
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/measurement_report.hpp"
 #include "app/terminal.hpp"
 
 namespace caustics::app {
@@ -159,7 +160,24 @@ Row attachment_row(const AttachmentDifference& attachment) {
 
 }  // namespace
 
-std::string report_text(const Comparison& comparison, const PlanesDifference& difference) {
+std::string ImageAnswer::fatal() const {
+  for (const ChannelDifference& channel : difference.channels) {
+    if (!channel.mismatch.empty()) {
+      return "channel " + one_line(channel.name) + ": " + channel.mismatch;
+    }
+    if (channel.values.has_nan()) return "channel " + one_line(channel.name) + " has a NaN";
+  }
+  return "";
+}
+
+bool ImageAnswer::passed() const {
+  if (bounds.empty()) return difference.verdict() != Verdict::Different;
+  return fatal().empty() && std::all_of(bounds.begin(), bounds.end(),
+                                        [](const BoundAnswer& each) { return each.holds; });
+}
+
+std::string report_text(const Comparison& comparison, const ImageAnswer& answer) {
+  const PlanesDifference& difference = answer.difference;
   std::vector<Row> rows = {{"channel", "differing", "max |A-B|", "99.9%", "mean", "max relative",
                             "max ULPs", "worst x,y", "A", "B"}};
   std::string non_finite;
@@ -168,7 +186,9 @@ std::string report_text(const Comparison& comparison, const PlanesDifference& di
     non_finite += non_finite_line(channel);
   }
   return table(rows) + non_finite + "x,y counts from the top left\n" +
-         tolerance_text(comparison.tolerance) + verdict_line(difference);
+         measurement_text(difference, answer.measurement) + tolerance_text(comparison.tolerance) +
+         verdict_line(difference) +
+         (answer.bounds.empty() ? "" : bounds_line(answer.bounds, answer.fatal()));
 }
 
 std::string report_text(const Comparison& comparison, const FolderDifference& difference) {

@@ -4,6 +4,8 @@
 
 #include "app/folder_difference.hpp"
 #include "app/image_difference.hpp"
+#include "app/measurement.hpp"
+#include "app/metric_bounds.hpp"
 
 namespace caustics::app {
 
@@ -13,11 +15,24 @@ struct Comparison {
   Tolerance tolerance;
 };
 
-// Lines with a line break each; the last is the verdict.
-std::string report_text(const Comparison& comparison, const PlanesDifference& difference);
+// Two images: value by value, in figures, and under --fail-above.
+struct ImageAnswer {
+  PlanesDifference difference;
+  Measurement measurement;
+  std::vector<BoundAnswer> bounds;
+
+  // What fails under bounds too: a channel without a counterpart, a NaN. "" if nothing does.
+  std::string fatal() const;
+  // Without bounds, whether the values are equal or within the tolerance; with them, whether they
+  // hold and nothing is fatal.
+  bool passed() const;
+};
+
+// Lines with a line break each; the last is what decides: the verdict, or the bounds.
+std::string report_text(const Comparison& comparison, const ImageAnswer& answer);
 std::string report_text(const Comparison& comparison, const FolderDifference& difference);
 
-std::string report_json(const Comparison& comparison, const PlanesDifference& difference);
+std::string report_json(const Comparison& comparison, const ImageAnswer& answer);
 std::string report_json(const Comparison& comparison, const FolderDifference& difference);
 
 }  // namespace caustics::app

@@ -31,13 +31,28 @@ std::string mismatch_of(const Plane* a, const Plane* b) {
   return shape_a == shape_b ? "" : "A is " + shape_a + ", B is " + shape_b;
 }
 
-ChannelDifference compare_channel(const Plane* a, const Plane* b, const Tolerance& tolerance) {
+ValueDifference difference_within(const Selection& selection, const ChannelView& a,
+                                  const ChannelView& b, const Tolerance& tolerance) {
+  if (selection.all()) return difference(a, b, tolerance);
+  DifferenceCounter counter(tolerance);
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      if (selection.has(x, y)) counter.add({x, y, 0, a.at(x, y), b.at(x, y)});
+    }
+  }
+  return counter.result();
+}
+
+ChannelDifference compare_channel(const Plane* a, const Plane* b, const Tolerance& tolerance,
+                                  const Selection& selection) {
   ChannelDifference channel;
   channel.name = (a != nullptr ? a : b)->name;
   channel.a = a;
   channel.b = b;
   channel.mismatch = mismatch_of(a, b);
-  if (channel.mismatch.empty()) channel.values = difference(a->view, b->view, tolerance);
+  if (channel.mismatch.empty()) {
+    channel.values = difference_within(selection, a->view, b->view, tolerance);
+  }
   stop_if_interrupted();
   return channel;
 }
@@ -90,14 +105,14 @@ std::size_t PlanesDifference::differing_values() const {
 }
 
 PlanesDifference compare_planes(const ImagePlanes& a, const ImagePlanes& b,
-                                const Tolerance& tolerance) {
+                                const Tolerance& tolerance, const Selection& selection) {
   PlanesDifference result;
   for (const Plane& plane : a.planes) {
-    result.channels.push_back(compare_channel(&plane, find(b, plane.name), tolerance));
+    result.channels.push_back(compare_channel(&plane, find(b, plane.name), tolerance, selection));
   }
   for (const Plane& plane : b.planes) {
     if (find(a, plane.name) == nullptr) {
-      result.channels.push_back(compare_channel(nullptr, &plane, tolerance));
+      result.channels.push_back(compare_channel(nullptr, &plane, tolerance, selection));
     }
   }
   return result;

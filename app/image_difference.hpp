@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/image_planes.hpp"
+#include "app/selection.hpp"
 
 namespace caustics::app {
 
@@ -37,8 +38,9 @@ struct PlanesDifference {
   std::size_t differing_values() const;
 };
 
+// Of the selected texels alone.
 PlanesDifference compare_planes(const ImagePlanes& a, const ImagePlanes& b,
-                                const Tolerance& tolerance);
+                                const Tolerance& tolerance, const Selection& selection = {});
 
 // Values of a channel that make it fail: beyond the tolerance, or NaN in both.
 std::size_t failing(const ValueDifference& difference);

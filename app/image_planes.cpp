@@ -90,7 +90,8 @@ void add_part(const fs::path& path, OIIO::ImageInput& input, int number, bool se
     image.planes.push_back({name,
                             {values.data() + c, channels, spec.width, spec.height},
                             spec.x - spec.full_x,
-                            spec.y - spec.full_y});
+                            spec.y - spec.full_y,
+                            !spec.channelformat(c).is_floating_point()});
   }
 }
 

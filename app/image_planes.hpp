@@ -14,6 +14,7 @@ struct Plane {
   std::string name;
   ChannelView view;
   int left = 0, top = 0;  // of the data window; 0, 0 but for some EXR files
+  bool integers = false;  // stored as such: display values (sRGB), where they are colours
 };
 
 struct ImagePlanes {

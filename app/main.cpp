@@ -22,7 +22,7 @@ constexpr Command kCommands[] = {
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
-    {"compare", "two images, or two dumps of all passes, value by value", run_compare},
+    {"compare", "two images in values and figures, or two dumps of all passes", run_compare},
     {"paper", "the effects of Caustics Mapping (2007) made again, each with its check", run_paper},
     {"doctor", "version, instruction sets, threads, OpenGL devices, libraries", run_doctor},
 };

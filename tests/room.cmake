@@ -5,14 +5,15 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 file(GLOB_RECURSE caustics_test_sources CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/pipeline/*_test.cpp ${PROJECT_SOURCE_DIR}/passes/*_test.cpp
-  ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
+  ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/metrics/*_test.cpp
+  ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT CAUSTICS_BUILD_APP)
   list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/")
 endif()
 add_executable(caustics_tests ${caustics_test_sources})
 caustics_target_options(caustics_tests)
 target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_gl_backend
-  caustics_reference
+  caustics_reference caustics_metrics
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
   target_link_libraries(caustics_tests PRIVATE caustics_gltf nlohmann_json::nlohmann_json

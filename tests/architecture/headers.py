@@ -24,7 +24,8 @@ def has_epoxy():
 
 
 def main():
-    headers = [str(h.relative_to(ROOT)) for room in ('pipeline', 'passes', 'raster', 'gl_backend', 'reference', 'app', 'tests')
+    headers = [str(h.relative_to(ROOT)) for room in ('pipeline', 'passes', 'raster', 'gl_backend', 'reference', 'metrics', 'app',
+                                                     'tests')
                for h in sorted((ROOT / room).rglob('*.hpp'))]
     headers = [h for h in headers if h not in BODIES and 'catch2_main' not in h]
     if not has_epoxy():  # the room is a stub then, with this one header

@@ -15,7 +15,8 @@ MAY = {
     'raster': {'pipeline'},
     'gl_backend': {'pipeline'},
     'reference': {'pipeline'},
-    'app': {'passes', 'raster', 'gl_backend', 'reference', 'pipeline'},
+    'metrics': {'pipeline'},
+    'app': {'passes', 'raster', 'gl_backend', 'reference', 'metrics', 'pipeline'},
 }
 
 # Libraries that only some rooms may name: the others build and run without them.
