@@ -7,7 +7,7 @@ namespace caustics::app {
 
 std::vector<std::string> ledger_textures() {
   return {kCasterNormal, kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kLandingMedium,
-          kCellFlux, kCausticMap};
+          kCellNear, kCellFar, kCellFlux, kCausticMap, kCascadeMap};
 }
 
 namespace {
@@ -28,9 +28,17 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   const auto has = [&](const std::string& name) { return frame.has(name); };
   const auto read = [&](const std::string& name) { return frame.read(name); };
   const std::vector<BranchImages> branches = branch_images(light, frame.effects().branches, has, read);
-  const Ledger ledger = make_ledger(branches, frame.read(light_texture(kCausticMap, light)),
-                                    frame.frames()[static_cast<std::size_t>(light)].caustic, frame.settings());
+  const Image map = frame.read(light_texture(kCausticMap, light));
+  const LightFrames& frames = frame.frames()[static_cast<std::size_t>(light)];
+  const Ledger ledger = make_ledger(branches, map, frames.caustic, frame.settings());
   add(sum.ledger, ledger, share);
+  const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
+  std::vector<CellImages> cells;
+  for (const Branch& branch : frame.effects().branches)
+    cells.push_back({if_any(branch_texture(kCellNear, light, branch)), if_any(branch_texture(kCellFar, light, branch))});
+  add(sum.error,
+      estimate_error(branches, cells, map, if_any(light_texture(kCascadeMap, light)), frames, frame.settings(), ledger),
+      share);
   const std::vector<Outcome> outcomes = outcomes_of(
       sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));
   if (sum.outcomes.empty())
@@ -50,7 +58,7 @@ std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
   const Scene& scene = frame.scene();
   std::vector<LightLedger> ledgers;
   for (int source = 0; source < static_cast<int>(scene.sources.size()); ++source) {
-    LightLedger sum{source, {}, {}};
+    LightLedger sum{.light = source, .ledger = {}};
     bool any = false;
     for (const int light : samples_of(scene, source)) {
       const Branch& branch = frame.effects().branches.front();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/frame.hpp"
+#include "pipeline/plan/error_estimate.hpp"
 #include "pipeline/plan/outcome.hpp"
 
 namespace caustics::app {
@@ -13,6 +14,7 @@ struct LightLedger {
   int light = 0;  // index into Scene::sources
   Ledger ledger;
   std::vector<Outcome> outcomes{};  // by caster; `light` as above
+  ErrorEstimate error{};
 
   // The share of the flux onto the casters that leaves the light's maps.
   double leaves() const;

@@ -6,8 +6,9 @@
 #include "app/atomic_file.hpp"
 #include "app/dump.hpp"
 #include "app/frame_range.hpp"
-#include "app/image_file.hpp"
 #include "app/interrupt.hpp"
+#include "app/on_demand.hpp"
+#include "app/image_file.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/stats.hpp"
@@ -35,6 +36,7 @@ struct RenderRequest {
   double rate = 24.0;  // frames a second
   bool timed = false, resume = false;
   std::string stats, dump;
+  Demand demand;
   bool quiet = false;
 
   bool films() const {
@@ -56,6 +58,9 @@ void check_frames(const RenderRequest& request) {
   if (request.resume && !request.frames)
     throw Error(ExitCode::WrongUsage, "--resume needs --frames A..B");
   if (!request.several()) return;
+  if (request.demand.any())
+    throw Error(ExitCode::WrongUsage, "--target-error and --time-budget are for one frame; take the --grid and --map that "
+                                      "they choose for several");
   for (const std::filesystem::path& file : request.outputs.files) {
     if (has_number(file) || is_video(file)) continue;
     throw Error(ExitCode::WrongUsage, one_line(file.string()) +
@@ -96,6 +101,13 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   add_frame_row_options(parser, request);
   parser.flag("--quiet", request.quiet, "say nothing but errors");
   parser.footer("Layers for --aov, of the first surface that is hit:\n" + layer_help());
+  parser.group("On demand");
+  parser.option("--target-error", "P%", "choose --grid and --map for this error; 0.001..100 (default none)",
+                [&](const std::string& value) { request.demand.error = parse_target_error(value); });
+  parser.option("--time-budget", "MS", "or for this time of all passes; 0.01..1e7 (default none)",
+                [&](const std::string& value) {
+                  request.demand.milliseconds = parse_real("--time-budget", value, 0.01, 1e7);
+                });
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
@@ -105,6 +117,8 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
     const std::string number = request.frames ? ".%04d" : "";
     request.outputs.files.emplace_back(request.frame.scene.stem().string() + number + ".png");
   }
+  if (request.demand.error && request.demand.milliseconds)
+    throw Error(ExitCode::WrongUsage, "--target-error and --time-budget exclude each other");
   check_frames(request);
   return true;
 }
@@ -176,6 +190,11 @@ FrameRange whole_animation(const JudgedScene& scene, double rate) {
   return frames_up_to(scene.duration() * rate - 1e-4);
 }
 
+// Sizes that are tried before a demand counts as missed.
+constexpr int kAttempts = 6;
+// How many times longer than the last one a trial may be expected to take.
+constexpr double kFarther = 8.0;
+
 class Renderer {
  public:
   explicit Renderer(RenderRequest request)
@@ -184,8 +203,9 @@ class Renderer {
       request_.frame.seconds = request_.seconds(todo_.front());
   }
 
-  void render() {
+  ExitCode render() {
     if (!todo_.empty()) {
+      if (request_.demand.any()) choose_sizes();
       prepare();
       for (const int n : todo_) {
         draw(n);
@@ -195,9 +215,35 @@ class Renderer {
       }
     }
     finish();
+    return met_ ? ExitCode::Done : ExitCode::TargetMissed;
   }
 
  private:
+  void choose_sizes() {
+    const Stopwatch watch;
+    std::optional<CostModel> model = measure_costs(request_.frame, request_.demand, [&](const std::string& text) {
+      stop_if_interrupted();
+      progress_.show(text);
+    });
+    if (!model) return;
+    // What is found with the sizes chosen corrects the model, and the choice where it has to.
+    double longest = kFarther * model->expect(2 * kPilotSide, kPilotSide).milliseconds;
+    for (int attempt = 1; attempt <= kAttempts; ++attempt) {
+      expected_ = choose(*model, request_.demand, longest);
+      const bool hopeless = !meets(choose(*model, request_.demand), request_.demand);
+      progress_.show("trying grid " + std::to_string(expected_->grid) + " and map " + std::to_string(expected_->map));
+      found_ = try_sizes(request_.frame, expected_->grid, expected_->map);
+      if (!found_ || meets(*found_, request_.demand) || hopeless) break;
+      model->learn(*found_);
+      longest = kFarther * found_->milliseconds;
+    }
+    if (!found_) return;
+    met_ = meets(*found_, request_.demand);
+    request_.frame.settings.grid = found_->grid;
+    request_.frame.settings.map = found_->map;
+    choosing_ = watch.milliseconds();
+  }
+
   void prepare() {
     progress_.show("loading " + request_.frame.scene.filename().string());
     std::unique_ptr<JudgedScene> judged = load_scene(request_.frame);
@@ -278,6 +324,7 @@ class Renderer {
     }
     progress_.clear();
     if (request_.quiet) return;
+    if (found_) std::fputs(demand_text(request_.demand, *expected_, *found_, choosing_).c_str(), stderr);
     print_summary(*frame_, ledgers, timing_, request_.outputs.files,
                   request_.several() ? static_cast<int>(todo_.size()) : 0);
     if (there > 0) std::fprintf(stderr, "%d frames were there already\n", there);
@@ -302,6 +349,10 @@ class Renderer {
   std::vector<int> todo_;  // frames to draw
   std::size_t done_ = 0;   // of todo_
   std::vector<std::unique_ptr<VideoFile>> films_;
+  // On demand: what the sizes were expected to give, and what they gave.
+  std::optional<Trial> expected_, found_;
+  double choosing_ = 0.0;
+  bool met_ = true;
   std::optional<RenderedFrame> frame_;
   std::optional<Dump> dump_;
   std::vector<PassReport> reports_;  // of the last frame
@@ -318,8 +369,7 @@ ExitCode run_render(const Arguments& arguments) {
   if (!request.stats.empty()) require_writable(request.stats);
   for (const std::filesystem::path& file : request.outputs.files)
     if (is_video(file)) require_ffmpeg(file);
-  Renderer(std::move(request)).render();
-  return ExitCode::Done;
+  return Renderer(std::move(request)).render();
 }
 
 }  // namespace caustics::app

@@ -44,6 +44,15 @@ Json frames_json(const FrameStats& frames, const DeviceObjects& made) {
           {"made_by_all", objects_json(made)}};
 }
 
+// Relative L1 of the caustic; null where it is not estimated.
+Json error_json(const ErrorEstimate& error) {
+  if (!(error.landed > 0.0)) return nullptr;
+  return {{"total", error.total()},
+          {"map", error.relative(error.map)},
+          {"grid", error.relative(error.grid)},
+          {"missing", error.relative(error.missing)}};
+}
+
 Json ledger_json(const Scene& scene, const LightLedger& entry) {
   const Light& light = scene.sources[static_cast<std::size_t>(entry.light)];
   Json flux = {{"unit", flux_unit(light)}};
@@ -61,6 +70,7 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
           {"samples", samples_of(scene, entry.light).size()},
           {"flux", flux},
           {"leaves_share", entry.leaves()},
+          {"estimated_error", error_json(entry.error)},
           {"vertices", vertices}};
 }
 
@@ -86,6 +96,7 @@ Json settings_json(const Settings& s) {
           {"wavelengths", s.wavelengths},
           {"reflections", s.reflections ? "yes" : "no"},
           {"frames", s.shared_frames ? "shared" : "fitted"},
+          {"cascades", s.cascades ? "auto" : "off"},
           {"outside_share", s.outside_share},
           {"assume_solid", s.assume_solid ? "yes" : "no"},
           {"exposure", s.exposure ? Json(*s.exposure) : Json("auto")},

@@ -35,6 +35,13 @@ std::string ledger_sentence(const Scene& scene, const LightLedger& entry) {
   return line + losses;
 }
 
+// "estimated error 1.2% (map 0.9%, grid 0.2%, missing 0.1%)"; empty where there is no estimate.
+std::string error_text(const ErrorEstimate& error) {
+  if (!(error.landed > 0.0)) return {};
+  return "; estimated error " + percent(error.total()) + " (map " + percent(error.relative(error.map)) + ", grid " +
+         percent(error.relative(error.grid)) + ", missing " + percent(error.relative(error.missing)) + ")";
+}
+
 void print_some(const char* kind, const std::vector<std::string>& sentences) {
   for (std::size_t i = 0; i < std::min(sentences.size(), kMostSentences); ++i) {
     std::fprintf(stderr, "%s: %s\n", kind, one_line(sentences[i]).c_str());
@@ -89,7 +96,7 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
   print_some("no caustic",
              missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)));
   for (const LightLedger& ledger : ledgers) {
-    std::fprintf(stderr, "%s\n", ledger_sentence(frame.scene(), ledger).c_str());
+    std::fprintf(stderr, "%s\n", (ledger_sentence(frame.scene(), ledger) + error_text(ledger.error)).c_str());
     const std::string warning = leaving_sentence(frame.scene(), ledger);
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }

@@ -7,6 +7,7 @@
 
 #include "passes/registry.hpp"
 #include "pipeline/plan/cascades.hpp"
+#include "pipeline/plan/error_estimate.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/ledger.hpp"
 #include "pipeline/plan/run_plan.hpp"
@@ -64,5 +65,27 @@ inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light 
   return make_ledger(branch_images(light, r.branches, has, read), r[light_texture(kCausticMap, light)],
                      r.frames[static_cast<std::size_t>(light)].caustic, settings);
 }
+
+// What estimate_of reads.
+inline const std::vector<std::string> kEstimateTextures = {
+    kLanding,  kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear,
+    kCellFar, kCellFlux,    kCausticMap,     kCascadeMap};
+
+inline ErrorEstimate estimate_of(const Rendering& r, const Settings& settings, int light = 0) {
+  const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
+  const auto read = [&](const std::string& name) { return has(name) ? r[name] : Image{}; };
+  std::vector<CellImages> cells;
+  for (const Branch& branch : r.branches)
+    cells.push_back({read(branch_texture(kCellNear, light, branch)), read(branch_texture(kCellFar, light, branch))});
+  return estimate_error(branch_images(light, r.branches, has, read), cells, r[light_texture(kCausticMap, light)],
+                        read(light_texture(kCascadeMap, light)), r.frames[static_cast<std::size_t>(light)], settings,
+                        ledger_of(r, settings, light));
+}
+
+// The sizes of grid and map at which an estimate is held against the truth.
+struct EstimateCase {
+  int grid, map;
+};
+inline constexpr EstimateCase kEstimateCases[] = {{64, 64}, {64, 128}, {128, 64}, {128, 128}, {256, 128}, {256, 256}};
 
 }  // namespace caustics::test

@@ -144,6 +144,24 @@ TEST_CASE("truth: a cascade takes the sphere's caustic closer to its closed form
   CHECK(error(128, true) < error(256, false));
 }
 
+TEST_CASE("truth: the estimated error of a sphere's caustic is honest") {
+  using namespace caustics;
+  using namespace caustics::test;
+  const Scene scene = sphere_scene(1.5f, 6);
+  std::vector<std::string> textures = kEstimateTextures;
+  textures.emplace_back("aov_caustic");
+  for (const EstimateCase c : kEstimateCases) {
+    const Settings settings = small_settings(c.grid, c.map, 256);
+    const Rendering r = render(scene, settings, textures);
+    const double error = compare(r, scene, settings, 1.5, 0.5).error;
+    const double estimate = estimate_of(r, settings).total();
+    INFO("grid " << c.grid << ", map " << c.map << ": " << error << ", estimated " << estimate);
+    CHECK(estimate > 0.8 * error);
+    // The truth is a mean over pixels, which evens out some of what the estimate knows of.
+    CHECK(estimate < 6.0 * error);
+  }
+}
+
 TEST_CASE("truth: a gas bubble reflects all light beyond n R and spreads the rest") {
   caustics::test::check_rows(caustics::test::bubble_rows);
 }

@@ -207,6 +207,27 @@ Rows point_light_rows(const Bench& bench) {
 
 }  // namespace caustics::test
 
+TEST_CASE("truth: the estimated error of water's caustic is honest") {
+  using namespace caustics;
+  using namespace caustics::test;
+  const SineWater water(0.5, 400);
+  std::vector<std::string> textures = kEstimateTextures;
+  textures.emplace_back("aov_caustic");
+  std::vector<double> estimates;
+  for (const EstimateCase c : kEstimateCases) {
+    const Settings settings = small_settings(c.grid, c.map, 128);
+    const Rendering r = render(water.scene, settings, textures);
+    const double error =
+        relative_l1(strips(r, settings.width), irradiance_average(water.wave, -0.25, 0.25, settings.width, 0.5));
+    const double estimate = estimate_of(r, settings).total();
+    INFO("grid " << c.grid << ", map " << c.map << ": " << error << ", estimated " << estimate);
+    // The picture shows the middle only, and its means over strips: the estimate also knows the light's border.
+    CHECK(estimate > error);
+    estimates.push_back(estimate);
+  }
+  CHECK(estimates.back() < 0.35 * estimates.front());
+}
+
 TEST_CASE(
     "truth: a sine wave's light before, at and behind the first focus, and the focus' depth") {
   // Irradiance: less than what a shift by one texel would make. Landings: what straight lines

@@ -1,0 +1,40 @@
+// How far a light's caustic may be from the truth, told from the frame itself (docs/accuracy.md).
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/gpu/image.hpp"
+#include "pipeline/plan/effects.hpp"
+#include "pipeline/plan/ledger.hpp"
+#include "pipeline/plan/pass.hpp"
+
+namespace caustics {
+
+// Light in wrong places: the integral of |irradiance - truth| over what receives it, in the ledger's unit of flux
+// and summed over the three channels. Each part compares the frame with a coarser one made from its own textures.
+struct ErrorEstimate {
+  double landed = 0.0;   // all flux in the map
+  double map = 0.0;      // by the size of the maps' texels: against texels of twice the side
+  double grid = 0.0;     // by the grid's spacing: against cells of twice the side, or half of the splats
+  double missing = 0.0;  // landed beyond the map, or not followed to its landing
+  // Relative L1 of the caustic's irradiance; 0 where nothing landed.
+  double relative(double part) const { return landed > 0.0 ? part / landed : 0.0; }
+  double total() const { return relative(map + grid + missing); }
+};
+
+// Adds another estimate `share` times: a light's samples to the light's own. Errors of several are taken to add up.
+void add(ErrorEstimate& sum, const ErrorEstimate& other, double share);
+
+// Where cells lie: the textures of the `cells` pass, without values where landings are splatted one by one.
+struct CellImages {
+  Image near, far;
+};
+
+// Of one light; `cells` by branch, `cascade_map` without values where the light has none. The caustic of lights that
+// see all around is not estimated: landed is 0.
+ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
+                             const Image& caustic_map, const Image& cascade_map, const LightFrames& frames,
+                             const Settings& settings, const Ledger& ledger);
+
+}  // namespace caustics

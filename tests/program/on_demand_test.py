@@ -1,0 +1,51 @@
+"""A frame's own error estimate, and sizes chosen for an error or a time that was asked for."""
+
+import json
+import re
+import unittest
+
+from program import ProgramTest
+
+VIEW = ["-r", "64x48"]
+CHOSEN = re.compile(r"asked for .*: chose --grid (\d+) --map (\d+), expected ([0-9.]+)% in .*, found ([0-9.]+)% in ")
+
+
+class OnDemand(ProgramTest):
+    def chosen(self, stderr):
+        found = CHOSEN.search(stderr)
+        self.assertTrue(found, stderr)
+        return int(found[1]), int(found[2]), float(found[4])
+
+    def test_every_render_estimates_its_error(self):
+        result = self.succeeds("render", "ball.glb", *VIEW, "--grid", "128", "--map", "128", "--stats", "s.json")
+        error = json.loads((self.folder / "s.json").read_text())["lights"][0]["estimated_error"]
+        self.assertAlmostEqual(error["total"], error["map"] + error["grid"] + error["missing"])
+        self.assertGreater(error["total"], 0.001)
+        self.assertLess(error["total"], 0.5)
+        said = float(result.stderr.split("estimated error ")[1].split("%")[0])
+        self.assertAlmostEqual(said, 100 * error["total"], delta=0.06)
+
+    def test_a_target_error_that_can_be_reached_is_reached(self):
+        result = self.succeeds("render", "ball.glb", *VIEW, "--target-error", "15%", "--stats", "s.json")
+        grid, map_, found = self.chosen(result.stderr)
+        self.assertLessEqual(found, 15.0)
+        stats = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual((stats["settings"]["grid"], stats["settings"]["map"]), (grid, map_))
+        self.assertLessEqual(stats["lights"][0]["estimated_error"]["total"], 0.15)
+
+    def test_a_budget_that_no_frame_can_keep_is_missed_with_its_own_code_and_the_picture_written(self):
+        result = self.run_program("render", "ball.glb", *VIEW, "--time-budget", "0.01", "-o", "late.png")
+        self.assertEqual(result.returncode, 6, result.stderr)
+        self.assertIn("missed: asked for passes within", result.stderr)
+        self.assertEqual(self.chosen(result.stderr)[:2], (64, 64))
+        self.assertTrue((self.folder / "late.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_wrong_demands_are_refused(self):
+        self.fails(2, "render", "ball.glb", "--target-error", "0", saying="--target-error")
+        self.fails(2, "render", "ball.glb", "--target-error", "two", saying="--target-error")
+        self.fails(2, "render", "ball.glb", "--target-error", "2", "--time-budget", "5", saying="exclude")
+        self.fails(2, "render", "ball.glb", "--time-budget", "5", "--frames", "0..3", "-o", "f.%04d.png", saying="one frame")
+
+
+if __name__ == "__main__":
+    unittest.main()
