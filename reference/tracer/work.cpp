@@ -1,6 +1,9 @@
 #include "reference/tracer/work.hpp"
 
+#include <optional>
+
 #if CAUSTICS_HAS_TBB
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #endif
@@ -48,6 +51,10 @@ void in_pieces(int pieces, int threads, const std::function<void(int)>& work) {
     happens_after(&ended);
   };
   happens_before(&started);
+  // As many threads as were wished, even where the machine has fewer cores.
+  std::optional<oneapi::tbb::global_control> control;
+  if (threads > 0)
+    control.emplace(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
   arena.execute(run);
 }

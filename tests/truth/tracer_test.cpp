@@ -2,6 +2,8 @@
 // numbers every time.
 #include <cmath>
 
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/spectrum.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "reference/closed_forms.hpp"
 #include "reference/half_ring.hpp"
@@ -51,21 +53,23 @@ std::vector<double> red(const std::vector<float>& values) {
 // Normal errors give |difference| = 0.80 of the standard error on the mean.
 struct Agreement {
   double mean_in_errors = 0.0;  // mean |difference| over mean standard error
-  double total_in_errors = 0.0; // |sum of differences| over the root of the sum of squared errors
+  double total_in_errors = 0.0;  // |sum of differences| over the root of the sum of squared errors
+  double total_error = 0.0;      // that root over the sum of the truth
 };
 
 template <class Counts>
 Agreement agreement(const Tracer& tracer, const std::vector<double>& truth, Counts counts) {
   const std::vector<double> picture = red(tracer.caustic()), error = red(tracer.caustic_error());
-  double differences = 0.0, errors = 0.0, total = 0.0, squares = 0.0;
+  double differences = 0.0, errors = 0.0, total = 0.0, squares = 0.0, light = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (!counts(i)) continue;
     differences += std::fabs(picture[i] - truth[i]);
     errors += error[i];
     total += picture[i] - truth[i];
     squares += error[i] * error[i];
+    light += truth[i];
   }
-  return {differences / errors, std::fabs(total) / std::sqrt(squares)};
+  return {differences / errors, std::fabs(total) / std::sqrt(squares), std::sqrt(squares) / light};
 }
 
 bool everywhere(std::size_t) { return true; }
@@ -74,6 +78,19 @@ void check_closed(const Account& a) {
   const glm::dvec3 gap = a.gap();
   CHECK(std::max({std::fabs(gap.x), std::fabs(gap.y), std::fabs(gap.z)}) < 1e-12 * a.entered.x);
 }
+
+// The line with which something is refused; empty where it is not.
+template <class Act>
+std::string refusal(Act act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool says(const std::string& line, const std::string& part) { return line.find(part) != std::string::npos; }
 
 // Light at an angle through a wide slab; the camera sees where it entered through the top alone.
 Scene slab_scene(double incidence) {
@@ -91,18 +108,17 @@ TEST_CASE("tracer truth: a slab passes what Fresnel's equations say, once and wi
   if (!has_ray_queries()) return;
   const double incidence = 0.9, e = std::cos(incidence);
   const double r = fresnel(e, 1.0, 1.5).mean();
-  const Run once(slab_scene(incidence), 8, 96, 4);
-  const Run all(slab_scene(incidence), 8, 96, 8, Physics::Full);
+  const Run once(slab_scene(incidence), 8, 128, 8);
+  const Run all(slab_scene(incidence), 8, 128, 8, Physics::Full);
   const double passed = e * slab_transmittance(incidence, 1.5, 0.2);
-  CHECK(agreement(*once.tracer, std::vector<double>(64, passed), everywhere).total_in_errors < 4.0);
-  // Stratified light makes even places nearly free of noise: to half a thousandth.
-  double mean = 0.0;
-  for (const double v : red(once.tracer->caustic())) mean += v / 64.0;
-  CHECK(mean == Approx(passed).epsilon(2e-3));
+  const Agreement single = agreement(*once.tracer, std::vector<double>(64, passed), everywhere);
+  CHECK(single.total_in_errors < 4.0);
+  CHECK(single.total_error < 0.01);
   // Unpolarised at each bounce: the series (1 - r)^2 (1 + r^2 + ...).
   const std::vector<double> series(64, e * (1.0 - r) / (1.0 + r));
-  CHECK(agreement(*all.tracer, series, everywhere).total_in_errors < 4.0);
-  CHECK(all.tracer->relative_error() < 0.02);
+  const Agreement full = agreement(*all.tracer, series, everywhere);
+  CHECK(full.total_in_errors < 4.0);
+  CHECK(full.total_error < 0.01);
   check_closed(once.account());
   check_closed(all.account());
 }
@@ -177,37 +193,37 @@ TEST_CASE("tracer truth: a prism turns each line by Snell's law") {
   Scene scene = prism.scene;
   scene.cameras = {test::camera_down(0.3, 1.0)};
   const Run run(std::move(scene), 200, 512, 2);
-  // The means of the picture's light in x, of red, green and blue: where the middle of the lit part of the
-  // exit face lands. By hand the lit part is followed point by point.
+  // The mean of the picture's light in x, of red, green and blue, against Snell's law at the three lines.
   const double lines[3] = {kLineC, kLineD, kLineF};
   const std::vector<float> picture = run.tracer->caustic();
   for (int c = 0; c < 3; ++c) {
     const double n = dispersive_index(1.5168, 0.3117, lines[c]);
-    double flux = 0.0, moment = 0.0;
-    for (std::size_t i = 0; i < picture.size() / 3; ++i) {
-      const double x = 2.0 * (static_cast<double>(i % 200) + 0.5) / 200.0 - 1.0;
-      const double v = static_cast<double>(picture[3 * i + static_cast<std::size_t>(c)]);
-      const double z = 1.0 - 2.0 * (static_cast<double>(i / 200) + 0.5) / 200.0;
-      if (std::fabs(z) > 0.3) continue;
-      flux += v;
-      moment += v * x;
-    }
-    // Parallel light stays parallel: the mean landing is that of the entry face's lit interval's middle.
+    // By hand, point by point over the entry face; light that enters by the base lands elsewhere.
     const glm::dvec2 a = prism.corner(prism.base, prism.entry), b = prism.corner(prism.entry, prism.exit);
-    double sum = 0.0;
+    double sum = 0.0, lower = 1e9, upper = -1e9;
     int count = 0;
     for (int k = 0; k < 20'000; ++k) {
       const glm::dvec2 p = a + (b - a) * ((k + 0.5) / 20'000);
-      const glm::dvec3 p1(p.x, p.y + prism.height, 0.0);
-      const auto p2 = prism.exit_point(p1, n);
+      const auto p2 = prism.exit_point({p.x, p.y + prism.height, 0.0}, n);
       if (!p2) continue;
       const glm::dvec3 d1 = *refract_direction({0.0, -1.0, 0.0}, prism.normal(prism.entry), 1.0 / n);
-      const auto d2 = refract_direction(d1, -prism.normal(prism.exit), n);
-      if (!d2) continue;
-      sum += p2->x - d2->x / d2->y * p2->y;
+      const glm::dvec3 d2 = *refract_direction(d1, -prism.normal(prism.exit), n);
+      const double x = p2->x - d2.x / d2.y * p2->y;
+      sum += x;
+      lower = std::min(lower, x);
+      upper = std::max(upper, x);
       ++count;
     }
-    INFO("channel " << c << " n " << n);
+    double flux = 0.0, moment = 0.0;
+    for (std::size_t i = 0; i < picture.size() / 3; ++i) {
+      const double x = 2.0 * (static_cast<double>(i % 200) + 0.5) / 200.0 - 1.0;
+      const double z = 1.0 - 2.0 * (static_cast<double>(i / 200) + 0.5) / 200.0;
+      if (std::fabs(z) > 0.3 || x < lower - 0.01 || x > upper + 0.01) continue;
+      const double v = static_cast<double>(picture[3 * i + static_cast<std::size_t>(c)]);
+      flux += v;
+      moment += v * x;
+    }
+    INFO("channel " << c << " n " << n << " from " << lower << " to " << upper);
     CHECK(moment / flux == Approx(sum / count).margin(1e-3));
   }
   check_closed(run.account());
@@ -325,15 +341,20 @@ TEST_CASE("tracer: the state of another request is refused, and says what differ
   const Run run(test::sphere_scene(1.5f, 3), 8, 8, 1);
   const std::string kept = to_bytes(run.tracer->state(), run.request());
   const auto refused = [&](const Run& other, const std::string& why) {
-    CHECK_THROWS_WITH(from_bytes(kept, other.request(), other.tracer->state()), Contains(why));
+    const std::string line = refusal([&] { from_bytes(kept, other.request(), other.tracer->state()); });
+    INFO(line);
+    CHECK(says(line, why));
   };
   refused(Run(test::sphere_scene(1.5f, 3), 9, 8, 0), "size: 8x8 there, size: 9x9 here");
   refused(Run(test::sphere_scene(1.5f, 3), 8, 9, 0), "rays: 8 there, rays: 9 here");
   refused(Run(test::sphere_scene(1.5f, 3), 8, 8, 0, Physics::Full), "physics: single there");
   refused(Run(test::sphere_scene(1.6f, 3), 8, 8, 0), "scene: ");
-  CHECK_THROWS_WITH(from_bytes(kept.substr(0, kept.size() - 1), run.request(), run.tracer->state()),
-                    Contains("damaged"));
-  CHECK_THROWS_WITH(from_bytes("nonsense", run.request(), run.tracer->state()), Contains("no state"));
+  const auto of = [&](const std::string& bytes) {
+    return refusal([&] { from_bytes(bytes, run.request(), run.tracer->state()); });
+  };
+  CHECK(of(kept).empty());
+  CHECK(says(of(kept.substr(0, kept.size() - 1)), "damaged"));
+  CHECK(says(of("nonsense"), "no state"));
 }
 
 TEST_CASE("tracer: what glass mirrors lands where that is asked for, and the ledger closes") {
@@ -366,11 +387,11 @@ TEST_CASE("tracer: what is not simulated is refused by name") {
   if (!has_ray_queries()) return;
   Scene hazy = test::sphere_scene(1.5f, 2);
   hazy.medium.scattering = glm::vec3(0.1f);
-  CHECK_THROWS_WITH(Run(hazy, 8, 8, 0), Contains("does not trace medium"));
+  CHECK(says(refusal([&] { Run(hazy, 8, 8, 0); }), "does not trace medium"));
   Scene cut_out = test::sphere_scene(1.5f, 2);
   cut_out.materials[1].alpha_mode = AlphaMode::Mask;
   cut_out.materials[1].base_color.a = 0.0f;
-  CHECK_THROWS_WITH(Run(cut_out, 8, 8, 0), Contains("does not trace cut-out casters"));
+  CHECK(says(refusal([&] { Run(cut_out, 8, 8, 0); }), "does not trace cut-out casters"));
 }
 
 }  // namespace caustics::tracer
