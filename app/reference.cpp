@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/atomic_file.hpp"
+#include "app/frame.hpp"
 #include "app/interrupt.hpp"
 #include "app/judged_scene.hpp"
 #include "app/progress.hpp"
@@ -21,6 +22,8 @@ namespace {
 constexpr double kBetweenSaves = 60'000.0;  // milliseconds
 // With fewer the spread of the batches tells little of the error.
 constexpr std::uint64_t kLeastForError = 4;
+// A pixel's surface, its sums, a batch's, all layers, and the state's bytes.
+constexpr std::uint64_t kBytesPerPixel = sizeof(tracer::Seen) + 9 * sizeof(double) + 8 * 4 * sizeof(float) + 6 * sizeof(double);
 
 bool is_exr(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -44,6 +47,8 @@ class ReferenceRun {
     progress_.show("loading " + request_.frame.scene.filename().string());
     judged_ = load_scene(request_.frame);
     progress_.show("what the camera sees");
+    check_memory(static_cast<std::uint64_t>(request_.trace.width) * static_cast<std::uint64_t>(request_.trace.height) *
+                     kBytesPerPixel, "-r");
     tracer_ = std::make_unique<tracer::Tracer>(judged_->scene(), judged_->effects(), judged_->camera(),
                                                request_.trace);
     stop_if_interrupted();
@@ -92,6 +97,7 @@ class ReferenceRun {
 
   void trace() {
     watch_ = Stopwatch();
+    error_ = tracer_->relative_error();
     const std::uint64_t first = tracer_->state().batches;
     while (!enough()) {
       timing_.batches = tracer_->state().batches - first;
