@@ -94,7 +94,7 @@ void add_effort(Parser& parser, ReferenceRequest& request) {
                 [&](const std::string& value) {
                   request.seconds = parse_real("--seconds", value, 0.0, kLongest);
                 });
-  parser.option("--error", "P%", "until the standard errors add up to P% of the caustics' light; exit 6 if missed",
+  parser.option("--error", "P%", "until the standard errors add up to P% of the caustics; exit 6 if missed",
                 [&](const std::string& value) { request.error = parse_percent(value); });
   parser.flag("--resume", request.resume, "go on from FILE.state, which every run leaves beside its output");
   parser.option("-t,--threads", "N", "threads, 1..1024 (default one a core); changes no bit",
