@@ -77,7 +77,10 @@ class ReferenceRun {
 
   void save() {
     const std::string bytes = tracer::to_bytes(tracer_->state(), text_);
-    write_atomically(request_.state_file(), bytes);
+    // Not write_atomically, which gives up when a signal has come: that is when this file is wanted.
+    PendingFile file(request_.state_file());
+    file.write_all(bytes.data(), bytes.size());
+    file.move_into_place();
     saved_ = watch_.milliseconds();
   }
 

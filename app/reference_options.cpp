@@ -120,8 +120,8 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   add_view(parser, request.frame);
   add_physics(parser, request);
   add_effort(parser, request);
-  std::string keys = "Settings for -D:";
-  for (const char* key : kKeys) keys += std::string(key == kKeys[0] ? " " : ", ") + key;
+  std::string keys = "Settings for -D:\n ";
+  for (const char* key : kKeys) keys += (key == kKeys[6] ? "\n  " : " ") + std::string(key);
   parser.footer("Layers, of the first surface that is hit:\n" + reference_layer_help() + keys);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
