@@ -15,6 +15,7 @@ struct ReferenceRequest {
   std::vector<std::string> layers;  // checked
   std::string stats;                // --stats; "": none
   tracer::TraceSettings trace;
+  std::vector<std::string> spheres;  // --exact NAME=sphere: names of meshes
   // Whatever comes first ends the run.
   std::optional<int> batches;
   std::optional<double> seconds;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "pipeline/gpu/error.hpp"
@@ -63,6 +64,51 @@ bool occluded(RTCScene scene, RTCRay& query) {
   return query.tfar < 0.0f;
 }
 
+// ---- Exact spheres: Embree asks for their box, and whether a ray of its own meets them.
+
+const ExactSphere& sphere_in(void* user) { return *static_cast<const ExactSphere*>(user); }
+
+void sphere_bounds(const RTCBoundsFunctionArguments* a) {
+  const ExactSphere& s = sphere_in(a->geometryUserPtr);
+  const double r = s.radius * (1.0 + 1e-5);
+  RTCBounds& b = *a->bounds_o;
+  b.lower_x = static_cast<float>(s.centre.x - r);
+  b.lower_y = static_cast<float>(s.centre.y - r);
+  b.lower_z = static_cast<float>(s.centre.z - r);
+  b.upper_x = static_cast<float>(s.centre.x + r);
+  b.upper_y = static_cast<float>(s.centre.y + r);
+  b.upper_z = static_cast<float>(s.centre.z + r);
+}
+
+// The nearest meeting within the ray's range.
+bool meets(const ExactSphere& sphere, const RTCRay& ray, float& distance) {
+  const ExactSphere::Meetings m =
+      sphere.meetings({ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z});
+  if (!m.real) return false;
+  for (const double t : {m.first, m.second}) {
+    distance = static_cast<float>(t);
+    if (distance >= ray.tnear && distance <= ray.tfar) return true;
+  }
+  return false;
+}
+
+// A packet of one ray has the layout of the ray.
+void intersect_sphere(const RTCIntersectFunctionNArguments* a) {
+  RTCRayHit& query = *reinterpret_cast<RTCRayHit*>(a->rayhit);
+  float distance = 0.0f;
+  if (!a->valid[0] || !meets(sphere_in(a->geometryUserPtr), query.ray, distance)) return;
+  query.ray.tfar = distance;
+  query.hit.geomID = a->geomID;
+  query.hit.primID = a->primID;
+}
+
+void occlude_by_sphere(const RTCOccludedFunctionNArguments* a) {
+  RTCRay& ray = *reinterpret_cast<RTCRay*>(a->ray);
+  float distance = 0.0f;
+  if (a->valid[0] && meets(sphere_in(a->geometryUserPtr), ray, distance))
+    ray.tfar = -std::numeric_limits<float>::infinity();
+}
+
 // Embree reads the vertices where they are: three floats, with at least as many bytes behind the last as it
 // wants to over-read.
 static_assert(sizeof(Vertex) >= 16);
@@ -103,6 +149,19 @@ struct RaySet::Handles {
     rtcReleaseGeometry(geometry);
   }
 
+  // `sphere` must stay where it is.
+  void add(const ExactSphere& sphere, unsigned number) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, 1);
+    rtcSetGeometryUserData(geometry, const_cast<ExactSphere*>(&sphere));
+    rtcSetGeometryBoundsFunction(geometry, sphere_bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, intersect_sphere);
+    rtcSetGeometryOccludedFunction(geometry, occlude_by_sphere);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, number);
+    rtcReleaseGeometry(geometry);
+  }
+
   void commit() {
     rtcCommitScene(scene);
     if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
@@ -112,16 +171,20 @@ struct RaySet::Handles {
 };
 
 bool has_ray_queries() { return true; }
-const char* ray_queries_version() { return "Embree " RTC_VERSION_STRING; }
+const char* ray_queries_version() { return RTC_VERSION_STRING; }
 
-RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes) : scene_(&scene) {
+RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactSphere>& exact)
+    : scene_(&scene), exact_(exact) {
   for (const int m : meshes)
     if (!scene.meshes[static_cast<std::size_t>(m)].indices.empty()) meshes_.push_back(m);
   if (meshes_.empty()) return;
   const PlainFloats plain;  // committing changes the mode, and is trusted to put it back only so far
   handles_ = std::make_unique<Handles>();
-  for (std::size_t i = 0; i < meshes_.size(); ++i)
-    handles_->add(scene.meshes[static_cast<std::size_t>(meshes_[i])], static_cast<unsigned>(i));
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    const auto number = static_cast<unsigned>(i);
+    if (const ExactSphere* sphere = shape_of(meshes_[i])) handles_->add(*sphere, number);
+    else handles_->add(scene.meshes[static_cast<std::size_t>(meshes_[i])], number);
+  }
   handles_->commit();
 }
 
@@ -149,7 +212,7 @@ struct RaySet::Handles {};
 bool has_ray_queries() { return false; }
 const char* ray_queries_version() { return "none"; }
 
-RaySet::RaySet(const Scene& scene, const std::vector<int>&) : scene_(&scene) {
+RaySet::RaySet(const Scene& scene, const std::vector<int>&, const std::vector<ExactSphere>&) : scene_(&scene) {
   throw Error(ExitCode::BackendUnavailable,
               "this build has no Embree, which finds the reference's rays; install libembree-dev and "
               "configure again");
@@ -163,8 +226,29 @@ RaySet::~RaySet() = default;
 RaySet::RaySet(RaySet&&) noexcept = default;
 RaySet& RaySet::operator=(RaySet&&) noexcept = default;
 
+const ExactSphere* RaySet::shape_of(int mesh) const {
+  const auto found =
+      std::find_if(exact_.begin(), exact_.end(), [&](const ExactSphere& shape) { return shape.mesh == mesh; });
+  return found == exact_.end() ? nullptr : &*found;
+}
+
+namespace {
+
+SurfaceHit on_sphere(const ExactSphere& sphere, const Ray& ray, double distance) {
+  const ExactSphere::Meetings m = sphere.meetings(ray.origin, ray.direction);
+  SurfaceHit hit{.mesh = sphere.mesh};
+  hit.front = std::fabs(m.first - distance) <= std::fabs(m.second - distance);
+  hit.distance = hit.front ? m.first : m.second;
+  hit.position = ray.at(hit.distance);
+  hit.plane = hit.normal = exact::normalise(hit.position - sphere.centre, -ray.direction);
+  return hit;
+}
+
+}  // namespace
+
 // `distance` is Embree's, kept where the ray runs along the triangle.
 SurfaceHit RaySet::met_again(const Ray& ray, int mesh, int triangle, double distance) const {
+  if (const ExactSphere* sphere = shape_of(mesh)) return on_sphere(*sphere, ray, distance);
   const Mesh& m = scene_->meshes[static_cast<std::size_t>(mesh)];
   const auto vertex = [&](std::size_t corner) -> const Vertex& {
     return m.vertices[m.indices[3 * static_cast<std::size_t>(triangle) + corner]];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/scene/scene.hpp"
+#include "reference/tracer/exact_shapes.hpp"
 
 namespace caustics::tracer {
 
@@ -28,13 +29,14 @@ struct SurfaceHit {
 
 // Is this build able to trace rays? Otherwise making a RaySet throws Error (BackendUnavailable).
 bool has_ray_queries();
-// "Embree 3.13.5", or "none".
+// "3.13.5", or "none".
 const char* ray_queries_version();
 
 class RaySet {
  public:
   // Of these meshes; the scene must outlive the set and keep its vertices. No meshes are fine: nothing is hit.
-  RaySet(const Scene& scene, const std::vector<int>& meshes);
+  // Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then.
+  RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactSphere>& exact = {});
   ~RaySet();
   RaySet(RaySet&&) noexcept;
   RaySet& operator=(RaySet&&) noexcept;
@@ -47,9 +49,11 @@ class RaySet {
  private:
   struct Handles;
   SurfaceHit met_again(const Ray& ray, int mesh, int triangle, double distance) const;
+  const ExactSphere* shape_of(int mesh) const;
 
   const Scene* scene_;
   std::vector<int> meshes_;  // by Embree's geometry number
+  std::vector<ExactSphere> exact_;
   std::unique_ptr<Handles> handles_;
 };
 

@@ -64,6 +64,14 @@ std::string lights_text(const Scene& scene, const Effects& effects) {
   return d.text();
 }
 
+// Nothing where all is meshes.
+std::string exact_text(const std::vector<ExactSphere>& exact) {
+  if (exact.empty()) return {};
+  Digest d;
+  for (const ExactSphere& s : exact) d << s.mesh << s.centre << s.radius;
+  return "\nexact shapes: " + d.text();
+}
+
 std::string view_text(const Frame& f) {
   Digest d;
   d << f.origin << f.right << f.up << f.forward << f.perspective << f.window_lower << f.window_upper << f.near
@@ -107,7 +115,7 @@ std::string request_text(const Scene& scene, const Effects& effects, const Camer
   return "size: " + std::to_string(settings.width) + "x" + std::to_string(settings.height) +
          "\nrays: " + std::to_string(settings.side) +
          "\nphysics: " + (settings.physics == Physics::Full ? "full" : "single") +
-         "\nview: " + view_text(frame_of(camera, settings.width, settings.height, bounds_of(scene))) +
+         exact_text(settings.exact) + "\nview: " + view_text(frame_of(camera, settings.width, settings.height, bounds_of(scene))) +
          "\nlights: " + lights_text(scene, effects) + "\nscene: " + meshes_text(scene, effects) +
          "\nnumbers: " + (std::endian::native == std::endian::little ? "little" : "big") + " endian";
 }

@@ -29,7 +29,7 @@ struct Tracer::Piece {
 
 Tracer::Tracer(const Scene& scene, const Effects& effects, const Camera& camera, const TraceSettings& settings)
     : settings_(settings),
-      world_(scene, effects),
+      world_(scene, effects, settings.exact),
       film_(world_, frame_of(camera, settings.width, settings.height, bounds_of(scene)), settings.width,
             settings.height, settings.threads) {
   for (int i = 0; i < static_cast<int>(scene.sources.size()); ++i) {

@@ -61,8 +61,8 @@ bool throws_light(Role role) { return is_caster(role); }
 
 }  // namespace
 
-World::World(const Scene& scene, const Effects& effects)
-    : scene_(scene), effects_(effects), panes_(scene, {}) {
+World::World(const Scene& scene, const Effects& effects, const std::vector<ExactSphere>& exact)
+    : scene_(scene), effects_(effects), exact_(exact), panes_(scene, {}) {
   refuse_what_is_not_traced(scene, effects);
   judge(scene, effects);
   Bounds everything = bounds_of(scene);
@@ -100,7 +100,12 @@ LitSet World::set_without(int emitter) const {
   std::vector<int> casters = meshes_with(optics_, emitter, throws_light);
   Bounds bounds;
   for (const int m : casters) bounds.add(bounds_of(scene_.meshes[static_cast<std::size_t>(m)]));
-  return {RaySet(scene_, casters), RaySet(scene_, meshes_with(optics_, emitter, is_receiver)),
+  for (const ExactSphere& sphere : exact_) {
+    if (std::find(casters.begin(), casters.end(), sphere.mesh) == casters.end()) continue;
+    bounds.add(sphere.centre - glm::dvec3(sphere.radius));
+    bounds.add(sphere.centre + glm::dvec3(sphere.radius));
+  }
+  return {RaySet(scene_, casters, exact_), RaySet(scene_, meshes_with(optics_, emitter, is_receiver), exact_),
           std::move(casters), bounds};
 }
 

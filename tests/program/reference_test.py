@@ -82,6 +82,9 @@ class Reference(ProgramTest):
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--physics", "half", saying="single or full")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--batches", "1", saying="2..")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--error", "x", saying="--error")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball", saying="NAME=sphere")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "bell=sphere", saying="did you mean 'ball'?")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "floor=sphere", saying="is no sphere")
         self.fails(3, "reference", "none.glb", "-o", "t.exr", saying="none.glb")
         self.fails(4, "reference", "ball.glb", "-o", "none/t.exr", saying="none/t.exr")
 

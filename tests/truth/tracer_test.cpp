@@ -33,7 +33,10 @@ struct Run {
     settings.width = settings.height = pixels;
     sample_lights(scene, 1);
     effects = effects_of(scene, settings);
-    trace = {.width = pixels, .height = pixels, .side = side, .physics = physics, .threads = threads};
+    trace.width = trace.height = pixels;
+    trace.side = side;
+    trace.physics = physics;
+    trace.threads = threads;
     tracer = std::make_unique<Tracer>(scene, effects, scene.cameras.at(0), trace);
     for (int i = 0; i < batches; ++i) REQUIRE(tracer->run_batch());
   }
@@ -139,6 +142,28 @@ TEST_CASE("tracer truth: a glass sphere's floor is the closed form's within the 
   const double share = (run.account().landed.x + run.account().missed.x) / run.account().entered.x;
   CHECK(share == Approx(sphere.transmitted_share()).epsilon(5e-4));
   check_closed(run.account());
+}
+
+TEST_CASE("tracer truth: an exact sphere in place of a coarse mesh has the closed form's light") {
+  if (!has_ray_queries()) return;
+  constexpr int kPixels = 40;
+  Run run(test::sphere_scene(1.5f, 2), kPixels, 256, 0);  // 320 triangles
+  const ExactSphere shape = sphere_of(run.scene, 1);
+  CHECK(shape.radius == Approx(0.5).epsilon(1e-6));
+  CHECK(shape.centre.y == Approx(0.8).epsilon(1e-6));
+  run.trace.exact = {shape};
+  run.tracer = std::make_unique<Tracer>(run.scene, run.effects, run.scene.cameras.at(0), run.trace);
+  for (int i = 0; i < 8; ++i) REQUIRE(run.tracer->run_batch());
+  const GlassSphere sphere{.radius = 0.5, .index = 1.5, .distance = 0.8};
+  const Agreement a = agreement(
+      *run.tracer, irradiance_average(sphere, {.lower = {-1.0, -1.0}, .side = 2.0, .pixels = kPixels}).values,
+      everywhere);
+  CHECK(a.mean_in_errors < 1.0);
+  CHECK(a.total_in_errors < 4.0);
+  CHECK(run.account().entered.x / 8.0 == Approx(kPi * 0.25).epsilon(1e-3));
+  check_closed(run.account());
+  CHECK(run.request() != Run(test::sphere_scene(1.5f, 2), kPixels, 256, 0).request());
+  CHECK(says(refusal([&] { sphere_of(run.scene, 0); }), "'floor' is no sphere"));
 }
 
 TEST_CASE("tracer truth: a half ring draws the nephroid within the error stated") {
