@@ -15,6 +15,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/shader.hpp"
 #include "raster/software_device.hpp"
+#include "reference/tracer/rays.hpp"
 
 namespace caustics::app {
 
@@ -87,6 +88,7 @@ ExitCode run_doctor(const Arguments& arguments) {
                             std::to_string(NLOHMANN_JSON_VERSION_PATCH));
   line("GLM", std::to_string(GLM_VERSION_MAJOR) + "." + std::to_string(GLM_VERSION_MINOR) + "." +
                   std::to_string(GLM_VERSION_PATCH) + "." + std::to_string(GLM_VERSION_REVISION));
+  line("Embree", tracer::has_ray_queries() ? tracer::ray_queries_version() : "not in this build: no 'caustics reference'");
 #if defined(CAUSTICS_TBB_VERSION)
   line("oneTBB", CAUSTICS_TBB_VERSION);
 #else

@@ -46,14 +46,18 @@ std::uint64_t memory_needed(const FramePlan& plan) {
   return sum + largest;
 }
 
-void check_memory(const FramePlan& plan, const Effects& effects) {
-  const std::uint64_t needed = memory_needed(plan), allowed = machine_memory() / 4 * 3;
+void check_memory(std::uint64_t needed, const std::string& advice) {
+  const std::uint64_t allowed = machine_memory() / 4 * 3;
   if (needed <= allowed) return;
   throw Error(ExitCode::WrongUsage,
               "these sizes need " + bytes_text(static_cast<double>(needed)) +
                   " of memory, more than the " + bytes_text(static_cast<double>(allowed)) +
-                  " that this machine can spare; lower -r, --grid, --map, -D shadow" +
-                  (effects.active("area lights") ? " or -D light.samples" : ""));
+                  " that this machine can spare; lower " + advice);
+}
+
+void check_memory(const FramePlan& plan, const Effects& effects) {
+  check_memory(memory_needed(plan), std::string("-r, --grid, --map, -D shadow") +
+                                        (effects.active("area lights") ? " or -D light.samples" : ""));
 }
 
 std::vector<LightFrames> fit_frames(JudgedScene& judged, const FrameRequest& request) {

@@ -14,6 +14,8 @@ namespace caustics::app {
 std::uint64_t memory_needed(const FramePlan& plan);
 // Throws Error (WrongUsage) when the frame needs more than three quarters of this machine's memory.
 void check_memory(const FramePlan& plan, const Effects& effects);
+// The same of so many bytes; `advice`: what to lower.
+void check_memory(std::uint64_t needed, const std::string& advice);
 
 // The frames of every light, fitted on a software device of its own. Leaves waters at rest.
 std::vector<LightFrames> fit_frames(JudgedScene& judged, const FrameRequest& request);

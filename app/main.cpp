@@ -22,6 +22,7 @@ constexpr Command kCommands[] = {
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
+    {"reference", "the truth to measure render against, traced ray by ray from the lights", run_reference},
     {"compare", "two images in values and figures, or two dumps of all passes", run_compare},
     {"paper", "the effects of Caustics Mapping (2007) made again, each with its check", run_paper},
     {"doctor", "version, instruction sets, threads, OpenGL devices, libraries", run_doctor},
@@ -38,7 +39,7 @@ void print_help() {
       "\n"
       "Commands:\n");
   for (const Command& command : kCommands) {
-    std::printf("  %-8s %s\n", command.name, command.summary);
+    std::printf("  %-9s %s\n", command.name, command.summary);
   }
   std::printf(
       "\n"
@@ -47,8 +48,8 @@ void print_help() {
       "  --version    version and build\n"
       "\n"
       "Exit codes: 0 done, 1 the answer is no (compare), 2 wrong usage, 3 input unreadable,\n"
-      "  4 cannot write, 5 no such backend, 7 numeric fault, 70 internal error, 130 interrupted, "
-      "143 terminated.\n");
+      "  4 cannot write, 5 no such backend, 6 error target missed (reference), 7 numeric fault,\n"
+      "  70 internal error, 130 interrupted, 143 terminated.\n");
 }
 
 // A word that can only have been meant as a command: not an option, nor anything like a file's

@@ -230,7 +230,8 @@ class Renderer {
     double longest = kFarther * model->expect(2 * kPilotSide, kPilotSide).milliseconds;
     for (int attempt = 1; attempt <= kAttempts; ++attempt) {
       expected_ = choose(*model, request_.demand, longest);
-      const bool hopeless = !meets(choose(*model, request_.demand), request_.demand);
+      const Trial free = choose(*model, request_.demand);
+      const bool hopeless = !meets(free, request_.demand) && free.milliseconds <= longest;
       progress_.show("trying grid " + std::to_string(expected_->grid) + " and map " + std::to_string(expected_->map));
       found_ = try_sizes(request_.frame, expected_->grid, expected_->map);
       if (!found_ || meets(*found_, request_.demand) || hopeless) break;

@@ -22,7 +22,7 @@ MAY = {
 # Libraries that only some rooms may name: the others build and run without them.
 OWNED = {
     'epoxy/': {'gl_backend'}, 'EGL/': {'gl_backend'}, 'GL/': {'gl_backend'},
-    'tbb/': {'raster'}, 'oneapi/': {'raster'}, 'embree': {'reference'}, 'CLI/': {'app'},
+    'tbb/': {'raster', 'reference'}, 'oneapi/': {'raster', 'reference'}, 'embree': {'reference'}, 'CLI/': {'app'},
     'tiny_gltf.h': {'pipeline/scene'}, 'nlohmann/': {'pipeline/scene', 'app'},
     'OpenImageIO/': {'pipeline/scene', 'app'},
 }

@@ -4,7 +4,7 @@ import unittest
 
 from program import ProgramTest
 
-COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "doctor"]
+COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "reference", "doctor"]
 
 
 class Help(ProgramTest):

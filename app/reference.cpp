@@ -1,0 +1,211 @@
+// caustics reference: the truth that `render` is measured against, by tracing light.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "app/atomic_file.hpp"
+#include "app/frame.hpp"
+#include "app/interrupt.hpp"
+#include "app/judged_scene.hpp"
+#include "app/progress.hpp"
+#include "app/reference_layers.hpp"
+#include "app/reference_options.hpp"
+#include "app/reference_report.hpp"
+#include "app/terminal.hpp"
+#include "pipeline/plan/nearest.hpp"
+#include "reference/tracer/state_file.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+constexpr double kBetweenSaves = 60'000.0;  // milliseconds
+// With fewer the spread of the batches tells little of the error.
+constexpr std::uint64_t kLeastForError = 4;
+// A pixel's surface, its sums, a batch's, all layers, and the state's bytes.
+constexpr std::uint64_t kBytesPerPixel = sizeof(tracer::Seen) + 9 * sizeof(double) + 8 * 4 * sizeof(float) + 6 * sizeof(double);
+
+bool is_exr(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension == ".exr";
+}
+
+// The sphere of each mesh that has this name.
+void add_spheres(const Scene& scene, const std::string& name, std::vector<tracer::ExactSphere>& spheres) {
+  std::vector<std::string> names;
+  const std::size_t before = spheres.size();
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    names.push_back(scene.meshes[i].name);
+    if (names.back() == name) spheres.push_back(tracer::sphere_of(scene, static_cast<int>(i)));
+  }
+  if (spheres.size() == before)
+    throw Error(ExitCode::WrongUsage, "--exact names no mesh: '" + one_line(name).substr(0, 60) + "', did you mean '" +
+                                          one_line(nearest_name(name, names)) + "'?");
+}
+
+class ReferenceRun {
+ public:
+  explicit ReferenceRun(ReferenceRequest request) : request_(std::move(request)), progress_(request_.quiet) {}
+
+  ExitCode run() {
+    prepare();
+    trace();
+    write();
+    return reached_ ? ExitCode::Done : ExitCode::TargetMissed;
+  }
+
+ private:
+  void prepare() {
+    progress_.show("loading " + request_.frame.scene.filename().string());
+    judged_ = load_scene(request_.frame);
+    for (const std::string& name : request_.spheres)
+      add_spheres(judged_->scene(), name, request_.trace.exact);
+    progress_.show("what the camera sees");
+    check_memory(static_cast<std::uint64_t>(request_.trace.width) * static_cast<std::uint64_t>(request_.trace.height) *
+                     kBytesPerPixel, "-r");
+    tracer_ = std::make_unique<tracer::Tracer>(judged_->scene(), judged_->effects(), judged_->camera(),
+                                               request_.trace);
+    stop_if_interrupted();
+    text_ = tracer::request_text(judged_->scene(), judged_->effects(), judged_->camera(), request_.trace);
+    if (request_.resume) restore();
+    timing_.prepare = total_.milliseconds();
+  }
+
+  void restore() {
+    const std::filesystem::path path = request_.state_file();
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+      progress_.clear();
+      if (!request_.quiet)
+        std::fprintf(stderr, "note: there is no %s to go on from: beginning anew\n",
+                     one_line(path.string()).c_str());
+      return;
+    }
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    try {
+      tracer_->restore(tracer::from_bytes(bytes, text_, tracer_->state()));
+    } catch (const Error& error) {
+      throw Error(error.code(), path.string() + " " + error.what());
+    }
+  }
+
+  void save() {
+    const std::string bytes = tracer::to_bytes(tracer_->state(), text_);
+    // Not write_atomically, which gives up when a signal has come: that is when this file is wanted.
+    PendingFile file(request_.state_file());
+    file.write_all(bytes.data(), bytes.size());
+    file.move_into_place();
+    saved_ = watch_.milliseconds();
+  }
+
+  bool enough() const {
+    const std::uint64_t batches = tracer_->state().batches;
+    if (batches < 2) return false;  // one tells no error
+    if (request_.batches && batches >= static_cast<std::uint64_t>(*request_.batches)) return true;
+    if (request_.seconds && watch_.milliseconds() >= 1000.0 * *request_.seconds) return true;
+    return met();
+  }
+
+  // Is the error asked for reached, and is there any light to trace?
+  bool met() const {
+    return tracer_->lights() == 0 || (request_.error && tracer_->state().batches >= kLeastForError &&
+                                      tracer_->relative_error() <= *request_.error);
+  }
+
+  void trace() {
+    watch_ = Stopwatch();
+    error_ = tracer_->relative_error();
+    const std::uint64_t first = tracer_->state().batches;
+    while (!enough()) {
+      timing_.batches = tracer_->state().batches - first;
+      const bool whole = tracer_->run_batch([&] {
+        progress_.show(progress_text());
+        return interruption() != ExitCode::Done;
+      });
+      if (!whole) break_off();
+      error_ = tracer_->relative_error();
+      if (watch_.milliseconds() - saved_ > kBetweenSaves) save();
+    }
+    timing_.batches = tracer_->state().batches - first;
+    timing_.trace = watch_.milliseconds();
+    reached_ = !request_.error || met();
+    if (timing_.batches > 0) save();
+  }
+
+  [[noreturn]] void break_off() {
+    progress_.clear();
+    if (tracer_->state().batches > 0) {
+      save();
+      if (!request_.quiet)
+        std::fprintf(stderr, "%s batches are kept in %s; --resume goes on\n",
+                     grouped(tracer_->state().batches).c_str(), one_line(request_.state_file().string()).c_str());
+    }
+    throw Error(interruption(), "interrupted");
+  }
+
+  // "batch 3 of 16, error 2.1%, 12 s left".
+  std::string progress_text() const {
+    const std::uint64_t done = tracer_->state().batches;
+    std::string text = "batch " + grouped(done + 1);
+    if (request_.batches) text += " of " + grouped(static_cast<std::uint64_t>(*request_.batches));
+    if (done > 1) text += ", error " + percent(error_);
+    const double left = milliseconds_left();
+    if (std::isfinite(left)) text += ", " + duration_text(left) + " left";
+    return text;
+  }
+
+  double milliseconds_left() const {
+    const double now = watch_.milliseconds(), done = static_cast<double>(tracer_->state().batches);
+    double left = std::numeric_limits<double>::infinity();
+    if (request_.seconds) left = std::max(1000.0 * *request_.seconds - now, 0.0);
+    if (timing_.batches == 0) return left;
+    const double each = now / static_cast<double>(timing_.batches);
+    if (request_.batches) left = std::min(left, each * (*request_.batches - done));
+    if (request_.error && done > 1.0) {
+      // The error falls as one over the root of the number of batches.
+      const double ratio = error_ / *request_.error;
+      left = std::min(left, each * std::max(done * ratio * ratio - done, 0.0));
+    }
+    return left;
+  }
+
+  void write() {
+    progress_.show("shadows, writing");
+    write_reference_layers(request_.output, request_.layers, *tracer_, request_.trace.threads);
+    timing_.total = total_.milliseconds();
+    if (!request_.stats.empty())
+      write_atomically(request_.stats, reference_stats(request_, judged_->scene(), *tracer_, timing_));
+    progress_.clear();
+    if (!request_.quiet) print_reference(request_, judged_->scene(), judged_->effects(), *tracer_, timing_);
+    if (!reached_)
+      complain("the error is " + percent(tracer_->relative_error()) + ", not the " +
+               percent(*request_.error) + " asked for; the picture is written, --resume goes on");
+  }
+
+  ReferenceRequest request_;
+  Progress progress_;
+  Stopwatch total_, watch_;
+  ReferenceTiming timing_;
+  std::unique_ptr<JudgedScene> judged_;
+  std::unique_ptr<tracer::Tracer> tracer_;
+  std::string text_;  // of the request
+  double saved_ = 0.0, error_ = 0.0;
+  bool reached_ = true;
+};
+
+}  // namespace
+
+ExitCode run_reference(const Arguments& arguments) {
+  ReferenceRequest request;
+  if (!parse_reference(arguments, request)) return ExitCode::Done;
+  if (!is_exr(request.output))
+    throw Error(ExitCode::WrongUsage, request.output.string() +
+                                          ": the reference is light in lux, written as .exr only");
+  require_writable(request.output);
+  if (!request.stats.empty()) require_writable(request.stats);
+  return ReferenceRun(std::move(request)).run();
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,31 @@
+// What `caustics reference` is asked for.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/frame_options.hpp"
+#include "reference/tracer/tracer.hpp"
+
+namespace caustics::app {
+
+struct ReferenceRequest {
+  FrameRequest frame;
+  std::filesystem::path output;
+  std::vector<std::string> layers;  // checked
+  std::string stats;                // --stats; "": none
+  tracer::TraceSettings trace;
+  std::vector<std::string> spheres;  // --exact NAME=sphere: names of meshes
+  // Whatever comes first ends the run.
+  std::optional<int> batches;
+  std::optional<double> seconds;
+  std::optional<double> error;  // relative, of Tracer::relative_error
+  bool resume = false, quiet = false;
+
+  std::filesystem::path state_file() const { return output.string() + ".state"; }
+};
+
+// False when the help was asked for and printed. Throws Error (WrongUsage).
+bool parse_reference(const Arguments& arguments, ReferenceRequest& request);
+
+}  // namespace caustics::app

@@ -1,0 +1,93 @@
+"""caustics reference: layers, going on after a break, refusals."""
+
+import json
+import re
+import signal
+import subprocess
+import unittest
+
+from program import PROGRAM, ProgramTest
+
+FAST = ["-r", "48x32", "--rays", "32"]
+
+
+class Reference(ProgramTest):
+    def test_writes_its_layers_and_statistics(self):
+        result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "3", "--stats", "t.json")
+        self.assertEqual(result.stdout, "")
+        self.assertIn("3 batches of 32 x 32 rays", result.stderr)
+        self.assertEqual(self.files(), ["ball.glb", "t.exr", "t.exr.state", "t.json"])
+        stats = json.loads((self.folder / "t.json").read_text())
+        self.assertEqual(stats["batches"], 3)
+        self.assertEqual(stats["rays"], 3 * 32 * 32)
+        flux = stats["lights"][0]["flux"]
+        for channel in range(3):
+            parts = sum(flux[name][channel] for name in ("landed", "fresnel", "absorbed", "total_reflection",
+                                                         "missed", "lost", "cut"))
+            self.assertAlmostEqual(parts, flux["entered"][channel], delta=1e-12)
+
+    def test_has_the_surfaces_of_render(self):
+        self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "2", "--aov", "depth,coverage")
+        self.succeeds("render", "ball.glb", "-o", "r.exr", "-r", "48x32", "--grid", "16", "--map", "16",
+                      "--aov", "depth,coverage")
+        result = self.run_program("compare", "t.exr", "r.exr", "--json")
+        channels = {c["channel"]: c for c in json.loads(result.stdout)["channels"]}
+        # Triangles' corners are snapped to 1/256 pixel there, so that an edge may take another pixel.
+        self.assertLessEqual(channels["coverage.R"]["differing"], 4)
+        self.assertLess(channels["depth.R"]["absolute"]["mean"], 0.01)
+
+    def test_goes_on_to_the_same_bytes(self):
+        self.succeeds("reference", "ball.glb", "-o", "whole.exr", *FAST, "--batches", "6", "--quiet", "-t", "1")
+        self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "2", "--quiet")
+        result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "6", "--resume", "-t", "3")
+        self.assertIn("6 batches", result.stderr)
+        for end in ("", ".state"):
+            self.assertEqual((self.folder / ("whole.exr" + end)).read_bytes(),
+                             (self.folder / ("t.exr" + end)).read_bytes())
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "-r", "48x32", "--rays", "33", "--resume",
+                   saying="rays: 32 there, rays: 33 here")
+        (self.folder / "t.exr.state").write_text("nonsense")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", *FAST, "--resume", saying="is no state")
+
+    def test_keeps_its_state_when_it_is_interrupted(self):
+        process = subprocess.Popen([PROGRAM, "reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "1000000"],
+                                   cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        # Off a terminal a line a second says how far it is; at the second batch one is done.
+        for line in process.stderr:
+            number = re.search(r"batch ([\d,]+) of", line)
+            if number and number.group(1) != "1":
+                break
+        process.send_signal(signal.SIGINT)
+        _, talk = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, talk)
+        self.assertIn("--resume goes on", talk)
+        self.assertEqual(self.files(), ["ball.glb", "t.exr.state"])
+        result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--seconds", "0", "--resume")
+        self.assertIn("t.exr:", result.stderr)
+
+    def test_misses_an_error_that_takes_longer(self):
+        result = self.run_program("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "4", "--error", "0.01%")
+        self.assertEqual(result.returncode, 6, result.stderr)
+        self.assertIn("not the 0.0% asked for", result.stderr)
+        self.assertIn("t.exr", self.files())
+        self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--error", "1000%", "--quiet")
+
+    def test_refusals(self):
+        self.fails(2, "reference", saying="no scene given")
+        self.fails(2, "reference", "ball.glb", "-o", "t.png", saying=".exr only")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--aov", "beauty", saying="no layer 'beauty'")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--aov", "caustics", saying="did you mean 'caustic'?")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "-D", "grid=64", saying="has no maps")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "-D", "gird=64", saying="did you mean 'grid'?")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--physics", "half", saying="single or full")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--batches", "1", saying="2..")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--error", "x", saying="--error")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball", saying="NAME=sphere")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "bell=sphere", saying="did you mean 'ball'?")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "floor=sphere", saying="is no sphere")
+        self.fails(3, "reference", "none.glb", "-o", "t.exr", saying="none.glb")
+        self.fails(4, "reference", "ball.glb", "-o", "none/t.exr", saying="none/t.exr")
+
+
+if __name__ == "__main__":
+    unittest.main()
