@@ -6,8 +6,13 @@
 namespace caustics::app {
 
 std::vector<std::string> ledger_textures() {
-  return {kCasterNormal, kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kLandingMedium,
-          kCellNear, kCellFar, kCellFlux, kCausticMap, kCascadeMap};
+  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kCascadeMap};
+  for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar, kCellFlux,
+                           kCausticMap}) {
+    textures.emplace_back(name);
+    textures.push_back(far_texture(name));
+  }
+  return textures;
 }
 
 namespace {
@@ -30,14 +35,12 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   const std::vector<BranchImages> branches = branch_images(light, frame.effects().branches, has, read);
   const Image map = frame.read(light_texture(kCausticMap, light));
   const LightFrames& frames = frame.frames()[static_cast<std::size_t>(light)];
-  const Ledger ledger = make_ledger(branches, map, frames.caustic, frame.settings());
-  add(sum.ledger, ledger, share);
   const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
-  std::vector<CellImages> cells;
-  for (const Branch& branch : frame.effects().branches)
-    cells.push_back({if_any(branch_texture(kCellNear, light, branch)), if_any(branch_texture(kCellFar, light, branch))});
+  const Ledger ledger = make_ledger(branches, map, if_any(light_texture(far_texture(kCausticMap), light)),
+                                    frames.caustic, frame.settings());
+  add(sum.ledger, ledger, share);
   add(sum.error,
-      estimate_error(branches, cells, map, if_any(light_texture(kCascadeMap, light)), frames, frame.settings(), ledger),
+      estimate_error(branches, cell_images(light, frame.effects().branches, has, read), map, if_any(light_texture(kCascadeMap, light)), frames, frame.settings(), ledger),
       share);
   const std::vector<Outcome> outcomes = outcomes_of(
       sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));

@@ -97,6 +97,7 @@ Json settings_json(const Settings& s) {
           {"reflections", s.reflections ? "yes" : "no"},
           {"frames", s.shared_frames ? "shared" : "fitted"},
           {"cascades", s.cascades ? "auto" : "off"},
+          {"hidden_receivers", s.hidden_receivers ? "auto" : "off"},
           {"outside_share", s.outside_share},
           {"assume_solid", s.assume_solid ? "yes" : "no"},
           {"exposure", s.exposure ? Json(*s.exposure) : Json("auto")},

@@ -8,6 +8,7 @@
 #include "passes/caustic_map/caustic_map.hpp"
 #include "passes/cells/cells.hpp"
 #include "passes/compose/compose.hpp"
+#include "passes/far_receivers/far_receivers.hpp"
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
 #include "passes/impostor_map/impostor_map.hpp"
@@ -48,6 +49,13 @@ const Registry& pass_registry() {
       caustic_cells_grey_pass(),
       caustic_map_pass(),
       caustic_map_grey_pass(),
+      far_receiver_map_pass(),
+      far_landing_pass(),
+      far_cells_pass(),
+      far_caustic_cells_pass(),
+      far_caustic_cells_grey_pass(),
+      far_caustic_map_pass(),
+      far_caustic_map_grey_pass(),
       cascade_cells_pass(),
       cascade_cells_grey_pass(),
       cascade_map_pass(),

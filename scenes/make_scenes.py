@@ -607,6 +607,21 @@ def two_lights():
     return s
 
 
+def receivers():
+    """A caustic over receivers that are not plane: the edge of a step, a ball and a ramp."""
+    s = Scene()
+    s.mesh('sphere', icosphere((0.0, 0.75, 0.0), 0.34, 5), glass('glass', 1.5))
+    s.mesh('step', box((0.22, 0.0, -0.75), (1.10, 0.20, 0.02)), diffuse('step', 0.7))
+    s.mesh('ball', icosphere((0.40, 0.13, 0.24), 0.13, 4), diffuse('ball', 0.75))
+    s.mesh('ramp', flat_faces([[(-0.5, 0.003, -0.6), (-0.5, 0.003, 0.6), (0.12, 0.16, 0.6), (0.12, 0.16, -0.6)]]),
+           diffuse('ramp', 0.7))
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun((0.5, -1.0, 0.12), 10.0)
+    s.camera('view', (0.75, 1.35, 1.75), (0.3, 0.22, 0.0), 40)
+    s.camera_down('floor', (0.25, 0.38, 0.0), 0.75)
+    return s
+
+
 def sun_disk():
     """A sun of 5 degrees: the shadow of the post softens with the height of what throws it, and the caustic's
     edges are as soft as the way of its light is long."""
@@ -865,7 +880,7 @@ def main():
     scenes = {'glass_sphere.glb': glass_sphere, 'glass_figure.glb': glass_figure, 'water_patch.glb': water_patch,
               'water_sine.glb': water_sine, 'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               'prism.glb': prism, 'spectrum.glb': spectrum, 'metal_ring.glb': metal_ring,
-              'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'sun_disk.glb': sun_disk,
+              'thin_panes.glb': thin_panes, 'two_lights.glb': two_lights, 'receivers.glb': receivers, 'sun_disk.glb': sun_disk,
               'water_normal_map.glb': water_normal_map, 'stained_glass.glb': stained_glass,
               'moving_lens.glb': moving_lens,
               'water_plops.glb': water_plops,

@@ -24,6 +24,8 @@ Bounds receivers_box(const PassContext& context) {
   return {box.lower - slack, box.upper + slack};
 }
 
+}  // namespace
+
 LandingUniforms landing_uniforms(const PassContext& context) {
   const LightFrames& frames = *context.frames;
   const Settings& settings = *context.settings;
@@ -71,8 +73,6 @@ LandingUniforms landing_uniforms(const PassContext& context) {
   };
 }
 
-}  // namespace
-
 Pass landing_pass() {
   return {
       .definition =
@@ -96,6 +96,9 @@ Pass landing_pass() {
                          .optional = true},
                         {.name = "impostor_position",
                          .meaning = "what lies around the casters, for the estimator impostor",
+                         .optional = true},
+                        {.name = kLandedBefore,
+                         .meaning = "the status after an earlier search, which this one goes on from",
                          .optional = true}},
               .writes = {{.name = "landing",
                           .format = Format::RGBA32F,

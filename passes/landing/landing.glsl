@@ -14,6 +14,7 @@ TEXTURE(4, receiver_position)
 TEXTURE(5, caster_materials)
 TEXTURE(6, caster_tint)
 TEXTURE(7, impostor_position)
+TEXTURE(8, landed_before)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -316,6 +317,7 @@ void main() {
   landing_way = Vec4(0.0f);
   landing_start_flux = Vec4(0.0f);
 #endif
+  if (u.variant.w == 1) covered = covered && texel_fetch(landed_before, column, row).w == 6.0f;
   Int face = Int(4);
   Bool guard = Bool(false);
   if (u.tile.w > 0.5f) {

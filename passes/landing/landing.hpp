@@ -16,6 +16,8 @@ struct LandingUniforms {
 inline constexpr float kExitTolerance = 2.0f;
 inline constexpr float kLandingTolerance = 2.0f;
 
+LandingUniforms landing_uniforms(const PassContext& context);
+
 // landing.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass landing_pass();
 // The same where a medium lies before and behind the caster, with what light shafts are drawn from.

@@ -96,7 +96,7 @@ struct Bench {
                                   filled(2, 2, glm::vec4(normal, 0.0f)), exit,
                                   filled(64, 64, glm::vec4(exit_normal, 1.0f)), receiver,
                                   materials,
-                                  tint ? filled(2, 2, glm::vec4(*tint, 1.0f)) : Image{}, impostor}});
+                                  tint ? filled(2, 2, glm::vec4(*tint, 1.0f)) : Image{}, impostor, Image{}}});
   }
 };
 

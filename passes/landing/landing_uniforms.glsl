@@ -20,4 +20,5 @@ vec4 impostor_depth;
 vec4 impostor_centre;  // xyz: its origin, scene space
 ivec4 method;          // iterations; estimator (0 paper, 1 secant, 2 newton, 3 impostor); weights (0 physical, 1 paper); solid casters (0, 1)
 ivec4 variant;         // 1: what dielectrics mirror, not what they let in; way inside (0 met in the exit map, 1 Wyman's
-                       // thickness); 1: caster_tint has the colours; unused
+                       // thickness); 1: caster_tint has the colours; 1: only what landed_before has
+                       // not converged

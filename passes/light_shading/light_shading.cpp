@@ -51,6 +51,8 @@ UniformBytes uniforms(const PassContext& context) {
     cascade_texel = {static_cast<float>(frames.cascade->window_area() / texels),
                      static_cast<float>((splat_kernel(*context.settings).radius + kBorder) / context.settings->map),
                      1.0f, 0.0f};
+  // Not of lights that see all around.
+  if (caustics && context.effects->active("hidden receivers") && !frames.caustic.cube) cascade_texel.w = 1.0f;
   return uniform_bytes(LightShadingUniforms{
       .from_scene = shadow.from_scene,
       .caster_window = caster.window,
@@ -98,7 +100,11 @@ PassDefinition definition(const std::string& view, const std::string& name,
                 {.name = kCascadeMap, .meaning = "a part of it, finer", .optional = true},
                 {.name = "pane_transmittance",
                  .meaning = "what thin panes let through",
-                 .optional = true}},
+                 .optional = true},
+                {.name = far_texture("receiver_position"),
+                 .meaning = "the farthest surfaces that the light sees",
+                 .optional = true},
+                {.name = far_texture(kCausticMap), .meaning = "the casters' light on these", .optional = true}},
       .writes = {{.name = direct,
                   .meaning = "rgb: direct irradiance after shadows, lux",
                   .blend = kAccumulate},

@@ -14,6 +14,8 @@ TEXTURE(4, receiver_position)
 TEXTURE(5, caustic_map)
 TEXTURE(6, cascade_map)
 TEXTURE(7, pane_transmittance)
+TEXTURE(8, far_receiver_position)
+TEXTURE(9, far_caustic_map)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -149,14 +151,15 @@ Vec3 through_panes(TangentPlane p) {
   return sel(inside, Vec3(fetch_bilinear(pane_transmittance, uv.x, uv.y)), Vec3(1.0f));
 }
 
-// Does the receiver map see this point, and not something before it? Two texels' extents may lie between.
-Bool receives(TangentPlane p) {
+// Does a receiver map see this point, and not something before it? Two texels' extents may lie between. In the map of
+// the farthest receivers nothing must lie behind it either.
+Bool receives(Texture receivers, TangentPlane p, bool farthest) {
   Vec2 uv = frame_uv(p.at, u.receiver_window, u.receiver_depth);
-  int width = texture_width(receiver_position);
-  int height = texture_height(receiver_position);
+  int width = texture_width(receivers);
+  int height = texture_height(receivers);
   Int x = floor_to_int(uv.x * float(width));
   Int y = floor_to_int(uv.y * float(height));
-  Vec4 receiver = fetch_clamped(receiver_position, x, y);
+  Vec4 receiver = fetch_clamped(receivers, x, y);
   Float seen = in_face(frame_coordinates(u.from_scene, Vec3(receiver)), p.face, u.receiver_depth).z;
   Vec2 offset = face_offset(p.face, u.receiver_window, u.receiver_depth);
   Float z = plane_z(p, window_of(x, width, u.receiver_window.x, offset.x),
@@ -164,8 +167,9 @@ Bool receives(TangentPlane p) {
   Float extent = frame_w(p.at, u.receiver_depth) *
                  max_of(Float(1.0f / (u.receiver_window.x * float(width))),
                         Float(1.0f / (u.receiver_window.y * float(height))));
-  return inside_unit(uv.x, uv.y) && !stands_before_casters(p.at) && receiver.w != 0.0f &&
-         z <= seen + 2.0f * extent;
+  Bool near_enough = z <= seen + 2.0f * extent;
+  if (farthest) near_enough = near_enough && z >= seen - 2.0f * extent;
+  return inside_unit(uv.x, uv.y) && !stands_before_casters(p.at) && receiver.w != 0.0f && near_enough;
 }
 
 // Area of a caustic map's texel across the light, at a point on its face: flux in a texel over the receiver's area
@@ -274,8 +278,16 @@ void main() {
     }
     if (u.caustic_texel.w > 0.5f) flux = Vec3(flux.x);
     Float area = texel_area(texel, p.q, distance_squared);
-    Bool takes = visible && inside && receives(p);
+    Bool takes = visible && inside && receives(receiver_position, p, false);
     caught = sel(takes, flux * (facing / area), Vec3(0.0f));
+    if (u.cascade_texel.w > 0.5f) {
+      Vec2 uv = frame_uv(p.at, u.caustic_window, u.caustic_depth);
+      Vec3 behind = Vec3(fetch_bilinear(far_caustic_map, uv.x, uv.y));
+      if (u.caustic_texel.w > 0.5f) behind = Vec3(behind.x);
+      Float far_area = texel_area(Float(u.caustic_texel.x), p.q, distance_squared);
+      Bool takes_behind = visible && inside_unit(uv.x, uv.y) && receives(far_receiver_position, p, true);
+      caught = caught + sel(takes_behind, behind * (facing / far_area), Vec3(0.0f));
+    }
   }
   caustic = Vec4(Vec3(u.intensity) * caught, Float(0.0f));
 }

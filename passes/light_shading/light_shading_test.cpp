@@ -24,7 +24,8 @@ struct Bench {
   float covered = 1.0f;
   bool occluders = false, caustics = false;
   double casters_nearest = 0.0;
-  Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, cascade_map{}, panes{};
+  Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, cascade_map{}, panes{}, far_receiver{},
+      far_caustic_map{};
 
   UniformBytes uniforms(const Pass& pass) const {
     Scene scene;
@@ -34,7 +35,8 @@ struct Bench {
     Effects effects;
     effects.list = {{"occluders", occluders, ""}, {"caustics", caustics, ""},
                     {"coloured caustics", caustic_map.channels() > 1, ""},
-                    {"thin panes", !panes.values.empty(), ""}};
+                    {"thin panes", !panes.values.empty(), ""},
+                    {"hidden receivers", !far_receiver.values.empty(), ""}};
     if (caustics) effects.expectations = {{0, 0, true, ""}};
     Frame frame = down(4.0, 10.0, 20.0);
     if (light.type != LightType::Directional) {
@@ -43,7 +45,7 @@ struct Bench {
       frame.near = 0.1;
     }
     LightFrames frames{.caster = frame, .receiver = frame, .caustic = frame, .shadow = frame,
-                       .panes = frame, .casters_nearest = casters_nearest, .column = frame};
+                       .panes = frame, .casters_nearest = casters_nearest, .column = frame, .cascade = {}};
     if (!cascade_map.values.empty()) frames.cascade = widened(frame, 0.5);
     return pass.uniforms({.scene = &scene, .settings = &settings, .effects = &effects,
                           .frames = &frames, .light = &scene.lights[0]});
@@ -51,7 +53,7 @@ struct Bench {
 
   std::vector<Image> textures() const {
     return {filled(1, 1, {position, covered}), filled(1, 1, {normal, 0.0f}), shadow_depth, caster,
-            receiver, caustic_map, cascade_map, panes};
+            receiver, caustic_map, cascade_map, panes, far_receiver, far_caustic_map};
   }
 
   PassImages run() const {
@@ -292,6 +294,26 @@ TEST_CASE("light_shading: a cascade is taken where it reaches, in its own texels
   const float finer = bench.caustic();
   bench.cascade_map = Image{};
   CHECK(finer == Approx(8.0 * bench.caustic()));
+}
+
+TEST_CASE("light_shading: a surface that another hides from the light takes the light of the farthest receivers") {
+  Bench bench = with_caustic();
+  const float open = bench.caustic();
+  // The farthest receivers are a floor 5 m below; a texel's extent is a metre at most, of which two may lie between.
+  bench.far_receiver = filled(8, 8, {0.0f, -5.0f, 0.0f, 1.0f});
+  bench.far_caustic_map = filled(8, 8, {0.125f, 0.25f, 0.0f, 1.0f});
+  CHECK(bench.caustic() == open);
+  bench.position.y = -5.0f;
+  CHECK(bench.caustic() == 0.5f * open);
+  // Between both, and below the farthest, lies nothing that the light was seen to reach.
+  bench.position.y = -2.5f;
+  CHECK(bench.caustic() == 0.0f);
+  bench.position.y = -8.0f;
+  CHECK(bench.caustic() == 0.0f);
+  // Where the nearest receiver is the farthest, too, both maps hold a part of its light.
+  bench.receiver = bench.far_receiver;
+  bench.position.y = -5.0f;
+  CHECK(bench.caustic() == 1.5f * open);
 }
 
 TEST_CASE("light_shading: thin panes tint the direct light under them, not the caustic") {

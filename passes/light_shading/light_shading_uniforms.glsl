@@ -19,5 +19,5 @@ vec4 caustic_texel;      // x: area of a caustic map texel in window units squar
                          // tile's middle to its outermost texels' centres, in map coordinates; w: 1 where the map has one channel
 vec4 cascade_window;
 vec4 cascade_texel;      // x: area of a cascade's texel in window units squared; y: map coordinates from the cascade's
-                         // border that are not looked up; z: 1 where there is a cascade
+                         // border that are not looked up; z: 1 where there is a cascade; w: 1 where there are far receivers
 vec4 uses;               // 1 where there is a shadow map, a caster map, a caustic map, thin panes

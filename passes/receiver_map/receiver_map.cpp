@@ -49,7 +49,7 @@ Pass receiver_map_pass() {
       },
       .each = Each::Light,
       .draws = DrawSet::Receivers,
-      .extent = Extent::Map,
+      .extent = Extent::Receiver,
       .uniforms =
           [](const PassContext& context) {
             return uniform_bytes(

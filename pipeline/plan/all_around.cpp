@@ -143,7 +143,8 @@ LightFrames frames_all_around(const Scene& scene, const Effects& effects, const 
                      .caustic = caustic,
                      .shadow = shadow,
                      .panes = shadow,
-                     .column = map};
+                     .column = map,
+                     .cascade = {}};
   // Mirrored light can land on what stands nearer than all casters; refracted light goes on.
   const bool comes_back = effects.active("mirrors") || effects.active("reflections");
   frames.casters_nearest = casters.empty() || comes_back ? 0.0 : casters.nearest * 0.999;

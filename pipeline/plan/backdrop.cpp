@@ -26,4 +26,18 @@ bool is_backdrop(const Scene& scene, std::size_t index, const Light& light) {
   return true;
 }
 
+bool receivers_are_one_plane(const Scene& scene, const Effects& effects) {
+  const Vertex* first = nullptr;
+  const double flat = 1e-4 * std::max(bounds_of(scene).radius(), 1e-30);
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (effects.surfaces[i].role != Role::Receiver) continue;
+    for (const Vertex& v : scene.meshes[i].vertices) {
+      if (!first) first = &v;
+      const glm::dvec3 from_first = glm::dvec3(v.position) - glm::dvec3(first->position);
+      if (std::fabs(exact::dot(from_first, glm::dvec3(first->normal))) > flat) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace caustics

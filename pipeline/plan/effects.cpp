@@ -246,6 +246,23 @@ void add_emitters(const Scene& scene, Effects& effects) {
                     : found + ", but not on others; -D emissive.lights=on makes lights of them"});
 }
 
+// Receivers that are one plane hide nothing from any light.
+void add_hidden_receivers(const Scene& scene, const Settings& settings, Effects& effects) {
+  const bool window = std::any_of(effects.all_around.begin(), effects.all_around.end(),
+                                  [](const std::string& reason) { return reason.empty(); });
+  const bool plane = receivers_are_one_plane(scene, effects);
+  const bool active = effects.active("caustics") && settings.hidden_receivers && !plane && window &&
+                      !effects.active("medium") && settings.estimator != Estimator::Impostor;
+  effects.list.push_back({"hidden receivers", active,
+                          active                                          ? "receivers can hide others from a light"
+                          : !effects.active("caustics")                   ? "there is no caustic"
+                          : plane                                         ? "all receivers lie in one plane"
+                          : !settings.hidden_receivers                    ? "not asked for"
+                          : settings.estimator == Estimator::Impostor     ? "impostors see around the casters"
+                          : !window                                       ? "the lights see all around"
+                                                                          : "not simulated in a medium"});
+}
+
 // What is found in the scene but not simulated yet: never active, and the reason says so.
 void add_missing_effects(const std::vector<Judgement>& judgements, Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(
@@ -299,6 +316,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   add_medium(scene, effects);
   add_all_around(scene, settings, effects);
   add_cascades(settings, effects);
+  add_hidden_receivers(scene, settings, effects);
   add_missing_effects(judgements, effects);
   return effects;
 }

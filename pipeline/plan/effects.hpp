@@ -92,6 +92,7 @@ struct Effects {
 //   "distance impostors" asked for by the estimator (Estimator::Impostor)
 //   "all around"      a light that stands among its casters, or is asked to see all around
 //   "cascades"        a light whose caustic is small in its map, once the lights' frames are known
+//   "hidden receivers" caustics on receivers that are not one plane, so that one can hide another from a light
 //   "rough glass"     found and left to later; inactive, with the reason
 Effects effects_of(const Scene& scene, const Settings& settings);
 

@@ -31,6 +31,11 @@ struct CellImages {
   Image near, far;
 };
 
+// By branch; those of the farthest receivers among them. `has` and `read` as for branch_images.
+std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
+                                    const std::function<bool(const std::string&)>& has,
+                                    const std::function<Image(const std::string&)>& read);
+
 // Of one light; `cells` by branch, `cascade_map` without values where the light has none. The caustic of lights that
 // see all around is not estimated: landed is 0.
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,

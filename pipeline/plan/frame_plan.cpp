@@ -56,6 +56,7 @@ Size size_of(Extent extent, const Settings& settings) {
     case Extent::Grid:
       return {settings.grid, settings.grid};
     case Extent::Map:
+    case Extent::Receiver:
       return {settings.map, settings.map};
     case Extent::Shadow:
       return {settings.shadow, settings.shadow};
@@ -116,7 +117,7 @@ class Planner {
   bool light_needs(const Pass& pass, int light) const {
     if (!(scene_.lights[static_cast<std::size_t>(light)].intensity > 0.0f)) return false;
     if (pass.light_needs && !pass.light_needs(effects_, light)) return false;
-    const bool of_casters = pass.extent == Extent::Grid || pass.extent == Extent::Map ||
+    const bool of_casters = pass.extent == Extent::Grid || pass.extent == Extent::Map || pass.extent == Extent::Receiver ||
                             pass.extent == Extent::Beams || pass.draws == DrawSet::Beams;
     if (!of_casters) return true;
     return std::any_of(effects_.expectations.begin(), effects_.expectations.end(),
@@ -126,7 +127,8 @@ class Planner {
   void add(int index, Owner user, const std::string& reason) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
     const PassDefinition& definition = pass.definition;
-    const Size size = size_of(pass.extent, settings_);
+    Size size = size_of(pass.extent, settings_);
+    if (pass.extent == Extent::Receiver && hides_receivers(user.light)) size = {2 * size.width, 2 * size.height};
     PlannedPass planned{.pass = index,
                         .light = user.light,
                         .branch = user.branch,
@@ -169,6 +171,10 @@ class Planner {
       planned.keep.push_back(false);
     }
     plan_.passes.push_back(std::move(planned));
+  }
+
+  bool hides_receivers(int light) const {
+    return effects_.active("hidden receivers") && effects_.all_around[static_cast<std::size_t>(light)].empty();
   }
 
   // "[sun]", "[sun 656nm]", or nothing for the frame.

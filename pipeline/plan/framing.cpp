@@ -160,15 +160,17 @@ void add_landings(const Image& landing, const Image& flux, const Frame& frame,
 }
 
 // Draws the caustic frame in to the landings, and the receiver frame to them and the casters.
+// `flat`: the receivers are one plane.
 void fit_to_landings(LightFrames& frames, std::vector<WeightedPoint> points, const Settings& settings,
-                     double margin) {
+                     double margin, bool flat) {
   frames.cascade.reset();
   if (points.empty()) return;
   const LandedFlux landed(std::move(points));
   set_window(frames.caustic, landed.window(0.25 * settings.outside_share), margin);
   if (settings.cascades) frames.cascade = cascade_frame(frames.caustic, landed, margin);
-  // Where a cascade shows the bright part, the map around it can be wider and lose less.
-  if (frames.cascade)
+  // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map would have
+  // to be as wide, and on receivers that are not flat its texels tell where light lands.
+  if (frames.cascade && flat)
     set_window(frames.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin);
   frames.receiver.window_lower =
       glm::min(frames.caustic.window_lower, frames.caster.window_lower);
@@ -254,6 +256,7 @@ std::vector<LightFrames> LightFitter::fit(const Effects& effects) {
   if (!scout_) scout_ = std::make_unique<LandingScout>(scene_, settings_, registry_);
   LandingScout& scout = *scout_;
   scout.plan(effects);
+  const bool flat = receivers_are_one_plane(scene_.scene(), effects);
   const double kernel_texels = splat_kernel(settings_).radius + 2.0;
   // First with everything in view, then again with the maps drawn in, for finer receivers.
   for (const double margin : {0.5, 0.03 + 2.0 * kernel_texels / settings_.map}) {
@@ -267,7 +270,7 @@ std::vector<LightFrames> LightFitter::fit(const Effects& effects) {
     for (int i = 0; i < static_cast<int>(frames.size()); ++i) {
       if (!fitted(i)) continue;
       LightFrames& f = frames[static_cast<std::size_t>(i)];
-      fit_to_landings(f, scout.found(i, f.caustic), settings_, margin);
+      fit_to_landings(f, scout.found(i, f.caustic), settings_, margin, flat);
     }
   }
   return frames;

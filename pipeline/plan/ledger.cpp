@@ -133,6 +133,30 @@ void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
 
 }  // namespace
 
+namespace {
+
+void copy_texel(Image& to, const Image& from, std::size_t texel) {
+  const auto channels = static_cast<std::size_t>(to.channels());
+  std::copy_n(from.values.begin() + static_cast<std::ptrdiff_t>(texel * channels), channels,
+              to.values.begin() + static_cast<std::ptrdiff_t>(texel * channels));
+}
+
+// Where the farther landing has a status, its values; cells of both, which never overlap.
+void merge_far(BranchImages& images, const BranchImages& far) {
+  for (std::size_t i = 0; 4 * i < images.landing.values.size(); ++i) {
+    if (far.landing.values[4 * i + 3] != 0.0f) {
+      copy_texel(images.landing, far.landing, i);
+      copy_texel(images.flux, far.flux, i);
+      copy_texel(images.fresnel, far.fresnel, i);
+      copy_texel(images.absorbed, far.absorbed, i);
+    }
+    if (!far.cell_flux.values.empty() && far.cell_flux.values[4 * i + 3] != 0.0f)
+      copy_texel(images.cell_flux, far.cell_flux, i);
+  }
+}
+
+}  // namespace
+
 std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
                                         const std::function<bool(const std::string&)>& has,
                                         const std::function<Image(const std::string&)>& read) {
@@ -144,11 +168,16 @@ std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& br
     };
     result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel),
                       own(kLandingAbsorbed), if_any(kCellFlux), if_any(kLandingMedium)});
+    if (!has(branch_texture(far_texture(kLanding), light, branch))) continue;
+    const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
+    const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
+    merge_far(result.back(), {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
+                              cells ? far(kCellFlux) : Image{}, Image{}});
   }
   return result;
 }
 
-Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map,
+Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map, const Image& far_map,
                    const Frame& caustic_frame, const Settings& settings) {
   Ledger ledger;
   const SplatKernel kernel = splat_kernel(settings);
@@ -156,8 +185,9 @@ Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caust
     for (int y = 0; y < images.landing.height(); ++y)
       for (int x = 0; x < images.landing.width(); ++x)
         add_vertex(images, x, y, caustic_frame, kernel, caustic_map.width(), ledger);
-  for (int y = 0; y < caustic_map.height(); ++y)
-    for (int x = 0; x < caustic_map.width(); ++x) add(ledger.in_map, rgb(caustic_map, x, y));
+  for (const Image* map : {&caustic_map, &far_map})
+    for (int y = 0; y < map->height(); ++y)
+      for (int x = 0; x < map->width(); ++x) add(ledger.in_map, rgb(*map, x, y));
   return ledger;
 }
 

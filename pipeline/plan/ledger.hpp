@@ -58,15 +58,16 @@ struct BranchImages {
   Image medium;     // without values where there is no medium
 };
 
-// What a light's passes hold, of all its branches; `read` gives a texture by its full name, and `has` tells
+// What a light's passes hold, of all its branches; what the search on the farthest receivers found stands in the place
+// of what had not landed before; `read` gives a texture by its full name, and `has` tells
 // whether the frame holds it.
 std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
                                         const std::function<bool(const std::string&)>& has,
                                         const std::function<Image(const std::string&)>& read);
 
 // Adds up, in double precision and texel order, what the landing passes of all branches and the caustic map
-// hold.
-Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map,
+// hold. `far_map`: that of the farthest receivers, where there is one.
+Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map, const Image& far_map,
                    const Frame& caustic_frame, const Settings& settings);
 
 }  // namespace caustics

@@ -32,7 +32,9 @@ enum class DrawSet : std::uint8_t {
 // Size of a pass's targets.
 // Wide is half the picture's size over three times its view, for what glass shows of the surroundings.
 // Beams is the grid's size, coarser where one beam stands for several grid vertices.
-enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Shadow, Water, Beams };
+// Receiver is the map's size, or twice as wide and high where receivers can hide others from the light: then its texels,
+// not planes, tell where light lands.
+enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Receiver, Shadow, Water, Beams };
 
 // The frames of one light. All share origin and axes; only the windows and depth ranges differ. All of them are
 // cubes, or none is.
@@ -112,6 +114,8 @@ inline constexpr char kLanding[] = "landing";
 inline constexpr char kLandingFlux[] = "landing_flux";
 inline constexpr char kLandingFresnel[] = "landing_fresnel";
 inline constexpr char kLandingAbsorbed[] = "landing_absorbed";
+// In `landing`: the status of each grid vertex after an earlier search, where there was one.
+inline constexpr char kLandedBefore[] = "landed_before";
 // Of scenes with a medium only.
 inline constexpr char kLandingMedium[] = "landing_medium";
 inline constexpr char kCausticMap[] = "caustic_map";
@@ -120,5 +124,8 @@ inline constexpr char kCascadeMap[] = "cascade_map";
 inline constexpr char kCellNear[] = "cell_near";
 inline constexpr char kCellFar[] = "cell_far";
 inline constexpr char kCellFlux[] = "cell_flux";
+
+// The same texture, or pass, for the farthest receivers that the light sees (passes/far_receivers/).
+inline std::string far_texture(const std::string& name) { return "far_" + name; }
 
 }  // namespace caustics

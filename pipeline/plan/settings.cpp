@@ -115,6 +115,8 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return choice(v, kCubes, s.cube); }},
     {"cascades", "auto|off, default auto", "a caustic that is small in its map gets a finer one",
      [](Settings& s, Value v) { return choice(v, kOffAuto, s.cascades); }},
+    {"hidden_receivers", "auto|off, default auto", "light lands on what others hide from the light",
+     [](Settings& s, Value v) { return choice(v, kOffAuto, s.hidden_receivers); }},
     {"outside_share", "0..0.5, default 0.004", "share of the flux that may fall outside the map",
      [](Settings& s, Value v) { return number(v, 0.0, 0.5, s.outside_share); }},
     {"assume_solid", "no|yes, default no", "glass without a volume is solid instead of thin",

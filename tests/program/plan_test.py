@@ -22,23 +22,30 @@ BYTES = {
     "view_caster_map": (PICTURE, 36), "view_exit_map": (PICTURE, 36), "glass": (PICTURE, 16),
     "view_panes": (PICTURE, 0), "view_pane_mirror": (PICTURE, 0), "tone_map": (PICTURE, 4),
     "caustic_map": (MAP, 0), "caustic_map_grey": (MAP, 0), "cascade_cells": (MAP, 0), "cascade_cells_grey": (MAP, 0),
-    "cascade_map": (MAP, 0), "cascade_map_grey": (MAP, 0),
+    "cascade_map": (MAP, 0), "cascade_map_grey": (MAP, 0), "far_receiver_map": (MAP, 20), "far_landing": (GRID, 64),
+    "far_cells": (GRID, 48), "far_caustic_cells": (MAP, 0), "far_caustic_cells_grey": (MAP, 0),
+    "far_caustic_map": (MAP, 0), "far_caustic_map_grey": (MAP, 0),
 }
 # What one pass of each light, or all of the frame, add to: direct and caustic irradiance, the caustic map.
 SHARED = {"light_shading": 32 * PICTURE, "wide_shading": 32 * WIDE, "caustic_map": 16 * MAP, "caustic_map_grey": 4 * MAP,
-          "cascade_map": 16 * MAP, "cascade_map_grey": 4 * MAP}
+          "cascade_map": 16 * MAP, "cascade_map_grey": 4 * MAP, "far_caustic_map": 16 * MAP,
+          "far_caustic_map_grey": 4 * MAP}
 
 CAMERA = ["view_surfaces", "light_shading", "tone_map"]
 CAUSTIC = ["caster_map", "receiver_map", "landing", "cells"]
 GREY, COLOURED = ["caustic_cells_grey", "caustic_map_grey"], ["caustic_cells", "caustic_map"]
 # Of lights whose caustic is small in its map.
 GREY_CASCADE, CASCADE = ["cascade_cells_grey", "cascade_map_grey"], ["cascade_cells", "cascade_map"]
+# Of receivers that are not one plane; both receiver maps are twice as wide and high then.
+FAR = ["far_receiver_map", "far_landing", "far_cells"]
+FAR_GREY = FAR + ["far_caustic_cells_grey", "far_caustic_map_grey"]
+FAR_COLOURED = FAR + ["far_caustic_cells", "far_caustic_map"]
 SEEN = CAMERA + ["wide_surfaces", "wide_shading", "compose", "wide_compose", "view_caster_map", "glass"]
 SOLID = ["caster_exit_map", "view_exit_map"]
 SHADOWS = ["occluder_depth", "shadow_map"]
 PANES = ["pane_light", "view_panes", "view_pane_mirror"]
-LIGHT_PASSES = set(CAUSTIC + GREY + COLOURED + GREY_CASCADE + CASCADE + SHADOWS + ["caster_exit_map", "light_shading", "wide_shading", "pane_light"])
-BRANCH_PASSES = set(["landing", "cells"] + GREY + COLOURED + GREY_CASCADE + CASCADE)
+LIGHT_PASSES = set(CAUSTIC + GREY + COLOURED + GREY_CASCADE + CASCADE + FAR_GREY + FAR_COLOURED + SHADOWS + ["caster_exit_map", "light_shading", "wide_shading", "pane_light"])
+BRANCH_PASSES = set(["landing", "cells"] + GREY + COLOURED + GREY_CASCADE + CASCADE + FAR_GREY[1:] + FAR_COLOURED[1:])
 
 # Scene: passes, number of lights, number of branches.
 CALLED_FOR = {
@@ -48,8 +55,8 @@ CALLED_FOR = {
     "prism": (CAUSTIC + COLOURED + SEEN + SOLID, 1, 3),         # the C, d and F lines
     "slab": (CAUSTIC + GREY + SEEN + SOLID, 1, 1),
     "slab_glass": (CAUSTIC + GREY + SEEN + SOLID, 1, 1),
-    "spectrum": (CAUSTIC + COLOURED + SEEN + SOLID + SHADOWS, 1, 3),
-    "sun_disk": (CAUSTIC + GREY + GREY_CASCADE + SEEN + SOLID + SHADOWS, 16, 1),
+    "spectrum": (CAUSTIC + COLOURED + FAR_COLOURED + SEEN + SOLID + SHADOWS, 1, 3),
+    "sun_disk": (CAUSTIC + GREY + GREY_CASCADE + FAR_GREY + SEEN + SOLID + SHADOWS, 16, 1),
     "two_lights": (CAUSTIC + GREY + GREY_CASCADE + SEEN + SOLID, 2, 1),
     "water_patch": (CAUSTIC + GREY + SEEN, 1, 1),               # open water: no exit map
     "water_sine": (CAUSTIC + GREY + SEEN, 1, 1),
@@ -67,9 +74,11 @@ def expected_bytes(count, lights):
     total = 0
     for name, times in count.items():
         texels, size = BYTES[name]
+        if name.endswith("receiver_map") and "far_receiver_map" in count:
+            texels *= 4
         total += times * texels * size
         # The picture's shading is one for all lights, a caustic map one for all branches.
-        total += SHARED.get(name, 0) * (lights if name.startswith(("caustic", "cascade")) else 1)
+        total += SHARED.get(name, 0) * (lights if name.startswith(("caustic", "cascade", "far_caustic")) else 1)
     return total
 
 

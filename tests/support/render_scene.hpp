@@ -62,8 +62,9 @@ inline Rendering render(const Scene& scene, const Settings& settings,
 inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light = 0) {
   const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
   const auto read = [&](const std::string& name) { return r[name]; };
+  const std::string far = light_texture(far_texture(kCausticMap), light);
   return make_ledger(branch_images(light, r.branches, has, read), r[light_texture(kCausticMap, light)],
-                     r.frames[static_cast<std::size_t>(light)].caustic, settings);
+                     has(far) ? r[far] : Image{}, r.frames[static_cast<std::size_t>(light)].caustic, settings);
 }
 
 // What estimate_of reads.
@@ -74,10 +75,7 @@ inline const std::vector<std::string> kEstimateTextures = {
 inline ErrorEstimate estimate_of(const Rendering& r, const Settings& settings, int light = 0) {
   const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
   const auto read = [&](const std::string& name) { return has(name) ? r[name] : Image{}; };
-  std::vector<CellImages> cells;
-  for (const Branch& branch : r.branches)
-    cells.push_back({read(branch_texture(kCellNear, light, branch)), read(branch_texture(kCellFar, light, branch))});
-  return estimate_error(branch_images(light, r.branches, has, read), cells, r[light_texture(kCausticMap, light)],
+  return estimate_error(branch_images(light, r.branches, has, read), cell_images(light, r.branches, has, read), r[light_texture(kCausticMap, light)],
                         read(light_texture(kCascadeMap, light)), r.frames[static_cast<std::size_t>(light)], settings,
                         ledger_of(r, settings, light));
 }
