@@ -16,7 +16,9 @@ constexpr double kShares[] = {0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15};
 constexpr double kWorth = 0.5;
 
 std::string off_reason(const Settings& settings) {
-  return settings.cascades ? "no light's caustic is small in its map" : "asked for one map a light";
+  if (!settings.cascades) return "asked for one map a light";
+  return settings.splat == Splat::Cell ? "no light's caustic is small in its map"
+                                       : "points would leave gaps in finer texels";
 }
 
 void set_effect(Effects& effects, bool active, const std::string& reason) {

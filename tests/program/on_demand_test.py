@@ -23,7 +23,7 @@ class OnDemand(ProgramTest):
         self.assertGreater(error["total"], 0.001)
         self.assertLess(error["total"], 0.5)
         said = float(result.stderr.split("estimated error ")[1].split("%")[0])
-        self.assertAlmostEqual(said, 100 * error["total"], delta=0.06)
+        self.assertAlmostEqual(said, 100 * error["total"], delta=0.11)  # cut after one digit
 
     def test_a_target_error_that_can_be_reached_is_reached(self):
         result = self.succeeds("render", "ball.glb", *VIEW, "--target-error", "15%", "--stats", "s.json")
