@@ -86,6 +86,8 @@ Json settings_json(const Settings& s) {
           {"wavelengths", s.wavelengths},
           {"reflections", s.reflections ? "yes" : "no"},
           {"frames", s.shared_frames ? "shared" : "fitted"},
+          {"cube", s.cube == Cube::Auto ? "auto" : s.cube == Cube::On ? "on" : "off"},
+          {"cascades", s.cascades ? "auto" : "off"},
           {"outside_share", s.outside_share},
           {"assume_solid", s.assume_solid ? "yes" : "no"},
           {"exposure", s.exposure ? Json(*s.exposure) : Json("auto")},
