@@ -16,7 +16,7 @@ std::string front_table(const Study& study, const std::string& backend) {
   for (const StudyRow* row : front_of(study, backend)) {
     const Figures& f = row->figures;
     table.row({point_text(study.knobs, row->point), figure_text(f.relative_l1), figure_text(f.relative_mse_1),
-               figure_text(f.flux_ratio), figure_text(f.flip_mean), short_number(row->caustic.median),
+               ratio_text(f.flux_ratio), figure_text(f.flip_mean), short_number(row->caustic.median),
                short_number(row->frame.median), remark(*row)});
   }
   return table.text();

@@ -48,7 +48,8 @@ std::string change_text(double from, double to) {
   const double ratio = to / from;
   if (ratio >= 2.0) return "x " + short_number(ratio);
   const double change = std::round((ratio - 1.0) * 100.0);
-  return (change < 0.0 ? "-" : "+") + short_number(std::fabs(change)) + " %";
+  std::string text(1, change < 0.0 ? '-' : '+');
+  return text.append(short_number(std::fabs(change))).append(" %");
 }
 
 std::string step_sentence(const Knob& knob, std::size_t knob_index, const StudyRow& from,
@@ -85,6 +86,10 @@ std::string point_file(const std::vector<Knob>& knobs, const Point& point) {
 std::string short_number(double value) {
   if (!(std::fabs(value) >= 99.95) || !(std::fabs(value) < 1e9)) return significant(value, 3);
   return std::to_string(std::llround(value));
+}
+
+std::string ratio_text(const std::optional<double>& value) {
+  return value ? significant(*value, *value < 1.0 ? 4 : 5) : "n/a";
 }
 
 std::string figure_text(const std::optional<double>& value) {

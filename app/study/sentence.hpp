@@ -22,7 +22,9 @@ std::string point_file(const std::vector<Knob>& knobs, const Point& point);
 
 // Three significant digits, whole numbers from 100 on: "0.00332", "22.1", "1840".
 std::string short_number(double value);
-// The same, "n/a" for none.
+// Of what is about 1: "0.9987", "1.0012".
+std::string ratio_text(const std::optional<double>& value);
+// Like short_number, "n/a" for none.
 std::string figure_text(const std::optional<double>& value);
 
 }  // namespace caustics::app
