@@ -10,6 +10,7 @@ namespace caustics::app {
 namespace {
 
 constexpr int kColors = 3;
+constexpr double kDecades = 3.0;  // from full colour down to black
 constexpr Color kMore = {1.0, 0.62, 0.12}, kLess = {0.25, 0.62, 1.0};  // told apart by all kinds of eyes
 
 int box_side(const Image& image) {
@@ -26,7 +27,8 @@ double box_mean(const Image& image, int x, int y, int side, int channel) {
 }
 
 Color color_of(double difference, double white) {
-  const double level = std::sqrt(std::min(std::fabs(difference) / white, 1.0));
+  if (difference == 0.0) return {0.0, 0.0, 0.0};
+  const double level = std::clamp(1.0 + std::log10(std::fabs(difference) / white) / kDecades, 0.0, 1.0);
   const Color& full = difference > 0.0 ? kMore : kLess;
   return {full.r * level, full.g * level, full.b * level};
 }

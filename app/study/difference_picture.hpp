@@ -9,7 +9,8 @@ inline constexpr int kPictureSide = 320;
 
 // tested - truth: black where they are alike, orange where there is more light than in the truth, blue
 // where there is less; of each pixel the channel that differs most. Full colour stands for `white`
-// (lux) and more, half of it for a quarter of that. Larger images are averaged in boxes. Both have one
+// (lux) and more, two thirds of it for a tenth of that, one third for a hundredth, black for a
+// thousandth and less. Larger images are averaged in boxes. Both have one
 // size; rows from the bottom; display values.
 Image difference_picture(const Image& tested, const Image& truth, double white);
 

@@ -142,13 +142,16 @@ class Drawing {
   }
 
   // Steps: what one gets within a time is the best of what is quicker.
-  std::string fronts() const {
+  std::string fronts() {
     std::string svg;
     for (const PlotFront& front : plot_.fronts) {
       if (front.points.empty()) continue;
       std::string path;
+      const PlotPoint* last = nullptr;
       for (const std::size_t i : front.points) {
         const PlotPoint& p = plot_.points[i];
+        if (last) keep_clear(*last, p);
+        last = &p;
         const std::string x = length_text(x_.at(p.x)), y = length_text(y_.at(p.y));
         path += path.empty() ? "M" + x + " " + y : "H" + x + "V" + y;
       }
@@ -156,6 +159,13 @@ class Drawing {
              escaped(front.name) + "</title></path>\n";
     }
     return svg;
+  }
+
+  // No label stands on a front's line.
+  void keep_clear(const PlotPoint& from, const PlotPoint& to) {
+    const double x1 = x_.at(from.x), y1 = y_.at(from.y), x2 = x_.at(to.x), y2 = y_.at(to.y);
+    taken_.push_back({x1, y1 - 1.0, x2, y1 + 1.0});
+    taken_.push_back({x2 - 1.0, y1, x2 + 1.0, y2});
   }
 
   std::string mark(const PlotPoint& p) {
@@ -176,7 +186,7 @@ class Drawing {
   std::string label(const PlotPoint& p) {
     const double x = x_.at(p.x), y = y_.at(p.y), wide = kLetter * static_cast<double>(p.label.size());
     for (const double away : {10.0, 24.0, 40.0, 58.0, 78.0, 100.0}) {
-      for (const auto& [dx, dy] : {std::pair{1.0, -0.5}, {1.0, 0.6}, {-1.0, 0.6}, {-1.0, -0.5}, {0.3, -1.0}, {-0.3, 1.0}}) {
+      for (const auto& [dx, dy] : {std::pair{1.0, -0.8}, {0.2, -1.1}, {-1.0, 1.0}, {1.0, 1.3}, {-1.0, 0.0}, {-1.0, -0.8}, {-0.2, 1.5}}) {
         const double left = dx > 0.0 ? x + dx * away : x + dx * away - wide, base = y + dy * away + 4.0;
         const Box box{left - 2.0, base - kLine + 3.0, left + wide + 2.0, base + 4.0};
         if (box.left < kLeft || box.right > kWidth - kRight || box.top < kTop || box.bottom > kHeight - kBottom) continue;

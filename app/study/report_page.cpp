@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/study/difference_picture.hpp"
 #include "app/study/html.hpp"
 #include "app/study/sentence.hpp"
 #include "app/study/study_plot.hpp"
@@ -141,8 +142,9 @@ std::string pictures(const Study& study, const std::filesystem::path& folder) {
   const bool inlined = study.rows.size() <= kMostInlined;
   std::string html = paragraph(
       "Orange: more light than the truth; blue: less; black: the same. Full colour is " + short_number(study.white) +
-      " lux and more, which only a hundredth of the truth's lit pixels exceeds; half of it a quarter of that. Of each pixel "
-      "the channel that differs most; larger pictures averaged to " + std::to_string(320) + " pixels a side.");
+      " lux and more, which only a hundredth of the truth's lit pixels exceeds; two thirds of it a tenth of that, one third "
+      "a hundredth, black a thousandth and less. Of each pixel the channel that differs most; larger pictures are averaged to " +
+      std::to_string(kPictureSide) + " pixels a side.");
   html += "<div class=\"pictures\">\n" + picture(folder, "img/truth.png", inlined, "the truth's caustic, tone-mapped",
                                                 "the truth, tone-mapped");
   for (const StudyRow& row : study.rows) {
