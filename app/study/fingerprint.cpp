@@ -34,7 +34,9 @@ std::vector<std::string> named_files(const std::filesystem::path& scene) {
 
 Json fingerprint(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(ExitCode::BadInput, one_line(path.string()) + ": cannot be read");
+  std::error_code error;
+  const std::string why = std::filesystem::exists(path, error) ? "cannot be read" : "no such file";
+  if (!in) throw Error(ExitCode::BadInput, one_line(path.string()) + ": " + why);
   Sha256 hash;
   std::uint64_t bytes = 0;
   std::vector<char> block(std::size_t{1} << 20);

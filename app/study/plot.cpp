@@ -37,14 +37,18 @@ std::string line_from(double x1, double y1, double x2, double y2, const std::str
          length_text(x2) + "\" y2=\"" + length_text(y2) + "\"/>\n";
 }
 
+// "M1.00 2.00"
+void move_to(std::string& path, char how, double x, double y) {
+  path.append(1, how).append(length_text(x)).append(1, ' ').append(length_text(y));
+}
+
 // A star or polygon: every second corner at `inner` of the radius.
 std::string corners(double x, double y, int count, double inner, double turn) {
   std::string path;
   for (int i = 0; i < count; ++i) {
     const double angle = (turn + 360.0 * i / count) * std::numbers::pi / 180.0;
     const double radius = kMark * (i % 2 ? inner : 1.0) * 1.15;
-    path += (i ? "L" : "M") + length_text(x + radius * std::sin(angle)) + " " +
-            length_text(y - radius * std::cos(angle));
+    move_to(path, i ? 'L' : 'M', x + radius * std::sin(angle), y - radius * std::cos(angle));
   }
   return path + "Z";
 }
@@ -53,8 +57,8 @@ std::string cross(double x, double y, double turn) {
   std::string path;
   for (const double start : {turn, turn + 90.0}) {
     const double a = start * std::numbers::pi / 180.0, dx = kMark * std::sin(a), dy = kMark * std::cos(a);
-    path += "M" + length_text(x - dx) + " " + length_text(y - dy) + "L" + length_text(x + dx) + " " +
-            length_text(y + dy);
+    move_to(path, 'M', x - dx, y - dy);
+    move_to(path, 'L', x + dx, y + dy);
   }
   return path;
 }

@@ -66,6 +66,13 @@ std::string finest_text(const Settings& s) {
          ", on the software device)";
 }
 
+// Also after an interruption, so that what is done stays.
+void put(const fs::path& path, const std::string& text) {
+  PendingFile file(path);
+  file.write_all(text.data(), text.size());
+  file.move_into_place();
+}
+
 Json print_of(const fs::path& file) { return file.empty() ? Json() : fingerprint(file); }
 
 class StudyRun {
@@ -279,14 +286,14 @@ class StudyRun {
   // So that not even the machine's end costs more than the last seconds.
   void save_now_and_then() {
     if (saved_.milliseconds() < kBetweenSaves) return;
-    write_atomically(request_.folder / "study.json", study_json(study_));
+    put(request_.folder / "study.json", study_json(study_));
     saved_ = Stopwatch();
   }
 
   void write_all() {
-    write_atomically(request_.folder / "study.json", study_json(study_));
-    write_atomically(request_.folder / "study.csv", study_csv(study_));
-    write_atomically(request_.folder / "report.html", report_page(study_, request_.folder));
+    put(request_.folder / "study.json", study_json(study_));
+    put(request_.folder / "study.csv", study_csv(study_));
+    put(request_.folder / "report.html", report_page(study_, request_.folder));
   }
 
   void leave_what_is_done() {
