@@ -11,8 +11,9 @@ struct Cost {
 };
 
 // Indices from the quickest to the most accurate: those for which no other is at least as good in
-// both and better in one. Of equal costs the first. Without a cost, or with one that is not finite,
-// a choice takes no part.
-std::vector<std::size_t> pareto_front(const std::vector<std::optional<Cost>>& costs);
+// both and better in one; of equal costs the first. A slower one must also be worth it: its error is
+// smaller than that of the one before it by more than the share `worthwhile` (0: by anything).
+// Without a cost, or with one that is not finite, a choice takes no part.
+std::vector<std::size_t> pareto_front(const std::vector<std::optional<Cost>>& costs, double worthwhile = 0.0);
 
 }  // namespace caustics::app

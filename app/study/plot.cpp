@@ -53,14 +53,17 @@ std::string corners(double x, double y, int count, double inner, double turn) {
   return path + "Z";
 }
 
-std::string cross(double x, double y, double turn) {
+// A plus with thick arms.
+std::string plus(double x, double y, double turn) {
+  constexpr double kThick = kMark / 3.0, kLong = kMark * 1.1;
+  constexpr std::pair<double, double> kArm[] = {{kThick, kThick}, {kThick, kLong}, {-kThick, kLong}};
   std::string path;
-  for (const double start : {turn, turn + 90.0}) {
-    const double a = start * std::numbers::pi / 180.0, dx = kMark * std::sin(a), dy = kMark * std::cos(a);
-    move_to(path, 'M', x - dx, y - dy);
-    move_to(path, 'L', x + dx, y + dy);
+  for (int arm = 0; arm < 4; ++arm) {
+    const double angle = (turn + 90.0 * arm) * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
+    for (const auto& [across, along] : kArm)
+      move_to(path, path.empty() ? 'M' : 'L', x + c * across - s * along, y + s * across + c * along);
   }
-  return path;
+  return path + "Z";
 }
 
 std::string outline(std::size_t shape, double x, double y) {
@@ -70,9 +73,9 @@ std::string outline(std::size_t shape, double x, double y) {
     case 2: return corners(x, y, 3, 1.0, 0.0);    // triangle
     case 3: return corners(x, y, 4, 1.0, 0.0);    // diamond
     case 4: return corners(x, y, 3, 1.0, 180.0);  // triangle on its tip
-    case 5: return cross(x, y, 0.0);
-    case 6: return cross(x, y, 45.0);
-    default: return corners(x, y, 10, 0.45, 0.0);  // star
+    case 5: return corners(x, y, 10, 0.45, 0.0);  // star
+    case 6: return plus(x, y, 0.0);
+    default: return plus(x, y, 45.0);
   }
 }
 

@@ -181,7 +181,9 @@ std::string introduction(const Study& study) {
 std::string sentence_list(const Study& study) {
   std::string html = "<ul>\n";
   for (const std::string& sentence : sentences_of(study)) html += "<li>" + escaped(sentence) + "</li>\n";
-  return html + "</ul>\n" +
+  html += "</ul>\n";
+  for (const Drift& drift : study.drifts) html += paragraph(drift_text(study, drift));
+  return html +
          paragraph("Error is relative L1, time that of the caustic passes; the other keys stand at their base.");
 }
 

@@ -38,6 +38,7 @@ std::string report_text(const Study& study) {
     text += "\nnothing beats these in both error and time (" + backend + "):\n" + front_table(study, backend);
   text += "\nknob by knob, error relative L1, time of the caustic passes:\n";
   for (const std::string& sentence : sentences_of(study)) text += "  " + sentence + "\n";
+  for (const Drift& drift : study.drifts) text += drift_text(study, drift) + "\n";
   for (const StudyRow& row : study.rows)
     if (!row.problem.empty())
       text += "  " + point_text(study.knobs, row.point) + " (" + row.backend + "): not measured, " + row.problem + "\n";

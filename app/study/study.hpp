@@ -9,6 +9,12 @@
 
 namespace caustics::app {
 
+// The first row of a backend, timed once more after all others: what the machine itself changed meanwhile.
+struct Drift {
+  std::string backend;
+  double before = 0.0, after = 0.0;  // milliseconds of the caustic passes
+};
+
 struct Study {
   std::vector<Knob> knobs;
   bool cross = false;
@@ -22,6 +28,7 @@ struct Study {
   double white = 0.0;          // lux: full colour of the difference pictures
   std::size_t planned = 0;     // rows of the whole study
   std::vector<StudyRow> rows;  // those that are done
+  std::vector<Drift> drifts;   // of the backends, once all rows are there
 
   bool complete() const { return rows.size() == planned; }
 };
@@ -34,6 +41,8 @@ std::vector<const StudyRow*> front_of(const Study& study, const std::string& bac
 std::vector<std::string> backends_of(const Study& study);
 // All steps whose rows are there, backend by backend.
 std::vector<std::string> sentences_of(const Study& study);
+// One sentence.
+std::string drift_text(const Study& study, const Drift& drift);
 // "what limits the truth", one sentence that stands in every output.
 std::string truth_text(const Study& study);
 
@@ -44,6 +53,7 @@ struct EarlierStudy {
   nlohmann::ordered_json identity;
   double white = 0.0;
   std::vector<StudyRow> rows;  // without point
+  std::vector<Drift> drifts;
 };
 // None where the text is no study of this format.
 std::optional<EarlierStudy> read_study(const std::string& text);

@@ -133,6 +133,9 @@ std::string study_json(const Study& study) {
     document["knobs"].push_back({{"key", knob.key}, {"values", knob.values}, {"base", knob.base}});
   document["rows"] = Json::array();
   for (const StudyRow& row : study.rows) document["rows"].push_back(json_of(study.knobs, row));
+  document["drift"] = Json::array();
+  for (const Drift& drift : study.drifts)
+    document["drift"].push_back({{"backend", drift.backend}, {"before", drift.before}, {"after", drift.after}});
   document["sentences"] = sentences_of(study);
   return json_text(document);
 }
@@ -152,8 +155,10 @@ std::optional<EarlierStudy> read_study(const std::string& text) {
   try {
     const Json document = Json::parse(text);
     if (document.at("format") != kFormat) return std::nullopt;
-    EarlierStudy study{document.at("identity"), document.at("white_lux"), {}};
+    EarlierStudy study{document.at("identity"), document.at("white_lux"), {}, {}};
     for (const Json& row : document.at("rows")) study.rows.push_back(row_from(row));
+    for (const Json& drift : document.at("drift"))
+      study.drifts.push_back({drift.at("backend"), drift.at("before"), drift.at("after")});
     return study;
   } catch (const Json::exception&) {
     return std::nullopt;

@@ -10,6 +10,8 @@ namespace caustics::app {
 
 namespace {
 
+constexpr double kWorthwhile = 0.01;  // of the error
+
 std::vector<std::size_t> front_indices(const Study& study, const std::string& backend) {
   std::vector<std::optional<Cost>> costs;
   for (const StudyRow& row : study.rows) {
@@ -18,7 +20,7 @@ std::vector<std::size_t> front_indices(const Study& study, const std::string& ba
       cost = Cost{*row.figures.relative_l1, row.caustic.median};
     costs.push_back(cost);
   }
-  return pareto_front(costs);
+  return pareto_front(costs, kWorthwhile);
 }
 
 // The row of a point, or null.
@@ -69,6 +71,15 @@ std::vector<std::string> sentences_of(const Study& study) {
     }
   }
   return sentences;
+}
+
+std::string drift_text(const Study& study, const Drift& drift) {
+  const auto row = std::find_if(study.rows.begin(), study.rows.end(),
+                                [&](const StudyRow& each) { return each.backend == drift.backend; });
+  const std::string name = row == study.rows.end() ? "the first row" : point_text(study.knobs, row->point);
+  return "The machine's drift (" + drift.backend + "): " + name + ", timed again at the end, took " +
+         change_text(drift.before, drift.after) + " (" + short_number(drift.before) + " to " +
+         short_number(drift.after) + " ms); smaller differences of time say little.";
 }
 
 std::string truth_text(const Study& study) {

@@ -64,6 +64,9 @@ class Rows(StudyTest):
             made = {p["pass"] for p in row["passes"] if p["caustic"]}
             self.assertTrue({"caster_map", "receiver_map", "landing"} <= made)
             self.assertFalse({"light_shading", "view_surfaces", "tone_map", "first_hit"} & made)
+        self.assertEqual([d["backend"] for d in document["drift"]], ["software"])
+        self.assertEqual(document["drift"][0]["before"], rows[0]["milliseconds"]["caustic"]["median"])
+        self.assertIn("The machine's drift (software): base, timed again at the end, took ", result.stdout)
         self.assertEqual(len(document["sentences"]), 2)
         for sentence in document["sentences"]:
             self.assertIn(sentence, result.stdout)
@@ -212,9 +215,10 @@ class GoingOn(StudyTest):
         after = self.rows()
         self.assertEqual([r["milliseconds"] for r in after[:2]], [r["milliseconds"] for r in before])
         # Nothing left to do: the same rows again, word for word.
-        text = (self.folder / "study/study.csv").read_text()
+        text, drift = (self.folder / "study/study.csv").read_text(), self.document()["drift"]
         self.study("--grid", "32", "--map", "32", "--vary", "grid=16,32", "--vary", "splat=point", "--resume")
         self.assertEqual((self.folder / "study/study.csv").read_text(), text)
+        self.assertEqual(self.document()["drift"], drift)
 
     def test_another_truth_moment_or_scene_starts_anew(self):
         self.study(*GRIDS)
