@@ -160,7 +160,8 @@ class Drawing {
         if (last) keep_clear(*last, p);
         last = &p;
         const std::string x = length_text(x_.at(p.x)), y = length_text(y_.at(p.y));
-        path += path.empty() ? "M" + x + " " + y : "H" + x + "V" + y;
+        const bool first = path.empty();
+        path.append(first ? "M" : "H").append(x).append(first ? " " : "V").append(y);
       }
       svg += "<path class=\"front" + std::string(front.dashed ? " dashed" : "") + "\" d=\"" + path + "\"><title>" +
              escaped(front.name) + "</title></path>\n";
@@ -214,7 +215,8 @@ class Drawing {
     std::size_t entry = 0;
     const auto place = [&] {
       const double x = kLeft + 290.0 * static_cast<double>(entry % 3);
-      const double y = kHeight + kLegendRow * (static_cast<double>(entry / 3) + 0.5);
+      const std::size_t line = entry / 3;
+      const double y = kHeight + kLegendRow * (static_cast<double>(line) + 0.5);
       ++entry;
       return std::pair{x, y};
     };

@@ -92,6 +92,12 @@ bool is_number(const std::string& text) {
   return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
 }
 
+void refuse_fixed(const std::string& key) {
+  if (std::find(std::begin(kFixed), std::end(kFixed), key) == std::end(kFixed)) return;
+  throw Error(ExitCode::WrongUsage, "--vary cannot change " + key + ": all pictures of a study show the same as the "
+                                        "truth; give it once, with -D " + key + "=...");
+}
+
 Knob knob_of(const Settings& base, const Varied& varied) {
   const std::string& key = varied.first;
   Knob knob{.key = key, .values = {}, .base = text_of(base, key, "base")};
@@ -101,10 +107,7 @@ Knob knob_of(const Settings& base, const Varied& varied) {
     const std::string text = text_of(settings, key, value);
     if (std::find(knob.values.begin(), knob.values.end(), text) == knob.values.end()) knob.values.push_back(text);
   }
-  for (const char* fixed : kFixed)
-    if (key == fixed)
-      throw Error(ExitCode::WrongUsage, "--vary cannot change " + key + ": all pictures of a study show the same as "
-                                            "the truth; give it once, with -D " + key + "=...");
+  refuse_fixed(key);
   knob.ordered = is_number(knob.base) && std::all_of(knob.values.begin(), knob.values.end(), is_number);
   return knob;
 }

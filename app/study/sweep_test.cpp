@@ -12,6 +12,7 @@ const Knob kSplat{"splat", {"point", "cell"}, "cell", false};
 
 std::vector<std::vector<std::string>> values_of(const std::vector<Point>& points) {
   std::vector<std::vector<std::string>> values;
+  values.reserve(points.size());
   for (const Point& point : points) values.push_back(point.values);
   return values;
 }
