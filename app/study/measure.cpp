@@ -14,7 +14,7 @@ namespace {
 // "caustic_map[sun]" -> "caustic_map"
 std::string pass_name(const std::string& label) { return label.substr(0, label.find('[')); }
 
-// The labels of what these textures depend on; the frame's steps of water are no part of it.
+// The labels of what these textures depend on.
 std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goal) {
   std::set<std::string> labels;
   for (const PlannedPass& pass : make_plan(frame.scene(), frame.effects(), frame.settings(),
@@ -24,15 +24,12 @@ std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goa
   return labels;
 }
 
-// What of a frame counts as what. The layer's own pass is there for the error alone.
+// What of a frame counts as what. The layer's own pass, which is there for the error alone, is in neither;
+// nor are the steps of water, whose number depends on the moment shown before.
 struct Division {
   explicit Division(const RenderedFrame& frame)
-      : caustic(labels_for(frame, {{"caustic_map", "cascade_map"}})) {
-    const std::set<std::string> picture = labels_for(frame, {{"picture"}});
-    for (const PlannedPass& pass : frame.plan().passes)
-      if (!picture.count(pass.label)) beside.insert(pass.label);
-  }
-  std::set<std::string> caustic, beside;
+      : picture(labels_for(frame, {{"picture"}})), caustic(labels_for(frame, {{"caustic_map", "cascade_map"}})) {}
+  std::set<std::string> picture, caustic;
 };
 
 // The frames' times, pass by pass.
@@ -43,7 +40,7 @@ class Clock {
   void add(const std::vector<PassReport>& reports) {
     double all = 0.0, caustic = 0.0;
     for (const PassReport& report : reports) {
-      if (division_.beside.count(report.label)) continue;
+      if (!division_.picture.count(report.label)) continue;
       const double milliseconds = report.result.milliseconds;
       const bool makes = division_.caustic.count(report.label) > 0;
       all += milliseconds;
