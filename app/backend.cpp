@@ -1,5 +1,7 @@
 #include "app/backend.hpp"
 
+#include <algorithm>
+
 #include "gl_backend/gl_device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "raster/software_device.hpp"
@@ -15,11 +17,26 @@ Backend parse_backend(const std::string& name) {
               "--backend cannot be '" + name.substr(0, 60) + "': software or gl");
 }
 
+void add_one(std::vector<Backend>& backends, Backend backend) {
+  if (std::find(backends.begin(), backends.end(), backend) == backends.end()) backends.push_back(backend);
+}
+
+void add_several(std::vector<Backend>& backends, const std::string& value) {
+  if (value != "both") return add_one(backends, parse_backend(value));
+  add_one(backends, Backend::Software);
+  add_one(backends, Backend::OpenGl);
+}
+
 }  // namespace
 
-void add_backend_options(Parser& parser, BackendRequest& request) {
-  parser.option("--backend", "NAME", "software, or gl for OpenGL 4.5 (default software)",
-                [&](const std::string& value) { request.backend = parse_backend(value); });
+void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several) {
+  if (several) {
+    parser.repeated("--backend", "NAME", "software, gl for OpenGL 4.5, or both; repeatable (default software)",
+                    [several](const std::string& value) { add_several(*several, value); });
+  } else {
+    parser.option("--backend", "NAME", "software, or gl for OpenGL 4.5 (default software)",
+                  [&](const std::string& value) { request.backend = parse_backend(value); });
+  }
   parser.option("--gl-device", "N",
                 "the OpenGL device, as in 'caustics doctor' (default the first that works)",
                 [&](const std::string& value) {

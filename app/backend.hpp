@@ -1,6 +1,7 @@
 // --backend, --gl-device and --threads: the device that executes the passes.
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "app/parser.hpp"
 #include "pipeline/gpu/device.hpp"
@@ -15,8 +16,9 @@ struct BackendRequest {
   int threads = 0;     // of the software device; 0: one for each core that the process may use
 };
 
-// The options; they write into `request`, which must outlive the parser.
-void add_backend_options(Parser& parser, BackendRequest& request);
+// The options; they write into `request`, which must outlive the parser. With `several`, --backend may
+// stand several times or be `both`, and goes there, each backend once.
+void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several = nullptr);
 
 // Throws Error (BackendUnavailable) where there is no such device.
 std::unique_ptr<Device> make_device(const BackendRequest& request);

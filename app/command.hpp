@@ -24,6 +24,7 @@ ExitCode run_digest(const Arguments& arguments);
 ExitCode run_parity(const Arguments& arguments);
 ExitCode run_reference(const Arguments& arguments);
 ExitCode run_compare(const Arguments& arguments);
+ExitCode run_study(const Arguments& arguments);
 ExitCode run_paper(const Arguments& arguments);
 ExitCode run_doctor(const Arguments& arguments);
 

@@ -51,7 +51,7 @@ void set_resolution(Settings& settings, const std::string& text) {
 
 }  // namespace
 
-void add_frame_options(Parser& parser, FrameRequest& request) {
+void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several) {
   Settings& settings = request.settings;
   parser.group("View");
   parser.option("-r,--resolution", "WxH", "size in pixels; 1..16384 each (default 1280x720)",
@@ -77,7 +77,7 @@ void add_frame_options(Parser& parser, FrameRequest& request) {
   parser.repeated("-D", "KEY=VALUE", "any setting, listed below; may stand several times",
                   [&](const std::string& value) { assign(settings, value); });
   parser.group("Running");
-  add_backend_options(parser, request.backend);
+  add_backend_options(parser, request.backend, several);
   parser.group("Options");
   std::string footer = "Settings for -D:\n";
   for (const std::string& line : setting_keys()) footer += "  " + line + "\n";

@@ -18,7 +18,8 @@ struct FrameRequest {
 };
 
 // -r, --camera, --grid and so on, and -D; they write into `request`, which must outlive the parser.
-void add_frame_options(Parser& parser, FrameRequest& request);
+// `several`: see add_backend_options.
+void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several = nullptr);
 
 // Throws Error (WrongUsage) when no scene was named or a size is beyond its limits.
 void check_request(const FrameRequest& request, const std::string& command);

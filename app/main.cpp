@@ -24,6 +24,7 @@ constexpr Command kCommands[] = {
     {"parity", "draw every pass on both backends, and compare", run_parity},
     {"reference", "the truth to measure render against, traced ray by ray from the lights", run_reference},
     {"compare", "two images in values and figures, or two dumps of all passes", run_compare},
+    {"study", "error against time over many settings, and which of them nothing beats", run_study},
     {"paper", "the effects of Caustics Mapping (2007) made again, each with its check", run_paper},
     {"doctor", "version, instruction sets, threads, OpenGL devices, libraries", run_doctor},
 };

@@ -3,7 +3,8 @@
 find_package(CLI11 REQUIRED)
 
 file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp
-  ${PROJECT_SOURCE_DIR}/app/paper/*.cpp)
+  ${PROJECT_SOURCE_DIR}/app/paper/*.cpp ${PROJECT_SOURCE_DIR}/app/study/*.cpp)
+list(FILTER app_sources EXCLUDE REGEX "_test[.]cpp$")
 add_executable(caustics_app ${app_sources})
 set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)
 caustics_target_options(caustics_app)

@@ -96,6 +96,7 @@ Json settings_json(const Settings& s) {
           {"wavelengths", s.wavelengths},
           {"reflections", s.reflections ? "yes" : "no"},
           {"frames", s.shared_frames ? "shared" : "fitted"},
+          {"cube", s.cube == Cube::Auto ? "auto" : s.cube == Cube::On ? "on" : "off"},
           {"cascades", s.cascades ? "auto" : "off"},
           {"hidden_receivers", s.hidden_receivers ? "auto" : "off"},
           {"outside_share", s.outside_share},

@@ -18,6 +18,12 @@ target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster cau
 if(CAUSTICS_BUILD_APP)
   target_link_libraries(caustics_tests PRIVATE caustics_gltf nlohmann_json::nlohmann_json
     OpenImageIO::OpenImageIO)
+  # Rooms of the program that need nothing else of it.
+  file(GLOB study_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/study/*_test.cpp)
+  target_sources(caustics_tests PRIVATE ${study_tests} ${PROJECT_SOURCE_DIR}/app/terminal.cpp)
+  foreach(room sweep pareto sentence html plot difference_picture)
+    target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/app/study/${room}.cpp)
+  endforeach()
 endif()
 if(TARGET Catch2::Catch2WithMain)
   target_link_libraries(caustics_tests PRIVATE Catch2::Catch2WithMain)

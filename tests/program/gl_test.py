@@ -31,6 +31,23 @@ class GlTest(ProgramTest):
         return report
 
 
+class Study(GlTest):
+    def test_both_backends_have_rows_of_their_own(self):
+        self.succeeds("study", "ball.glb", *SMALL, "--repeat", "1", "--vary", "grid=16", "--backend", "both", "-o", "out")
+        document = json.loads((self.folder / "out/study.json").read_text())
+        rows = document["rows"]
+        self.assertEqual([(r["values"]["grid"], r["backend"]) for r in rows],
+                         [(grid, backend) for grid in ("32", "16") for backend in ("software", "gl")])
+        self.assertIn("OpenGL", rows[1]["device"])
+        self.assertEqual(len(document["sentences"]), 2)
+        self.assertTrue(document["sentences"][1].startswith("gl: grid from 16 to 32: "))
+        for name in ("software", "gl"):
+            self.assertTrue(any(r["pareto"] for r in rows if r["backend"] == name))
+        if self.is_llvmpipe:
+            self.assertEqual(rows[0]["figures"], rows[1]["figures"])
+            self.assertEqual(rows[2]["figures"], rows[3]["figures"])
+
+
 class Pictures(GlTest):
     def test_png_and_exr_are_those_of_the_software_device(self):
         if not self.report("ball.glb", *SMALL)[0]["driver"]["measured"]:

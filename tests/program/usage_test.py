@@ -4,7 +4,7 @@ import unittest
 
 from program import ProgramTest
 
-COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "reference", "doctor"]
+COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "reference", "study", "doctor"]
 
 
 class Help(ProgramTest):

@@ -1,0 +1,170 @@
+#include "app/study/request.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "app/stats.hpp"
+#include "app/terminal.hpp"
+#include "pipeline/plan/nearest.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+using Varied = std::pair<std::string, std::string>;
+
+const std::vector<Varied> kDefault = {{"grid", "64,128,256,512"},
+                                      {"map", "128,256,512"},
+                                      {"estimator", "paper,secant,newton,impostor"},
+                                      {"splat", "point,gaussian,cell"}};
+// One truth is one view of one picture.
+constexpr const char* kFixed[] = {"width", "height", "camera", "exposure"};
+// More of these is finer.
+constexpr const char* kCounts[] = {"grid",         "map",        "shadow",      "light.samples", "shafts",
+                                   "medium.steps", "iterations", "wavelengths"};
+
+constexpr char kPurpose[] =
+    "Renders a scene with many settings, and says for each how far its caustic is from a truth\n"
+    "and how long it took: study.csv, study.json and report.html. See docs/study.md.";
+constexpr char kExamples[] =
+    "  caustics study scene.glb -o study\n"
+    "  caustics study scene.glb -o study --vary grid=64,256 --vary splat=point,cell --cross\n"
+    "  caustics study scene.glb -o study --truth truth.exr --mask floor.png -r 512x512\n"
+    "  caustics study scene.glb -o study --backend both --resume\n";
+
+void add_varied(StudyRequest& request, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw Error(ExitCode::WrongUsage, "--vary cannot be '" + one_line(text).substr(0, 60) +
+                                          "': KEY=a,b,c, as in grid=64,128,256");
+  }
+  const std::string key = text.substr(0, equals);
+  for (const Varied& each : request.varied)
+    if (each.first == key)
+      throw Error(ExitCode::WrongUsage, "--vary " + one_line(key).substr(0, 60) + " is given twice; give all of its "
+                                            "values at once, with commas between");
+  request.varied.emplace_back(key, text.substr(equals + 1));
+}
+
+void add_study_options(Parser& parser, StudyRequest& request) {
+  parser.group("Study");
+  parser.repeated("--vary", "KEY=a,b,c", "values of a key of -D; may stand several times (default below)",
+                  [&](const std::string& text) { add_varied(request, text); });
+  parser.flag("--cross", request.cross, "all values with all others, instead of one key at a time");
+  parser.option("--repeat", "N", "frames timed for each setting; 1..1000 (default 5)",
+                [&](const std::string& value) { request.repeat = parse_integer("--repeat", value, 1, 1000); });
+  parser.option("--truth", "FILE.exr", "its layer caustic; or finest, the sweep's finest doubled (default finest)",
+                [&](const std::string& value) { request.truth = value == "finest" ? "" : value; });
+  parser.option("--mask", "FILE", "pixels where a channel of this image is above 0 (default all)",
+                [&](const std::string& value) { request.mask = value; });
+  parser.group("Output");
+  parser.option("-o,--output", "DIR", "folder of the report; made where it is missing (default study)",
+                [&](const std::string& value) { request.folder = value; });
+  parser.flag("--resume", request.resume, "keep the rows of DIR's study.json that still hold");
+  parser.flag("--quiet", request.quiet, "no progress on stderr");
+  std::string footer = "Varied where no --vary is given:\n ";
+  for (const Varied& each : kDefault) footer += " " + each.first + "=" + each.second;
+  parser.footer(footer);
+}
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    parts.push_back(list.substr(start, end - start));
+    start = end + 1;
+  }
+  return parts;
+}
+
+// As the program writes the value of a key, or `otherwise` where it does not.
+std::string text_of(const Settings& settings, const std::string& key, const std::string& otherwise) {
+  const nlohmann::ordered_json json = settings_json(settings);
+  if (!json.contains(key)) return otherwise;
+  if (json[key].is_string()) return json[key];
+  return json[key].is_number_float() ? significant(json[key].get<double>(), 6) : json[key].dump();
+}
+
+bool is_number(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+}
+
+void refuse_fixed(const std::string& key) {
+  if (std::find(std::begin(kFixed), std::end(kFixed), key) == std::end(kFixed)) return;
+  throw Error(ExitCode::WrongUsage, "--vary cannot change " + key + ": all pictures of a study show the same as the "
+                                        "truth; give it once, with -D " + key + "=...");
+}
+
+Knob knob_of(const Settings& base, const Varied& varied) {
+  const std::string& key = varied.first;
+  Knob knob{.key = key, .values = {}, .base = text_of(base, key, "base")};
+  for (const std::string& value : split(varied.second)) {
+    Settings settings = base;
+    set_option(settings, key, value);
+    const std::string text = text_of(settings, key, value);
+    if (std::find(knob.values.begin(), knob.values.end(), text) == knob.values.end()) knob.values.push_back(text);
+  }
+  refuse_fixed(key);
+  knob.ordered = is_number(knob.base) && std::all_of(knob.values.begin(), knob.values.end(), is_number);
+  return knob;
+}
+
+std::string typed(const Arguments& arguments) {
+  std::string text = "caustics study";
+  for (const std::string& word : arguments) text += " " + one_line(word);
+  return text;
+}
+
+}  // namespace
+
+bool parse_study(const Arguments& arguments, StudyRequest& request) {
+  Parser parser("study", kPurpose, kExamples);
+  std::string scene;
+  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  add_study_options(parser, request);
+  add_frame_options(parser, request.frame, &request.backends);
+  if (!parser.parse(arguments)) return false;
+  request.frame.scene = scene;
+  check_request(request.frame, "study");
+  request.command = typed(arguments);
+  if (request.backends.empty()) request.backends.push_back(request.frame.backend.backend);
+  return true;
+}
+
+std::vector<Knob> knobs_of(const StudyRequest& request) {
+  std::vector<Knob> knobs;
+  for (const Varied& varied : request.varied.empty() ? kDefault : request.varied)
+    knobs.push_back(knob_of(request.frame.settings, varied));
+  return knobs;
+}
+
+Settings settings_at(const Settings& base, const std::vector<Knob>& knobs, const Point& point) {
+  Settings settings = base;
+  for (std::size_t k = 0; k < knobs.size(); ++k)
+    if (point.values[k] != knobs[k].base) set_option(settings, knobs[k].key, point.values[k]);
+  check(settings);
+  return settings;
+}
+
+Settings finest_settings(const Settings& base, const std::vector<Knob>& knobs) {
+  Settings settings = base;
+  for (const Knob& knob : knobs) {
+    const bool counts = std::any_of(std::begin(kCounts), std::end(kCounts),
+                                    [&](const char* key) { return knob.key == key; });
+    if (!counts) continue;
+    std::string most = knob.base;
+    for (const std::string& value : knob.values)
+      if (std::stod(value) > std::stod(most)) most = value;
+    set_option(settings, knob.key, most);
+  }
+  settings.grid = std::min(2 * settings.grid, kMaxGrid);
+  settings.map = std::min(2 * settings.map, kMaxMap);
+  return settings;
+}
+
+std::string name_of(Backend backend) { return backend == Backend::OpenGl ? "gl" : "software"; }
+
+}  // namespace caustics::app

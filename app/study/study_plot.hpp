@@ -1,0 +1,12 @@
+// A study's rows as points of the error-time plot.
+#pragma once
+#include "app/study/plot.hpp"
+#include "app/study/study.hpp"
+
+namespace caustics::app {
+
+// Relative L1 over the milliseconds of the caustic passes, a group a knob; rows without either, or with
+// one of 0, are left out.
+Plot plot_of(const Study& study);
+
+}  // namespace caustics::app
