@@ -17,8 +17,9 @@ constexpr double kWorth = 0.5;
 
 std::string off_reason(const Settings& settings) {
   if (!settings.cascades) return "asked for one map a light";
-  return settings.splat == Splat::Cell ? "no light's caustic is small in its map"
-                                       : "points would leave gaps in finer texels";
+  if (settings.splat != Splat::Cell) return "points would leave gaps in finer texels";
+  return can_have_cascades(settings) ? "no light's caustic is small in its map"
+                                     : "a grid of less than half the map's side would show its cells in finer texels";
 }
 
 void set_effect(Effects& effects, bool active, const std::string& reason) {
@@ -38,6 +39,10 @@ std::string size_text(const LightFrames& frames) {
 }
 
 }  // namespace
+
+bool can_have_cascades(const Settings& settings) {
+  return settings.cascades && settings.splat == Splat::Cell && 2 * settings.grid >= settings.map;
+}
 
 std::optional<Frame> cascade_frame(const Frame& caustic, const LandedFlux& landed, double margin) {
   std::optional<Frame> best;

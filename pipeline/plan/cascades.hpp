@@ -13,6 +13,9 @@
 
 namespace caustics {
 
+// Finer texels need more splats each, but not more cells; but of a coarse grid they would show each cell.
+bool can_have_cascades(const Settings& settings);
+
 // A caustic frame narrowed to the window that makes the mean side of a texel, weighted by the flux on it, least;
 // nothing where that would not be less than half of what it is in the map around all.
 std::optional<Frame> cascade_frame(const Frame& caustic, const LandedFlux& landed, double margin);

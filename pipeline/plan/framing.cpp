@@ -167,9 +167,7 @@ void fit_to_landings(LightFrames& frames, std::vector<WeightedPoint> points, con
   if (points.empty()) return;
   const LandedFlux landed(std::move(points));
   set_window(frames.caustic, landed.window(0.25 * settings.outside_share), margin);
-  // Finer texels need more splats each, but not more cells.
-  if (settings.cascades && settings.splat == Splat::Cell)
-    frames.cascade = cascade_frame(frames.caustic, landed, margin);
+  if (can_have_cascades(settings)) frames.cascade = cascade_frame(frames.caustic, landed, margin);
   // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map would have
   // to be as wide, and on receivers that are not flat its texels tell where light lands.
   if (frames.cascade && flat)
