@@ -263,6 +263,36 @@ Row estimators_row() {
   return row;
 }
 
+// Receivers on which distance impostors are not exact.
+Row receivers_row() {
+  const Arguments view{"--camera", "floor", "-r", "360x360"};
+  Row row{"6, 33, 38",
+          "Figs. 6, 7: caustics mapping and distance impostors beside offline tracing, and receivers of any shape",
+          {{"receivers_traced", "receivers.glb", view, "", true}},
+          "receivers_secant",
+          "3 iterations each, step, ball and ramp: the secant is nearer to traced light than impostors",
+          {}};
+  row.shots.front().options.insert(row.shots.front().options.end(), {"--batches", "24"});
+  for (const char* estimator : {"paper", "newton", "impostor", "secant"}) {
+    Arguments options = view;
+    options.insert(options.end(), {"--estimator", estimator, "--iterations", "3"});
+    row.shots.push_back({std::string("receivers_") + estimator, "receivers.glb", options, "caustic"});
+  }
+  row.check = [](const Shots& s) -> Finding {
+    std::string text = "relative L1:";
+    const auto error = [&](const char* e) {
+      return s.relative_l1(std::string("receivers_") + e, "receivers_traced", "caustic");
+    };
+    for (const char* e : {"paper", "newton", "impostor", "secant"}) {
+      text += std::string(e == std::string("paper") ? " " : ", ") + e + " " + percent(error(e));
+      s.draw_difference(std::string("receivers_") + e, "receivers_traced", "caustic",
+                        std::string("receivers_") + e + "_minus_traced");
+    }
+    return {error("secant") < error("impostor"), text};
+  };
+  return row;
+}
+
 Row times_row() {
   return {"23, 34", "what a caustic costs every frame",
           {{"sphere", "glass_sphere.glb", {"-r", "960x540"}}},
@@ -293,7 +323,7 @@ Row lights_row() {
 std::vector<Row> paper_rows() {
   return {figure_row(),     sphere_row(), water_row(), grids_row(),  ring_row(), dispersion_row(), interfaces_row(), area_row(),
           identity_row(),   weights_row(), times_row(), gaps_row(), gaussian_row(), room_row(), haze_row(),
-          estimators_row(), lights_row()};
+          estimators_row(), receivers_row(), lights_row()};
 }
 
 }  // namespace caustics::app

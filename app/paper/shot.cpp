@@ -1,8 +1,11 @@
 #include "app/paper/shot.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
+#include "app/difference_images.hpp"
+#include "app/image_layers.hpp"
 #include "app/sample_scenes.hpp"
 
 namespace caustics::app {
@@ -36,6 +39,7 @@ fs::path Shots::file(const std::string& name, const std::string& extension) cons
 
 void Shots::take(const Shot& shot) {
   if (stats_.count(shot.name)) return;
+  if (shot.traced) return trace(shot);
   Arguments arguments = shot.options;
   if (!shot.layers.empty()) arguments.insert(arguments.end(), {"--aov", shot.layers});
   std::string outputs = " -o " + shot.name + ".png";
@@ -48,6 +52,34 @@ void Shots::take(const Shot& shot) {
   run_render(arguments);
   std::ifstream in(stats);
   stats_[shot.name] = nlohmann::ordered_json::parse(in);
+}
+
+void Shots::trace(const Shot& shot) {
+  Arguments arguments = shot.options;
+  commands_[shot.name] = "caustics reference scenes/" + shot.scene + joined(arguments) + " -o " + shot.name + ".exr";
+  arguments.insert(arguments.begin(), find_scene(shot.scene).string());
+  arguments.insert(arguments.end(), {"-o", file(shot.name, ".exr").string(), "--quiet"});
+  run_reference(arguments);
+  stats_[shot.name] = nullptr;
+}
+
+double Shots::relative_l1(const std::string& a, const std::string& b, const std::string& wanted) const {
+  const FloorLayer first = layer(a, wanted), second = layer(b, wanted);
+  double difference = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < second.pixels.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      difference += std::fabs(first.pixels[i][c] - second.pixels[i][c]);
+      sum += second.pixels[i][c];
+    }
+  return sum > 0.0 ? difference / sum : 0.0;
+}
+
+void Shots::draw_difference(const std::string& a, const std::string& b, const std::string& wanted,
+                            const std::string& name) const {
+  ImagePlanes first = read_planes(file(a, ".exr")), second = read_planes(file(b, ".exr"));
+  keep_layer(first, wanted, a);
+  keep_layer(second, wanted, b);
+  write_difference_images(DifferencePaths(file(name, "").string()), compare_planes(first, second, Tolerance{}));
 }
 
 double Shots::flux(const std::string& name, const std::string& account, int channel, int light) const {

@@ -17,6 +17,7 @@ struct Shot {
   std::string scene;     // "glass_sphere.glb"
   Arguments options;     // without outputs
   std::string layers{};  // of an EXR file beside the picture; empty: none
+  bool traced = false;   // by `caustics reference`: an EXR file alone, without statistics
 };
 
 // The floor seen by an orthographic camera: RGB of a layer, row 0 at the top.
@@ -44,11 +45,18 @@ class Shots {
   // What these passes took together, whatever light they ran for.
   double milliseconds(const std::string& name, const std::vector<std::string>& passes) const;
   FloorLayer layer(const std::string& name, const std::string& layer) const;
+  // Sum of |a - b| over the sum of b, of all channels of a layer.
+  double relative_l1(const std::string& a, const std::string& b, const std::string& layer) const;
+  // Pictures of where a layer of two shots differs: NAME_signed.exr, NAME_color.png.
+  void draw_difference(const std::string& a, const std::string& b, const std::string& layer,
+                       const std::string& name) const;
   std::filesystem::path file(const std::string& name, const std::string& extension) const;
   // "caustics render scenes/glass_sphere.glb --grid 64 -o sphere.png", as a person would type it.
   std::string command(const std::string& name) const { return commands_.at(name); }
 
  private:
+  void trace(const Shot& shot);
+
   std::filesystem::path folder_;
   std::map<std::string, nlohmann::ordered_json> stats_;
   std::map<std::string, std::string> commands_;
