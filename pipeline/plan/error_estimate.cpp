@@ -18,6 +18,9 @@ constexpr double kOfTexels = 1.0 / 3.0;
 // (docs/accuracy.md).
 constexpr double kOfGrid = 1.0 / 6.0;
 
+// Of the light that cells have left to points, which lies in spots instead of between them. Metal rings measure it.
+constexpr double kOfPoints = 0.5;
+
 double sum_rgb(const Image& image, int x, int y) {
   if (image.channels() == 1) return 3.0 * static_cast<double>(image.at(x, y, 0));
   return static_cast<double>(image.at(x, y, 0)) + static_cast<double>(image.at(x, y, 1)) +
@@ -171,6 +174,16 @@ void compare_cells(const CellImages& cells, const Image& flux, Moved& moved) {
     }
 }
 
+// Flux of landings that no cell has taken.
+double flux_of_points(const BranchImages& images) {
+  double sum = 0.0;
+  for (int y = 0; y < images.landing.height(); ++y)
+    for (int x = 0; x < images.landing.width(); ++x)
+      if (images.landing.at(x, y, 3) == static_cast<float>(LandingStatus::Landed))
+        sum += share_of_points(images.cell_flux, x, y) * sum_rgb(images.flux, x, y);
+  return sum;
+}
+
 // Landings of every other vertex, like the fields of a chessboard, against the rest.
 void compare_splats(const BranchImages& images, const Frame& frame, int map, Moved& moved) {
   for (int y = 0; y < images.landing.height(); ++y)
@@ -227,14 +240,16 @@ ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const st
   estimate.map = kOfTexels * map_error(caustic_map, cascade_map, maps);
   estimate.missing = total(ledger.outside) + total(ledger.kernel_edge) + total(ledger.not_converged);
   Moved moved(maps);
+  double points = 0.0;
   for (std::size_t b = 0; b < branches.size(); ++b) {
     if (branches[b].cell_flux.values.empty()) {
       compare_splats(branches[b], frames.caustic, maps.side, moved);
     } else {
       compare_cells(cells[b], branches[b].cell_flux, moved);
+      points += flux_of_points(branches[b]);
     }
   }
-  estimate.grid = kOfGrid * moved.sum();
+  estimate.grid = kOfGrid * moved.sum() + kOfPoints * points;
   return estimate;
 }
 

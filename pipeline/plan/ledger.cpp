@@ -89,9 +89,6 @@ void add(Ledger& sum, const Ledger& other, double share) {
   for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
 }
 
-namespace {
-
-// The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken.
 double share_of_points(const Image& cell_flux, int x, int y) {
   if (cell_flux.values.empty()) return 1.0;
   double share = 1.0;
@@ -100,6 +97,8 @@ double share_of_points(const Image& cell_flux, int x, int y) {
       if (x >= dx && y >= dy) share -= 0.25 * static_cast<double>(cell_flux.at(x - dx, y - dy, 3));
   return share;
 }
+
+namespace {
 
 void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
                 const SplatKernel& kernel, int map, Ledger& ledger) {

@@ -65,6 +65,10 @@ std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& br
                                         const std::function<bool(const std::string&)>& has,
                                         const std::function<Image(const std::string&)>& read);
 
+// The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken. 1 where landings are
+// not joined to cells: `cell_flux` without values.
+double share_of_points(const Image& cell_flux, int x, int y);
+
 // Adds up, in double precision and texel order, what the landing passes of all branches and the caustic map
 // hold. `far_map`: that of the farthest receivers, where there is one.
 Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map, const Image& far_map,
