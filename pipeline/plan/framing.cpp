@@ -161,11 +161,11 @@ void add_landings(const Image& landing, const Image& flux, const Frame& frame,
 
 // Draws the caustic frame in to the landings, and the receiver frame to them and the casters.
 // `flat`: the receivers are one plane.
-void fit_to_landings(LightFrames& frames, std::vector<WeightedPoint> points, const Settings& settings,
+void fit_to_landings(LightFrames& frames, const std::vector<WeightedPoint>& points, const Settings& settings,
                      double margin, bool flat) {
   frames.cascade.reset();
   if (points.empty()) return;
-  const LandedFlux landed(std::move(points));
+  const LandedFlux landed(points);
   set_window(frames.caustic, landed.window(0.25 * settings.outside_share), margin);
   if (can_have_cascades(settings)) frames.cascade = cascade_frame(frames.caustic, landed, margin);
   // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map would have

@@ -4,7 +4,7 @@
 
 namespace caustics {
 
-LandedFlux::LandedFlux(std::vector<WeightedPoint> points) {
+LandedFlux::LandedFlux(const std::vector<WeightedPoint>& points) {
   for (int axis = 0; axis < 2; ++axis) {
     along_[axis] = points;
     std::sort(along_[axis].begin(), along_[axis].end(),

@@ -23,7 +23,7 @@ struct Window {
 class LandedFlux {
  public:
   // At least one point. Their order does not matter.
-  explicit LandedFlux(std::vector<WeightedPoint> points);
+  explicit LandedFlux(const std::vector<WeightedPoint>& points);
   // Leaves out at most `share` of the flux at each end of each axis; along an axis where that hardly saves anything,
   // none.
   Window window(double share) const;
