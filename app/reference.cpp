@@ -24,7 +24,7 @@ constexpr double kBetweenSaves = 60'000.0;  // milliseconds
 // With fewer the spread of the batches tells little of the error.
 constexpr std::uint64_t kLeastForError = 4;
 // A pixel's surface, its sums, a batch's, all layers, and the state's bytes.
-constexpr std::uint64_t kBytesPerPixel = sizeof(tracer::Seen) + 9 * sizeof(double) + 8 * 4 * sizeof(float) + 6 * sizeof(double);
+constexpr std::uint64_t kBytesPerPixel = sizeof(tracer::Seen) + 15 * sizeof(double) + std::uint64_t{32} * sizeof(float);
 
 bool is_exr(const std::filesystem::path& path) {
   std::string extension = path.extension().string();

@@ -29,8 +29,9 @@ class Lamp {
     Numbers numbers(0x5ad0e5, pixel);
     glm::dvec3 sum(0.0);
     for (int i = 0; i < kShadowRays * kShadowRays; ++i) {
-      const double u = (i % kShadowRays + numbers.next()) / kShadowRays;
-      const double v = (i / kShadowRays + numbers.next()) / kShadowRays;
+      const int column = i % kShadowRays, row = i / kShadowRays;
+      const double u = (column + numbers.next()) / kShadowRays;
+      const double v = (row + numbers.next()) / kShadowRays;
       sum += from(seen, points_.point(u, v, numbers.next()));
     }
     return color_ * sum / static_cast<double>(kShadowRays * kShadowRays);
@@ -90,6 +91,7 @@ class Lamp {
 
 std::vector<float> direct_light(const World& world, const Film& film, int threads) {
   std::vector<Lamp> lamps;
+  lamps.reserve(world.scene().sources.size());
   for (int i = 0; i < static_cast<int>(world.scene().sources.size()); ++i) lamps.emplace_back(world, i);
   std::vector<float> result(3 * film.pixels());
   const auto width = static_cast<std::size_t>(film.width());

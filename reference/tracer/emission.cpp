@@ -182,15 +182,17 @@ LightRay Emission::ray(int index, int side, int batch, Numbers& numbers) const {
   const std::uint64_t count = static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
   const auto cell = static_cast<std::uint64_t>(index), row = static_cast<std::uint64_t>(side);
   const double per = 1.0 / side;
-  const double u = (static_cast<double>(cell % row) + numbers.next()) * per;
-  const double v = (static_cast<double>(cell / row) + numbers.next()) * per;
+  const std::uint64_t cell_column = cell % row, cell_row = cell / row;
+  const double u = (static_cast<double>(cell_column) + numbers.next()) * per;
+  const double v = (static_cast<double>(cell_row) + numbers.next()) * per;
   LightPoint point{light_.position, light_.direction};
   Window own;
   const Window* window = &fixed_;
   if (shape_.has_size()) {
     const std::uint64_t place = shuffled(cell, count, mixed(static_cast<std::uint64_t>(batch) + 0x51ed27));
-    const double a = (static_cast<double>(place % row) + numbers.next()) * per;
-    const double b = (static_cast<double>(place / row) + numbers.next()) * per;
+    const std::uint64_t place_column = place % row, place_row = place / row;
+    const double a = (static_cast<double>(place_column) + numbers.next()) * per;
+    const double b = (static_cast<double>(place_row) + numbers.next()) * per;
     point = shape_.point(a, b, numbers.next());
     own = window_of(point, corners_);
     window = &own;

@@ -83,7 +83,8 @@ void Film::measure_shares(int row) {
     if (centre.mesh < 0 || centre.caster || inner(x, row)) continue;
     int same = 0;
     for (int i = 0; i < kSubRays * kSubRays; ++i) {
-      const Seen seen = look(window_at(x + (i % kSubRays + 0.5) / kSubRays, row + (i / kSubRays + 0.5) / kSubRays));
+      const int sub_column = i % kSubRays, sub_row = i / kSubRays;
+      const Seen seen = look(window_at(x + (sub_column + 0.5) / kSubRays, row + (sub_row + 0.5) / kSubRays));
       same += same_surface(centre, seen.mesh, seen.plane, seen.position) ? 1 : 0;
     }
     centre.share = std::max(same, 1) / static_cast<double>(kSubRays * kSubRays);

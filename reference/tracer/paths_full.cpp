@@ -32,7 +32,7 @@ struct Media {
     if (count < kMostNested) list[static_cast<std::size_t>(count++)] = inside;
   }
   void leave(int at) {
-    for (int i = at; i + 1 < count; ++i) list[static_cast<std::size_t>(i)] = list[static_cast<std::size_t>(i + 1)];
+    for (int i = at + 1; i < count; ++i) list[static_cast<std::size_t>(i - 1)] = list[static_cast<std::size_t>(i)];
     --count;
   }
 };
