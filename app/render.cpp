@@ -205,7 +205,10 @@ class Renderer {
 
   ExitCode render() {
     if (!todo_.empty()) {
-      if (request_.demand.any()) choose_sizes();
+      if (request_.demand.any()) {
+        choose_sizes();
+        total_ = Stopwatch();  // choosing is told by itself
+      }
       prepare();
       for (const int n : todo_) {
         draw(n);

@@ -16,7 +16,7 @@ namespace caustics {
 struct ErrorEstimate {
   double landed = 0.0;   // all flux in the map
   double map = 0.0;      // by the size of the maps' texels: against texels of twice the side
-  double grid = 0.0;     // by the grid's spacing: against cells of twice the side, or half of the splats
+  double grid = 0.0;     // by the grid's spacing: against cells of twice the side, or half of the splats; and light in spots
   double missing = 0.0;  // landed beyond the map, or not followed to its landing
   // Relative L1 of the caustic's irradiance; 0 where nothing landed.
   double relative(double part) const { return landed > 0.0 ? part / landed : 0.0; }
