@@ -1,4 +1,5 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/difference_report.hpp"
 #include "app/measurement_report.hpp"

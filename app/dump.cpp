@@ -1,5 +1,7 @@
 #include "app/dump.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "app/atomic_file.hpp"
 #include "app/image_file.hpp"
 #include "app/stats.hpp"
@@ -37,18 +39,20 @@ void for_each_attachment(
   }
 }
 
-Dump::Dump(const std::filesystem::path& folder) : folder_(folder) {
+Dump::Dump(const std::filesystem::path& folder) : folder_(folder), manifest_(std::make_unique<nlohmann::ordered_json>()) {
   make_dump_folder(folder);
-  manifest_["attachments"] = nlohmann::ordered_json::array();
+  (*manifest_)["attachments"] = nlohmann::ordered_json::array();
 }
+
+Dump::~Dump() = default;
 
 void Dump::add(const RenderedFrame& frame, const PlannedPass& pass) {
   for_each_attachment(frame, pass, [&](const PlannedTexture& texture, const Image& image) {
-    const std::size_t number = manifest_["attachments"].size();
+    const std::size_t number = (*manifest_)["attachments"].size();
     const std::string file = (number < 10 ? "0" : "") + std::to_string(number) + "_" +
                              file_part(pass.label) + "." + file_part(texture.name) + ".exr";
     write_exr(folder_ / file, channels_of(image));
-    manifest_["attachments"].push_back({{"pass", pass.label},
+    (*manifest_)["attachments"].push_back({{"pass", pass.label},
                                         {"attachment", texture.name},
                                         {"format", format_name(texture.format)},
                                         {"width", texture.width},
@@ -58,6 +62,6 @@ void Dump::add(const RenderedFrame& frame, const PlannedPass& pass) {
   });
 }
 
-void Dump::finish() { write_atomically(folder_ / "manifest.json", json_text(manifest_)); }
+void Dump::finish() { write_atomically(folder_ / "manifest.json", json_text(*manifest_)); }
 
 }  // namespace caustics::app

@@ -2,7 +2,8 @@
 #pragma once
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/frame.hpp"
 
@@ -23,6 +24,9 @@ class Dump {
  public:
   // Makes the folder; throws Error (CannotWrite).
   explicit Dump(const std::filesystem::path& folder);
+  Dump(const Dump&) = delete;
+  Dump& operator=(const Dump&) = delete;
+  ~Dump();
   // Called right after the pass, because later passes may add to the same textures.
   void add(const RenderedFrame& frame, const PlannedPass& pass);
   // The manifest comes last, so that a folder with one is complete.
@@ -30,7 +34,7 @@ class Dump {
 
  private:
   std::filesystem::path folder_;
-  nlohmann::ordered_json manifest_;
+  std::unique_ptr<nlohmann::ordered_json> manifest_;
 };
 
 }  // namespace caustics::app

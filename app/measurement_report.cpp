@@ -1,5 +1,7 @@
 #include "app/measurement_report.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "app/table.hpp"
 #include "app/terminal.hpp"
 

@@ -1,6 +1,6 @@
 // The figures of `caustics compare` as tables for people and as JSON.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

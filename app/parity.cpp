@@ -1,5 +1,6 @@
 // caustics parity: do both backends draw the same? Every pass by itself, and the whole frame.
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "app/frame.hpp"
 #include "app/interrupt.hpp"

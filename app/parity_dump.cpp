@@ -1,5 +1,7 @@
 #include "app/parity_dump.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "app/atomic_file.hpp"
 #include "app/dump.hpp"
 #include "app/image_file.hpp"

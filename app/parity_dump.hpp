@@ -1,7 +1,7 @@
 // --dump of `caustics parity`: both images of every attachment that differs, and where they differ.
 #pragma once
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "pipeline/plan/parity.hpp"
 

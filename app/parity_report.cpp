@@ -1,6 +1,7 @@
 #include "app/parity_report.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/table.hpp"
 #include "app/terminal.hpp"

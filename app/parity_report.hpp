@@ -1,7 +1,7 @@
 // What `caustics parity` found, judged by the allowances, as text and as JSON.
 #pragma once
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "app/parser.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -32,20 +33,26 @@ std::string in_quotes(const std::string& text) { return "'" + one_line(text).sub
 }  // namespace
 
 Parser::Parser(const std::string& command, const std::string& purpose, const std::string& examples)
-    : app_(purpose + "\n\nExamples:\n" + examples), command_(command) {
-  app_.name("caustics " + command);
-  app_.formatter(std::make_shared<HelpFormatter>());
-  app_.set_help_flag("-h,--help", "this text");
-  app_.allow_extras();
+    : app_(std::make_unique<CLI::App>(purpose + "\n\nExamples:\n" + examples)), command_(command) {
+  app_->name("caustics " + command);
+  app_->formatter(std::make_shared<HelpFormatter>());
+  app_->set_help_flag("-h,--help", "this text");
+  app_->allow_extras();
+}
+
+Parser::~Parser() = default;
+
+void Parser::footer(const std::string& text) {
+  app_->footer(app_->get_footer().empty() ? text : app_->get_footer() + "\n" + text);
 }
 
 void Parser::flag(const std::string& names, bool& target, const std::string& help) {
-  app_.add_flag(names, target, help)->group(group_);
+  app_->add_flag(names, target, help)->group(group_);
 }
 
 void Parser::option(const std::string& names, const std::string& value_name,
                     const std::string& help, const std::function<void(const std::string&)>& use) {
-  app_.add_option_function<std::string>(names, use, help)
+  app_->add_option_function<std::string>(names, use, help)
       ->type_name(value_name)
       ->group(group_)
       ->take_last();
@@ -53,7 +60,7 @@ void Parser::option(const std::string& names, const std::string& value_name,
 
 void Parser::repeated(const std::string& names, const std::string& value_name,
                       const std::string& help, const std::function<void(const std::string&)>& use) {
-  app_.add_option_function<std::vector<std::string>>(
+  app_->add_option_function<std::vector<std::string>>(
           names,
           [use](const std::vector<std::string>& values) {
             for (const std::string& value : values) use(value);
@@ -67,27 +74,27 @@ void Parser::repeated(const std::string& names, const std::string& value_name,
 }
 
 void Parser::positional(const std::string& name, const std::string& help, std::string& target) {
-  app_.add_option(name, target, help)->type_name("FILE");
+  app_->add_option(name, target, help)->type_name("FILE");
 }
 
 void Parser::positionals(const std::string& name, const std::string& help,
                          std::vector<std::string>& target) {
-  app_.add_option(name, target, help)->type_name("FILE ...");
+  app_->add_option(name, target, help)->type_name("FILE ...");
 }
 
 void Parser::refuse_extras() const {
-  for (const std::string& extra : app_.remaining()) {
+  for (const std::string& extra : app_->remaining()) {
     if (extra.size() < 2 || extra[0] != '-') continue;
     std::vector<std::string> names;
-    for (const CLI::Option* option : app_.get_options()) {
+    for (const CLI::Option* option : app_->get_options()) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     const std::string typed = extra.substr(0, extra.find('='));
     throw Error(ExitCode::WrongUsage, "unknown option " + in_quotes(typed) + ", did you mean '" +
                                           nearest_name(typed, names) + "'?");
   }
-  if (!app_.remaining().empty()) {
-    throw Error(ExitCode::WrongUsage, "unexpected argument " + in_quotes(app_.remaining().front()) +
+  if (!app_->remaining().empty()) {
+    throw Error(ExitCode::WrongUsage, "unexpected argument " + in_quotes(app_->remaining().front()) +
                                           "; see 'caustics " + command_ + " --help'");
   }
 }
@@ -95,9 +102,9 @@ void Parser::refuse_extras() const {
 bool Parser::parse(const Arguments& arguments) {
   try {
     // CLI11 takes the arguments last first.
-    app_.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    app_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
-    std::fputs(single_spaced(app_.help()).c_str(), stdout);
+    std::fputs(single_spaced(app_->help()).c_str(), stdout);
     return false;
   } catch (const CLI::ParseError& error) {
     refuse_extras();

@@ -1,17 +1,25 @@
 // One sub-command's options, on top of CLI11: examples come first in the help, values are checked
 // by the code that uses them, and a misspelt option names the one that was probably meant.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "app/command.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace caustics::app {
 
 class Parser {
  public:
   Parser(const std::string& command, const std::string& purpose, const std::string& examples);
+  Parser(const Parser&) = delete;
+  Parser& operator=(const Parser&) = delete;
+  ~Parser();
 
   void flag(const std::string& names, bool& target, const std::string& help);
   // An option with a value; the last of several counts.
@@ -26,9 +34,7 @@ class Parser {
   // Options added from here on are listed under this heading.
   void group(const std::string& heading) { group_ = heading; }
   // Adds lines to the end of the help.
-  void footer(const std::string& text) {
-    app_.footer(app_.get_footer().empty() ? text : app_.get_footer() + "\n" + text);
-  }
+  void footer(const std::string& text);
 
   // False when the help was asked for and printed. Throws Error (WrongUsage).
   bool parse(const Arguments& arguments);
@@ -36,7 +42,7 @@ class Parser {
  private:
   void refuse_extras() const;
 
-  CLI::App app_;
+  std::unique_ptr<CLI::App> app_;
   std::string command_;
   std::string group_ = "Options";
 };

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "app/expectations.hpp"
 #include "app/light_groups.hpp"
 #include "app/plan_report.hpp"

@@ -1,6 +1,7 @@
 #include "app/stats.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/light_groups.hpp"
 #include "app/version.hpp"

@@ -1,6 +1,6 @@
 // --stats: what ran, how long it took, and where the light went, as JSON.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/difference_images.hpp"
-#include "app/image_layers.hpp"
+#include "app/image_file.hpp"
+#include "app/paper/side_by_side.hpp"
 #include "app/sample_scenes.hpp"
 
 namespace caustics::app {
@@ -25,6 +25,15 @@ std::string joined(const Arguments& words) {
   std::string text;
   for (const std::string& word : words) text.append(" ").append(word);
   return text;
+}
+
+Image image_of(const FloorLayer& layer) {
+  Image image(Format::RGBA32F, layer.width, layer.height);
+  for (int y = 0; y < layer.height; ++y)
+    for (int x = 0; x < layer.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.at(x, layer.height - 1 - y, c) = static_cast<float>(layer.at(x, y)[static_cast<std::size_t>(c)]);
+  return image;
 }
 
 [[noreturn]] void lacks_layer(const std::string& shot, const std::string& layer) {
@@ -74,12 +83,12 @@ double Shots::relative_l1(const std::string& a, const std::string& b, const std:
   return sum > 0.0 ? difference / sum : 0.0;
 }
 
-void Shots::draw_difference(const std::string& a, const std::string& b, const std::string& wanted,
-                            const std::string& name) const {
-  ImagePlanes first = read_planes(file(a, ".exr")), second = read_planes(file(b, ".exr"));
-  keep_layer(first, wanted, a);
-  keep_layer(second, wanted, b);
-  write_difference_images(DifferencePaths(file(name, "").string()), compare_planes(first, second, Tolerance{}));
+void Shots::draw_side_by_side(const std::vector<std::string>& tested, const std::string& truth,
+                              const std::string& wanted, const std::string& name) const {
+  std::vector<Image> images;
+  images.reserve(tested.size());
+  for (const std::string& each : tested) images.push_back(image_of(layer(each, wanted)));
+  write_png(file(name, ".png"), side_by_side(images, image_of(layer(truth, wanted))));
 }
 
 double Shots::flux(const std::string& name, const std::string& account, int channel, int light) const {

@@ -47,9 +47,9 @@ class Shots {
   FloorLayer layer(const std::string& name, const std::string& layer) const;
   // Sum of |a - b| over the sum of b, of all channels of a layer.
   double relative_l1(const std::string& a, const std::string& b, const std::string& layer) const;
-  // Pictures of where a layer of two shots differs: NAME_signed.exr, NAME_color.png.
-  void draw_difference(const std::string& a, const std::string& b, const std::string& layer,
-                       const std::string& name) const;
+  // NAME.png: a layer of shots of one view beside that of `truth`, and their differences below (side_by_side.hpp).
+  void draw_side_by_side(const std::vector<std::string>& tested, const std::string& truth, const std::string& layer,
+                         const std::string& name) const;
   std::filesystem::path file(const std::string& name, const std::string& extension) const;
   // "caustics render scenes/glass_sphere.glb --grid 64 -o sphere.png", as a person would type it.
   std::string command(const std::string& name) const { return commands_.at(name); }

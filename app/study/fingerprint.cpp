@@ -1,6 +1,7 @@
 #include "app/study/fingerprint.hpp"
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "app/terminal.hpp"

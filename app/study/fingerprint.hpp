@@ -1,7 +1,7 @@
 // Which file was it? Path, size and hash, so that a later study knows whether it is still the same.
 #pragma once
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace caustics::app {
 

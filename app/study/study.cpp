@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/atomic_file.hpp"
@@ -18,6 +19,7 @@
 #include "app/study/request.hpp"
 #include "app/study/sentence.hpp"
 #include "app/study/study.hpp"
+#include "app/study/study_plot.hpp"
 #include "app/study/truth.hpp"
 #include "app/terminal.hpp"
 #include "app/version.hpp"
@@ -146,7 +148,7 @@ class StudyRun {
     made_folder_ = fs::create_directories(request_.folder, error);
     fs::create_directories(request_.folder / "img", error);
     require_writable(request_.folder / "img" / "truth.png");
-    for (const char* file : {"study.json", "study.csv", "report.html"}) require_writable(request_.folder / file);
+    for (const char* file : {"study.json", "study.csv", "report.html", "error_time.svg"}) require_writable(request_.folder / file);
   }
 
   void read_earlier() {
@@ -311,6 +313,7 @@ class StudyRun {
     put(request_.folder / "study.json", study_json(study_));
     put(request_.folder / "study.csv", study_csv(study_));
     put(request_.folder / "report.html", report_page(study_, request_.folder));
+    if (const std::string svg = plot_file(study_); !svg.empty()) put(request_.folder / "error_time.svg", svg);
   }
 
   void leave_what_is_done() {

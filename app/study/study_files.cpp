@@ -1,4 +1,6 @@
 // study.json and study.csv (docs/study.md).
+#include <nlohmann/json.hpp>
+
 #include "app/stats.hpp"
 #include "app/study/study.hpp"
 #include "app/version.hpp"

@@ -9,4 +9,7 @@ namespace caustics::app {
 // one of 0, are left out.
 Plot plot_of(const Study& study);
 
+// The plot as an SVG file of its own, dark on white; empty where there is nothing to plot.
+std::string plot_file(const Study& study);
+
 }  // namespace caustics::app

@@ -1,7 +1,6 @@
 // What a study's settings are measured against.
 #pragma once
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 

@@ -91,7 +91,7 @@ class Rows(StudyTest):
             self.assertEqual(base64.b64decode(data), (self.folder / "study" / file).read_bytes())
             self.assertTrue(image.get("alt"))
         self.assertEqual(sorted(p.name for p in (self.folder / "study").iterdir()),
-                         ["img", "report.html", "study.csv", "study.json"])
+                         ["error_time.svg", "img", "report.html", "study.csv", "study.json"])
 
     def test_one_key_at_a_time_and_the_product_of_grid_and_map(self):
         base = ["--grid", "32", "--map", "32", "--vary", "grid=16,32", "--vary", "map=16,32"]
@@ -270,7 +270,7 @@ class GoingOn(StudyTest):
         self.assertEqual(len(self.table()), done)
         self.assertIn("Not complete", self.page()[1])
         # No temporary file is left.
-        self.assertEqual([p for p in (self.folder / "study").rglob("*") if not re.search(r"\.(png|json|csv|html)$|img$", p.name)],
+        self.assertEqual([p for p in (self.folder / "study").rglob("*") if not re.search(r"\.(png|svg|json|csv|html)$|img$", p.name)],
                          [])
 
 
