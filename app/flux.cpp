@@ -2,11 +2,16 @@
 
 #include "app/light_groups.hpp"
 #include "app/terminal.hpp"
+#include "pipeline/plan/pixel_side.hpp"
 
 namespace caustics::app {
 
+namespace {
+constexpr char kViewPosition[] = "view_position";
+}
+
 std::vector<std::string> ledger_textures() {
-  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kCascadeMap};
+  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kCascadeMap, kViewPosition};
   for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar, kCellFlux,
                            kCausticMap}) {
     textures.emplace_back(name);
@@ -38,9 +43,13 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
   const Ledger ledger = make_ledger(branches, map, if_any(light_texture(far_texture(kCausticMap), light)),
                                     frames.caustic, frame.settings());
+  const double pixel = frame.settings().pixel_means && has(kViewPosition)
+                           ? pixel_side(read(kViewPosition), map, frames.caustic)
+                           : 0.0;
   add(sum.ledger, ledger, share);
   add(sum.error,
-      estimate_error(branches, cell_images(light, frame.effects().branches, has, read), map, if_any(light_texture(kCascadeMap, light)), frames, frame.settings(), ledger),
+      estimate_error(branches, cell_images(light, frame.effects().branches, has, read), map,
+                     if_any(light_texture(kCascadeMap, light)), frames, frame.settings(), ledger, pixel),
       share);
   const std::vector<Outcome> outcomes = outcomes_of(
       sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));

@@ -99,6 +99,7 @@ Json settings_json(const Settings& s) {
           {"frames", s.shared_frames ? "shared" : "fitted"},
           {"cube", s.cube == Cube::Auto ? "auto" : s.cube == Cube::On ? "on" : "off"},
           {"cascades", s.cascades ? "auto" : "off"},
+          {"pixel_means", s.pixel_means ? "auto" : "off"},
           {"hidden_receivers", s.hidden_receivers ? "auto" : "off"},
           {"outside_share", s.outside_share},
           {"assume_solid", s.assume_solid ? "yes" : "no"},

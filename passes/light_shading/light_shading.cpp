@@ -16,6 +16,8 @@ namespace {
 
 // Texels along a cascade's border whose splats may have their middles beyond it, and one for the look-up.
 constexpr double kBorder = 1.0;
+// Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps.
+constexpr float kMostSamples = 8.0f;
 
 struct LightShadingUniforms {
   using vec4 = glm::vec4;
@@ -79,6 +81,7 @@ UniformBytes uniforms(const PassContext& context) {
       .cascade_texel = cascade_texel,
       .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
                caustics ? 1.0f : 0.0f, context.effects->active("thin panes") ? 1.0f : 0.0f},
+      .footprint = {context.settings->pixel_means ? kMostSamples : 0.0f, 0.0f, 0.0f, 0.0f},
   });
 }
 

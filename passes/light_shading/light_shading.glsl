@@ -211,6 +211,139 @@ Vec3 flux_all_around(Vec3 q) {
   return flux;
 }
 
+// What a caustic is averaged over for a pixel: half of each side to either side of the point, in frame coordinates,
+// and by how many samples along each.
+struct Footprint {
+  Vec3 across;
+  Vec3 upward;
+  Float columns;
+  Float rows;
+};
+
+// The step to a neighbouring pixel in frame coordinates; none where that pixel shows something else.
+Vec3 step_on_surface(Int column, Int row, int dx, int dy, Vec3 position, Vec3 n) {
+  Vec3 offset = offset_to_neighbour(view_position, column, row, dx, dy, position);
+  Float off_plane = dot3(offset, n);
+  Bool same = off_plane * off_plane <= 0.25f * dot3(offset, offset);
+  return sel(same, transform_vector(u.from_scene, offset), Vec3(0.0f));
+}
+
+// The larger side in the map of a step from a point, texels.
+Float texels_along(Vec3 at, Vec3 step, vec4 window, int size) {
+  Vec2 from = frame_uv(at, window, u.caustic_depth);
+  Vec2 to = frame_uv(at + step, window, u.caustic_depth);
+  return max_of(abs(to.x - from.x), abs(to.y - from.y)) * float(size);
+}
+
+// How much of a pixel's side of so many texels is left to average over. A texel is the mean over itself, and
+// interpolation spreads it over two: together the variance of a box of sqrt 3 texels.
+Float spread_of(Float texels) {
+  return sqrt(max_of(texels * texels - 3.0f, 0.0f));
+}
+
+// A sample more than the texels that the spread spans.
+Float samples_over(Float spread) {
+  Float whole = Float(floor_to_int(spread));
+  Float count = sel(whole < spread, whole + 2.0f, whole + 1.0f);
+  return clamp_to(count, 1.0f, u.footprint.x);
+}
+
+// Is a point so far inside the cascade that all its light is there?
+Bool in_cascade(Vec3 at) {
+  Vec2 finer = frame_uv(at, u.cascade_window, u.caustic_depth);
+  return inside_unit(finer.x - u.cascade_texel.y, finer.y - u.cascade_texel.y) &&
+         inside_unit(finer.x + u.cascade_texel.y, finer.y + u.cascade_texel.y);
+}
+
+Footprint footprint_at(Int column, Int row, Vec3 at, Vec3 position, Vec3 n) {
+  Footprint f;
+  f.across = step_on_surface(column, row, 1, 0, position, n);
+  f.upward = step_on_surface(column, row, 0, 1, position, n);
+  int size = texture_width(caustic_map);
+  Float columns = texels_along(at, f.across, u.caustic_window, size);
+  Float rows = texels_along(at, f.upward, u.caustic_window, size);
+  if (u.cascade_texel.z > 0.5f) {
+    Bool finer = in_cascade(at);
+    columns = sel(finer, texels_along(at, f.across, u.cascade_window, size), columns);
+    rows = sel(finer, texels_along(at, f.upward, u.cascade_window, size), rows);
+  }
+  f.across = f.across * (spread_of(columns) / max_of(columns, 1.0f));
+  f.upward = f.upward * (spread_of(rows) / max_of(rows, 1.0f));
+  f.columns = samples_over(spread_of(columns));
+  f.rows = samples_over(spread_of(rows));
+  return f;
+}
+
+// The irradiance of caustics at a point near p, in frame coordinates: flux over area times the cosine. `near` and
+// `far` receivers take it or not as p does.
+Vec3 caustic_at(Vec3 at, TangentPlane p, Float facing, Float distance_squared, Bool near, Bool far) {
+  Vec3 flux = Vec3(0.0f);
+  Bool inside = Bool(true);
+  Float texel = Float(u.caustic_texel.x);
+  if (u.caustic_depth.z > 1.5f) {
+    flux = flux_all_around(at);
+  } else {
+    Vec2 uv = frame_uv(at, u.caustic_window, u.caustic_depth);
+    inside = inside_unit(uv.x, uv.y);
+    flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
+    if (u.cascade_texel.z > 0.5f) {
+      Vec2 finer = frame_uv(at, u.cascade_window, u.caustic_depth);
+      Bool reaches = in_cascade(at);
+      flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), flux);
+      texel = sel(reaches, Float(u.cascade_texel.x), texel);
+      inside = inside || reaches;
+    }
+  }
+  if (u.caustic_texel.w > 0.5f) flux = Vec3(flux.x);
+  Float area = texel_area(texel, p.q, distance_squared);
+  Vec3 caught = sel(near && inside, flux * (facing / area), Vec3(0.0f));
+  if (u.cascade_texel.w > 0.5f) {
+    Vec2 uv = frame_uv(at, u.caustic_window, u.caustic_depth);
+    Vec3 behind = Vec3(fetch_bilinear(far_caustic_map, uv.x, uv.y));
+    if (u.caustic_texel.w > 0.5f) behind = Vec3(behind.x);
+    Float far_area = texel_area(Float(u.caustic_texel.x), p.q, distance_squared);
+    caught = caught + sel(far && inside_unit(uv.x, uv.y), behind * (facing / far_area), Vec3(0.0f));
+  }
+  return caught;
+}
+
+// A point and its share of what casters keep from it and give to it.
+struct Caught {
+  Float shadowed;
+  Vec3 irradiance;
+};
+
+// The mean over what a pixel sees: at the point alone where that is hardly wider than a texel. The casters' shadow is
+// averaged with their light, so that glass that bends nothing leaves no trace.
+Caught caught_over(Footprint f, TangentPlane p, Float facing, Float distance_squared, Bool near, Bool far) {
+  Caught sum;
+  sum.shadowed = Float(0.0f);
+  sum.irradiance = Vec3(0.0f);
+  for (int j = 0; float(j) < u.footprint.x; j++) {
+    Bool in_row = float(j) < f.rows;
+    if (any_lane(in_row)) {
+      Float along = (float(j) + 0.5f) / f.rows - 0.5f;
+      for (int i = 0; float(i) < u.footprint.x; i++) {
+        Bool counts = in_row && float(i) < f.columns;
+        if (any_lane(counts)) {
+          TangentPlane there;
+          there.at = p.at + f.across * ((float(i) + 0.5f) / f.columns - 0.5f) + f.upward * along;
+          there.face = p.face;
+          there.q = in_face(there.at, p.face, u.shadow_range);
+          there.normal = p.normal;
+          Vec3 caught = caustic_at(there.at, p, facing, distance_squared, near, far);
+          sum.shadowed = sum.shadowed + sel(counts, caster_share(there), Float(0.0f));
+          sum.irradiance = sum.irradiance + sel(counts, caught, Vec3(0.0f));
+        }
+      }
+    }
+  }
+  Float samples = f.columns * f.rows;
+  sum.shadowed = sum.shadowed / samples;
+  sum.irradiance = sum.irradiance / samples;
+  return sum;
+}
+
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
@@ -242,11 +375,28 @@ void main() {
   Vec3 plane = plane_normal(view_position, column, row, position, n);
   p.normal = in_face(transform_vector(u.from_scene, plane), p.face, u.shadow_range);
 
+  Caught casters;
+  casters.shadowed = Float(0.0f);
+  casters.irradiance = Vec3(0.0f);
+  if (u.uses.z > 0.5f) {
+    Bool near = visible && receives(receiver_position, p, false);
+    Bool far = Bool(false);
+    if (u.cascade_texel.w > 0.5f) far = visible && receives(far_receiver_position, p, true);
+    if (u.footprint.x > 0.5f) {
+      Footprint f = footprint_at(column, row, p.at, position, n);
+      casters = caught_over(f, p, facing, distance_squared, near, far);
+    } else {
+      casters.shadowed = caster_share(p);
+      casters.irradiance = caustic_at(p.at, p, facing, distance_squared, near, far);
+    }
+  }
+  caustic = Vec4(Vec3(u.intensity) * casters.irradiance, Float(0.0f));
+
   Float lit = Float(1.0f);
   Float turned = -dot3(plane, travel);
   Bool away = turned * dot3(plane, n) <= 0.0f;
   if (u.uses.x > 0.5f) lit = sel(away, Float(0.0f), 1.0f - shadow_share(p));
-  if (u.uses.y > 0.5f) lit = lit * (1.0f - caster_share(p));
+  if (u.uses.y > 0.5f) lit = lit * (1.0f - casters.shadowed);
   Float irradiance = facing * reaching * lit / distance_squared;
   irradiance = sel(visible, irradiance, Float(0.0f));
   Vec3 tint = Vec3(1.0f);
@@ -255,40 +405,5 @@ void main() {
   tint = tint * transmittance(Vec3(u.extinction), light_way(position, travel, Vec3(u.light), u.light.w > 0.5f));
 #endif
   direct = Vec4(Vec3(u.intensity) * tint * irradiance, Float(0.0f));
-
-  Vec3 caught = Vec3(0.0f);
-  if (u.uses.z > 0.5f) {
-    Vec3 flux = Vec3(0.0f);
-    Bool inside = Bool(true);
-    Float texel = Float(u.caustic_texel.x);
-    if (u.caustic_depth.z > 1.5f) {
-      flux = flux_all_around(p.at);
-    } else {
-      Vec2 uv = frame_uv(p.at, u.caustic_window, u.caustic_depth);
-      inside = inside_unit(uv.x, uv.y);
-      flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
-      if (u.cascade_texel.z > 0.5f) {
-        Vec2 finer = frame_uv(p.at, u.cascade_window, u.caustic_depth);
-        Bool reaches = inside_unit(finer.x - u.cascade_texel.y, finer.y - u.cascade_texel.y) &&
-                       inside_unit(finer.x + u.cascade_texel.y, finer.y + u.cascade_texel.y);
-        flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), flux);
-        texel = sel(reaches, Float(u.cascade_texel.x), texel);
-        inside = inside || reaches;
-      }
-    }
-    if (u.caustic_texel.w > 0.5f) flux = Vec3(flux.x);
-    Float area = texel_area(texel, p.q, distance_squared);
-    Bool takes = visible && inside && receives(receiver_position, p, false);
-    caught = sel(takes, flux * (facing / area), Vec3(0.0f));
-    if (u.cascade_texel.w > 0.5f) {
-      Vec2 uv = frame_uv(p.at, u.caustic_window, u.caustic_depth);
-      Vec3 behind = Vec3(fetch_bilinear(far_caustic_map, uv.x, uv.y));
-      if (u.caustic_texel.w > 0.5f) behind = Vec3(behind.x);
-      Float far_area = texel_area(Float(u.caustic_texel.x), p.q, distance_squared);
-      Bool takes_behind = visible && inside_unit(uv.x, uv.y) && receives(far_receiver_position, p, true);
-      caught = caught + sel(takes_behind, behind * (facing / far_area), Vec3(0.0f));
-    }
-  }
-  caustic = Vec4(Vec3(u.intensity) * caught, Float(0.0f));
 }
 #endif

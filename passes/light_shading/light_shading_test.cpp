@@ -22,7 +22,7 @@ struct Bench {
   glm::vec3 position{0.5f, 0.0f, -0.5f};  // over the centre of texel (4, 4) of the parallel maps
   glm::vec3 normal{0.0f, 1.0f, 0.0f};
   float covered = 1.0f;
-  bool occluders = false, caustics = false;
+  bool occluders = false, caustics = false, pixel_means = true;
   double casters_nearest = 0.0;
   Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, cascade_map{}, panes{}, far_receiver{},
       far_caustic_map{};
@@ -32,6 +32,7 @@ struct Bench {
     scene.lights = {light};
     Settings settings;
     settings.map = 8;
+    settings.pixel_means = pixel_means;
     Effects effects;
     effects.list = {{"occluders", occluders, ""}, {"caustics", caustics, ""},
                     {"coloured caustics", caustic_map.channels() > 1, ""},
@@ -336,4 +337,53 @@ TEST_CASE("wide_shading: the wide view is lit by the same rule") {
       run_pass(pass.definition, {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
   CHECK(out["wide_direct"].at(0, 0, 0) == Approx(100.0));
   CHECK(out["wide_caustic"].at(0, 0, 0) == Approx(25.0));
+}
+
+namespace {
+
+// A picture of 2 x 2 pixels, 4 m or 4 texels apart, on the floor under a map with light in one texel only. The pixel
+// in the lower left has its middle at texel coordinates 2, 2.
+PassImages run_wide_pixels(Bench bench, int bright_x, int bright_y, bool level = true) {
+  bench.caustic_map = filled(8, 8, glm::vec4(0.0f));
+  for (int c = 0; c < 3; ++c) bench.caustic_map.at(bright_x, bright_y, c) = 0.25f;
+  Image position(Format::RGBA32F, 2, 2);
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 2; ++x) {
+      const glm::vec4 p{x == 0 ? -2.0f : 2.0f, !level && x == 1 ? 6.0f : 0.0f, y == 0 ? 2.0f : -2.0f, 1.0f};
+      for (int c = 0; c < 4; ++c) position.at(x, y, c) = p[c];
+    }
+  const Pass pass = light_shading_pass();
+  std::vector<Image> textures = bench.textures();
+  textures[0] = position;
+  textures[1] = filled(2, 2, {0.0f, 1.0f, 0.0f, 0.0f});
+  return run_pass(pass.definition, {.width = 2, .height = 2, .uniforms = bench.uniforms(pass), .textures = textures});
+}
+
+}  // namespace
+
+TEST_CASE("light_shading: a pixel wider than texels shows the mean of the caustic over itself") {
+  // 4 texels: a spread of sqrt(16 - 3) = 3.606 texels, by 5 samples at 0, 0.721 and 1.442 texels to either side. A
+  // texel 1.5 from the middle has a share of 1 - (1.5 - 1.442) = 0.942 in one and of 1 - (1.5 - 0.721) = 0.221 in
+  // another: (0.942 + 0.221) / 5 along each axis. The frame's y runs against the picture's here or along it, so all four
+  // pixels are added up: one of them has the texel.
+  const double share = (2.0 - (1.5 - 0.4 * std::sqrt(13.0)) - (1.5 - 0.2 * std::sqrt(13.0))) / 5.0;
+  const PassImages out = run_wide_pixels(with_caustic(), 0, 0);
+  double sum = 0.0;
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 2; ++x) sum += static_cast<double>(out["caustic"].at(x, y, 0));
+  CHECK(sum == Approx(100.0 * 0.25 * share * share).epsilon(1e-5));
+}
+
+TEST_CASE("light_shading: a pixel's caustic is not averaged over what is no part of its surface") {
+  // The pixels to the right lie 6 m higher: no step along the picture's x, so all samples keep the middle's x, where a
+  // texel 1.5 away has no share.
+  const PassImages out = run_wide_pixels(with_caustic(), 0, 0, false);
+  for (int y = 0; y < 2; ++y) CHECK(out["caustic"].at(0, y, 0) == 0.0f);
+}
+
+TEST_CASE("light_shading: without pixel means a wide pixel shows its middle") {
+  Bench bench = with_caustic();
+  bench.pixel_means = false;
+  const PassImages out = run_wide_pixels(bench, 0, 0);
+  for (const float value : out["caustic"].values) CHECK(value == 0.0f);
 }

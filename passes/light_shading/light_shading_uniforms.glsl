@@ -21,3 +21,4 @@ vec4 cascade_window;
 vec4 cascade_texel;      // x: area of a cascade's texel in window units squared; y: map coordinates from the cascade's
                          // border that are not looked up; z: 1 where there is a cascade; w: 1 where there are far receivers
 vec4 uses;               // 1 where there is a shadow map, a caster map, a caustic map, thin panes
+vec4 footprint;          // x: by how many samples along an axis a caustic is averaged over a pixel at most; 0: it is not

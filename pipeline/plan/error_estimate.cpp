@@ -41,13 +41,30 @@ class Plane {
     const int x = static_cast<int>(std::floor(texel.x)), y = static_cast<int>(std::floor(texel.y));
     if (x >= 0 && y >= 0 && x < side_ && y < side_) at(x, y) += value;
   }
-  double absolute_sum() const {
+  // Sum of |mean over a box around each texel|; boxes of these sides, texels, and not below one.
+  double absolute_sum(const glm::dvec2& box) const {
+    const Plane averaged = along(std::max(box.x, 1.0), 1, 0).along(std::max(box.y, 1.0), 0, 1);
     double sum = 0.0;
-    for (const double v : values_) sum += std::fabs(v);
+    for (const double v : averaged.values_) sum += std::fabs(v);
     return sum;
   }
 
  private:
+  // Means over `side` texels along an axis; the outermost texels of a box count by the share that lies in it.
+  Plane along(double side, int dx, int dy) const {
+    if (side <= 1.0) return *this;
+    Plane result(side_);
+    const int whole = static_cast<int>(std::floor(0.5 * (side + 1.0)));
+    for (int y = 0; y < side_; ++y)
+      for (int x = 0; x < side_; ++x)
+        for (int k = -whole; k <= whole; ++k) {
+          const int fx = x + k * dx, fy = y + k * dy;
+          if (fx < 0 || fy < 0 || fx >= side_ || fy >= side_) continue;
+          const double inside = std::clamp(0.5 * (side + 1.0) - std::abs(k), 0.0, 1.0);
+          result.at(x, y) += at(fx, fy) * inside / side;
+        }
+    return result;
+  }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(x);
   }
@@ -86,17 +103,17 @@ struct Maps {
   }
 };
 
-// |map - the same from means of two by two texels, interpolated|, over the texels that `counts`.
+// map - the same from means of two by two texels, interpolated; of the texels that `counts`.
 template <class Counts>
-double texel_error(const Plane& map, Counts counts) {
+Plane texel_error(const Plane& map, Counts counts) {
   const int half = map.side() / 2;
-  if (half < 1) return 0.0;
+  Plane error(map.side());
+  if (half < 1) return error;
   Plane coarse(half);
   for (int y = 0; y < half; ++y)
     for (int x = 0; x < half; ++x)
       coarse.at(x, y) = 0.25 * (map.at(2 * x, 2 * y) + map.at(2 * x + 1, 2 * y) + map.at(2 * x, 2 * y + 1) +
                                 map.at(2 * x + 1, 2 * y + 1));
-  double sum = 0.0;
   for (int y = 0; y < map.side(); ++y)
     for (int x = 0; x < map.side(); ++x) {
       if (!counts(x, y)) continue;
@@ -104,19 +121,20 @@ double texel_error(const Plane& map, Counts counts) {
       const int x0 = x / 2, y0 = y / 2, x1 = x0 + (x % 2 ? 1 : -1), y1 = y0 + (y % 2 ? 1 : -1);
       const double shown = (9.0 * coarse.clamped(x0, y0) + 3.0 * coarse.clamped(x1, y0) +
                             3.0 * coarse.clamped(x0, y1) + coarse.clamped(x1, y1)) / 16.0;
-      sum += std::fabs(map.at(x, y) - shown);
+      error.at(x, y) = map.at(x, y) - shown;
     }
-  return sum;
+  return error;
 }
 
-double map_error(const Image& caustic_map, const Image& cascade_map, const Maps& maps) {
-  double sum = texel_error(plane_of(caustic_map),
-                           [&](int x, int y) { return !maps.cascade_shows({x + 0.5, y + 0.5}); });
+double map_error(const Image& caustic_map, const Image& cascade_map, const Maps& maps, double pixel) {
+  double sum = texel_error(plane_of(caustic_map), [&](int x, int y) {
+                 return !maps.cascade_shows({x + 0.5, y + 0.5});
+               }).absolute_sum(glm::dvec2(pixel));
   if (maps.has_cascade) {
     const double lowest = maps.border, highest = maps.side - maps.border;
     sum += texel_error(plane_of(cascade_map), [&](int x, int y) {
-      return x + 0.5 >= lowest && y + 0.5 >= lowest && x + 0.5 <= highest && y + 0.5 <= highest;
-    });
+             return x + 0.5 >= lowest && y + 0.5 >= lowest && x + 0.5 <= highest && y + 0.5 <= highest;
+           }).absolute_sum(pixel * maps.scale);
   }
   return sum;
 }
@@ -133,7 +151,9 @@ struct Moved {
       map.add(texel, flux);
     }
   }
-  double sum() const { return map.absolute_sum() + cascade.absolute_sum(); }
+  double sum(double pixel) const {
+    return map.absolute_sum(glm::dvec2(pixel)) + cascade.absolute_sum(pixel * maps.scale);
+  }
 };
 
 struct Cell {
@@ -232,12 +252,12 @@ void add(ErrorEstimate& sum, const ErrorEstimate& other, double share) {
 
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
                              const Image& caustic_map, const Image& cascade_map, const LightFrames& frames,
-                             const Settings& settings, const Ledger& ledger) {
+                             const Settings& settings, const Ledger& ledger, double pixel) {
   ErrorEstimate estimate;
   if (frames.caustic.cube) return estimate;
   const Maps maps(frames, settings, caustic_map.width(), !cascade_map.values.empty());
   estimate.landed = total(ledger.in_map);
-  estimate.map = kOfTexels * map_error(caustic_map, cascade_map, maps);
+  estimate.map = kOfTexels * map_error(caustic_map, cascade_map, maps, pixel);
   estimate.missing = total(ledger.outside) + total(ledger.kernel_edge) + total(ledger.not_converged);
   Moved moved(maps);
   double points = 0.0;
@@ -249,7 +269,7 @@ ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const st
       points += flux_of_points(branches[b]);
     }
   }
-  estimate.grid = kOfGrid * moved.sum() + kOfPoints * points;
+  estimate.grid = kOfGrid * moved.sum(pixel) + kOfPoints * points;
   return estimate;
 }
 

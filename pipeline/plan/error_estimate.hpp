@@ -11,8 +11,8 @@
 
 namespace caustics {
 
-// Light in wrong places: the integral of |irradiance - truth| over what receives it, in the ledger's unit of flux
-// and summed over the three channels. Each part compares the frame with a coarser one made from its own textures.
+// Light in wrong places: the integral of |irradiance - truth|, both averaged over a picture's pixels, over what receives
+// it, in the ledger's unit of flux and summed over the three channels. Each part compares the frame with a coarser one made from its own textures.
 struct ErrorEstimate {
   double landed = 0.0;   // all flux in the map
   double map = 0.0;      // by the size of the maps' texels: against texels of twice the side
@@ -36,10 +36,11 @@ std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branch
                                     const std::function<bool(const std::string&)>& has,
                                     const std::function<Image(const std::string&)>& read);
 
-// Of one light; `cells` by branch, `cascade_map` without values where the light has none. The caustic of lights that
+// Of one light; `pixel` is a pixel's side in texels of the caustic map (pixel_side.hpp), 1 or less where the maps' own
+// texels are judged; `cells` by branch, `cascade_map` without values where the light has none. The caustic of lights that
 // see all around is not estimated: landed is 0.
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
                              const Image& caustic_map, const Image& cascade_map, const LightFrames& frames,
-                             const Settings& settings, const Ledger& ledger);
+                             const Settings& settings, const Ledger& ledger, double pixel);
 
 }  // namespace caustics

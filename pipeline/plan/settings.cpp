@@ -115,6 +115,8 @@ constexpr Key kKeys[] = {
      [](Settings& s, Value v) { return choice(v, kCubes, s.cube); }},
     {"cascades", "auto|off, default auto", "a caustic that is small in its map gets a finer one",
      [](Settings& s, Value v) { return choice(v, kOffAuto, s.cascades); }},
+    {"pixel_means", "auto|off, default auto", "caustics are averaged over pixels wider than texels",
+     [](Settings& s, Value v) { return choice(v, kOffAuto, s.pixel_means); }},
     {"hidden_receivers", "auto|off, default auto", "light lands on what others hide from the light",
      [](Settings& s, Value v) { return choice(v, kOffAuto, s.hidden_receivers); }},
     {"outside_share", "0..0.5, default 0.004", "share of the flux that may fall outside the map",

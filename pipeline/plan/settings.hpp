@@ -43,6 +43,7 @@ struct Settings {
   Cube cube = Cube::Auto;
   bool cascades = true;  // a light's caustic that is small in its map gets a finer second one
   bool hidden_receivers = true;  // light goes on to receivers that others hide from the light
+  bool pixel_means = true;  // caustics are averaged over pixels that are wider than the map's texels
   // Caster, receiver and caustic map share the caster's window: for studies of the splat alone.
   bool shared_frames = false;
   // Where a caustic's map is framed: this share of the landed flux may fall outside it.

@@ -10,6 +10,7 @@
 #include "pipeline/plan/error_estimate.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/ledger.hpp"
+#include "pipeline/plan/pixel_side.hpp"
 #include "pipeline/plan/run_plan.hpp"
 #include "raster/software_device.hpp"
 
@@ -70,14 +71,16 @@ inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light 
 // What estimate_of reads.
 inline const std::vector<std::string> kEstimateTextures = {
     kLanding,  kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear,
-    kCellFar, kCellFlux,    kCausticMap,     kCascadeMap};
+    kCellFar, kCellFlux,    kCausticMap,     kCascadeMap,      "view_position"};
 
 inline ErrorEstimate estimate_of(const Rendering& r, const Settings& settings, int light = 0) {
   const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
   const auto read = [&](const std::string& name) { return has(name) ? r[name] : Image{}; };
-  return estimate_error(branch_images(light, r.branches, has, read), cell_images(light, r.branches, has, read), r[light_texture(kCausticMap, light)],
-                        read(light_texture(kCascadeMap, light)), r.frames[static_cast<std::size_t>(light)], settings,
-                        ledger_of(r, settings, light));
+  const Image& map = r[light_texture(kCausticMap, light)];
+  const LightFrames& frames = r.frames[static_cast<std::size_t>(light)];
+  return estimate_error(branch_images(light, r.branches, has, read), cell_images(light, r.branches, has, read), map,
+                        read(light_texture(kCascadeMap, light)), frames, settings, ledger_of(r, settings, light),
+                        pixel_side(r["view_position"], map, frames.caustic));
 }
 
 // The sizes of grid and map at which an estimate is held against the truth.

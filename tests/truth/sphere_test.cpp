@@ -153,11 +153,11 @@ TEST_CASE("truth: the estimated error of a sphere's caustic is honest") {
   for (const EstimateCase c : kEstimateCases) {
     const Settings settings = small_settings(c.grid, c.map, 256);
     const Rendering r = render(scene, settings, textures);
-    const double error = compare(r, scene, settings, 1.5, 0.5).error;
+    const double error = compare(r, scene, settings, 1.5, 2.0).error;
     const double estimate = estimate_of(r, settings).total();
     INFO("grid " << c.grid << ", map " << c.map << ": " << error << ", estimated " << estimate);
     CHECK(estimate > 0.8 * error);
-    // The truth is a mean over pixels, which evens out some of what the estimate knows of.
+    // A smooth caustic's error falls faster with the grid than the estimate takes it to.
     CHECK(estimate < 6.0 * error);
   }
 }
