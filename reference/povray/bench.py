@@ -1,4 +1,4 @@
-"""One scene on the bench: its files, the commands of both programs, their times, and the truth they are held against."""
+"""One scene on the bench: its files, both programs' commands and times, and the truth they are held against."""
 import functools
 import math
 import os
@@ -107,7 +107,8 @@ class Setting:
         if self.program == 'caustics':
             return bench.render(self.name, *self.numbers)
         count, least, most, *radius = self.numbers
-        return bench.povray(self.name, f'count {count} gather {least}, {most}' + ''.join(f' radius {r}' for r in radius))
+        photons = f'count {count} gather {least}, {most}' + ''.join(f' radius {r}' for r in radius)
+        return bench.povray(self.name, photons)
 
 
 class Truth:

@@ -4,9 +4,9 @@
     reference/povray/compare.py [--scene NAME|FILE.glb ...] [--sizes N,...] [--photons N:MIN:MAX[:R],...] [-o DIR]
 
 Every scene is exported to POV-Ray, rendered by both with several settings in turns, and held against `caustics
-reference` in boxes of pixels. Prints tables; writes DIR/povray.json and DIR/SCENE_difference.png, and leaves all scenes,
-pictures and logs in DIR/SCENE. Needs POV-Ray 3.7 (package povray), oiiotool and a built caustics. Exit codes: 0 done;
-1 a program failed; 2 wrong usage; 3 a program is missing, or a scene cannot be exported."""
+reference` in boxes of pixels. Prints tables; writes DIR/povray.json and DIR/SCENE_difference.png, and leaves all
+scenes, pictures and logs in DIR/SCENE. Needs POV-Ray 3.7 (package povray), oiiotool and a built caustics. Exit codes:
+0 done; 1 a program failed; 2 wrong usage; 3 a program is missing, or a scene cannot be exported."""
 import argparse
 import json
 import math
@@ -60,7 +60,7 @@ def arguments_of(words):
     option('--camera', default='floor', metavar='NAME', help='an orthographic camera of the scene (floor)')
     option('--sizes', type=sizes, default=SIZES, metavar='N,...', help=f'grid and map of render ({SIZES})')
     option('--photons', type=photons, default=PHOTONS, metavar='N:MIN:MAX[:R],...',
-           help=f"POV-Ray's photons, how many an estimate gathers, and within which radius at first, metres ({PHOTONS})")
+           help=f"POV-Ray's photons, how many an estimate gathers, within which radius at first, metres ({PHOTONS})")
     option('-r', '--resolution', type=positive, default=512, metavar='N', help='pixels a side (512)')
     option('--boxes', type=numbers, default='4,8', metavar='N,...', help='sides of the boxes, pixels (4,8)')
     option('--physics', choices=('single', 'full'), default='single',
@@ -70,7 +70,8 @@ def arguments_of(words):
     option('--truth-batches', type=positive, default=4, metavar='N', help='batches, an even number from 4 on (4)')
     option('--repeat', type=positive, default=2, metavar='N', help='times each setting runs; the least counts (2)')
     option('-t', '--threads', type=positive, default=2, metavar='N', help='threads of each program (2)')
-    option('--program', default=ROOT / 'build/release/caustics', metavar='FILE', help='caustics (build/release/caustics)')
+    option('--program', default=ROOT / 'build/release/caustics', metavar='FILE',
+           help='caustics (build/release/caustics)')
     option('--povray', default='povray', metavar='FILE', help='POV-Ray (povray)')
     option('-o', '--output', type=pathlib.Path, default=pathlib.Path('povray_comparison'), metavar='DIR',
            help='made where it is missing (povray_comparison)')

@@ -2,8 +2,8 @@
 
 Units: POV-Ray has no 1/pi in its diffuse reflection. A white floor (`pigment { rgb 1 } finish { diffuse 1 }`) under a
 light of colour c shows c cos(theta), so that a directional light whose colour is its lux makes every pixel of the floor
-its irradiance in lux. The receivers are therefore exported white, whatever their albedo. compare.py checks this on floor
-that is not shadowed.
+its irradiance in lux. The receivers are therefore exported white, whatever their albedo. compare.py checks this on
+floor that is not shadowed.
 
 Coordinates stay as they are: the camera is written by its vectors, so that POV-Ray's left hand does not matter."""
 import math
@@ -59,7 +59,8 @@ def caster_look(material, reflections):
                 'photons { target 1.0 reflection on refraction off collect off }')
     ior = material['extensions'].get('KHR_materials_ior', {}).get('ior', 1.5)
     return (f'texture {{ pigment {{ color rgbt 1 }} finish {{ ambient 0 diffuse 0 specular 0'
-            f' reflection {{ 0, 1 fresnel on }} conserve_energy }} }} interior {{ ior {ior:.9g}{absorption(material)} }}',
+            f' reflection {{ 0, 1 fresnel on }} conserve_energy }} }}'
+            f' interior {{ ior {ior:.9g}{absorption(material)} }}',
             f'photons {{ target 1.0 refraction on reflection {"on" if reflections else "off"} collect off }}')
 
 

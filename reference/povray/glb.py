@@ -95,8 +95,8 @@ def checked_material(material):
     unknown = set(material.get('extensions', {})) - KNOWN_MATERIAL
     textures = [key for key in (*material, *material.get('pbrMetallicRoughness', {})) if key.endswith('Texture')]
     if unknown or textures or material.get('alphaMode', 'OPAQUE') != 'OPAQUE':
-        raise Unsupported(f"material '{material.get('name', '')}': {', '.join([*sorted(unknown), *textures]) or 'alpha'}"
-                          ' is not exported')
+        what = ', '.join([*sorted(unknown), *textures]) or 'alpha'
+        raise Unsupported(f"material '{material.get('name', '')}': {what} is not exported")
     return material
 
 
@@ -120,7 +120,8 @@ def mesh_of(file, node, place, turn, size):
 def light_of(file, node, place, turn):
     light = file.gltf['extensions']['KHR_lights_punctual']['lights'][node['extensions']['KHR_lights_punctual']['light']]
     if light['type'] not in ('directional', 'point') or 'range' in light or light.get('extras'):
-        raise Unsupported(f"light '{light.get('name', '')}': only directional and point lights without a size are exported")
+        raise Unsupported(f"light '{light.get('name', '')}': only directional and point lights without a size are"
+                          ' exported')
     color = scaled(light.get('color', (1, 1, 1)), light.get('intensity', 1))
     return Light(light.get('name', 'light'), light['type'], color, tuple(place), rotated(turn, (0, 0, -1)))
 

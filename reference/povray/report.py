@@ -60,8 +60,8 @@ def print_tables(result, boxes):
     print(f'\n| relative L1, {boxes[0]} x {boxes[0]} | ' + ' | '.join(f'{who}, wall s | cpu s' for who in PROGRAMS) +
           ' |\n|---|---|---|---|---|')
     for row in result['equal_error']:
-        print(f"| {row['error']} | " + ' | '.join(told(row[who][clock]) for who in PROGRAMS for clock in ('wall', 'cpu')) +
-              ' |')
+        seconds = ' | '.join(told(row[who][clock]) for who in PROGRAMS for clock in ('wall', 'cpu'))
+        print(f"| {row['error']} | {seconds} |")
 
 
 def write_difference(bench, settings, path):

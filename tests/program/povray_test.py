@@ -48,7 +48,9 @@ class Povray(ProgramTest):
         # Anything that can be run: it is looked for, but these scenes are refused before.
         self.refused(3, "only indexed triangles with normals", "--povray", sys.executable, "--scene", "ball.glb")
         sphere = str(ROOT / "scenes" / "glass_sphere.glb")
-        self.refused(3, "no orthographic camera 'view'", "--povray", sys.executable, "--scene", sphere, "--camera", "view")
+        self.refused(3, "no orthographic camera 'view'", "--povray", sys.executable, "--scene", sphere,
+                     "--camera", "view")
+        self.refused(3, "no mesh 'bell'", "--povray", sys.executable, "--scene", sphere, "--exact", "bell")
         self.refused(3, "no.glb", "--povray", sys.executable, "--scene", "no.glb")
         self.refused(3, "light 'spot'", "--povray", sys.executable, "--scene", str(ROOT / "scenes" / "two_lights.glb"))
         (self.folder / "torn.glb").write_bytes(small.scene()[:1000])
