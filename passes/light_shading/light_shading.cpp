@@ -16,8 +16,9 @@ namespace {
 
 // Texels along a cascade's border whose splats may have their middles beyond it, and one for the look-up.
 constexpr double kBorder = 1.0;
-// Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps.
-constexpr float kMostSamples = 8.0f;
+// Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps. Pixels on one
+// surface share its texels, so there are hardly more samples in all than texels, however wide the pixels are.
+constexpr float kMostSamples = 64.0f;
 
 struct LightShadingUniforms {
   using vec4 = glm::vec4;

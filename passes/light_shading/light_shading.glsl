@@ -255,7 +255,8 @@ Bool in_cascade(Vec3 at) {
          inside_unit(finer.x + u.cascade_texel.y, finer.y + u.cascade_texel.y);
 }
 
-Footprint footprint_at(Int column, Int row, Vec3 at, Vec3 position, Vec3 n) {
+// Of a point that `receives`; the others, and those whose pixel lies beside the map, count once.
+Footprint footprint_at(Int column, Int row, Vec3 at, Vec3 position, Vec3 n, Bool receives) {
   Footprint f;
   f.across = step_on_surface(column, row, 1, 0, position, n);
   f.upward = step_on_surface(column, row, 0, 1, position, n);
@@ -267,10 +268,15 @@ Footprint footprint_at(Int column, Int row, Vec3 at, Vec3 position, Vec3 n) {
     columns = sel(finer, texels_along(at, f.across, u.cascade_window, size), columns);
     rows = sel(finer, texels_along(at, f.upward, u.cascade_window, size), rows);
   }
-  f.across = f.across * (spread_of(columns) / max_of(columns, 1.0f));
-  f.upward = f.upward * (spread_of(rows) / max_of(rows, 1.0f));
-  f.columns = samples_over(spread_of(columns));
-  f.rows = samples_over(spread_of(rows));
+  Vec2 uv = frame_uv(at, u.caustic_window, u.caustic_depth);
+  Float reach = (columns + rows) / float(size);
+  Bool counts = receives && uv.x > -reach && uv.y > -reach && uv.x < reach + 1.0f && uv.y < reach + 1.0f;
+  Float wide = sel(counts, spread_of(columns), Float(0.0f));
+  Float high = sel(counts, spread_of(rows), Float(0.0f));
+  f.across = f.across * (wide / max_of(columns, 1.0f));
+  f.upward = f.upward * (high / max_of(rows, 1.0f));
+  f.columns = samples_over(wide);
+  f.rows = samples_over(high);
   return f;
 }
 
@@ -319,23 +325,18 @@ Caught caught_over(Footprint f, TangentPlane p, Float facing, Float distance_squ
   Caught sum;
   sum.shadowed = Float(0.0f);
   sum.irradiance = Vec3(0.0f);
-  for (int j = 0; float(j) < u.footprint.x; j++) {
-    Bool in_row = float(j) < f.rows;
-    if (any_lane(in_row)) {
-      Float along = (float(j) + 0.5f) / f.rows - 0.5f;
-      for (int i = 0; float(i) < u.footprint.x; i++) {
-        Bool counts = in_row && float(i) < f.columns;
-        if (any_lane(counts)) {
-          TangentPlane there;
-          there.at = p.at + f.across * ((float(i) + 0.5f) / f.columns - 0.5f) + f.upward * along;
-          there.face = p.face;
-          there.q = in_face(there.at, p.face, u.shadow_range);
-          there.normal = p.normal;
-          Vec3 caught = caustic_at(there.at, p, facing, distance_squared, near, far);
-          sum.shadowed = sum.shadowed + sel(counts, caster_share(there), Float(0.0f));
-          sum.irradiance = sum.irradiance + sel(counts, caught, Vec3(0.0f));
-        }
-      }
+  for (int j = 0; any_lane(float(j) < f.rows); j++) {
+    Float along = (float(j) + 0.5f) / f.rows - 0.5f;
+    for (int i = 0; any_lane(float(j) < f.rows && float(i) < f.columns); i++) {
+      Bool counts = float(j) < f.rows && float(i) < f.columns;
+      TangentPlane there;
+      there.at = p.at + f.across * ((float(i) + 0.5f) / f.columns - 0.5f) + f.upward * along;
+      there.face = p.face;
+      there.q = in_face(there.at, p.face, u.shadow_range);
+      there.normal = p.normal;
+      Vec3 caught = caustic_at(there.at, p, facing, distance_squared, near, far);
+      sum.shadowed = sum.shadowed + sel(counts, caster_share(there), Float(0.0f));
+      sum.irradiance = sum.irradiance + sel(counts, caught, Vec3(0.0f));
     }
   }
   Float samples = f.columns * f.rows;
@@ -383,7 +384,7 @@ void main() {
     Bool far = Bool(false);
     if (u.cascade_texel.w > 0.5f) far = visible && receives(far_receiver_position, p, true);
     if (u.footprint.x > 0.5f) {
-      Footprint f = footprint_at(column, row, p.at, position, n);
+      Footprint f = footprint_at(column, row, p.at, position, n, near || far);
       casters = caught_over(f, p, facing, distance_squared, near, far);
     } else {
       casters.shadowed = caster_share(p);
