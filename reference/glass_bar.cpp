@@ -75,7 +75,7 @@ std::vector<double> irradiance_average(const GlassBar& bar, const FloorSquare& f
       for (int y = 0; y < floor.pixels; ++y)
         for (int x = 0; x < floor.pixels; ++x) {
           const glm::dvec2 p = floor.lower + pixel * glm::dvec2(x, y);
-          values[static_cast<std::size_t>(y * floor.pixels + x)] +=
+          values[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.pixels) + static_cast<std::size_t>(x)] +=
               patch->irradiance * overlap(patch->from, patch->to, p.x, p.x + pixel) / pixel *
               overlap(-bar.half_length, bar.half_length, p.y, p.y + pixel) / pixel;
         }

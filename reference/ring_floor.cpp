@@ -64,7 +64,8 @@ double schlick(double straight_on, double cosine) {
 
 }  // namespace
 
-// The wall's strip R dt of height dh takes cos(elevation) |cos t| R dt dh; its light lands ds = dh cot(elevation) farther.
+// The wall's strip R dt of height dh takes cos(elevation) |cos t| R dt dh; its light lands ds = dh cot(elevation)
+// farther.
 std::vector<double> irradiance_average(const MetalRing& ring, const FloorSquare& floor, int strips) {
   Pixels pixels(floor);
   const double reach = ring.height / std::tan(ring.elevation);

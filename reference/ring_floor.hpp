@@ -13,9 +13,10 @@ struct MetalRing {
   double reflectance = 1.0;          // straight on; by Schlick (1994) at other angles
 };
 
-// Mean of E / E_perp over each pixel; rows from the lower corner on. Light that meets a wall at the angle t runs along a
-// straight line of the floor (closed_forms.hpp: -(cos 2t, sin 2t)), evenly, as far as the wall is high; the inner wall
-// is lit above the shadow of the rim across. Lines of `strips` angles, each divided exactly among the pixels it crosses.
+// Mean of E / E_perp over each pixel; rows from the lower corner on. Light that meets a wall at the angle t lands along
+// a straight line of the floor (closed_forms.hpp: -(cos 2t, sin 2t)), evenly, as far as the wall is high; the inner
+// wall is lit above the shadow of the rim across. Lines of `strips` angles, each divided exactly among the pixels that
+// it crosses.
 std::vector<double> irradiance_average(const MetalRing& ring, const FloorSquare& floor, int strips = 40'000);
 
 }  // namespace caustics

@@ -116,6 +116,7 @@ class CylinderFit {
     if (walls_.empty()) refuse("its triangles must lie along one axis or across it");
     x_ = exact::perpendicular(cylinder_.axis);
     y_ = exact::cross(cylinder_.axis, x_);
+    cylinder_.middle = x_;
   }
 
   // The point that the normals of all the walls' vertices aim at.

@@ -29,8 +29,8 @@ struct ExactCylinder {
   void append_numbers(std::vector<double>& numbers) const;
 };
 
-// The cylinder of a mesh: triangles along one axis form its walls, smooth ones by their normals, and triangles across it
-// its lids; vertices lie on it to a thousandth of the outer radius, and no wall has a hole. Throws Error (BadInput)
+// The cylinder of a mesh: triangles along one axis form its walls, smooth ones by their normals, and triangles across
+// it its lids; vertices lie on it to a thousandth of the outer radius, and no wall has a hole. Throws Error (BadInput)
 // naming the mesh where it is none.
 ExactCylinder cylinder_of(const Mesh& mesh);
 

@@ -39,7 +39,9 @@ ExactSphere sphere_of(const Mesh& mesh) {
     least = std::min(least, distance);
   }
   if (mesh.vertices.empty() || !(least >= 0.999 * sphere.radius) || !mesh.closed())
-    throw Error(ExitCode::BadInput, "mesh '" + mesh.name + "' is no sphere: it must be closed, and its vertices lie on one to a thousandth");
+    throw Error(ExitCode::BadInput, "mesh '" + mesh.name +
+                                        "' is no sphere: it must be closed, and its vertices lie on one to a "
+                                        "thousandth");
   return sphere;
 }
 

@@ -160,7 +160,8 @@ ExactWaves waves_of(const Mesh& mesh, const HeightField& field) {
     if (!(std::fabs(wave.k.x) * size.x + std::fabs(wave.k.y) * size.y <= kMostRadians))
       refuse(mesh, "more than ten thousand waves lie side by side");
   // Single precision's rounding, of a place far from the origin too.
-  const double rounding = 4e-7 * (size.x + size.y + std::fabs(field.level) + exact::length(waves.to_field * field.origin));
+  const double rounding =
+      4e-7 * (size.x + size.y + std::fabs(field.level) + exact::length(waves.to_field * field.origin));
   for (const glm::dvec3& p : points)
     if (!(std::fabs(p.y - waves.height({p.x, p.z})) <= kThousandth * waves.reach() + rounding))
       refuse(mesh, "its vertices must lie on them to a thousandth of their height");

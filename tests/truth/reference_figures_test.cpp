@@ -154,16 +154,20 @@ std::vector<Figures> figures_of(const Case& c, const Effort& effort) {
   return figures;
 }
 
+// Rays start a scene's diameter before their caster, 12 m, where single precision places them to 7e-7 m: some that pass
+// a silhouette as near as that meet the far side of its edge first. The prism has 1.6 m of silhouettes around 0.27 m^2.
+constexpr double kAstray = 1e-5;
+
 // No error that is not there is stated, and none hidden.
 void check(const std::string& name, const Figures& f) {
-  INFO(name << ", channel " << f.channel << ": " << f.boxes << " boxes, chi-square " << f.chi_square << " of " << f.expected
-            << " +- " << f.spread << ", flux " << f.flux << " +- " << f.flux_error << ", left out " << f.left_out
-            << ", stray " << f.stray);
+  INFO(name << ", channel " << f.channel << ": " << f.boxes << " boxes, chi-square " << f.chi_square << " of "
+            << f.expected << " +- " << f.spread << ", flux " << f.flux << " +- " << f.flux_error << ", left out "
+            << f.left_out << ", stray " << f.stray);
   CHECK(f.boxes > 30);
   CHECK(std::fabs(f.chi_square - f.expected) < 3.0 * f.spread);
-  CHECK(std::fabs(f.flux - 1.0) < 3.0 * f.flux_error);
+  CHECK(std::fabs(f.flux - 1.0) < 3.0 * f.flux_error + kAstray);
   CHECK(f.left_out < 0.05);
-  CHECK(f.stray < 1e-6);
+  CHECK(f.stray < kAstray);
 }
 
 void check(const Case& c) {
@@ -180,8 +184,8 @@ FloorSquare square(double middle, double half, int boxes) {
 Case sphere_case(int boxes) {
   Case c{.name = "sphere", .scene = test::sphere_scene(1.5f, 2)};  // 320 triangles
   c.exact = {exact_shape_of(c.scene, 1, ShapeKind::Sphere)};
-  c.truth[1] = irradiance_average(GlassSphere{.radius = 0.5, .index = 1.5, .distance = 0.8}, square(0.0, 1.0, boxes), 64)
-                   .values;
+  const GlassSphere sphere{.radius = 0.5, .index = 1.5, .distance = 0.8};
+  c.truth[1] = irradiance_average(sphere, square(0.0, 1.0, boxes), 64).values;
   return c;
 }
 
@@ -275,14 +279,14 @@ TEST_CASE("tracer truth: figures of the reference against closed forms", "[.figu
   // Not part of a run by default: it prints the table of docs/reference.md.
   if (!has_ray_queries()) return;
   const int n = kLong.boxes;
-  std::printf("| scene | boxes | relative L1 | 0.80 x stated | chi-square | expected, +- 3 sigma | flux, reference / truth |\n"
-              "|---|---|---|---|---|---|---|\n");
+  std::printf("| scene | boxes | relative L1 | 0.80 x stated | chi-square | expected, +- 3 sigma | flux / truth | stray |\n"
+              "|---|---|---|---|---|---|---|---|\n");
   for (const Case& c : {sphere_case(n), slab_case(n), ring_case(n), water_case(n), prism_case(n)})
     for (const Figures& f : figures_of(c, kLong)) {
       const char* const channels[] = {"red", "green", "blue"};
-      std::printf("| %s, %s | %d | %.5f | %.5f | %.3f | %.3f +- %.3f | %.6f +- %.6f |\n", c.name.c_str(),
+      std::printf("| %s, %s | %d | %.5f | %.5f | %.3f | %.3f +- %.3f | %.6f +- %.6f | %.0e |\n", c.name.c_str(),
                   channels[f.channel], f.boxes, f.l1, f.stated, f.chi_square, f.expected, 3.0 * f.spread, f.flux,
-                  f.flux_error);
+                  f.flux_error, f.stray);
       check(c.name, f);
     }
 }

@@ -9,7 +9,7 @@ Cursor extra(const Cursor& owner, const char* key) {
 }
 
 Cursor extra_of(const Cursor& root, const Placement& placement, const char* key) {
-  const Cursor of_node = extra(root.member("nodes").element(static_cast<std::size_t>(placement.node)), key);
+  Cursor of_node = extra(root.member("nodes").element(static_cast<std::size_t>(placement.node)), key);
   if (of_node.present()) return of_node;
   return extra(root.member("meshes").element(static_cast<std::size_t>(placement.index)), key);
 }

@@ -4,8 +4,8 @@
 
 namespace caustics::gltf {
 
-// Fills scene.stated_shapes by `extras.exact_shape` of nodes, or else of their meshes. `placements` are the nodes that the
-// meshes' `object` counts. Fails on what is no shape; whether the mesh lies on it is asked by who uses it.
+// Fills scene.stated_shapes by `extras.exact_shape` of nodes, or else of their meshes. `placements` are the nodes that
+// the meshes' `object` counts. Fails on what is no shape; whether the mesh lies on it is asked by who uses it.
 void read_stated_shapes(const Cursor& root, const std::vector<Placement>& placements, Scene& scene);
 
 }  // namespace caustics::gltf
