@@ -75,7 +75,7 @@ void add_physics(Parser& parser, ReferenceRequest& request) {
   parser.option("--wavelengths", "N", "1, 3 or 8..64 samples of the spectrum where glass disperses (default 3)",
                 [&](const std::string& value) { set_option(settings, "wavelengths", value); });
   parser.repeated("--exact", "scene|NAME=SHAPE",
-                  "no facets: the shapes that the file states, or this mesh is a sphere, cylinder or waves",
+                  "no facets: shapes that the file states, or a mesh's sphere, cylinder, waves",
                   [&](const std::string& value) { request.exact.add(value); });
   parser.flag("--assume-solid", settings.assume_solid,
               "glass without KHR_materials_volume is solid, not a thin wall");

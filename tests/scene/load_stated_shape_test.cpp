@@ -24,12 +24,12 @@ TEST_CASE("A mesh without extras.exact_shape stands for itself") {
   CHECK(load(gltf).stated_shapes.empty());
 }
 
-TEST_CASE("extras.exact_shape names a sphere or a cylinder, and changes no vertex") {
+TEST_CASE("extras.exact_shape names a sphere or a cylinder, and adds no triangle") {
   const Scene scene = load(sheet("\"sphere\""));
   REQUIRE(scene.stated_shapes.size() == 1);
   CHECK(scene.stated_shapes[0].mesh == 0);
   CHECK(scene.stated_shapes[0].kind == ShapeKind::Sphere);
-  CHECK(scene.meshes.at(0).vertices.size() == 4);
+  CHECK(scene.meshes.at(0).indices.size() == 6);
   CHECK(load(sheet("\"cylinder\"")).stated_shapes.at(0).kind == ShapeKind::Cylinder);
 }
 
