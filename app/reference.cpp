@@ -13,7 +13,6 @@
 #include "app/reference_options.hpp"
 #include "app/reference_report.hpp"
 #include "app/terminal.hpp"
-#include "pipeline/plan/nearest.hpp"
 #include "reference/tracer/state_file.hpp"
 
 namespace caustics::app {
@@ -32,19 +31,6 @@ bool is_exr(const std::filesystem::path& path) {
   return extension == ".exr";
 }
 
-// The sphere of each mesh that has this name.
-void add_spheres(const Scene& scene, const std::string& name, std::vector<tracer::ExactSphere>& spheres) {
-  std::vector<std::string> names;
-  const std::size_t before = spheres.size();
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    names.push_back(scene.meshes[i].name);
-    if (names.back() == name) spheres.push_back(tracer::sphere_of(scene, static_cast<int>(i)));
-  }
-  if (spheres.size() == before)
-    throw Error(ExitCode::WrongUsage, "--exact names no mesh: '" + one_line(name).substr(0, 60) + "', did you mean '" +
-                                          one_line(nearest_name(name, names)) + "'?");
-}
-
 class ReferenceRun {
  public:
   explicit ReferenceRun(ReferenceRequest request) : request_(std::move(request)), progress_(request_.quiet) {}
@@ -60,8 +46,7 @@ class ReferenceRun {
   void prepare() {
     progress_.show("loading " + request_.frame.scene.filename().string());
     judged_ = load_scene(request_.frame);
-    for (const std::string& name : request_.spheres)
-      add_spheres(judged_->scene(), name, request_.trace.exact);
+    request_.trace.exact = exact_shapes(judged_->scene(), request_.exact);
     progress_.show("what the camera sees");
     check_memory(static_cast<std::uint64_t>(request_.trace.width) * static_cast<std::uint64_t>(request_.trace.height) *
                      kBytesPerPixel, "-r");

@@ -43,14 +43,6 @@ double parse_percent(const std::string& text) {
   return parse_real("--error", number, 1e-6, 1000.0) / 100.0;
 }
 
-// The mesh's name of "NAME=sphere".
-std::string parse_exact(const std::string& text) {
-  const std::size_t equals = text.rfind('=');
-  if (equals == std::string::npos || text.substr(equals + 1) != "sphere")
-    throw Error(ExitCode::WrongUsage, "--exact cannot be '" + text.substr(0, 60) + "': NAME=sphere, as in ball=sphere");
-  return text.substr(0, equals);
-}
-
 tracer::Physics parse_physics(const std::string& name) {
   if (name == "single") return tracer::Physics::Single;
   if (name == "full") return tracer::Physics::Full;
@@ -82,8 +74,9 @@ void add_physics(Parser& parser, ReferenceRequest& request) {
                 [&](const std::string& value) { set_option(settings, "interfaces", value); });
   parser.option("--wavelengths", "N", "1, 3 or 8..64 samples of the spectrum where glass disperses (default 3)",
                 [&](const std::string& value) { set_option(settings, "wavelengths", value); });
-  parser.repeated("--exact", "NAME=sphere", "the mesh is a sphere: no facets; may stand several times",
-                  [&](const std::string& value) { request.spheres.push_back(parse_exact(value)); });
+  parser.repeated("--exact", "scene|NAME=SHAPE",
+                  "no facets: shapes that the file states, or a mesh's sphere, cylinder, waves",
+                  [&](const std::string& value) { request.exact.add(value); });
   parser.flag("--assume-solid", settings.assume_solid,
               "glass without KHR_materials_volume is solid, not a thin wall");
   parser.repeated("-D", "KEY=VALUE", "one of the settings below; may stand several times",

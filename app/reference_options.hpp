@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/frame_options.hpp"
+#include "app/reference_shapes.hpp"
 #include "reference/tracer/tracer.hpp"
 
 namespace caustics::app {
@@ -15,7 +16,7 @@ struct ReferenceRequest {
   std::vector<std::string> layers;  // checked
   std::string stats;                // --stats; "": none
   tracer::TraceSettings trace;
-  std::vector<std::string> spheres;  // --exact NAME=sphere: names of meshes
+  ExactRequest exact;  // looked up in the scene, they are trace.exact
   // Whatever comes first ends the run.
   std::optional<int> batches;
   std::optional<double> seconds;

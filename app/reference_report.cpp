@@ -128,6 +128,10 @@ std::string reference_stats(const ReferenceRequest& request, const Scene& scene,
                    {"relative_error", tracer.relative_error()},
                    {"milliseconds",
                     {{"prepare", timing.prepare}, {"trace", timing.trace}, {"total", timing.total}}}};
+  document["exact"] = Json::array();
+  for (const tracer::ExactShape& shape : request.trace.exact)
+    document["exact"].push_back({{"mesh", scene.meshes[static_cast<std::size_t>(shape.mesh)].name},
+                                 {"shape", name_of(shape)}});
   document["lights"] = Json::array();
   for (std::size_t i = 0; i < tracer.state().accounts.size(); ++i)
     if (tracer.state().accounts[i].rays > 0.0)

@@ -351,6 +351,10 @@ class Scene:
         self.gltf['meshes'].append({'name': name, 'primitives': [primitive]})
         self.node(name=name, mesh=len(self.gltf['meshes']) - 1)
 
+    def states(self, shape):
+        """What the last mesh stands for exactly (docs/reference.md)."""
+        self.gltf['nodes'][-1]['extras'] = {'exact_shape': shape}
+
     def light(self, travel, place=None, **light):
         self.extensions.add('KHR_lights_punctual')
         lights = self.gltf.setdefault('extensions', {}).setdefault('KHR_lights_punctual', {'lights': []})['lights']
@@ -415,6 +419,7 @@ FLOOR = diffuse('floor', (0.80, 0.72, 0.62))
 def glass_sphere():
     s = Scene()
     s.mesh('sphere', icosphere((0.0, 0.8, 0.0), 0.5, 5), glass('glass', 1.5))
+    s.states('sphere')
     s.mesh('floor', square(8.0), FLOOR)
     s.sun((0.0, -1.0, 0.0), 1.0)
     s.camera('view', (1.55, 1.75, 2.35), (0.0, 0.42, 0.0), 38)
@@ -490,6 +495,8 @@ def water_patch():
 
     s = Scene()
     s.mesh('water', sheet(1.0, height, slope, 128), glass('water', 1.33))
+    # Cosines are sines a quarter turn ahead.
+    s.states({'level': 1.0, 'waves': [{'amplitude': a, 'k': list(k), 'phase': p + math.pi / 2} for a, k, p in WAVES]})
     s.mesh('floor', square(8.0), FLOOR)
     s.sun((0.0, -1.0, 0.0), 1.0)
     s.camera('view', (1.6, 2.3, 2.9), (0.0, 0.35, 0.0), 40)
@@ -505,6 +512,7 @@ def water_sine():
     s = Scene()
     s.mesh('water', sheet(1.0, lambda x, z: depth + a * math.cos(k * x), lambda x, z: (-a * k * math.sin(k * x), 0.0),
                           128), glass('water', 1.33))
+    s.states({'level': depth, 'waves': [{'amplitude': a, 'k': [k, 0.0], 'phase': math.pi / 2}]})
     s.mesh('floor', square(2.5), FLOOR)
     s.sun((0.0, -1.0, 0.0), 1.0)
     s.camera_down('floor', (0.0, 0.5 * depth, 0.0), 0.5)
@@ -573,6 +581,7 @@ def spectrum():
 def metal_ring():
     s = Scene()
     s.mesh('ring', ring(0.5, 0.54, 0.18, 256), metal('gold', (1.0, 0.78, 0.34)))
+    s.states('cylinder')
     s.mesh('floor', square(8.0), FLOOR)
     s.sun((1.0, -0.8, 0.0), 10.0)
     s.camera('view', (-0.5, 1.3, 1.5), (0.05, 0.0, 0.0), 38)

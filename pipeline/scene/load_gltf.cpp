@@ -14,6 +14,7 @@
 #include "pipeline/scene/gltf/motion.hpp"
 #include "pipeline/scene/gltf/primitive.hpp"
 #include "pipeline/scene/gltf/resources.hpp"
+#include "pipeline/scene/gltf/stated_shape.hpp"
 #include "pipeline/scene/gltf/surface.hpp"
 #include "pipeline/scene/gltf/topology.hpp"
 #include "pipeline/scene/gltf/water.hpp"
@@ -299,6 +300,7 @@ Loaded load(Context& context) {
         std::move(animation), std::move(geometry.bodies)});
   }
   build_meshes(geometry, loaded.motion.get(), scene);
+  gltf::read_stated_shapes(document.root(context), placements.meshes, scene);
   gltf::read_waters(document.root(context), placements.meshes, scene);
   scene.lights = gltf::read_lights(context, document, placements.lights, scene.origin);
   scene.cameras = gltf::read_cameras(context, document, placements.cameras, scene.origin);

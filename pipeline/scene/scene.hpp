@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "pipeline/gpu/image.hpp"
+#include "pipeline/scene/stated_shape.hpp"
 #include "pipeline/scene/water.hpp"
 
 namespace caustics {
@@ -151,6 +152,7 @@ struct Scene {
   std::vector<Camera> cameras;
   Environment environment;
   std::vector<Water> waters;  // meshes that waves run over, as they stand at the moment shown
+  std::vector<StatedShape> stated_shapes;  // of which meshes the file says what they stand for; nothing is drawn by it
   Medium medium;
   // What the loader assumed or left out, one sentence each, in the order found; for people.
   std::vector<std::string> notes;

@@ -115,7 +115,7 @@ Emission::Emission(const World& world, int source)
                           i & 4 ? box.upper.z : box.lower.z);
   if (shape_.has_size()) return;
   std::vector<glm::dvec3> vertices;
-  // An exact sphere bulges beyond its mesh.
+  // An exact shape bulges beyond its mesh.
   if (!world.exact().empty()) vertices = corners_;
   for (const int m : lit.caster_meshes)
     for (const Vertex& v : world.scene().meshes[static_cast<std::size_t>(m)].vertices)

@@ -1,38 +1,37 @@
 #include "reference/tracer/exact_shapes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/scene/exact.hpp"
 
 namespace caustics::tracer {
 
-ExactSphere::Meetings ExactSphere::meetings(const glm::dvec3& origin, const glm::dvec3& direction) const {
-  const double a = exact::dot(direction, direction);
-  // From the point of the ray that is nearest to the centre, so that a far origin costs no digits.
-  const double nearest = exact::dot(centre - origin, direction) / a;
-  const glm::dvec3 across = origin + direction * nearest - centre;
-  const double squared = radius * radius - exact::dot(across, across);
-  const double half = std::sqrt(std::max(squared, 0.0) / a);
-  return {nearest - half, nearest + half, squared > 0.0};
+std::optional<ShapeMeeting> ExactShape::nearest(const Ray& ray, double from, double to) const {
+  return std::visit([&](const auto& shape) { return shape.nearest(ray, from, to); }, form);
 }
 
-ExactSphere sphere_of(const Scene& scene, int mesh) {
+Bounds ExactShape::bounds() const {
+  return std::visit([](const auto& shape) { return shape.bounds(); }, form);
+}
+
+std::vector<double> ExactShape::numbers() const {
+  std::vector<double> numbers{static_cast<double>(mesh), static_cast<double>(form.index())};
+  std::visit([&](const auto& shape) { shape.append_numbers(numbers); }, form);
+  return numbers;
+}
+
+ExactShape exact_shape_of(const Scene& scene, int mesh, ShapeKind kind) {
   const Mesh& m = scene.meshes[static_cast<std::size_t>(mesh)];
-  const Bounds box = bounds_of(m);
-  ExactSphere sphere{.mesh = mesh, .centre = box.centre()};
-  // The box of an even mesh has the sphere's middle; the farthest vertex has its radius, for none lies beyond.
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vertex& v : m.vertices) {
-    const double distance = exact::length(glm::dvec3(v.position) - sphere.centre);
-    sphere.radius = std::max(sphere.radius, distance);
-    least = std::min(least, distance);
-  }
-  if (m.vertices.empty() || !(least >= 0.999 * sphere.radius) || !m.closed())
-    throw Error(ExitCode::BadInput, "mesh '" + m.name + "' is no sphere: it must be closed, and its vertices lie on one to a thousandth");
-  return sphere;
+  if (kind == ShapeKind::Sphere) return {mesh, sphere_of(m)};
+  if (kind == ShapeKind::Cylinder) return {mesh, cylinder_of(m)};
+  const auto stated = std::find_if(
+      scene.stated_shapes.begin(), scene.stated_shapes.end(),
+      [&](const StatedShape& shape) { return shape.mesh == mesh && shape.kind == ShapeKind::Waves; });
+  if (stated == scene.stated_shapes.end())
+    throw Error(ExitCode::BadInput, "mesh '" + m.name +
+                                        "' is not known to be waves: the file has to state their formula in "
+                                        "extras.exact_shape (docs/reference.md)");
+  return {mesh, waves_of(m, stated->field)};
 }
 
 }  // namespace caustics::tracer

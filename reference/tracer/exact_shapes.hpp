@@ -1,27 +1,29 @@
-// Shapes that a mesh stands for, traced in its place: no facets.
+// Shapes that meshes stand for, traced in their place in double precision: no facets.
 #pragma once
 #include <optional>
-#include <string>
+#include <variant>
+#include <vector>
 
 #include "pipeline/scene/scene.hpp"
+#include "reference/tracer/exact_cylinder.hpp"
+#include "reference/tracer/exact_sphere.hpp"
+#include "reference/tracer/exact_waves.hpp"
 
 namespace caustics::tracer {
 
-struct ExactSphere {
+struct ExactShape {
   int mesh = -1;  // of Scene::meshes, that it takes the place of
-  glm::dvec3 centre{0.0};
-  double radius = 0.0;  // metres
+  std::variant<ExactSphere, ExactCylinder, ExactWaves> form;
 
-  // Distances at which the ray meets it, in lengths of `direction`; the two are equal where it grazes or just misses.
-  struct Meetings {
-    double first, second;
-    bool real;  // false: it passes by
-  };
-  Meetings meetings(const glm::dvec3& origin, const glm::dvec3& direction) const;
+  // The nearest with from <= distance <= to, in lengths of the ray's direction.
+  std::optional<ShapeMeeting> nearest(const Ray& ray, double from, double to) const;
+  Bounds bounds() const;
+  // All that it is made of, in a fixed order.
+  std::vector<double> numbers() const;
 };
 
-// The sphere of a mesh, all of whose vertices lie on it to a thousandth of its radius and all around it. Throws
-// Error (BadInput) naming the mesh where they do not.
-ExactSphere sphere_of(const Scene& scene, int mesh);
+// What the mesh stands for. Throws Error (BadInput) naming the mesh where its vertices do not lie on such a shape, and
+// of waves where the scene does not state their formula.
+ExactShape exact_shape_of(const Scene& scene, int mesh, ShapeKind kind);
 
 }  // namespace caustics::tracer

@@ -36,77 +36,86 @@ void fill(RTCRay& to, const Ray& ray, double from, double until) {
   to.flags = 0;
 }
 
-void intersect(RTCScene scene, RTCRayHit& query) {
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if CAUSTICS_EMBREE == 4
+using Context = RTCRayQueryContext;
+void start(Context& context) { rtcInitRayQueryContext(&context); }
+#else
+using Context = RTCIntersectContext;
+void start(Context& context) { rtcInitIntersectContext(&context); }
+#endif
+
+// A query as exact shapes need it: Embree hands it through to their functions.
+struct Query : Context {
+  const Ray* ray = nullptr;
+  double from = 0.0, to = 0.0;
+  ShapeMeeting met;  // of the shape that Embree names
+
+  Query(const Ray& along, double lower, double upper) : ray(&along), from(std::max(lower, 0.0)), to(upper) {
+    start(*this);
+  }
+};
+
+void intersect(RTCScene scene, Query& query, RTCRayHit& hit) {
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 #if CAUSTICS_EMBREE == 4
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
-  rtcIntersect1(scene, &query, &arguments);
+  arguments.context = &query;
+  rtcIntersect1(scene, &hit, &arguments);
 #else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &query);
+  rtcIntersect1(scene, &query, &hit);
 #endif
 }
 
-bool occluded(RTCScene scene, RTCRay& query) {
+bool occluded(RTCScene scene, Query& query, RTCRay& ray) {
 #if CAUSTICS_EMBREE == 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
-  rtcOccluded1(scene, &query, &arguments);
+  arguments.context = &query;
+  rtcOccluded1(scene, &ray, &arguments);
 #else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene, &context, &query);
+  rtcOccluded1(scene, &query, &ray);
 #endif
-  return query.tfar < 0.0f;
+  return ray.tfar < 0.0f;
 }
 
-// ---- Exact spheres: Embree asks for their box, and whether a ray of its own meets them.
+// ---- Exact shapes: Embree asks for their box, and whether the ray meets them.
 
-const ExactSphere& sphere_in(void* user) { return *static_cast<const ExactSphere*>(user); }
+const ExactShape& shape_in(void* user) { return *static_cast<const ExactShape*>(user); }
 
-void sphere_bounds(const RTCBoundsFunctionArguments* a) {
-  const ExactSphere& s = sphere_in(a->geometryUserPtr);
-  const double r = s.radius * (1.0 + 1e-5);
+// Wider than the shape by what single precision moves a ray by that starts a few scenes away.
+void shape_bounds(const RTCBoundsFunctionArguments* a) {
+  const Bounds box = shape_in(a->geometryUserPtr).bounds();
+  const glm::dvec3 farthest = glm::max(glm::abs(box.lower), glm::abs(box.upper));
+  const double margin = 1e-5 * (box.radius() + std::max({farthest.x, farthest.y, farthest.z}));
   RTCBounds& b = *a->bounds_o;
-  b.lower_x = static_cast<float>(s.centre.x - r);
-  b.lower_y = static_cast<float>(s.centre.y - r);
-  b.lower_z = static_cast<float>(s.centre.z - r);
-  b.upper_x = static_cast<float>(s.centre.x + r);
-  b.upper_y = static_cast<float>(s.centre.y + r);
-  b.upper_z = static_cast<float>(s.centre.z + r);
-}
-
-// The nearest meeting within the ray's range.
-bool meets(const ExactSphere& sphere, const RTCRay& ray, float& distance) {
-  const ExactSphere::Meetings m =
-      sphere.meetings({ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z});
-  if (!m.real) return false;
-  for (const double t : {m.first, m.second}) {
-    distance = static_cast<float>(t);
-    if (distance >= ray.tnear && distance <= ray.tfar) return true;
-  }
-  return false;
+  b.lower_x = static_cast<float>(box.lower.x - margin);
+  b.lower_y = static_cast<float>(box.lower.y - margin);
+  b.lower_z = static_cast<float>(box.lower.z - margin);
+  b.upper_x = static_cast<float>(box.upper.x + margin);
+  b.upper_y = static_cast<float>(box.upper.y + margin);
+  b.upper_z = static_cast<float>(box.upper.z + margin);
 }
 
 // A packet of one ray has the layout of the ray.
-void intersect_sphere(const RTCIntersectFunctionNArguments* a) {
-  RTCRayHit& query = *reinterpret_cast<RTCRayHit*>(a->rayhit);
-  float distance = 0.0f;
-  if (!a->valid[0] || !meets(sphere_in(a->geometryUserPtr), query.ray, distance)) return;
-  query.ray.tfar = distance;
-  query.hit.geomID = a->geomID;
-  query.hit.primID = a->primID;
+void intersect_shape(const RTCIntersectFunctionNArguments* a) {
+  if (!a->valid[0]) return;
+  RTCRayHit& hit = *reinterpret_cast<RTCRayHit*>(a->rayhit);
+  Query& query = static_cast<Query&>(*a->context);
+  const auto met = shape_in(a->geometryUserPtr).nearest(*query.ray, query.from, query.to);
+  if (!met || static_cast<float>(met->distance) > hit.ray.tfar) return;
+  query.met = *met;
+  hit.ray.tfar = static_cast<float>(met->distance);
+  hit.hit.geomID = a->geomID;
+  hit.hit.primID = a->primID;
 }
 
-void occlude_by_sphere(const RTCOccludedFunctionNArguments* a) {
-  RTCRay& ray = *reinterpret_cast<RTCRay*>(a->ray);
-  float distance = 0.0f;
-  if (a->valid[0] && meets(sphere_in(a->geometryUserPtr), ray, distance))
-    ray.tfar = -std::numeric_limits<float>::infinity();
+void occlude_by_shape(const RTCOccludedFunctionNArguments* a) {
+  const Query& query = static_cast<const Query&>(*a->context);
+  if (a->valid[0] && shape_in(a->geometryUserPtr).nearest(*query.ray, query.from, query.to))
+    reinterpret_cast<RTCRay*>(a->ray)->tfar = -std::numeric_limits<float>::infinity();
 }
 
 // Embree reads the vertices where they are: three floats, with at least as many bytes behind the last as it
@@ -149,14 +158,14 @@ struct RaySet::Handles {
     rtcReleaseGeometry(geometry);
   }
 
-  // `sphere` must stay where it is.
-  void add(const ExactSphere& sphere, unsigned number) {
+  // `shape` must stay where it is.
+  void add(const ExactShape& shape, unsigned number) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, 1);
-    rtcSetGeometryUserData(geometry, const_cast<ExactSphere*>(&sphere));
-    rtcSetGeometryBoundsFunction(geometry, sphere_bounds, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, intersect_sphere);
-    rtcSetGeometryOccludedFunction(geometry, occlude_by_sphere);
+    rtcSetGeometryUserData(geometry, const_cast<ExactShape*>(&shape));
+    rtcSetGeometryBoundsFunction(geometry, shape_bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, intersect_shape);
+    rtcSetGeometryOccludedFunction(geometry, occlude_by_shape);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene, geometry, number);
     rtcReleaseGeometry(geometry);
@@ -173,7 +182,7 @@ struct RaySet::Handles {
 bool has_ray_queries() { return true; }
 const char* ray_queries_version() { return RTC_VERSION_STRING; }
 
-RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactSphere>& exact)
+RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact)
     : scene_(&scene), exact_(exact) {
   for (const int m : meshes)
     if (!scene.meshes[static_cast<std::size_t>(m)].indices.empty()) meshes_.push_back(m);
@@ -182,7 +191,7 @@ RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::ve
   handles_ = std::make_unique<Handles>();
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const auto number = static_cast<unsigned>(i);
-    if (const ExactSphere* sphere = shape_of(meshes_[i])) handles_->add(*sphere, number);
+    if (const ExactShape* shape = shape_of(meshes_[i])) handles_->add(*shape, number);
     else handles_->add(scene.meshes[static_cast<std::size_t>(meshes_[i])], number);
   }
   handles_->commit();
@@ -190,19 +199,28 @@ RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::ve
 
 std::optional<SurfaceHit> RaySet::nearest(const Ray& ray, double from, double to) const {
   if (!handles_) return std::nullopt;
-  RTCRayHit query;
-  fill(query.ray, ray, from, to);
-  intersect(handles_->scene, query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return met_again(ray, meshes_[query.hit.geomID], static_cast<int>(query.hit.primID),
-                   static_cast<double>(query.ray.tfar));
+  Query query(ray, from, to);
+  RTCRayHit hit;
+  fill(hit.ray, ray, from, to);
+  intersect(handles_->scene, query, hit);
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const int mesh = meshes_[hit.hit.geomID];
+  if (!shape_of(mesh))
+    return met_again(ray, mesh, static_cast<int>(hit.hit.primID), static_cast<double>(hit.ray.tfar));
+  return SurfaceHit{.mesh = mesh,
+                    .distance = query.met.distance,
+                    .position = ray.at(query.met.distance),
+                    .plane = query.met.normal,
+                    .normal = query.met.normal,
+                    .front = query.met.front};
 }
 
 bool RaySet::blocked(const Ray& ray, double from, double to) const {
   if (!handles_) return false;
-  RTCRay query;
-  fill(query, ray, from, to);
-  return occluded(handles_->scene, query);
+  Query query(ray, from, to);
+  RTCRay probe;
+  fill(probe, ray, from, to);
+  return occluded(handles_->scene, query, probe);
 }
 
 #else
@@ -212,7 +230,7 @@ struct RaySet::Handles {};
 bool has_ray_queries() { return false; }
 const char* ray_queries_version() { return "none"; }
 
-RaySet::RaySet(const Scene& scene, const std::vector<int>&, const std::vector<ExactSphere>&) : scene_(&scene) {
+RaySet::RaySet(const Scene& scene, const std::vector<int>&, const std::vector<ExactShape>&) : scene_(&scene) {
   throw Error(ExitCode::BackendUnavailable,
               "this build has no Embree, which finds the reference's rays; install libembree-dev and "
               "configure again");
@@ -226,29 +244,14 @@ RaySet::~RaySet() = default;
 RaySet::RaySet(RaySet&&) noexcept = default;
 RaySet& RaySet::operator=(RaySet&&) noexcept = default;
 
-const ExactSphere* RaySet::shape_of(int mesh) const {
+const ExactShape* RaySet::shape_of(int mesh) const {
   const auto found =
-      std::find_if(exact_.begin(), exact_.end(), [&](const ExactSphere& shape) { return shape.mesh == mesh; });
+      std::find_if(exact_.begin(), exact_.end(), [&](const ExactShape& shape) { return shape.mesh == mesh; });
   return found == exact_.end() ? nullptr : &*found;
 }
 
-namespace {
-
-SurfaceHit on_sphere(const ExactSphere& sphere, const Ray& ray, double distance) {
-  const ExactSphere::Meetings m = sphere.meetings(ray.origin, ray.direction);
-  SurfaceHit hit{.mesh = sphere.mesh};
-  hit.front = std::fabs(m.first - distance) <= std::fabs(m.second - distance);
-  hit.distance = hit.front ? m.first : m.second;
-  hit.position = ray.at(hit.distance);
-  hit.plane = hit.normal = exact::normalise(hit.position - sphere.centre, -ray.direction);
-  return hit;
-}
-
-}  // namespace
-
 // `distance` is Embree's, kept where the ray runs along the triangle.
 SurfaceHit RaySet::met_again(const Ray& ray, int mesh, int triangle, double distance) const {
-  if (const ExactSphere* sphere = shape_of(mesh)) return on_sphere(*sphere, ray, distance);
   const Mesh& m = scene_->meshes[static_cast<std::size_t>(mesh)];
   const auto vertex = [&](std::size_t corner) -> const Vertex& {
     return m.vertices[m.indices[3 * static_cast<std::size_t>(triangle) + corner]];

@@ -1,5 +1,6 @@
 // Ray queries on the scene's triangles: Embree finds the triangle in single precision, and the ray meets its
-// plane once more in double precision. The only room that knows Embree, of version 3 or 4.
+// plane once more in double precision. Exact shapes are met in double precision from the start; Embree finds their
+// boxes. The only room that knows Embree, of version 3 or 4.
 #pragma once
 #include <glm/glm.hpp>
 #include <memory>
@@ -8,14 +9,9 @@
 
 #include "pipeline/scene/scene.hpp"
 #include "reference/tracer/exact_shapes.hpp"
+#include "reference/tracer/ray.hpp"
 
 namespace caustics::tracer {
-
-// Origin and direction in scene space, metres; distances are in lengths of `direction`.
-struct Ray {
-  glm::dvec3 origin{0.0}, direction{0.0, 0.0, -1.0};
-  glm::dvec3 at(double distance) const { return origin + direction * distance; }
-};
 
 struct SurfaceHit {
   int mesh = -1, triangle = -1;  // of Scene::meshes
@@ -36,7 +32,7 @@ class RaySet {
  public:
   // Of these meshes; the scene must outlive the set and keep its vertices. No meshes are fine: nothing is hit.
   // Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then.
-  RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactSphere>& exact = {});
+  RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact = {});
   ~RaySet();
   RaySet(RaySet&&) noexcept;
   RaySet& operator=(RaySet&&) noexcept;
@@ -49,11 +45,11 @@ class RaySet {
  private:
   struct Handles;
   SurfaceHit met_again(const Ray& ray, int mesh, int triangle, double distance) const;
-  const ExactSphere* shape_of(int mesh) const;
+  const ExactShape* shape_of(int mesh) const;
 
   const Scene* scene_;
   std::vector<int> meshes_;  // by Embree's geometry number
-  std::vector<ExactSphere> exact_;
+  std::vector<ExactShape> exact_;
   std::unique_ptr<Handles> handles_;
 };
 

@@ -65,10 +65,11 @@ std::string lights_text(const Scene& scene, const Effects& effects) {
 }
 
 // Nothing where all is meshes.
-std::string exact_text(const std::vector<ExactSphere>& exact) {
+std::string exact_text(const std::vector<ExactShape>& exact) {
   if (exact.empty()) return {};
   Digest d;
-  for (const ExactSphere& s : exact) d << s.mesh << s.centre << s.radius;
+  for (const ExactShape& shape : exact)
+    for (const double number : shape.numbers()) d << number;
   return "\nexact shapes: " + d.text();
 }
 

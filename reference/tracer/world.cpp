@@ -61,7 +61,7 @@ bool throws_light(Role role) { return is_caster(role); }
 
 }  // namespace
 
-World::World(const Scene& scene, const Effects& effects, const std::vector<ExactSphere>& exact)
+World::World(const Scene& scene, const Effects& effects, const std::vector<ExactShape>& exact)
     : scene_(scene), effects_(effects), exact_(exact), panes_(scene, {}) {
   refuse_what_is_not_traced(scene, effects);
   judge(scene, effects);
@@ -100,11 +100,8 @@ LitSet World::set_without(int emitter) const {
   std::vector<int> casters = meshes_with(optics_, emitter, throws_light);
   Bounds bounds;
   for (const int m : casters) bounds.add(bounds_of(scene_.meshes[static_cast<std::size_t>(m)]));
-  for (const ExactSphere& sphere : exact_) {
-    if (std::find(casters.begin(), casters.end(), sphere.mesh) == casters.end()) continue;
-    bounds.add(sphere.centre - glm::dvec3(sphere.radius));
-    bounds.add(sphere.centre + glm::dvec3(sphere.radius));
-  }
+  for (const ExactShape& shape : exact_)
+    if (std::find(casters.begin(), casters.end(), shape.mesh) != casters.end()) bounds.add(shape.bounds());
   return {RaySet(scene_, casters, exact_), RaySet(scene_, meshes_with(optics_, emitter, is_receiver), exact_),
           std::move(casters), bounds};
 }

@@ -29,7 +29,7 @@ struct LitSet {
 class World {
  public:
   // Throws Error (BadInput) naming what the tracer cannot simulate.
-  World(const Scene& scene, const Effects& effects, const std::vector<ExactSphere>& exact = {});
+  World(const Scene& scene, const Effects& effects, const std::vector<ExactShape>& exact = {});
 
   const Scene& scene() const { return scene_; }
   const Effects& effects() const { return effects_; }
@@ -38,7 +38,7 @@ class World {
   const LitSet& lit_by(int source) const { return sets_[set_of_[static_cast<std::size_t>(source)]]; }
   // Does any caster throw a caustic of this light? If not, casters let it pass as if they were not there.
   bool throws_caustic(int source) const { return throws_[static_cast<std::size_t>(source)]; }
-  const std::vector<ExactSphere>& exact() const { return exact_; }
+  const std::vector<ExactShape>& exact() const { return exact_; }
   const RaySet& casters() const { return sets_.front().casters; }
   const RaySet& receivers() const { return sets_.front().receivers; }
   const RaySet& panes() const { return panes_; }
@@ -52,7 +52,7 @@ class World {
 
   const Scene& scene_;
   const Effects& effects_;
-  std::vector<ExactSphere> exact_;
+  std::vector<ExactShape> exact_;
   std::vector<Optics> optics_;
   std::vector<LitSet> sets_;
   std::vector<std::size_t> set_of_;

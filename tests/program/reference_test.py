@@ -1,6 +1,7 @@
 """caustics reference: layers, going on after a break, refusals."""
 
 import json
+import pathlib
 import re
 import signal
 import subprocess
@@ -8,6 +9,7 @@ import unittest
 
 from program import PROGRAM, ProgramTest
 
+SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 FAST = ["-r", "48x32", "--rays", "32"]
 
 
@@ -72,6 +74,16 @@ class Reference(ProgramTest):
         self.assertIn("t.exr", self.files())
         self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--error", "1000%", "--quiet")
 
+    def test_traces_the_shapes_that_the_sample_scenes_state(self):
+        few = ["-r", "32x24", "--rays", "32", "--batches", "2", "--aov", "caustic", "--quiet"]
+        for name, mesh, shape in (("glass_sphere", "sphere", "sphere"), ("metal_ring", "ring", "cylinder"),
+                                  ("water_sine", "water", "waves")):
+            scene = SCENES / (name + ".glb")
+            self.succeeds("reference", scene, "-o", "t.exr", *few, "--exact", "scene", "--stats", "t.json")
+            self.assertEqual(json.loads((self.folder / "t.json").read_text())["exact"], [{"mesh": mesh, "shape": shape}])
+        # Another request than that of the mesh.
+        self.fails(3, "reference", scene, "-o", "t.exr", *few, "--resume", saying="is the state of another request")
+
     def test_refusals(self):
         self.fails(2, "reference", saying="no scene given")
         self.fails(2, "reference", "ball.glb", "-o", "t.png", saying=".exr only")
@@ -83,8 +95,13 @@ class Reference(ProgramTest):
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--batches", "1", saying="2..")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--error", "x", saying="--error")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball", saying="NAME=sphere")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=cube", saying="NAME=cylinder")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "scene", saying="states no shape")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=sphere", "--exact", "ball=sphere", saying="twice")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "bell=sphere", saying="did you mean 'ball'?")
         self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "floor=sphere", saying="is no sphere")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=cylinder", saying="is no cylinder")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=waves", saying="extras.exact_shape")
         self.fails(3, "reference", "none.glb", "-o", "t.exr", saying="none.glb")
         self.fails(4, "reference", "ball.glb", "-o", "none/t.exr", saying="none/t.exr")
 

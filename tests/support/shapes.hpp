@@ -140,6 +140,33 @@ inline Mesh half_ring(double radius, double height, int cells, int material) {
   return mesh;
 }
 
+// A closed, flat-topped ring around the y axis that stands on y = 0; its walls have the cylinders' normals. With
+// `inner` 0 a rod with two lids.
+inline Mesh ring(double inner, double outer, double height, int cells, int material) {
+  Mesh mesh;
+  mesh.name = "ring";
+  mesh.material = material;
+  // Strips around the axis between two profiles: radius, height, and the normal's parts outward and up.
+  const auto band = [&](const glm::dvec4& a, const glm::dvec4& b) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int i = 0; i <= cells; ++i) {
+      const double angle = 2.0 * 3.14159265358979323846 * (i % cells) / cells;
+      const glm::dvec3 out(std::cos(angle), 0.0, std::sin(angle)), up(0.0, 1.0, 0.0);
+      for (const glm::dvec4& p : {a, b})
+        mesh.vertices.push_back(
+            {.position = glm::vec3(out * p.x + up * p.y), .normal = glm::vec3(out * p.z + up * p.w)});
+    }
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(cells); ++i)
+      for (const std::uint32_t v : {0u, 1u, 3u, 0u, 3u, 2u}) mesh.indices.push_back(first + 2 * i + v);
+  };
+  band({outer, 0.0, 1.0, 0.0}, {outer, height, 1.0, 0.0});
+  band({outer, height, 0.0, 1.0}, {inner, height, 0.0, 1.0});
+  if (inner > 0.0) band({inner, height, -1.0, 0.0}, {inner, 0.0, -1.0, 0.0});
+  band({inner, 0.0, 0.0, -1.0}, {outer, 0.0, 0.0, -1.0});
+  finish(mesh, 1.0f);
+  return mesh;
+}
+
 inline Material metal(const glm::vec3& color) {
   Material m;
   m.name = "metal";

@@ -1,18 +1,14 @@
 #include "pipeline/scene/gltf/light_size.hpp"
 
+#include "pipeline/scene/gltf/extras.hpp"
+
 namespace caustics::gltf {
 
 namespace {
 
 constexpr double kLargest = 1e9;  // metres
 
-// `extras` may be anything; only objects say something about lights.
-Cursor extra(const Cursor& owner, const char* key) {
-  const Cursor extras = owner.member("extras");
-  if (extras.present() && extras.json().is_object()) return extras.member(key);
-  return {owner.context(), nullptr, extras.path() + "." + key};
-}
-
+// The node counts more.
 Cursor extra(const Cursor& node, const Cursor& light, const char* key) {
   const Cursor of_node = extra(node, key);
   return of_node.present() ? of_node : extra(light, key);

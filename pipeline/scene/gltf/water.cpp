@@ -1,27 +1,10 @@
 #include "pipeline/scene/gltf/water.hpp"
 
+#include "pipeline/scene/gltf/extras.hpp"
+
 namespace caustics::gltf {
 
 namespace {
-
-// `extras` may be anything; only objects say something about water.
-Cursor extra(const Cursor& owner) {
-  const Cursor extras = owner.member("extras");
-  if (extras.present() && extras.json().is_object()) return extras.member("water");
-  return {owner.context(), nullptr, extras.path() + ".water"};
-}
-
-// A word that is misspelt would be left out without a word.
-void check_keys(const Cursor& cursor, const std::vector<std::string>& known) {
-  for (const std::string& key : cursor.keys()) {
-    bool found = false;
-    for (const std::string& name : known) found = found || name == key;
-    if (found) continue;
-    std::string names;
-    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    cursor.member(key).fail("is not known", "use " + names);
-  }
-}
 
 std::optional<double> optional_number(const Cursor& cursor) {
   if (!cursor.present()) return {};
@@ -45,29 +28,12 @@ WaterSettings settings_of(const Cursor& water) {
   return s;
 }
 
-// The mesh that a node put into the scene.
-int only_mesh(const Cursor& water, const Scene& scene, int object) {
-  int found = -1;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (scene.meshes[i].object != object) continue;
-    if (found >= 0) water.fail("stands on a mesh of several primitives", "join them to one");
-    found = static_cast<int>(i);
-  }
-  if (found < 0) water.fail("stands on a mesh without triangles", "take it out");
-  return found;
-}
-
 }  // namespace
 
 void read_waters(const Cursor& root, const std::vector<Placement>& placements, Scene& scene) {
   for (std::size_t object = 0; object < placements.size(); ++object) {
     const Placement& placement = placements[object];
-    const Cursor of_node =
-        extra(root.member("nodes").element(static_cast<std::size_t>(placement.node)));
-    const Cursor water =
-        of_node.present()
-            ? of_node
-            : extra(root.member("meshes").element(static_cast<std::size_t>(placement.index)));
+    const Cursor water = extra_of(root, placement, "water");
     if (!water.present()) continue;
     if (!water.json().is_object()) water.fail("is no object", "write \"water\": {} for the defaults");
     const int mesh = only_mesh(water, scene, static_cast<int>(object));

@@ -1,0 +1,39 @@
+#include "pipeline/scene/gltf/extras.hpp"
+
+namespace caustics::gltf {
+
+Cursor extra(const Cursor& owner, const char* key) {
+  const Cursor extras = owner.member("extras");
+  if (extras.present() && extras.json().is_object()) return extras.member(key);
+  return {owner.context(), nullptr, extras.path() + "." + key};
+}
+
+Cursor extra_of(const Cursor& root, const Placement& placement, const char* key) {
+  Cursor of_node = extra(root.member("nodes").element(static_cast<std::size_t>(placement.node)), key);
+  if (of_node.present()) return of_node;
+  return extra(root.member("meshes").element(static_cast<std::size_t>(placement.index)), key);
+}
+
+void check_keys(const Cursor& cursor, const std::vector<std::string>& known) {
+  for (const std::string& key : cursor.keys()) {
+    bool found = false;
+    for (const std::string& name : known) found = found || name == key;
+    if (found) continue;
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+    cursor.member(key).fail("is not known", "use " + names);
+  }
+}
+
+int only_mesh(const Cursor& extra, const Scene& scene, int object) {
+  int found = -1;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (scene.meshes[i].object != object) continue;
+    if (found >= 0) extra.fail("stands on a mesh of several primitives", "join them to one");
+    found = static_cast<int>(i);
+  }
+  if (found < 0) extra.fail("stands on a mesh without triangles", "take it out");
+  return found;
+}
+
+}  // namespace caustics::gltf
