@@ -19,7 +19,7 @@ struct SineWave {
 // y = level + the sum of the waves, in the mesh's own coordinates.
 struct HeightField {
   double level = 0.0;
-  std::vector<SineWave> waves;
+  std::vector<SineWave> waves{};
   // Where these coordinates lie in scene space, metres: p -> axes * p + origin.
   glm::dmat3 axes{1.0};
   glm::dvec3 origin{0.0};
@@ -28,7 +28,7 @@ struct HeightField {
 struct StatedShape {
   int mesh = -1;  // of Scene::meshes
   ShapeKind kind = ShapeKind::Sphere;
-  HeightField field;  // of Waves; spheres and cylinders are recognised from their vertices
+  HeightField field{};  // of Waves; spheres and cylinders are recognised from their vertices
 };
 
 }  // namespace caustics
