@@ -31,6 +31,7 @@ constexpr char kPurpose[] =
 constexpr char kExamples[] =
     "  caustics study scene.glb -o study\n"
     "  caustics study scene.glb -o study --vary grid=64,256 --vary splat=point,cell --cross\n"
+    "  caustics study scene.glb -o study --truth traced --truth-error 0.5% -r 256x256\n"
     "  caustics study scene.glb -o study --truth truth.exr --mask floor.png -r 512x512\n"
     "  caustics study scene.glb -o study --backend both --resume\n";
 
@@ -55,8 +56,21 @@ void add_study_options(Parser& parser, StudyRequest& request) {
   parser.flag("--cross", request.cross, "all values with all others, instead of one key at a time");
   parser.option("--repeat", "N", "frames timed for each setting; 1..1000 (default 5)",
                 [&](const std::string& value) { request.repeat = parse_integer("--repeat", value, 1, 1000); });
-  parser.option("--truth", "FILE.exr", "its layer caustic; or finest, the sweep's finest doubled (default finest)",
-                [&](const std::string& value) { request.truth = value == "finest" ? "" : value; });
+  parser.option("--truth", "WHAT", "FILE.exr (its layer caustic), traced, exact, or finest (default finest)",
+                [&](const std::string& value) {
+                  request.traced.wanted = value == "traced" || value == "exact";
+                  request.traced.exact = value == "exact";
+                  request.truth = request.traced.wanted || value == "finest" ? "" : value;
+                });
+  parser.option("--truth-error", "P%", "of what is traced: where it ends; 1e-6..1000 (default 1%)",
+                [&](const std::string& value) {
+                  const std::string number = value.ends_with('%') ? value.substr(0, value.size() - 1) : value;
+                  request.traced.error = parse_real("--truth-error", number, 1e-6, 1000.0) / 100.0;
+                });
+  parser.option("--truth-seconds", "S", "after which what is traced has to do; 0..1e7 (default 60)",
+                [&](const std::string& value) {
+                  request.traced.seconds = parse_real("--truth-seconds", value, 0.0, 1e7);
+                });
   parser.option("--mask", "FILE", "pixels where a channel of this image is above 0 (default all)",
                 [&](const std::string& value) { request.mask = value; });
   parser.group("Output");
@@ -66,7 +80,8 @@ void add_study_options(Parser& parser, StudyRequest& request) {
   parser.flag("--quiet", request.quiet, "no progress on stderr");
   std::string footer = "Varied where no --vary is given:\n ";
   for (const Varied& each : kDefault) footer += " " + each.first + "=" + each.second;
-  parser.footer(footer);
+  parser.footer(footer + "\nTruths: traced is light traced by 'caustics reference'; exact the same with the shapes that the "
+                         "file states;\n  finest the sweep's finest setting doubled. The last shares this program's own errors.");
 }
 
 std::vector<std::string> split(const std::string& list) {

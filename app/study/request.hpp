@@ -7,6 +7,7 @@
 
 #include "app/frame_options.hpp"
 #include "app/study/sweep.hpp"
+#include "app/study/traced_truth.hpp"
 
 namespace caustics::app {
 
@@ -17,7 +18,8 @@ struct StudyRequest {
   std::vector<Backend> backends;      // empty: frame.backend's
   std::vector<std::pair<std::string, std::string>> varied;  // key, "a,b,c"
   std::filesystem::path folder = "study";
-  std::filesystem::path truth;        // "": the finest setting
+  std::filesystem::path truth;        // "": the finest setting, or `traced`
+  TracedTruth traced;
   std::filesystem::path mask;         // "": everything counts
   int repeat = 5;
   bool cross = false, resume = false, quiet = false;

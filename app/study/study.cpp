@@ -103,10 +103,27 @@ class StudyRun {
     refuse_too_many(request_, study_.knobs);
     finest_ = finest_settings(request_.frame.settings, study_.knobs);
     plan_jobs();
+    if (request_.traced.wanted) trace();
     describe();
     if (!request_.truth.empty()) use(read_truth(request_.truth, study_.width, study_.height, request_.mask));
     make_folder();
     if (request_.resume) read_earlier();
+  }
+
+  // From here on what is traced is a file like any other.
+  void trace() {
+    make_folder();
+    const fs::path file = request_.folder / "truth.exr";
+    require_writable(file);
+    try {
+      trace_truth(request_.frame, request_.traced, file, request_.resume,
+                  [&](const std::string& step) { progress_.show(step); });
+    } catch (...) {
+      progress_.clear();
+      leave_what_is_done();
+      throw;
+    }
+    request_.truth = file;
   }
 
   void plan_jobs() {
@@ -145,7 +162,7 @@ class StudyRun {
 
   void make_folder() {
     std::error_code error;
-    made_folder_ = fs::create_directories(request_.folder, error);
+    made_folder_ |= fs::create_directories(request_.folder, error);
     fs::create_directories(request_.folder / "img", error);
     require_writable(request_.folder / "img" / "truth.png");
     for (const char* file : {"study.json", "study.csv", "report.html", "error_time.svg"}) require_writable(request_.folder / file);

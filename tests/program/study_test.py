@@ -176,6 +176,22 @@ class Truth(StudyTest):
         self.fails(3, "study", "ball.glb", *GRIDS, *SMALL, "--truth", "none.exr", saying="no such file")
         self.fails(3, "study", "ball.glb", *GRIDS, *SMALL, "--mask", "none.png", saying="none.png")
 
+    def test_it_can_be_traced(self):
+        traced = ["--truth", "traced", "--truth-error", "40%"]
+        result = self.study(*GRIDS, *traced)
+        document = self.document()
+        self.assertTrue(document["independent_truth"])
+        self.assertTrue(0 < document["truth_noise"] <= 0.4)
+        self.assertIn("truth.exr", result.stdout)
+        # Gone on with, nothing is traced anew and no row measured again.
+        again = self.study(*GRIDS, *traced, "--resume")
+        self.assertIn("2 rows, 2 of them from before", again.stderr)
+        self.assertEqual(self.document()["identity"], document["identity"])
+
+    def test_where_nothing_can_be_traced_no_folder_is_left(self):
+        self.fails(2, "study", "ball.glb", *GRIDS, *SMALL, "--truth", "exact", saying="states no shape")
+        self.assertFalse((self.folder / "study").exists())
+
 
 class Refusals(StudyTest):
     def test_unknown_keys_and_values_name_what_was_meant(self):
