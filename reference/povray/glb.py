@@ -140,7 +140,9 @@ def scene_of(file, path):
     scene = Scene([], [], {})
     for number in file.gltf['scenes'][file.gltf.get('scene', 0)]['nodes']:
         node = file.gltf['nodes'][number]
-        if 'children' in node or 'matrix' in node or 'extras' in node:
+        # The mesh is what both programs render, whatever exact shape it stands for.
+        extras = set(node.get('extras', {})) - {'exact_shape'}
+        if 'children' in node or 'matrix' in node or extras:
             raise Unsupported(f"node '{node.get('name', '')}': children, matrices and extras are not exported")
         place, turn = node.get('translation', (0, 0, 0)), node.get('rotation', (0, 0, 0, 1))
         if 'mesh' in node:
