@@ -66,10 +66,12 @@ void add_study_options(Parser& parser, StudyRequest& request) {
                 [&](const std::string& value) {
                   const std::string number = value.ends_with('%') ? value.substr(0, value.size() - 1) : value;
                   request.traced.error = parse_real("--truth-error", number, 1e-6, 1000.0) / 100.0;
+                  request.says_how_long = true;
                 });
   parser.option("--truth-seconds", "S", "after which what is traced has to do; 0..1e7 (default 60)",
                 [&](const std::string& value) {
                   request.traced.seconds = parse_real("--truth-seconds", value, 0.0, 1e7);
+                  request.says_how_long = true;
                 });
   parser.option("--mask", "FILE", "pixels where a channel of this image is above 0 (default all)",
                 [&](const std::string& value) { request.mask = value; });
@@ -145,6 +147,8 @@ bool parse_study(const Arguments& arguments, StudyRequest& request) {
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "study");
+  if (request.says_how_long && !request.traced.wanted)
+    throw Error(ExitCode::WrongUsage, "--truth-error and --truth-seconds are for --truth traced and --truth exact");
   request.command = typed(arguments);
   if (request.backends.empty()) request.backends.push_back(request.frame.backend.backend);
   return true;

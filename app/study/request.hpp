@@ -20,6 +20,7 @@ struct StudyRequest {
   std::filesystem::path folder = "study";
   std::filesystem::path truth;        // "": the finest setting, or `traced`
   TracedTruth traced;
+  bool says_how_long = false;         // --truth-error, --truth-seconds
   std::filesystem::path mask;         // "": everything counts
   int repeat = 5;
   bool cross = false, resume = false, quiet = false;

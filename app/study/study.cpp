@@ -103,6 +103,8 @@ class StudyRun {
     refuse_too_many(request_, study_.knobs);
     finest_ = finest_settings(request_.frame.settings, study_.knobs);
     plan_jobs();
+    study_.width = request_.frame.settings.width;
+    study_.height = request_.frame.settings.height;
     if (request_.traced.wanted) trace();
     describe();
     if (!request_.truth.empty()) use(read_truth(request_.truth, study_.width, study_.height, request_.mask));
@@ -110,20 +112,38 @@ class StudyRun {
     if (request_.resume) read_earlier();
   }
 
-  // From here on what is traced is a file like any other.
+  // From here on what is traced is a file like any other. Rows that are to be kept need the truth that they were
+  // measured against.
   void trace() {
     make_folder();
     const fs::path file = request_.folder / "truth.exr";
     require_writable(file);
+    FrameRequest frame = request_.frame;
+    frame.settings.wavelengths = finest_.wavelengths;
+    const TraceFrom from = !request_.resume                                  ? TraceFrom::Nothing
+                           : fs::is_regular_file(request_.folder / "study.json") ? TraceFrom::Finished
+                                                                                 : TraceFrom::State;
     try {
-      trace_truth(request_.frame, request_.traced, file, request_.resume,
-                  [&](const std::string& step) { progress_.show(step); });
+      check_mask(study_.width, study_.height, request_.mask);
+      say_traced(trace_truth(frame, request_.traced, file, from, [&](const std::string& step) { progress_.show(step); },
+                             [&](const std::string& line) { progress_.clear(), note(line); }));
     } catch (...) {
       progress_.clear();
       leave_what_is_done();
+      if (fs::is_regular_file(file.string() + ".state"))
+        note(one_line(file.string()) + " holds what is traced; --resume goes on");
       throw;
     }
     request_.truth = file;
+  }
+
+  void say_traced(const TracedLight& light) {
+    progress_.clear();
+    for (const std::string& each : light.notes) note("the truth: " + each);
+    if (!light.good)
+      note("the truth's relative error is " + significant(100.0 * light.error, 3) + "% after " +
+           std::to_string(light.batches) + " batches, not the " + significant(100.0 * request_.traced.error, 3) +
+           "% of --truth-error, after four at least; --truth-seconds gives it longer");
   }
 
   void plan_jobs() {
@@ -145,8 +165,6 @@ class StudyRun {
     const FrameRequest& frame = request_.frame;
     study_.scene = frame.scene.filename().string();
     study_.command = request_.command;
-    study_.width = frame.settings.width;
-    study_.height = frame.settings.height;
     study_.own_limit = request_.truth.empty();
     study_.truth = study_.own_limit ? finest_text(finest_) : one_line(request_.truth.string());
     study_.identity = {{"program", version_line()},
@@ -163,6 +181,7 @@ class StudyRun {
   void make_folder() {
     std::error_code error;
     made_folder_ |= fs::create_directories(request_.folder, error);
+    if (error) throw Error(ExitCode::CannotWrite, one_line(request_.folder.string()) + ": " + error.message());
     fs::create_directories(request_.folder / "img", error);
     require_writable(request_.folder / "img" / "truth.png");
     for (const char* file : {"study.json", "study.csv", "report.html", "error_time.svg"}) require_writable(request_.folder / file);

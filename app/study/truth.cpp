@@ -125,6 +125,10 @@ Truth read_truth(const std::filesystem::path& file, int width, int height, const
   return truth;
 }
 
+void check_mask(int width, int height, const std::filesystem::path& mask) {
+  if (!mask.empty()) selection_for(Image(Format::RGBA32F, width, height), mask);
+}
+
 Figures measure_against(const Truth& truth, const Image& caustic) {
   const std::vector<std::uint8_t> mask = truth.selection.from_bottom();
   const ImageMetrics metrics = image_metrics(caustic, truth.caustic, mask);

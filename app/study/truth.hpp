@@ -25,6 +25,9 @@ Truth read_truth(const std::filesystem::path& file, int width, int height,
 // The same of an image that the program drew itself; `name` is what messages call it.
 Truth make_truth(Image caustic, const std::filesystem::path& mask, const std::string& name);
 
+// Throws what the others throw where a mask cannot be read or has another size.
+void check_mask(int width, int height, const std::filesystem::path& mask);
+
 Figures measure_against(const Truth& truth, const Image& caustic);
 
 }  // namespace caustics::app

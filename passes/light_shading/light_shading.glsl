@@ -228,11 +228,23 @@ Vec3 step_on_surface(Int column, Int row, int dx, int dy, Vec3 position, Vec3 n)
   return sel(same, transform_vector(u.from_scene, offset), Vec3(0.0f));
 }
 
-// The larger side in the map of a step from a point, texels.
+// The larger side in the map of a step from a point, texels of the face that sees the point; 0 where the step ends
+// behind the light.
 Float texels_along(Vec3 at, Vec3 step, vec4 window, int size) {
-  Vec2 from = frame_uv(at, window, u.caustic_depth);
-  Vec2 to = frame_uv(at + step, window, u.caustic_depth);
-  return max_of(abs(to.x - from.x), abs(to.y - from.y)) * float(size);
+  Int face = frame_face(at, u.caustic_depth);
+  Vec3 from = in_face(at, face, u.caustic_depth);
+  Vec3 to = in_face(at + step, face, u.caustic_depth);
+  Float texels = Float(0.0f);
+  if (u.caustic_depth.z > 0.5f) {
+    Bool before = from.z > 0.0f && to.z > 0.0f;
+    Float near = sel(before, from.z, Float(1.0f));
+    Float far = sel(before, to.z, Float(1.0f));
+    texels = sel(before, max_of(abs(to.x / far - from.x / near) * window.x, abs(to.y / far - from.y / near) * window.y),
+                 Float(0.0f));
+  } else {
+    texels = max_of(abs(to.x - from.x) * window.x, abs(to.y - from.y) * window.y);
+  }
+  return min_of(texels * float(size), Float(16384.0f));
 }
 
 // How much of a pixel's side of so many texels is left to average over. A texel is the mean over itself, and

@@ -50,19 +50,24 @@ class Plane {
   }
 
  private:
-  // Means over `side` texels along an axis; the outermost texels of a box count by the share that lies in it.
+  // Means over `side` texels along an axis, by running sums; the outermost texels of a box count by the share that lies
+  // in it, and beyond the map there is nothing.
   Plane along(double side, int dx, int dy) const {
     if (side <= 1.0) return *this;
     Plane result(side_);
-    const int whole = static_cast<int>(std::floor(0.5 * (side + 1.0)));
-    for (int y = 0; y < side_; ++y)
-      for (int x = 0; x < side_; ++x)
-        for (int k = -whole; k <= whole; ++k) {
-          const int fx = x + k * dx, fy = y + k * dy;
-          if (fx < 0 || fy < 0 || fx >= side_ || fy >= side_) continue;
-          const double inside = std::clamp(0.5 * (side + 1.0) - std::abs(k), 0.0, 1.0);
-          result.at(x, y) += at(fx, fy) * inside / side;
-        }
+    std::vector<double> sums(static_cast<std::size_t>(side_) + 1);
+    const double box = std::min(side, 2.0 * side_);
+    for (int line = 0; line < side_; ++line) {
+      const auto value = [&](int k) { return at(dx ? k : line, dy ? k : line); };
+      for (int k = 0; k < side_; ++k) sums[static_cast<std::size_t>(k) + 1] = sums[static_cast<std::size_t>(k)] + value(k);
+      const auto up_to = [&](double t) {
+        const double inside = std::clamp(t, 0.0, static_cast<double>(side_));
+        const int whole = std::min(static_cast<int>(inside), side_ - 1);
+        return sums[static_cast<std::size_t>(whole)] + (inside - whole) * value(whole);
+      };
+      for (int k = 0; k < side_; ++k)
+        result.at(dx ? k : line, dy ? k : line) = (up_to(k + 0.5 + 0.5 * box) - up_to(k + 0.5 - 0.5 * box)) / side;
+    }
     return result;
   }
   std::size_t index(int x, int y) const {

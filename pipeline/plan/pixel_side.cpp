@@ -2,23 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace caustics {
 
 namespace {
 
-struct Texel {
-  glm::dvec2 at{0.0};
-  bool seen = false;
-};
+using Place = std::optional<glm::dvec3>;
 
-Texel texel_at(const Image& position, const Frame& frame, int map, int x, int y) {
-  if (position.at(x, y, 3) == 0.0f) return {};
-  const glm::dvec3 q = frame.coordinates({position.at(x, y, 0), position.at(x, y, 1), position.at(x, y, 2)});
+Place place_at(const Image& position, int x, int y) {
+  if (x < 0 || y < 0 || x >= position.width() || y >= position.height() || position.at(x, y, 3) == 0.0f) return {};
+  return glm::dvec3(position.at(x, y, 0), position.at(x, y, 1), position.at(x, y, 2));
+}
+
+// The step to the nearer of the neighbours along (dx, dy) and against it: the other may show something else.
+Place step_at(const Image& position, const glm::dvec3& here, int x, int y, int dx, int dy) {
+  const Place ahead = place_at(position, x + dx, y + dy), behind = place_at(position, x - dx, y - dy);
+  if (!ahead && !behind) return {};
+  if (!behind || (ahead && glm::distance(*ahead, here) <= glm::distance(*behind, here))) return *ahead - here;
+  return here - *behind;
+}
+
+// Texels of a map of so many a side; none behind a light.
+std::optional<glm::dvec2> texel_of(const glm::dvec3& p, const Frame& frame, int map) {
+  const glm::dvec3 q = frame.coordinates(p);
   if (frame.perspective && !(q.z > 0.0)) return {};
-  const glm::dvec2 share =
-      (frame.window(q) - frame.window_lower) / (frame.window_upper - frame.window_lower);
-  return {share * static_cast<double>(map), true};
+  return (frame.window(q) - frame.window_lower) / (frame.window_upper - frame.window_lower) * static_cast<double>(map);
 }
 
 double light_at(const Image& map, const glm::dvec2& texel) {
@@ -30,25 +39,37 @@ double light_at(const Image& map, const glm::dvec2& texel) {
   return light;
 }
 
+// Square texels of a pixel's parallelogram; none where that cannot be told.
+std::optional<double> area_at(const Image& position, const glm::dvec3& here, const glm::dvec2& texel, const Frame& frame,
+                              int map, int x, int y) {
+  const Place across = step_at(position, here, x, y, 1, 0), upward = step_at(position, here, x, y, 0, 1);
+  if (!across || !upward) return {};
+  const auto right = texel_of(here + *across, frame, map), above = texel_of(here + *upward, frame, map);
+  if (!right || !above) return {};
+  const glm::dvec2 a = *right - texel, b = *above - texel;
+  const double area = std::fabs(a.x * b.y - a.y * b.x);
+  // No pixel is taken to be wider than the map.
+  return area <= static_cast<double>(map) * static_cast<double>(map) ? std::optional(area) : std::nullopt;
+}
+
 }  // namespace
 
 double pixel_side(const Image& view_position, const Image& caustic_map, const Frame& caustic) {
   if (caustic.cube) return 0.0;
+  const int map = caustic_map.width();
   double sides = 0.0, weights = 0.0;
-  for (int y = 0; y + 1 < view_position.height(); ++y)
-    for (int x = 0; x + 1 < view_position.width(); ++x) {
-      const auto at = [&](int dx, int dy) {
-        return texel_at(view_position, caustic, caustic_map.width(), x + dx, y + dy);
-      };
-      const Texel here = at(0, 0), right = at(1, 0), above = at(0, 1);
-      if (!here.seen || !right.seen || !above.seen) continue;
-      const double light = light_at(caustic_map, here.at);
+  for (int y = 0; y < view_position.height(); ++y)
+    for (int x = 0; x < view_position.width(); ++x) {
+      const Place here = place_at(view_position, x, y);
+      if (!here) continue;
+      const std::optional<glm::dvec2> texel = texel_of(*here, caustic, map);
+      const double light = texel ? light_at(caustic_map, *texel) : 0.0;
       if (!(light > 0.0)) continue;
-      const glm::dvec2 a = right.at - here.at, b = above.at - here.at;
+      const std::optional<double> area = area_at(view_position, *here, *texel, caustic, map, x, y);
+      if (!area) continue;
       // The light in the pixel is in proportion to the light in the texel and to its area.
-      const double area = std::fabs(a.x * b.y - a.y * b.x);
-      sides += light * area * std::sqrt(area);
-      weights += light * area;
+      sides += light * *area * std::sqrt(*area);
+      weights += light * *area;
     }
   return weights > 0.0 ? sides / weights : 0.0;
 }

@@ -129,7 +129,8 @@ class Truth:
     def traced(bench, batches):
         """The caustic after so many batches: begun, or gone on with from the state in the folder."""
         arguments = bench.arguments
-        words = ['truth', arguments.physics, bench.exact, str(arguments.resolution), str(arguments.truth_rays)]
+        camera = re.sub(r'\W', '_', arguments.camera)
+        words = ['truth', camera, arguments.physics, bench.exact, str(arguments.resolution), str(arguments.truth_rays)]
         state = bench.path('_'.join(filter(None, words)) + '.state')
         name = f'{state.stem}_{batches}'
         more = ['--physics', arguments.physics, '--rays', arguments.truth_rays, '--batches', batches]

@@ -12,6 +12,7 @@ import json
 import math
 import pathlib
 import shutil
+import subprocess
 import sys
 
 sys.dont_write_bytecode = True
@@ -115,6 +116,7 @@ if __name__ == '__main__':
         main(sys.argv[1:])
     except KeyboardInterrupt:
         sys.exit(130)
-    except (benches.Failure, glb.Unsupported, OSError) as failure:
+    except (benches.Failure, glb.Unsupported, OSError, subprocess.CalledProcessError) as failure:
         print(f'compare.py: {failure}', file=sys.stderr)
-        sys.exit(getattr(failure, 'code', 3))
+        failed = isinstance(failure, subprocess.CalledProcessError)
+        sys.exit(getattr(failure, 'code', 1 if failed else 3))

@@ -187,9 +187,19 @@ class Truth(StudyTest):
         again = self.study(*GRIDS, *traced, "--resume")
         self.assertIn("2 rows, 2 of them from before", again.stderr)
         self.assertEqual(self.document()["identity"], document["identity"])
+        # Nor where it has missed what was asked for, which is said: rows belong to the truth that they were measured against.
+        missed = ["--truth", "traced", "--truth-error", "1e-4%", "--truth-seconds", "0"]
+        first = self.study(*GRIDS, *missed, "-o", "out")
+        self.assertIn("not the 0.0001% of --truth-error", first.stderr)
+        self.assertIn("2 rows, 2 of them from before", self.study(*GRIDS, *missed, "-o", "out", "--resume").stderr)
+        # Of another view it is traced anew.
+        other = self.succeeds("study", "ball.glb", *SMALL[2:], "-r", "32x24", *GRIDS, *traced, "--resume")
+        self.assertIn("traced anew", other.stderr)
 
     def test_where_nothing_can_be_traced_no_folder_is_left(self):
         self.fails(2, "study", "ball.glb", *GRIDS, *SMALL, "--truth", "exact", saying="states no shape")
+        self.fails(3, "study", "ball.glb", *GRIDS, *SMALL, "--truth", "traced", "--mask", "none.png", saying="none.png")
+        self.fails(2, "study", "ball.glb", *GRIDS, *SMALL, "--truth-seconds", "3", saying="for --truth traced")
         self.assertFalse((self.folder / "study").exists())
 
 

@@ -1,0 +1,61 @@
+#include "pipeline/plan/pixel_side.hpp"
+
+#include <cmath>
+
+#include "pipeline/plan/all_around.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// 4 x 4 pixels, 2 m apart, of a floor under a map of 8 x 8 texels of 1 m.
+struct Bench {
+  Frame frame = down(4.0, 10.0, 20.0);
+  Image map = filled(8, 8, glm::vec4(1.0f));
+  Image position{Format::RGBA32F, 4, 4};
+
+  Bench() {
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x) put(x, y, {-3.0f + 2.0f * float(x), 0.0f, 3.0f - 2.0f * float(y)});
+  }
+  void put(int x, int y, const glm::vec3& p) {
+    for (int c = 0; c < 3; ++c) position.at(x, y, c) = p[c];
+    position.at(x, y, 3) = 1.0f;
+  }
+  double side() const { return pixel_side(position, map, frame); }
+};
+
+}  // namespace
+
+TEST_CASE("pixel side: pixels of 2 m on texels of 1 m") { CHECK(Bench().side() == Approx(2.0)); }
+
+TEST_CASE("pixel side: only what shows light counts") {
+  Bench bench;
+  bench.map = filled(8, 8, glm::vec4(0.0f));
+  CHECK(bench.side() == 0.0);
+  // Texel 1 holds the light, and the pixel at -3 m, whose neighbour is moved to 1 m from it: 1 m by 2 m.
+  bench.map.at(1, 1, 0) = 1.0f;
+  for (int y = 0; y < 4; ++y) bench.put(1, y, {-2.0f, 0.0f, 3.0f - 2.0f * float(y)});
+  CHECK(bench.side() == Approx(std::sqrt(2.0)));
+}
+
+TEST_CASE("pixel side: a neighbour far behind does not make a pixel large") {
+  // The rightmost column shows something 1 km away: the pixels beside it are measured by their other neighbours.
+  Bench bench;
+  for (int y = 0; y < 4; ++y) bench.put(3, y, {500.0f, -1000.0f, 3.0f - 2.0f * float(y)});
+  CHECK(bench.side() == Approx(2.0));
+}
+
+TEST_CASE("pixel side: none under a light that sees all around, and where a pixel has no neighbours") {
+  Bench bench;
+  bench.frame = with_atlas(cube_frame({0.0, 10.0, 0.0}, {0.1, 20.0}), 96);
+  CHECK(bench.side() == 0.0);
+  bench = {};
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      if (x != 1 || y != 1) bench.position.at(x, y, 3) = 0.0f;
+  CHECK(bench.side() == 0.0);
+}
