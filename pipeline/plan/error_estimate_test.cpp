@@ -38,7 +38,7 @@ struct Bench {
   }
   static void set(Image& image, int x, int y, const glm::vec4& value) {
     for (int c = 0; c < 4; ++c)
-      image.values[static_cast<std::size_t>(4 * (y * image.width() + x) + c)] = value[c];
+      image.at(x, y, c) = value[c];
   }
   ErrorEstimate estimate() const {
     return estimate_error({branch}, {cells}, map, Image{}, frames, settings, ledger, pixel);
