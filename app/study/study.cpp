@@ -167,15 +167,23 @@ class StudyRun {
     study_.command = request_.command;
     study_.own_limit = request_.truth.empty();
     study_.truth = study_.own_limit ? finest_text(finest_) : one_line(request_.truth.string());
-    study_.identity = {{"program", version_line()},
-                       {"scene", scene_fingerprint(frame.scene)},
-                       {"environment", print_of(frame.environment.value_or(fs::path()))},
-                       {"animation", frame.animation},
-                       {"seconds", frame.seconds.value_or(0.0)},
-                       {"threads", frame.backend.threads},
-                       {"truth", study_.own_limit ? Json{{"finest", settings_json(finest_)}}
-                                                  : Json{{"file", print_of(request_.truth)}}},
-                       {"mask", print_of(request_.mask)}};
+    // One after the other, because any of the files may be missing: an exception out of the middle of one expression with
+    // choices destroys what is not there yet (g++ 12).
+    Json truth = Json::object();
+    if (study_.own_limit) {
+      truth["finest"] = settings_json(finest_);
+    } else {
+      truth["file"] = print_of(request_.truth);
+    }
+    Json& identity = study_.identity;
+    identity["program"] = version_line();
+    identity["scene"] = scene_fingerprint(frame.scene);
+    identity["environment"] = print_of(frame.environment.value_or(fs::path()));
+    identity["animation"] = frame.animation;
+    identity["seconds"] = frame.seconds.value_or(0.0);
+    identity["threads"] = frame.backend.threads;
+    identity["truth"] = truth;
+    identity["mask"] = print_of(request_.mask);
   }
 
   void make_folder() {

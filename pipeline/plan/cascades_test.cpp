@@ -40,6 +40,7 @@ TEST_CASE("cascades: a bright spot in a faint halo has one around the spot") {
 
 TEST_CASE("landed flux: a window leaves out the share that it may at each end") {
   std::vector<WeightedPoint> points;
+  points.reserve(100);
   for (int i = 0; i < 100; ++i) points.push_back({{double(i * i), 0.0}, 1.0});
   const LandedFlux landed(points);
   // Summed from either end, the tenth point reaches a tenth of the flux.
