@@ -41,14 +41,15 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   const Image map = frame.read(light_texture(kCausticMap, light));
   const LightFrames& frames = frame.frames()[static_cast<std::size_t>(light)];
   const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
-  const Ledger ledger = make_ledger(branches, map, if_any(light_texture(far_texture(kCausticMap), light)),
+  const std::vector<CellImages> cells = cell_images(light, frame.effects().branches, has, read);
+  const Ledger ledger = make_ledger(branches, cells, map, if_any(light_texture(far_texture(kCausticMap), light)),
                                     frames.caustic, frame.settings());
   const double pixel = frame.settings().pixel_means && has(kViewPosition)
                            ? pixel_side(read(kViewPosition), map, frames.caustic)
                            : 0.0;
   add(sum.ledger, ledger, share);
   add(sum.error,
-      estimate_error(branches, cell_images(light, frame.effects().branches, has, read), map,
+      estimate_error(branches, cells, map,
                      if_any(light_texture(kCascadeMap, light)), frames, frame.settings(), ledger, pixel),
       share);
   const std::vector<Outcome> outcomes = outcomes_of(

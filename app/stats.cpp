@@ -58,6 +58,8 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
   const Light& light = scene.sources[static_cast<std::size_t>(entry.light)];
   Json flux = {{"unit", flux_unit(light)}};
   for (const auto& [name, value] : accounts(entry.ledger)) flux[name] = value;
+  flux["rounding"] = entry.ledger.rounding;
+  flux["rounding_bound"] = entry.ledger.rounding_bound;
   flux["residual"] = entry.ledger.residual();
   Json vertices;
   for (int s = 0; s < kLandingStatuses; ++s) {

@@ -225,30 +225,6 @@ double total(const FluxRgb& flux) { return flux[0] + flux[1] + flux[2]; }
 
 }  // namespace
 
-std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
-                                    const std::function<bool(const std::string&)>& has,
-                                    const std::function<Image(const std::string&)>& read) {
-  std::vector<CellImages> result;
-  for (const Branch& branch : branches) {
-    const auto own = [&](const std::string& name) {
-      const std::string full = branch_texture(name, light, branch);
-      return has(full) ? read(full) : Image{};
-    };
-    CellImages cells{own(kCellNear), own(kCellFar)};
-    const Image far_flux = own(far_texture(kCellFlux));
-    if (!far_flux.values.empty()) {
-      const Image near = own(far_texture(kCellNear)), far = own(far_texture(kCellFar));
-      for (std::size_t i = 0; i < far_flux.values.size(); ++i)
-        if (far_flux.values[i - i % 4 + 3] != 0.0f) {
-          cells.near.values[i] = near.values[i];
-          cells.far.values[i] = far.values[i];
-        }
-    }
-    result.push_back(std::move(cells));
-  }
-  return result;
-}
-
 void add(ErrorEstimate& sum, const ErrorEstimate& other, double share) {
   for (double ErrorEstimate::*part :
        {&ErrorEstimate::landed, &ErrorEstimate::map, &ErrorEstimate::grid, &ErrorEstimate::missing})

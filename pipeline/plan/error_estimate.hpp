@@ -1,7 +1,5 @@
 // How far a light's caustic may be from the truth, told from the frame itself (docs/accuracy.md).
 #pragma once
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "pipeline/gpu/image.hpp"
@@ -25,16 +23,6 @@ struct ErrorEstimate {
 
 // Adds another estimate `share` times: a light's samples to the light's own. Errors of several are taken to add up.
 void add(ErrorEstimate& sum, const ErrorEstimate& other, double share);
-
-// Where cells lie: the textures of the `cells` pass, without values where landings are splatted one by one.
-struct CellImages {
-  Image near, far;
-};
-
-// By branch; those of the farthest receivers among them. `has` and `read` as for branch_images.
-std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
-                                    const std::function<bool(const std::string&)>& has,
-                                    const std::function<Image(const std::string&)>& read);
 
 // Of one light; `pixel` is a pixel's side in texels of the caustic map (pixel_side.hpp), 1 or less where the maps' own
 // texels are judged; `cells` by branch, `cascade_map` without values where the light has none. The caustic of lights that

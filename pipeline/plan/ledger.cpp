@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/plan/splat_counts.hpp"
 #include "pipeline/plan/splat_kernel.hpp"
 
 namespace caustics {
@@ -74,7 +74,8 @@ double Ledger::residual() const {
   for (std::size_t c = 0; c < 3; ++c) {
     if (entered[c] <= 0.0) continue;
     const double booked = fresnel[c] + absorbed[c] + total_reflection[c] + missed[c] + outside[c] +
-                          not_converged[c] + kernel_edge[c] + medium[c] + in_map[c];
+                          not_converged[c] + kernel_edge[c] + medium[c] + in_map[c] +
+                          std::clamp(rounding[c], -rounding_bound[c], rounding_bound[c]);
     worst = std::max(worst, std::fabs(entered[c] - booked) / entered[c]);
   }
   return worst;
@@ -84,18 +85,9 @@ void add(Ledger& sum, const Ledger& other, double share) {
   for (FluxRgb Ledger::*account :
        {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection,
         &Ledger::missed, &Ledger::outside, &Ledger::not_converged, &Ledger::kernel_edge,
-        &Ledger::medium, &Ledger::in_map})
+        &Ledger::medium, &Ledger::in_map, &Ledger::rounding, &Ledger::rounding_bound})
     add(sum.*account, other.*account, share);
   for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
-}
-
-double share_of_points(const Image& cell_flux, int x, int y) {
-  if (cell_flux.values.empty()) return 1.0;
-  double share = 1.0;
-  for (int dy = 0; dy < 2; ++dy)
-    for (int dx = 0; dx < 2; ++dx)
-      if (x >= dx && y >= dy) share -= 0.25 * static_cast<double>(cell_flux.at(x - dx, y - dy, 3));
-  return share;
 }
 
 namespace {
@@ -121,72 +113,38 @@ void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
   if (!images.medium.values.empty()) add(ledger.medium, rgb(images.medium, x, y));
   const FluxRgb carried = rgb(images.flux, x, y);
   if (FluxRgb* account = account_of(ledger, status)) return add(*account, carried);
+  add(ledger.rounding, carried);
   if (frame.cube) return;  // a tile's guard holds every splat whole
-  const glm::dvec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1),
-                     images.landing.at(x, y, 2)};
-  const glm::dvec2 uv = (frame.window(frame.coordinates(p)) - frame.window_lower) /
-                        (frame.window_upper - frame.window_lower);
-  const double inside = share_on_map(kernel, uv.x * map, uv.y * map, map);
-  add(ledger.kernel_edge, carried, (1.0 - inside) * share_of_points(images.cell_flux, x, y));
+  const glm::dvec2 texel = texel_of(images, x, y, frame, map);
+  const double beyond = (1.0 - share_on_map(kernel, texel.x, texel.y, map)) * share_of_points(images.cell_flux, x, y);
+  add(ledger.kernel_edge, carried, beyond);
+  add(ledger.rounding, carried, -beyond);
 }
+
+constexpr double kUnitRoundoff = 0x1p-24;  // of single precision, to nearest
 
 }  // namespace
 
-namespace {
-
-void copy_texel(Image& to, const Image& from, std::size_t texel) {
-  const auto channels = static_cast<std::size_t>(to.channels());
-  std::copy_n(from.values.begin() + static_cast<std::ptrdiff_t>(texel * channels), channels,
-              to.values.begin() + static_cast<std::ptrdiff_t>(texel * channels));
-}
-
-// Where the farther landing has a status, its values; cells of both, which never overlap.
-void merge_far(BranchImages& images, const BranchImages& far) {
-  for (std::size_t i = 0; 4 * i < images.landing.values.size(); ++i) {
-    if (far.landing.values[4 * i + 3] != 0.0f) {
-      copy_texel(images.landing, far.landing, i);
-      copy_texel(images.flux, far.flux, i);
-      copy_texel(images.fresnel, far.fresnel, i);
-      copy_texel(images.absorbed, far.absorbed, i);
-    }
-    if (!far.cell_flux.values.empty() && far.cell_flux.values[4 * i + 3] != 0.0f)
-      copy_texel(images.cell_flux, far.cell_flux, i);
-  }
-}
-
-}  // namespace
-
-std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
-                                        const std::function<bool(const std::string&)>& has,
-                                        const std::function<Image(const std::string&)>& read) {
-  std::vector<BranchImages> result;
-  for (const Branch& branch : branches) {
-    const auto own = [&](const char* name) { return read(branch_texture(name, light, branch)); };
-    const auto if_any = [&](const char* name) {
-      return has(branch_texture(name, light, branch)) ? own(name) : Image{};
-    };
-    result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel),
-                      own(kLandingAbsorbed), if_any(kCellFlux), if_any(kLandingMedium)});
-    if (!has(branch_texture(far_texture(kLanding), light, branch))) continue;
-    const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
-    const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
-    merge_far(result.back(), {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
-                              cells ? far(kCellFlux) : Image{}, Image{}});
-  }
-  return result;
-}
-
-Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map, const Image& far_map,
-                   const Frame& caustic_frame, const Settings& settings) {
+Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
+                   const Image& caustic_map, const Image& far_map, const Frame& caustic_frame,
+                   const Settings& settings) {
   Ledger ledger;
   const SplatKernel kernel = splat_kernel(settings);
+  const int side = caustic_map.width();
   for (const BranchImages& images : branches)
     for (int y = 0; y < images.landing.height(); ++y)
-      for (int x = 0; x < images.landing.width(); ++x)
-        add_vertex(images, x, y, caustic_frame, kernel, caustic_map.width(), ledger);
+      for (int x = 0; x < images.landing.width(); ++x) add_vertex(images, x, y, caustic_frame, kernel, side, ledger);
+  const std::vector<std::uint32_t> counts =
+      caustic_frame.cube ? std::vector<std::uint32_t>{} : splat_counts(branches, cells, kernel, caustic_frame, side);
   for (const Image* map : {&caustic_map, &far_map})
     for (int y = 0; y < map->height(); ++y)
-      for (int x = 0; x < map->width(); ++x) add(ledger.in_map, rgb(*map, x, y));
+      for (int x = 0; x < map->width(); ++x) {
+        const FluxRgb flux = rgb(*map, x, y);
+        add(ledger.in_map, flux);
+        add(ledger.rounding, flux, -1.0);
+        const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+        if (!counts.empty()) add(ledger.rounding_bound, flux, static_cast<double>(counts[texel]) * kUnitRoundoff);
+      }
   return ledger;
 }
 

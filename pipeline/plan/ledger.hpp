@@ -2,14 +2,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "pipeline/gpu/image.hpp"
-#include "pipeline/plan/effects.hpp"
-#include "pipeline/plan/pass.hpp"
+#include "pipeline/plan/landing_images.hpp"
+#include "pipeline/plan/settings.hpp"
+#include "pipeline/scene/frame.hpp"
 
 namespace caustics {
 
@@ -41,8 +40,13 @@ struct Ledger {
   FluxRgb not_converged{};
   FluxRgb kernel_edge{};         // parts of splats beyond the map's edge
   FluxRgb in_map{};              // the sum over the caustic map
-  // (entered - everything else) / entered, the largest of the channels; 0 for an empty grid. What
-  // remains is the rounding of the map's sums.
+  FluxRgb rounding{};            // splatted less in_map: what the map's single-precision sums lost (gained: negative)
+  // The most that rounding can take of sums in single precision: n 2^-24 of a texel's flux where n splats may have
+  // touched it (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 4.2), over all texels. 0 where
+  // splats are not counted: lights that see all around.
+  FluxRgb rounding_bound{};
+  // |entered - everything else| / entered, the largest of the channels; 0 for an empty grid. `rounding` counts as
+  // booked as far as its bound allows; what it has beyond that is a residual.
   double residual() const;
   std::array<std::uint64_t, kLandingStatuses> vertices{};  // by LandingStatus
 };
@@ -50,28 +54,10 @@ struct Ledger {
 // Adds another ledger, each of its fluxes times `share`: the samples of one light to the light's own.
 void add(Ledger& sum, const Ledger& other, double share);
 
-// What one branch's passes hold.
-struct BranchImages {
-  Branch branch;
-  Image landing, flux, fresnel, absorbed;
-  Image cell_flux;  // without values where landings are splatted one by one
-  Image medium;     // without values where there is no medium
-};
-
-// What a light's passes hold, of all its branches; what the search on the farthest receivers found stands in the place
-// of what had not landed before; `read` gives a texture by its full name, and `has` tells
-// whether the frame holds it.
-std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
-                                        const std::function<bool(const std::string&)>& has,
-                                        const std::function<Image(const std::string&)>& read);
-
-// The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken. 1 where landings are
-// not joined to cells: `cell_flux` without values.
-double share_of_points(const Image& cell_flux, int x, int y);
-
 // Adds up, in double precision and texel order, what the landing passes of all branches and the caustic map
-// hold. `far_map`: that of the farthest receivers, where there is one.
-Ledger make_ledger(const std::vector<BranchImages>& branches, const Image& caustic_map, const Image& far_map,
-                   const Frame& caustic_frame, const Settings& settings);
+// hold; `cells` by branch. `far_map`: that of the farthest receivers, where there is one.
+Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
+                   const Image& caustic_map, const Image& far_map, const Frame& caustic_frame,
+                   const Settings& settings);
 
 }  // namespace caustics

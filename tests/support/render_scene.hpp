@@ -64,8 +64,9 @@ inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light 
   const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
   const auto read = [&](const std::string& name) { return r[name]; };
   const std::string far = light_texture(far_texture(kCausticMap), light);
-  return make_ledger(branch_images(light, r.branches, has, read), r[light_texture(kCausticMap, light)],
-                     has(far) ? r[far] : Image{}, r.frames[static_cast<std::size_t>(light)].caustic, settings);
+  return make_ledger(branch_images(light, r.branches, has, read), cell_images(light, r.branches, has, read),
+                     r[light_texture(kCausticMap, light)], has(far) ? r[far] : Image{},
+                     r.frames[static_cast<std::size_t>(light)].caustic, settings);
 }
 
 // What estimate_of reads.

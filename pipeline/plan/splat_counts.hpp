@@ -1,0 +1,22 @@
+// How many splats may have added light to each texel of a caustic map: what the rounding of its single-precision sums
+// is bounded by.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/plan/landing_images.hpp"
+#include "pipeline/plan/splat_kernel.hpp"
+#include "pipeline/scene/frame.hpp"
+
+namespace caustics {
+
+// Texel (x, y) at y * map + x. Landings count in the square that their kernel covers, cells in the rectangle around
+// their four corners, so that no texel counts too few. `cells` by branch; `frame` is the map's and no cube.
+std::vector<std::uint32_t> splat_counts(const std::vector<BranchImages>& branches,
+                                        const std::vector<CellImages>& cells, const SplatKernel& kernel,
+                                        const Frame& frame, int map);
+
+// Where a landing lies in a map of `frame`, in texels from its lower left corner. Not for cubes.
+glm::dvec2 texel_of(const BranchImages& images, int x, int y, const Frame& frame, int map);
+
+}  // namespace caustics
