@@ -8,6 +8,7 @@
 #include "pipeline/plan/nearest.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
+#include "pipeline/scene/far_lights.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/scene/load_environment.hpp"
 #include "pipeline/scene/load_gltf.hpp"
@@ -48,6 +49,7 @@ void sample_area_lights(Scene& scene, int count) {
                                           grouped(kMostSamples) + "; lower -D light.samples");
   }
   sample_lights(scene, count);
+  make_far_lights_parallel(scene);
 }
 
 AnimatedScene load(const FrameRequest& request) {

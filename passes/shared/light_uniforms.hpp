@@ -1,5 +1,6 @@
 // What shaders get of a light besides its frames (passes/shared/light_intensity.glsl).
 #pragma once
+#include <algorithm>
 #include <glm/glm.hpp>
 
 #include "pipeline/scene/exact.hpp"
@@ -7,25 +8,31 @@
 
 namespace caustics {
 
-// A spot light's cone: falloff = clamp(cos(angle) * scale + offset, 0, 1)^2 (KHR_lights_punctual,
-// inner and outer cone angles); scale 0 for lights without a cone. Not squared where z is 1: scale 1
-// and offset 0 are a Lambertian emitter's cosine.
+// A spot light's cone: falloff = clamp(offset - (1 - cos(angle)) scale, 0, 1)^2 (KHR_lights_punctual, inner and outer
+// cone angles), scale and offset in x and y; scale 0 for lights without a cone. Where z is 1 the falloff is a Lambertian
+// emitter's cosine instead.
 struct LightCone {
   glm::vec4 axis{0.0f};
   glm::vec4 scale_offset{0.0f};
 };
 
+// Of an angle in radians, with all its digits near 0.
+inline double one_less_cosine(double angle) {
+  double sine, cosine;
+  exact::sin_cos(0.5 * angle, sine, cosine);
+  return 2.0 * sine * sine;
+}
+
 inline LightCone light_cone(const Light& light) {
   LightCone cone;
   cone.axis = glm::vec4(glm::vec3(light.direction), 0.0f);
-  if (light.lambertian) cone.scale_offset = {1.0f, 0.0f, 1.0f, 0.0f};
+  if (light.lambertian) cone.scale_offset = {0.0f, 0.0f, 1.0f, 0.0f};
   if (light.type != LightType::Spot) return cone;
-  double sine, cos_outer, cos_inner;
-  exact::sin_cos(static_cast<double>(light.outer_cone), sine, cos_outer);
-  exact::sin_cos(static_cast<double>(light.inner_cone), sine, cos_inner);
-  const double scale = 1.0 / (cos_inner - cos_outer > 0.001 ? cos_inner - cos_outer : 0.001);
-  cone.scale_offset =
-      glm::vec4(static_cast<float>(scale), static_cast<float>(-cos_outer * scale), 0.0f, 0.0f);
+  const double outer = one_less_cosine(static_cast<double>(light.outer_cone));
+  const double inner = one_less_cosine(static_cast<double>(light.inner_cone));
+  // Equal cones have an edge a thousandth as wide as the cone, however narrow that is.
+  const double scale = 1.0 / std::max({outer - inner, 1e-3 * outer, 1e-30});
+  cone.scale_offset = glm::vec4(static_cast<float>(scale), static_cast<float>(outer * scale), 0.0f, 0.0f);
   return cone;
 }
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "pipeline/plan/all_around.hpp"
 #include "pipeline/plan/backdrop.hpp"
 #include "pipeline/plan/cascades.hpp"
+#include "pipeline/plan/cone_range.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/plan/landing_window.hpp"
 #include "pipeline/plan/ledger.hpp"
@@ -25,6 +27,9 @@ constexpr double kWidestTangent = 3.0;
 constexpr double kEverywhere = 1e12;
 // Of the share that may fall outside of a map, where the map has a cascade.
 constexpr double kCascadedShare = 0.25;
+// What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the ledger's
+// kernel_edge has it.
+constexpr double kWidestMargin = 1.0;
 // The coarse run that looks for landings.
 constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
 
@@ -79,6 +84,17 @@ struct LightExtents {
   Extents casters, receivers, occluders, panes, everything;
 };
 
+// What of the casters a spot light's cone can light, so that a narrow cone gets the whole grid.
+void cut_to_cone(Extents& casters, const Frame& axes, const Light& light) {
+  if (light.type != LightType::Spot || casters.empty()) return;
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::optional<glm::dvec2> cone = cone_range(axes, axis, light.direction, static_cast<double>(light.outer_cone));
+    if (!cone || cone->x >= casters.upper[axis] || cone->y <= casters.lower[axis]) continue;
+    casters.lower[axis] = std::max(casters.lower[axis], cone->x);
+    casters.upper[axis] = std::min(casters.upper[axis], cone->y);
+  }
+}
+
 LightExtents measure(const Scene& scene, const Effects& effects, const Light& light) {
   LightExtents result;
   const Bounds bounds = bounds_of(scene);
@@ -113,6 +129,7 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
       if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
     }
   }
+  cut_to_cone(result.casters, result.axes, light);
   return result;
 }
 
@@ -259,7 +276,7 @@ std::vector<LightFrames> LightFitter::fit(const Effects& effects) {
   const bool flat = receivers_are_one_plane(scene_.scene(), effects);
   const double kernel_texels = splat_kernel(settings_).radius + 2.0;
   // First with everything in view, then again with the maps drawn in, for finer receivers.
-  for (const double margin : {0.5, 0.03 + 2.0 * kernel_texels / settings_.map}) {
+  for (const double margin : {0.5, std::min(0.03 + 2.0 * kernel_texels / settings_.map, kWidestMargin)}) {
     const auto fitted = [&](int i) {
       return scout.finds_anything(i) && !all_around(static_cast<std::size_t>(i));
     };

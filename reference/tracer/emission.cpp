@@ -24,7 +24,8 @@ Falloff::Falloff(const Light& light) {
   double sine, outer, inner;
   exact::sin_cos(static_cast<double>(light.outer_cone), sine, outer);
   exact::sin_cos(static_cast<double>(light.inner_cone), sine, inner);
-  scale_ = 1.0 / std::max(inner - outer, 0.001);
+  // Equal cones have an edge a thousandth as wide as the cone.
+  scale_ = 1.0 / std::max({inner - outer, 1e-3 * (1.0 - outer), 1e-30});
   offset_ = -outer * scale_;
 }
 

@@ -56,7 +56,8 @@ HardCase steep_case(Estimator estimator, double degrees) {
   c.settings.estimator = estimator;
   c.expect = [=](const DrawnCase& drawn) {
     const Image& landing = drawn.of_light(kLanding);
-    // A landing may be off by what the pass itself takes for converged; a metre off would be drawn in mid-air.
+    // A landing may be off by what the pass itself takes for converged: three texels of the receiver map; with impostors
+    // two texels of their cube across a slope that stretches them by 1 / cos.
     const double texel = (drawn.rendering.frames[0].receiver.window_upper - drawn.rendering.frames[0].receiver.window_lower).x /
                          drawn.settings.map;
     double worst = 0.0;
@@ -66,7 +67,7 @@ HardCase steep_case(Estimator estimator, double degrees) {
         const double off = double(landing.at(x, y, 1)) * std::cos(slope) - double(landing.at(x, y, 0)) * std::sin(slope);
         worst = std::max(worst, std::fabs(off));
       }
-    CHECK(worst < 3.0 * texel);
+    CHECK(worst < (estimator == Estimator::Impostor ? 4.0 : 3.0) * texel);
     if (estimator == Estimator::Paper && degrees > 70.0) CHECK(drawn.share(&Ledger::not_converged) > 0.05);
     if (estimator == Estimator::Secant && degrees < 70.0) CHECK(drawn.share(&Ledger::not_converged) < 0.01);
   };
@@ -85,20 +86,18 @@ HardCase stairs_case(Estimator estimator) {
 }
 
 HardCase nothing_below_case() {
-  HardCase c{"no receiver", "all that leaves is booked as missed; the map is black", sphere_scene(1.5f, 4)};
+  HardCase c{"no receiver", "no pass for caustics runs: nothing can catch them", sphere_scene(1.5f, 4)};
   c.scene.meshes.erase(c.scene.meshes.begin());
   c.expect = [](const DrawnCase& drawn) {
-    CHECK(drawn.share(&Ledger::in_map) == 0.0);
-    if (drawn.ledger().entered[1] > 0.0)
-      CHECK(drawn.share(&Ledger::missed) + drawn.share(&Ledger::outside) == Approx(0.8355).margin(0.01));
+    CHECK(drawn.rendering.images.count(light_texture(kCausticMap, 0)) == 0);
   };
   return c;
 }
 
 HardCase behind_case() {
-  HardCase c{"the only receiver stands before the caster", "casts its shadow, catches nothing", sphere_scene(1.5f, 4)};
+  HardCase c{"the only receiver stands before the caster", "no pass for caustics runs: nothing stands where they could land", sphere_scene(1.5f, 4)};
   c.scene.meshes[0] = box({0.1, 1.6, -0.4}, {0.4, 1.7, 0.4}, 0);
-  c.expect = [](const DrawnCase& drawn) { CHECK(drawn.share(&Ledger::in_map) == 0.0); };
+  c.expect = [](const DrawnCase& drawn) { CHECK(drawn.rendering.images.count(light_texture(kCausticMap, 0)) == 0); };
   return c;
 }
 

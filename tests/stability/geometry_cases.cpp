@@ -80,10 +80,9 @@ HardCase doubled_case() {
 }
 
 HardCase inside_out_case() {
-  HardCase c = changed_sphere("winding and normals inside out", "as the sphere: sides are told by the light, not by the winding",
-                              turn_inside_out);
-  c.expect = [](const DrawnCase& drawn) { CHECK(drawn.leaves() == Approx(0.8355).margin(0.02)); };
-  return c;
+  return changed_sphere("winding and normals inside out",
+                        "files: turned on loading (docs/materials.md); as it stands: its far wall bends the light, books close",
+                        turn_inside_out);
 }
 
 HardCase open_case() {
@@ -103,7 +102,7 @@ HardCase open_case() {
 }
 
 HardCase pierced_case() {
-  HardCase c = changed_sphere("a mesh that cuts itself", "the nearest front and the farthest back count", [](Mesh& mesh) {
+  HardCase c = changed_sphere("a mesh that cuts itself", "the nearest front counts, and the first back behind it", [](Mesh& mesh) {
     Mesh other = sphere({0.3, 0.8, 0.1}, 0.4, 3, 1);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
@@ -114,15 +113,9 @@ HardCase pierced_case() {
 }
 
 HardCase nested_case() {
-  HardCase c = changed_sphere("glass in glass", "what lies inside is not seen: the outer surfaces count (documented limit)", [](Mesh&) {});
+  HardCase c = changed_sphere("glass in glass", "two surfaces bend light, no more: the outer front, and the first back behind it, which is the inner body's", [](Mesh&) {});
   c.scene.materials.push_back(glass(1.2f));
   c.scene.meshes.push_back(sphere({0.0, 0.8, 0.0}, 0.3, 3, 2));
-  HardCase alone = changed_sphere("", "", [](Mesh&) {});
-  c.expect = [alone](const DrawnCase& drawn) {
-    const auto device = make_software_device();
-    const DrawnCase one = draw_case(alone, *device, *device);
-    CHECK(drawn.leaves() == Approx(one.leaves()).epsilon(1e-6));
-  };
   return c;
 }
 
@@ -159,7 +152,7 @@ std::vector<HardCase> geometry_cases() {
   std::vector<HardCase> cases;
   cases.push_back(changed_sphere("normals that cancel between vertices", "where none is left the triangle's own normal stands in", cancel_normals));
   cases.push_back(changed_sphere("normals that point anywhere", "tilted towards the light's side where they face away; books close", scatter_normals));
-  cases.push_back(changed_sphere("normals that face away from the light on every front", "turned to the light's side", flip_normals));
+  cases.push_back(changed_sphere("normals that face away from the light on every front", "files: turned on loading; as they stand: tilted to where the surface ends, which mirrors nearly all", flip_normals));
   cases.push_back(inside_out_case());
   cases.push_back(degenerate_case());
   cases.push_back(doubled_case());

@@ -1,6 +1,7 @@
 // Lights in, on, behind and far from casters; cones and views of all widths; intensities of all sizes.
 #include <cmath>
 
+#include "pipeline/scene/far_lights.hpp"
 #include "tests/stability/hard_case.hpp"
 #include "tests/support/catch.hpp"
 
@@ -75,8 +76,18 @@ HardCase intensity_case(float intensity) {
 }
 
 HardCase far_case() {
-  HardCase c = lit_by("a lamp a hundred million metres away", "as parallel light: the same share of the flux passes", lamp({0.0, 1e8, 0.0}));
-  c.expect = [](const DrawnCase& drawn) { CHECK(drawn.leaves() == Approx(0.8355).margin(0.02)); };
+  Light light = lamp({0.0, 1e8, 0.0});
+  light.intensity = 1e16f;  // 1 lux at the scene
+  HardCase c = lit_by("a lamp a hundred million metres away", "drawn as parallel light: the caustic of a sun of 1 lux", light);
+  make_far_lights_parallel(c.scene);
+  HardCase plain = lit_by("", "", sun({0.0, -1.0, 0.0}, 1.0f));
+  c.expect = [plain](const DrawnCase& drawn) {
+    const auto device = make_software_device();
+    const DrawnCase one = draw_case(plain, *device, *device);
+    CHECK(drawn.scene.notes.size() == 1);
+    CHECK(drawn.share(&Ledger::in_map) == Approx(one.share(&Ledger::in_map)).epsilon(1e-3));
+    CHECK(drawn.scene.lights[0].intensity == Approx(1.0).epsilon(1e-6));
+  };
   return c;
 }
 
@@ -86,6 +97,17 @@ HardCase view_case(const std::string& name, const std::string& behaviour, const 
   camera.orthographic = false;
   camera.position = {0.0, 2.5, 0.0};
   change(camera);
+  return c;
+}
+
+// Of even brightness in its cone, 2 pi (1 - cos a) steradians, all of which falls on the sphere's top at nearly 0 degrees.
+HardCase narrow_spot_case() {
+  HardCase c = lit_by("a spot a milliradian wide", "the grid covers its cone, not the whole caster: pi 1e-6 sr enter",
+                      spot({0.0, 3.0, 0.0}, 0.000999, 0.001));
+  c.expect = [](const DrawnCase& drawn) {
+    CHECK(drawn.ledger().entered[1] == Approx(kHalfTurn * 1e-6).epsilon(0.02));
+    CHECK(drawn.leaves() == Approx(0.96 * 0.96).margin(0.002));
+  };
   return c;
 }
 
@@ -118,7 +140,7 @@ std::vector<HardCase> light_cases() {
   cases.push_back(on_cube(lit_by("a lamp on a vertex of the caster", "light past the near plane enters, books close", lamp({0.0, 1.3, 0.0})), Cube::Auto));
   cases.push_back(on_cube(lit_by("a caster half behind a lamp's near plane", "its other half gets none", lamp({0.45, 1.05, 0.0})), Cube::Off));
   cases.push_back(lit_by("a lamp on the floor", "lights the caster from below: what it throws up is missed", lamp({1.0, 0.0, 0.0})));
-  cases.push_back(lit_by("a spot a milliradian wide", "its cone only", spot({0.0, 3.0, 0.0}, 0.0005, 0.001)));
+  cases.push_back(narrow_spot_case());
   cases.push_back(lit_by("a spot of 180 degrees", "a half space", spot({0.0, 1.5, 0.0}, 1.5, 1.5707963)));
   cases.push_back(lit_by("a spot with equal cones", "a sharp edge, no 0/0 between them", spot({0.0, 3.0, 0.0}, 0.3, 0.3)));
   cases.push_back(far_case());
