@@ -8,10 +8,10 @@ namespace caustics::app {
 
 namespace {
 
-constexpr char kPurpose[] =
+constexpr char kReferencePurpose[] =
     "Traces light through a scene's casters ray by ray, without maps: the truth that 'render' is measured\n"
     "against, with its own noise beside it. Slower, and exact but for that noise.";
-constexpr char kExamples[] =
+constexpr char kReferenceExamples[] =
     "  caustics reference scene.glb -o truth.exr -r 640x360\n"
     "  caustics reference scene.glb -o truth.exr --error 1% --seconds 600\n"
     "  caustics reference scene.glb -o truth.exr --batches 64 --resume   goes on where it stopped\n"
@@ -109,7 +109,7 @@ void add_effort(Parser& parser, ReferenceRequest& request) {
 }  // namespace
 
 bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
-  Parser parser("reference", kPurpose, kExamples);
+  Parser parser("reference", kReferencePurpose, kReferenceExamples);
   std::string scene;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("Output");

@@ -20,8 +20,8 @@ namespace caustics::app {
 
 namespace {
 
-constexpr char kPurpose[] = "Renders a scene with the light that its glass and water bend.";
-constexpr char kExamples[] =
+constexpr char kRenderPurpose[] = "Renders a scene with the light that its glass and water bend.";
+constexpr char kRenderExamples[] =
     "  caustics render scene.glb                            writes scene.png here\n"
     "  caustics render scene.glb -o a.png -o a.exr -r 640x360\n"
     "  caustics render scene.glb -o a.exr --aov beauty,caustic,depth\n"
@@ -85,7 +85,7 @@ void add_frame_row_options(Parser& parser, RenderRequest& request) {
 
 // False when only the help was asked for.
 bool parse(const Arguments& arguments, RenderRequest& request) {
-  Parser parser("render", kPurpose, kExamples);
+  Parser parser("render", kRenderPurpose, kRenderExamples);
   std::string scene;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("Output");

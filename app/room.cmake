@@ -8,6 +8,7 @@ list(FILTER app_sources EXCLUDE REGEX "_test[.]cpp$")
 add_executable(caustics_app ${app_sources})
 set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)
 caustics_target_options(caustics_app)
+caustics_batch(caustics_app)
 target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_gltf
   caustics_reference caustics_metrics
   OpenImageIO::OpenImageIO nlohmann_json::nlohmann_json CLI11::CLI11)

@@ -22,7 +22,7 @@ std::string front_table(const Study& study, const std::string& backend) {
   return table.text();
 }
 
-std::string base_text(const Study& study) {
+std::string base_words(const Study& study) {
   std::string text;
   for (const Knob& knob : study.knobs) text += (text.empty() ? "" : ", ") + knob.key + " " + knob.base;
   return text;
@@ -33,7 +33,7 @@ std::string base_text(const Study& study) {
 std::string report_text(const Study& study) {
   std::string text = one_line(study.scene) + ", " + std::to_string(study.width) + "x" + std::to_string(study.height) +
                      ", " + std::to_string(study.rows.size()) + " of " + std::to_string(study.planned) + " rows\n" +
-                     truth_text(study) + "\nbase: " + base_text(study) + "\n";
+                     truth_text(study) + "\nbase: " + base_words(study) + "\n";
   for (const std::string& backend : backends_of(study))
     text += "\nnothing beats these in both error and time (" + backend + "):\n" + front_table(study, backend);
   text += "\nknob by knob, error relative L1, time of the caustic passes:\n";

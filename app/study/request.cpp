@@ -25,10 +25,10 @@ constexpr const char* kFixed[] = {"width", "height", "camera", "exposure"};
 constexpr const char* kCounts[] = {"grid",         "map",        "shadow",      "light.samples", "shafts",
                                    "medium.steps", "iterations", "wavelengths"};
 
-constexpr char kPurpose[] =
+constexpr char kStudyPurpose[] =
     "Renders a scene with many settings, and says for each how far its caustic is from a truth\n"
     "and how long it took: study.csv, study.json and report.html. See docs/study.md.";
-constexpr char kExamples[] =
+constexpr char kStudyExamples[] =
     "  caustics study scene.glb -o study\n"
     "  caustics study scene.glb -o study --vary grid=64,256 --vary splat=point,cell --cross\n"
     "  caustics study scene.glb -o study --truth traced --truth-error 0.5% -r 256x256\n"
@@ -139,7 +139,7 @@ std::string typed(const Arguments& arguments) {
 }  // namespace
 
 bool parse_study(const Arguments& arguments, StudyRequest& request) {
-  Parser parser("study", kPurpose, kExamples);
+  Parser parser("study", kStudyPurpose, kStudyExamples);
   std::string scene;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   add_study_options(parser, request);
