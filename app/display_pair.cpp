@@ -5,6 +5,7 @@
 
 #include "app/image_layers.hpp"
 #include "passes/tone_map/tone_map.hpp"
+#include "pipeline/gpu/owned.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::app {
@@ -68,18 +69,15 @@ double exposure_for(const Image& truth, const Selection& selection) {
 
 Image toned(Device& device, const Image& linear, double exposure) {
   const Pass pass = tone_map_pass();
-  const TextureId input = device.upload(linear);
-  const TextureId output = device.create_texture(Format::RGBA8, linear.width(), linear.height());
-  PassRun run{.definition = &pass.definition, .colors = {output}};
+  const OwnedTexture input(device, device.upload(linear));
+  const OwnedTexture output(device, device.create_texture(Format::RGBA8, linear.width(), linear.height()));
+  PassRun run{.definition = &pass.definition, .colors = {output.id()}};
   run.draws.push_back(
       {.vertex_count = 3,
        .uniforms = pass.uniforms(PassContext{.exposure = static_cast<float>(exposure)}),
-       .textures = {input}});
+       .textures = {input.id()}});
   device.run(run);
-  Image picture = device.read_back(output);
-  device.destroy(input);
-  device.destroy(output);
-  return picture;
+  return device.read_back(output.id());
 }
 
 }  // namespace

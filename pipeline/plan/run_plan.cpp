@@ -7,20 +7,13 @@ namespace caustics {
 
 FrameTargets::FrameTargets(const FramePlan& plan, Device& device) : device_(device) {
   for (const PlannedTexture& texture : plan.textures)
-    textures_.push_back(texture.external
-                            ? TextureId::None
-                            : device.create_texture(texture.format, texture.width, texture.height));
-}
-
-FrameTargets::~FrameTargets() {
-  for (const TextureId texture : textures_)
-    if (texture != TextureId::None) device_.destroy(texture);
+    textures_.push_back(texture.external ? OwnedTexture{}
+                                         : OwnedTexture(device, device.create_texture(texture.format, texture.width,
+                                                                                      texture.height)));
 }
 
 void FrameTargets::replace(int index, const Image& image) {
-  TextureId& texture = textures_[static_cast<std::size_t>(index)];
-  device_.destroy(texture);
-  texture = device_.upload(image);
+  textures_[static_cast<std::size_t>(index)] = OwnedTexture(device_, device_.upload(image));
 }
 
 namespace {

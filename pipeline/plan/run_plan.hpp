@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/plan/scene_on_device.hpp"
 
@@ -14,16 +14,13 @@ namespace caustics {
 class FrameTargets {
  public:
   FrameTargets(const FramePlan& plan, Device& device);
-  ~FrameTargets();
-  FrameTargets(const FrameTargets&) = delete;
-  FrameTargets& operator=(const FrameTargets&) = delete;
   // Puts a texture that holds the image in the place of one.
   void replace(int index, const Image& image);
-  TextureId operator[](int index) const { return textures_[static_cast<std::size_t>(index)]; }
+  TextureId operator[](int index) const { return textures_[static_cast<std::size_t>(index)].id(); }
 
  private:
   Device& device_;
-  std::vector<TextureId> textures_;
+  std::vector<OwnedTexture> textures_;
 };
 
 // What a frame is drawn from besides the scene.

@@ -55,47 +55,38 @@ glm::vec3 metal_reflectance(const Material& material) {
 
 SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
     : scene_(scene), device_(device) {
-  for (const Mesh& mesh : scene.meshes) meshes_.push_back(device.create_mesh(mesh_data(mesh)));
-  for (const Image& image : scene.images) images_.push_back(device.upload(image));
+  for (const Mesh& mesh : scene.meshes) meshes_.emplace_back(device, device.create_mesh(mesh_data(mesh)));
+  for (const Image& image : scene.images) images_.emplace_back(device, device.upload(image));
   upload_caster_materials(effects);
   for (std::size_t i = 0; i < scene.waters.size(); ++i)
-    externals_[water_texture(kWaterBefore, i)] = device.upload(scene.waters[i].before);
+    externals_[water_texture(kWaterBefore, i)] = {device, device.upload(scene.waters[i].before)};
   if (scene.environment.image)
-    externals_[kEnvironment] = device.upload(*scene.environment.image);
+    externals_[kEnvironment] = {device, device.upload(*scene.environment.image)};
 }
 
 void SceneOnDevice::renew_waters(bool with_state) {
   for (std::size_t i = 0; i < scene_.waters.size(); ++i) {
     const auto mesh = static_cast<std::size_t>(scene_.waters[i].mesh);
-    device_.destroy(meshes_[mesh]);
-    meshes_[mesh] = device_.create_mesh(mesh_data(scene_.meshes[mesh]));
+    meshes_[mesh] = {device_, device_.create_mesh(mesh_data(scene_.meshes[mesh]))};
     if (!with_state) continue;
-    TextureId& before = externals_[water_texture(kWaterBefore, i)];
-    device_.destroy(before);
-    before = device_.upload(scene_.waters[i].before);
+    externals_[water_texture(kWaterBefore, i)] = {device_, device_.upload(scene_.waters[i].before)};
   }
-}
-
-SceneOnDevice::~SceneOnDevice() {
-  for (const MeshId mesh : meshes_) device_.destroy(mesh);
-  for (const TextureId image : images_) device_.destroy(image);
-  for (const auto& [name, texture] : externals_) device_.destroy(texture);
 }
 
 void SceneOnDevice::update(const std::vector<int>& meshes) {
   for (const int mesh : meshes) {
     const auto i = static_cast<std::size_t>(mesh);
-    device_.update(meshes_[i], mesh_data(scene_.meshes[i]));
+    device_.update(meshes_[i].id(), mesh_data(scene_.meshes[i]));
   }
 }
 
 TextureId SceneOnDevice::image(int index) const {
-  return index < 0 ? TextureId::None : images_[static_cast<std::size_t>(index)];
+  return index < 0 ? TextureId::None : images_[static_cast<std::size_t>(index)].id();
 }
 
 TextureId SceneOnDevice::external(const std::string& name) const {
   const auto found = externals_.find(name);
-  return found == externals_.end() ? TextureId::None : found->second;
+  return found == externals_.end() ? TextureId::None : found->second.id();
 }
 
 void SceneOnDevice::upload_caster_materials(const Effects& effects) {
@@ -128,7 +119,7 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
     for (int x = 0; x < 3; ++x)
       for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
   }
-  externals_[kCasterMaterials] = device_.upload(table);
+  externals_[kCasterMaterials] = {device_, device_.upload(table)};
 }
 
 }  // namespace caustics

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
@@ -14,7 +14,6 @@ namespace caustics {
 class SceneOnDevice {
  public:
   SceneOnDevice(const Scene& scene, const Effects& effects, Device& device);
-  ~SceneOnDevice();
   SceneOnDevice(const SceneOnDevice&) = delete;
   SceneOnDevice& operator=(const SceneOnDevice&) = delete;
 
@@ -24,7 +23,7 @@ class SceneOnDevice {
 
   const Scene& scene() const { return scene_; }
   Device& device() const { return device_; }
-  MeshId mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
+  MeshId mesh(int index) const { return meshes_[static_cast<std::size_t>(index)].id(); }
   // Takes the scene's waters as they stand now: their meshes, and if asked for Water::before.
   void renew_waters(bool with_state);
   TextureId image(int index) const;                   // None for index -1
@@ -37,10 +36,10 @@ class SceneOnDevice {
 
   const Scene& scene_;
   Device& device_;
-  std::vector<MeshId> meshes_;
-  std::vector<TextureId> images_;
+  std::vector<OwnedMesh> meshes_;
+  std::vector<OwnedTexture> images_;
   std::vector<int> rows_;
-  std::map<std::string, TextureId> externals_;
+  std::map<std::string, OwnedTexture> externals_;
 };
 
 // Absorption per metre and channel of a volume: -ln(attenuation colour) / attenuation distance

@@ -19,31 +19,24 @@ WaterSimulation::WaterSimulation(const Water& water, Device& device, const Pass&
   rest();
 }
 
-WaterSimulation::~WaterSimulation() {
-  for (const TextureId texture : textures_) device_.destroy(texture);
-}
-
 void WaterSimulation::rest() {
-  for (TextureId& texture : textures_) {
-    if (texture != TextureId::None) device_.destroy(texture);
-    texture = device_.upload(Image(Format::RG32F, water_.columns, water_.rows));
-  }
+  for (OwnedTexture& texture : textures_)
+    texture = {device_, device_.upload(Image(Format::RG32F, water_.columns, water_.rows))};
   steps_ = 0;
 }
 
 void WaterSimulation::set_state(const Image& state) {
-  device_.destroy(textures_[current_]);
-  textures_[current_] = device_.upload(state);
+  textures_[current_] = {device_, device_.upload(state)};
 }
 
 void WaterSimulation::make_step() {
   const PassContext context{.water = &water_, .water_step = steps_};
   const PassRun run{.definition = &pass_.definition,
-                    .colors = {textures_[1 - current_]},
+                    .colors = {textures_[1 - current_].id()},
                     .keep = {false},
                     .draws = {{.vertex_count = 3,
                                .uniforms = pass_.uniforms(context),
-                               .textures = {textures_[current_]}}}};
+                               .textures = {textures_[current_].id()}}}};
   const PassResult result = device_.run(run);
   current_ = 1 - current_;
   ++steps_;

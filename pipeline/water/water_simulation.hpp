@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
@@ -20,7 +20,6 @@ class WaterSimulation {
  public:
   // At rest, before the first step. `water`, `device` and `pass` must outlive it.
   WaterSimulation(const Water& water, Device& device, const Pass& pass);
-  ~WaterSimulation();
   WaterSimulation(const WaterSimulation&) = delete;
   WaterSimulation& operator=(const WaterSimulation&) = delete;
 
@@ -32,8 +31,8 @@ class WaterSimulation {
 
   std::int64_t steps() const { return steps_; }  // made from rest on
   // RG32F, (height m, rate m/s): after the last step, and before it.
-  Image state() const { return device_.read_back(textures_[current_]); }
-  Image before() const { return device_.read_back(textures_[1 - current_]); }
+  Image state() const { return device_.read_back(textures_[current_].id()); }
+  Image before() const { return device_.read_back(textures_[1 - current_].id()); }
   // Puts a state in the place of the present one, for tests of the scheme.
   void set_state(const Image& state);
   // What all steps since it was made have cost.
@@ -45,7 +44,7 @@ class WaterSimulation {
   const Water& water_;
   Device& device_;
   const Pass& pass_;
-  std::array<TextureId, 2> textures_{};
+  std::array<OwnedTexture, 2> textures_{};
   std::size_t current_ = 0;
   std::int64_t steps_ = 0;
   PassResult work_;

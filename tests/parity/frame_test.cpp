@@ -8,6 +8,7 @@
 #include "pipeline/plan/parity.hpp"
 #include "tests/parity/match.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/forwarding_device.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace caustics;
@@ -96,43 +97,26 @@ struct ReadyFrame {
 };
 
 // The software device, but for one value of one attachment of one pass.
-class FlawedDevice final : public Device {
+class FlawedDevice final : public ForwardingDevice {
  public:
-  FlawedDevice(std::string pass) : pass_(std::move(pass)), device_(make_software_device()) {}
-  std::string description() const override { return "flawed"; }
-  int max_texture_size() const override { return device_->max_texture_size(); }
-  TextureId create_texture(Format format, int width, int height) override {
-    return device_->create_texture(format, width, height);
-  }
-  TextureId upload(const Image& image) override { return device_->upload(image); }
-  void destroy(TextureId texture) override { device_->destroy(texture); }
-  MeshId create_mesh(const MeshData& mesh) override { return device_->create_mesh(mesh); }
-  void update(MeshId mesh, const MeshData& data) override { device_->update(mesh, data); }
-  void destroy(MeshId mesh) override { device_->destroy(mesh); }
+  explicit FlawedDevice(std::string pass) : pass_(std::move(pass)) {}
   PassResult run(const PassRun& run) override {
-    PassResult result = device_->run(run);
+    PassResult result = ForwardingDevice::run(run);
     if (run.definition->name == pass_) {
       flawed_ = run.colors[0];
       ++result.samples_passed;
     }
     return result;
   }
-  void finish() override {}
   Image read_back(TextureId texture) override {
-    Image image = device_->read_back(texture);
+    Image image = ForwardingDevice::read_back(texture);
     if (texture == flawed_) image.at(3, 2, 0) += 1.0f;
     return image;
-  }
-  DeviceObjects made() const override { return device_->made(); }
-  ImageShape shape(TextureId texture) const override { return device_->shape(texture); }
-  const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const override {
-    return device_->find_attribute(mesh, name);
   }
 
  private:
   std::string pass_;
   TextureId flawed_ = TextureId::None;
-  std::unique_ptr<Device> device_;
 };
 
 std::size_t differing(const std::vector<AttachmentParity>& attachments) {
