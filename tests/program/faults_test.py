@@ -1,0 +1,112 @@
+"""What goes wrong around the program: signals in every long command, sudden death, disks that fill up. Nothing half-written
+may stay under a name that was asked for."""
+
+import json
+import pathlib
+import random
+import resource
+import signal
+import struct
+import subprocess
+import time
+import unittest
+
+from output_test import wait_until_it_listens
+from program import PROGRAM, SMALL, ProgramTest
+
+# A minute of work each, were they left alone. `reference` and `study` keep what they have for --resume.
+LONG = {
+    "render": ["ball.glb", "-r", "2000x2000", "--grid", "2048", "--map", "2048", "-o", "out.png", "--stats", "out.json"],
+    "frames": ["ball.glb", *SMALL, "--frames", "9999", "--fps", "24", "-o", "f_%05d.png"],
+    "dump": ["ball.glb", "-r", "2000x2000", "--grid", "2048", "--dump", "dumped"],
+    "digest": ["digest", "ball.glb", "-r", "2000x2000", "--grid", "2048"],
+    "reference": ["reference", "ball.glb", "-r", "256x256", "--seconds", "1000", "--error", "0.0001%", "-o", "out.exr"],
+    "study": ["study", "ball.glb", "-r", "512x512", "--repeat", "50", "-o", "studied"],
+    "target": ["ball.glb", "-r", "1500x1500", "--target-error", "0.001%", "-o", "out.png"],
+    "paper": ["paper", "-o", "papers"],
+}
+
+
+def is_whole(path):
+    """Whether a file of the kinds written here ends where its format says that it must."""
+    data = path.read_bytes()
+    if path.suffix == ".png":
+        return data.startswith(b"\x89PNG\r\n\x1a\n") and data.endswith(struct.pack(">I", 0) + b"IEND\xae\x42\x60\x82")
+    if path.suffix == ".json":
+        json.loads(data)
+    if path.suffix == ".exr":
+        return data[:4] == b"\x76\x2f\x31\x01" and len(data) > 300
+    return True
+
+
+class Signals(ProgramTest):
+    def check_whole(self):
+        for path in self.folder.rglob("*"):
+            self.assertNotIn(".tmp", path.name)
+            if path.is_file():
+                self.assertTrue(is_whole(path), path)
+
+    def test_every_long_command_stops_soon_and_leaves_whole_files(self):
+        moments = random.Random(1)
+        for name, arguments in LONG.items():
+            for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+                with self.subTest(command=name, signal=number):
+                    process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                               stderr=subprocess.PIPE, text=True)
+                    wait_until_it_listens(process, number)
+                    time.sleep(moments.uniform(0.0, 0.6))
+                    process.send_signal(number)
+                    _, talk = process.communicate(timeout=120)
+                    self.assertEqual(process.returncode, code, talk)
+                    self.assertIn("interrupted", talk)
+                    self.check_whole()
+
+
+class Death(ProgramTest):
+    def test_a_killed_program_leaves_no_half_written_file_under_its_name(self):
+        moments = random.Random(2)
+        arguments = ["ball.glb", *SMALL, "--frames", "999", "--fps", "24", "-o", "f_%05d.png"]
+        written = 0
+        for _ in range(12):
+            process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+            time.sleep(moments.uniform(0.2, 0.8))
+            process.kill()
+            process.wait()
+            for path in self.folder.glob("f_*.png"):
+                self.assertTrue(is_whole(path), path)
+                written += 1
+        self.assertGreater(written, 0)
+
+
+class FullDisk(ProgramTest):
+    """A limit on the size of files stands in for a disk that fills up: the write fails in the middle."""
+
+    OUTPUTS = {
+        "png": ["ball.glb", *SMALL, "-o", "out.png"],
+        "exr": ["ball.glb", *SMALL, "-o", "out.exr"],
+        "stats": ["ball.glb", *SMALL, "-o", "out.png", "--stats", "out.json"],
+        "dump": ["ball.glb", *SMALL, "--dump", "dumped"],
+        "frames": ["ball.glb", *SMALL, "--frames", "2", "--fps", "24", "-o", "f_%05d.png"],
+        "reference": ["reference", "ball.glb", "-r", "64x48", "--seconds", "1", "-o", "out.exr"],
+        "study": ["study", "ball.glb", *SMALL, "--repeat", "1", "--vary", "grid=16,32", "-o", "studied"],
+    }
+
+    def test_every_output_says_so_and_keeps_what_was_there(self):
+        for name, arguments in self.OUTPUTS.items():
+            with self.subTest(output=name):
+                for old in ("out.png", "out.exr", "out.json"):
+                    (self.folder / old).write_text("old")
+                result = self.run_program(*arguments, "--quiet", preexec_fn=lambda: resource.setrlimit(
+                    resource.RLIMIT_FSIZE, (700, 700)))
+                self.assertEqual(result.returncode, 4, result.stderr)
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertTrue(result.stderr.startswith("caustics: "), result.stderr)
+                for old in ("out.png", "out.exr", "out.json"):
+                    self.assertEqual((self.folder / old).read_text(), "old", f"{name}: {old}")
+                for path in self.folder.rglob("*"):
+                    self.assertNotIn(".tmp", path.name)
+
+
+if __name__ == "__main__":
+    unittest.main()
