@@ -1,0 +1,30 @@
+// Included before every source when a C++ library lacks the conversions of floating-point numbers in <charconv>, as
+// libc++ 14 does. Options and messages pass through them, no scene and no image.
+#pragma once
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+namespace std {
+
+// Of what from_chars takes, plain decimal numbers.
+inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+  const string text(first, last);
+  if (text.empty() || !strchr("-.0123456789", text[0]) || text.find_first_of("xX") != string::npos) {
+    return {first, errc::invalid_argument};
+  }
+  char* end = nullptr;
+  const double read = strtod(text.c_str(), &end);
+  if (end == text.c_str()) return {first, errc::invalid_argument};
+  value = read;
+  return {first + (end - text.c_str()), errc{}};
+}
+
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int digits) {
+  const int length = snprintf(first, static_cast<size_t>(last - first), "%.*g", digits, value);
+  return {first + length, errc{}};
+}
+
+}  // namespace std
