@@ -78,10 +78,11 @@ def options():
 
 def differences(lines, expected):
     """How many attachments differ, and the first that does: 'scene pass attachment'."""
-    if [line.rsplit(' ', 1)[0] for line in lines] != [line.rsplit(' ', 1)[0] for line in expected]:
-        odd = next((a for a, b in zip(lines, expected) if a.split()[:-1] != b.split()[:-1]), 'their number')
-        return max(len(lines), len(expected)), 'other attachments: ' + odd.rsplit(' ', 1)[0]
-    wrong = [line.rsplit(' ', 1)[0] for line, other in zip(lines, expected) if line != other]
+    names, expected_names = ([line.rsplit(' ', 1)[0] for line in each] for each in (lines, expected))
+    if names != expected_names:
+        odd = next((a for a, b in zip(names, expected_names) if a != b), f'{len(names)} of them')
+        return len(expected), 'other attachments: ' + odd
+    wrong = [name for name, line, other in zip(names, lines, expected) if line != other]
     return len(wrong), wrong[0] if wrong else ''
 
 
