@@ -5,7 +5,7 @@
 #include <thread>
 
 #if defined(__SSE2__)
-#include <immintrin.h>
+#include <emmintrin.h>
 #endif
 #if CAUSTICS_HAS_TBB
 #include <oneapi/tbb/global_control.h>

@@ -9,7 +9,7 @@ ensure_packages g++-aarch64-linux-gnu qemu-user-static
 portable_packages
 digest_build g++-O2 -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O2
 digest_build aarch64 "${portable[@]}" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
-  -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DCMAKE_CXX_FLAGS=-O2 -DCMAKE_EXE_LINKER_FLAGS=-static
+  -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_EXE_LINKER_FLAGS=-static
 aarch64-linux-gnu-g++ --version | head -n 1
 qemu-aarch64-static --version | head -n 1
 exec "$matrix" --threads 1 "$@" "$builds/g++-O2/caustics_digest" \

@@ -24,10 +24,13 @@ portable_packages() {
   mkdir -p "$folder/include"
   ln -s /usr/include/{glm,nlohmann,tiny_gltf.h,CLI} "$folder/include/"
   for package in glm:glm nlohmann_json:nlohmann_json CLI11:CLI11; do
-    target=${package%:*}::${package#*:}
-    mkdir -p "$folder/lib/cmake/${package%:*}"
-    printf 'add_library(%s INTERFACE IMPORTED)\nset_target_properties(%s PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "%s")\n' \
-      "$target" "$target" "$folder/include" > "$folder/lib/cmake/${package%:*}/${package%:*}Config.cmake"
+    target=${package%:*}::${package#*:} package=${package%:*}
+    mkdir -p "$folder/lib/cmake/$package"
+    echo 'set(PACKAGE_VERSION_COMPATIBLE TRUE)' > "$folder/lib/cmake/$package/${package}ConfigVersion.cmake"
+    cat > "$folder/lib/cmake/$package/${package}Config.cmake" << CMAKE
+add_library($target INTERFACE IMPORTED)
+set_target_properties($target PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "$folder/include")
+CMAKE
   done
   portable=(-DCAUSTICS_PLAIN_PNG=ON -DCAUSTICS_TINYGLTF_HEADER_ONLY=ON -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON
     -DTINYGLTF_INCLUDE_DIR="$folder/include")

@@ -1,6 +1,7 @@
-// Included before every source when a C++ library lacks the conversions of floating-point numbers in <charconv>, as
-// libc++ 14 does. Options and messages pass through them, no scene and no image.
+// Included before every source where the C++ library is Emscripten's libc++ 13: what it lacks of C++20. The conversions
+// of numbers serve options and messages; no scene and no image passes through them.
 #pragma once
+#include <bit>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,13 @@
 #include <string>
 
 namespace std {
+
+#if !defined(__cpp_lib_bit_cast)
+template <class To, class From>
+constexpr To bit_cast(const From& from) {
+  return __builtin_bit_cast(To, from);
+}
+#endif
 
 // Of what from_chars takes, plain decimal numbers.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
