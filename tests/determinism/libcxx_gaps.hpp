@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <type_traits>
 
 namespace std {
 
@@ -18,13 +19,14 @@ constexpr To bit_cast(const From& from) {
 #endif
 
 // Of what from_chars takes, plain decimal numbers.
-inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+template <class Real, class = enable_if_t<is_floating_point_v<Real>>>
+from_chars_result from_chars(const char* first, const char* last, Real& value) {
   const string text(first, last);
   if (text.empty() || !strchr("-.0123456789", text[0]) || text.find_first_of("xX") != string::npos) {
     return {first, errc::invalid_argument};
   }
   char* end = nullptr;
-  const double read = strtod(text.c_str(), &end);
+  const Real read = is_same_v<Real, float> ? strtof(text.c_str(), &end) : static_cast<Real>(strtod(text.c_str(), &end));
   if (end == text.c_str()) return {first, errc::invalid_argument};
   value = read;
   return {first + (end - text.c_str()), errc{}};

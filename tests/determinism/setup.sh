@@ -1,18 +1,19 @@
-# What matrix.sh, aarch64.sh and wasm.sh share; sourced by bash, with set -euo pipefail. $builds is where they build.
+# What matrix.sh, aarch64.sh, wasm.sh and price.sh share; sourced by bash, with set -euo pipefail. $builds is where they build.
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd -P)
 # shellcheck source=../../cmake/setup.sh
 source "$root/cmake/setup.sh"
 builds=$root/build/determinism
 matrix=$root/tests/determinism/matrix.py
 
-# digest_build NAME [CMAKE ARGUMENT ...]: builds caustics_digest, and nothing that it does not need, in $builds/NAME.
+# digest_build NAME [CMAKE ARGUMENT ...]: builds $target, and nothing that it does not need, in $builds/NAME.
+target=caustics_digest
 digest_build() {
   local name=$1 folder=$builds/$1 started=$SECONDS
   shift
   configure "$folder" -DCMAKE_BUILD_TYPE=None -DCAUSTICS_BUILD_APP=OFF -DCAUSTICS_BUILD_TESTS=OFF \
     -DCAUSTICS_BUILD_DIGEST=ON -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON -DCMAKE_DISABLE_FIND_PACKAGE_embree=ON "$@" ||
     give_up 1 "$name: configuring failed" "$folder/configure.log"
-  build "$folder" caustics_digest || give_up 1 "$name: building failed" "$folder/build.log"
+  build "$folder" "$target" || give_up 1 "$name: building failed" "$folder/build.log"
   say "$name: built in $((SECONDS - started)) s"
 }
 
