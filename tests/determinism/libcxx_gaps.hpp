@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -19,6 +20,13 @@ constexpr To bit_cast(const From& from) {
 #endif
 
 // Of what from_chars takes, plain decimal numbers.
+#if !defined(__cpp_lib_smart_ptr_for_overwrite)
+template <class Array>
+unique_ptr<Array> make_unique_for_overwrite(size_t count) {
+  return unique_ptr<Array>(new remove_extent_t<Array>[count]);
+}
+#endif
+
 template <class Real, class = enable_if_t<is_floating_point_v<Real>>>
 from_chars_result from_chars(const char* first, const char* last, Real& value) {
   const string text(first, last);
@@ -35,6 +43,16 @@ from_chars_result from_chars(const char* first, const char* last, Real& value) {
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int digits) {
   const int length = snprintf(first, static_cast<size_t>(last - first), "%.*g", digits, value);
   return {first + length, errc{}};
+}
+
+// The shortest text that is read back as the same number.
+inline to_chars_result to_chars(char* first, char* last, double value) {
+  to_chars_result result{};
+  for (int digits = 1; digits <= 17; ++digits) {
+    result = to_chars(first, last, value, chars_format::general, digits);
+    if (strtod(string(first, result.ptr).c_str(), nullptr) == value) break;
+  }
+  return result;
 }
 
 }  // namespace std

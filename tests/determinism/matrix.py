@@ -75,6 +75,7 @@ def options():
     parser.add_argument('--threads', type=numbers, default=[1, 2, 7], help='numbers of threads (default 1,2,7)')
     parser.add_argument('--lanes', help='only these lane widths, with commas between (default all that a build has)')
     parser.add_argument('--scenes', default='*.glb', help='only files of this pattern in scenes/ (default *.glb)')
+    parser.add_argument('--leave-out', default='', metavar='PATTERN', help='files in scenes/ to leave out')
     parser.add_argument('--jobs', type=int, default=os.cpu_count(), help='programs at a time (default one a core)')
     return parser.parse_args()
 
@@ -113,7 +114,7 @@ def configurations(wanted, scenes):
 
 def main():
     wanted = options()
-    scenes = sorted((ROOT / 'scenes').glob(wanted.scenes))
+    scenes = [scene for scene in sorted((ROOT / 'scenes').glob(wanted.scenes)) if not scene.match(wanted.leave_out or '-')]
     if not scenes:
         sys.exit(f'no scene in {ROOT / "scenes"} matches {wanted.scenes}')
     sizes = [] if wanted.all else QUICK
