@@ -10,7 +10,7 @@ portable_packages
 digest_build g++-O2 -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O2
 # Emscripten 3.1.6 takes Node.js 18 and later, which have fetch(), for browsers: hence --no-experimental-fetch.
 programs=("$builds/g++-O2/caustics_digest")
-linking="-fexceptions -sALLOW_MEMORY_GROWTH=1 -sNODERAWFS=1 -sTOTAL_STACK=8MB -sEXIT_RUNTIME=1"
+linking="--pre-js $root/tests/determinism/node_environment.js -fexceptions -sALLOW_MEMORY_GROWTH=1 -sNODERAWFS=1 -sTOTAL_STACK=8MB -sEXIT_RUNTIME=1"
 for simd in "" -msimd128; do
   name=wasm${simd:+-simd}
   digest_build "$name" "${portable[@]}" -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake \
