@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/dump.hpp"
+#include "app/attachments.hpp"
 #include "app/sample_scenes.hpp"
 #include "app/terminal.hpp"
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/atomic_file.hpp"
+#include "app/attachments.hpp"
 #include "app/image_file.hpp"
 #include "app/stats.hpp"
 
@@ -27,16 +28,6 @@ void make_dump_folder(const std::filesystem::path& folder) {
   }
   require_writable(folder / "manifest.json");
   std::filesystem::remove(folder / "manifest.json", error);
-}
-
-void for_each_attachment(
-    const RenderedFrame& frame, const PlannedPass& pass,
-    const std::function<void(const PlannedTexture& texture, const Image& image)>& use) {
-  std::vector<int> attachments = pass.writes;
-  if (pass.depth >= 0) attachments.push_back(pass.depth);
-  for (const int index : attachments) {
-    use(frame.plan().textures[static_cast<std::size_t>(index)], frame.read(index));
-  }
 }
 
 Dump::Dump(const std::filesystem::path& folder) : folder_(folder), manifest_(std::make_unique<nlohmann::ordered_json>()) {

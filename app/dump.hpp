@@ -1,18 +1,12 @@
 // --dump: every attachment of every pass as an EXR file, and a manifest of their hashes.
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/frame.hpp"
 
 namespace caustics::app {
-
-// Calls `use` with each attachment that the pass wrote, colours first, depth last.
-void for_each_attachment(
-    const RenderedFrame& frame, const PlannedPass& pass,
-    const std::function<void(const PlannedTexture& texture, const Image& image)>& use);
 
 // A label as part of a file's name: whatever is not a plain letter or digit becomes '_'.
 std::string file_part(const std::string& label);

@@ -1,12 +1,8 @@
-// The program: finds the sub-command, runs it, and turns what it throws into one line and an exit
-// code.
-#include <algorithm>
+// The program: finds the sub-command and runs it.
 #include <cstdio>
 #include <filesystem>
-#include <new>
 
-#include "app/command.hpp"
-#include "app/interrupt.hpp"
+#include "app/run_program.hpp"
 #include "app/terminal.hpp"
 #include "app/version.hpp"
 #include "pipeline/plan/nearest.hpp"
@@ -88,45 +84,8 @@ ExitCode dispatch(const Arguments& arguments) {
   return run_render(arguments);
 }
 
-int fail(ExitCode code, const std::string& line) {
-  // An interruption ends with the signal's own code, whatever it broke off.
-  if (const ExitCode signal = interruption(); signal != ExitCode::Done) {
-    complain("interrupted; no incomplete file is left");
-    return static_cast<int>(signal);
-  }
-  complain(line);
-  return static_cast<int>(code);
-}
-
-int guarded(const Arguments& arguments) {
-  try {
-    return static_cast<int>(dispatch(arguments));
-  } catch (const Error& error) {
-    return fail(error.code(), error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(ExitCode::WrongUsage,
-                "out of memory: choose a smaller -r, --grid or --map, or a smaller scene");
-  } catch (const std::exception& error) {
-    return fail(ExitCode::InternalError, std::string("internal error: ") + error.what());
-  } catch (...) {
-    return fail(ExitCode::InternalError, "internal error of an unknown kind");
-  }
-}
-
 }  // namespace
 
 }  // namespace caustics::app
 
-int main(int count, char** values) {
-  using namespace caustics::app;
-  watch_for_interruption();
-  const int code = guarded(Arguments(values + std::min(count, 1), values + count));
-  // Standard output may be a full disk or a closed pipe; then what was printed did not arrive.
-  const bool answered = code == static_cast<int>(caustics::ExitCode::Done) ||
-                        code == static_cast<int>(caustics::ExitCode::AnswerIsNo);
-  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && answered) {
-    complain("standard output cannot be written");
-    return static_cast<int>(caustics::ExitCode::CannotWrite);
-  }
-  return code;
-}
+int main(int count, char** values) { return caustics::app::run_program(count, values, caustics::app::dispatch); }

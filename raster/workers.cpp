@@ -5,7 +5,7 @@
 #include <thread>
 
 #if defined(__SSE2__)
-#include <immintrin.h>
+#include <emmintrin.h>
 #endif
 #if CAUSTICS_HAS_TBB
 #include <oneapi/tbb/global_control.h>
@@ -19,13 +19,19 @@ FlushDenormals::FlushDenormals() {
 #if defined(__SSE2__)
   saved_ = _mm_getcsr();
   // Flush-to-zero and denormals-are-zero set, rounding to nearest even, all exceptions masked.
-  _mm_setcsr((saved_ & ~0x6000u) | 0x8040u | 0x1f80u);
+  _mm_setcsr((static_cast<unsigned>(saved_) & ~0x6000u) | 0x8040u | 0x1f80u);
+#elif defined(__aarch64__)
+  asm volatile("mrs %0, fpcr" : "=r"(saved_));
+  // FZ, bit 24, flushes operands and results; the rounding mode is in bits 22 and 23, FEAT_FP16's flushing in bit 19.
+  asm volatile("msr fpcr, %0" : : "r"((saved_ & ~0xc80000ull) | 0x1000000ull) : "memory");
 #endif
 }
 
 FlushDenormals::~FlushDenormals() {
 #if defined(__SSE2__)
-  _mm_setcsr(saved_);
+  _mm_setcsr(static_cast<unsigned>(saved_));
+#elif defined(__aarch64__)
+  asm volatile("msr fpcr, %0" : : "r"(saved_) : "memory");
 #endif
 }
 

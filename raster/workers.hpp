@@ -1,11 +1,13 @@
 // Threads, and the floating-point mode that they compute in.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <memory>
 
 namespace caustics::raster {
 
 // Flushes denormal results and operands to zero while it lives, as the GPU does, and rounds to nearest.
+// On x86 and aarch64; other machines lack such a mode, or it is not known here.
 class FlushDenormals {
  public:
   FlushDenormals();
@@ -14,7 +16,7 @@ class FlushDenormals {
   FlushDenormals& operator=(const FlushDenormals&) = delete;
 
  private:
-  unsigned saved_ = 0;
+  std::uint64_t saved_ = 0;
 };
 
 // A fixed number of threads of this device's own.

@@ -38,6 +38,8 @@ include(${PROJECT_SOURCE_DIR}/tests/gl/room.cmake OPTIONAL)
 include(${PROJECT_SOURCE_DIR}/tests/parity/room.cmake OPTIONAL)
 catch_discover_tests(caustics_tests)
 
+add_test(NAME determinism.matrix
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/determinism/matrix_test.py)
 add_test(NAME architecture.include_arrows
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/include_arrows.py)
 add_test(NAME architecture.test_names

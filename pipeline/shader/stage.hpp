@@ -5,8 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__SSE2__)
+// The narrowest header that does: <immintrin.h> takes GCC longer than most shaders.
+#if defined(__SSE2__) && CAUSTICS_LANES >= 8
 #include <immintrin.h>
+#elif defined(__SSE4_1__)
+#include <smmintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 #include "pipeline/shader/kernel.hpp"

@@ -57,7 +57,7 @@ Chunks split_glb(Context& context, const Bytes& bytes) {
     if (size > length - at) context.fail(where, "is longer than the file", kDamaged);
     if (number == 0 && type != kJsonChunk) context.fail(where, "must be the JSON", kDamaged);
     if (number > 0 && type == kJsonChunk) context.fail(where, "is a second JSON chunk", kDamaged);
-    if (number == 0) chunks.json = {reinterpret_cast<const char*>(bytes.data() + at), size};
+    if (number == 0) chunks.json = {reinterpret_cast<const char*>(bytes.data() + at), static_cast<std::size_t>(size)};
     if (number == 1 && type == kBinChunk) {
       chunks.bin = {bytes.data() + at, static_cast<std::size_t>(size)};
       chunks.has_bin = true;
