@@ -1,6 +1,6 @@
 # caustics_gltf: scenes from glTF files and environments from images. Apart from caustics_pipeline,
 # so that the core builds with a compiler and GLM alone.
-if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS)
+if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_FUZZERS)
   find_package(nlohmann_json 3 REQUIRED)
   find_package(OpenImageIO REQUIRED)
   # Debian 12's OpenImageIO names include folders (OpenCV's) that it does not depend on.

@@ -147,6 +147,10 @@ void Walk::place(const Cursor& node, int index, const Affine& to_world, bool vis
     placements_.cameras.back().index = *camera;
   }
   if (light.present() && visible) {
+    if (placements_.lights.size() >= context_.options().max_lights) {
+      light.fail("the scene has more than " + std::to_string(context_.options().max_lights) + " lights",
+                 "leave some out");
+    }
     placements_.lights.push_back(here);
     placements_.lights.back().index =
         light.member("light").index("extensions.KHR_lights_punctual.lights", lights_);
