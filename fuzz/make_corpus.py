@@ -208,7 +208,7 @@ def water():
     mesh = file.mesh(square(1.0, 0.5), file.material(**glass(1.33)))
     file.node(name='pool', mesh=mesh, extras={'water': {
         'speed': 0.5, 'damping': 0.4, 'cells': 8, 'start': 1.0,
-        'plops': {'interval': 0.4, 'radius': 0.5, 'height': 0.1, 'seed': 7}}})
+        'plops': {'interval': 0.4, 'radius': 0.8, 'height': 0.1, 'seed': 7}}})
     return file
 
 

@@ -24,7 +24,7 @@ struct LoadOptions {
   int max_json_depth = 128;
   int max_node_depth = 128;
   std::uint64_t max_nodes = 1'000'000;      // nodes and instances visited, and primitives placed
-  std::uint64_t max_lights = 10'000;        // each has maps of its own
+  std::uint64_t max_lights = 1024;          // each has maps and passes of its own
   std::uint64_t max_vertices = 50'000'000;  // after instancing
   std::uint64_t max_triangles = 50'000'000;
   double max_coordinate = 1e12;  // metres; beyond it, products overflow single precision

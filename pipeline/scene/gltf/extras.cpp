@@ -29,7 +29,11 @@ void check_keys(const Cursor& cursor, const std::vector<std::string>& known) {
 
 int only_mesh(const Cursor& extra, const Scene& scene, int object) {
   // Objects are numbered in the order of their meshes.
-  const auto [first, end] = std::ranges::equal_range(scene.meshes, object, {}, &Mesh::object);
+  const auto beginning_with = [&](int number) {
+    return std::partition_point(scene.meshes.begin(), scene.meshes.end(),
+                                [&](const Mesh& mesh) { return mesh.object < number; });
+  };
+  const auto first = beginning_with(object), end = beginning_with(object + 1);
   if (first == end) extra.fail("stands on a mesh without triangles", "take it out");
   if (end - first > 1) extra.fail("stands on a mesh of several primitives", "join them to one");
   return static_cast<int>(first - scene.meshes.begin());
