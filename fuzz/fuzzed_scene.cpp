@@ -109,6 +109,7 @@ LoadOptions small_limits() {
   limits.max_node_depth = 32;
   limits.max_nodes = 200;
   limits.max_lights = 16;
+  limits.max_lit_meshes = 100;
   limits.max_vertices = 4000;
   limits.max_triangles = 4000;
   limits.max_animation_values = 4000;

@@ -6,6 +6,7 @@ the bytes that choose settings (fuzz/tiny_frame.cpp, choice_of). Names say what 
 lie beside them under the hash of their content and are left alone.
 """
 import base64
+import copy
 import json
 import math
 import pathlib
@@ -79,7 +80,7 @@ class File:
         return len(self.document[name]) - 1
 
     def material(self, **members):
-        return self.list('materials', members)
+        return self.list('materials', copy.deepcopy(members))
 
     def mesh(self, shape, material=None, uvs=None, tangents=None, targets=None, **more):
         positions, normals, indices = shape
@@ -121,7 +122,7 @@ class File:
     def bytes(self):
         document = {key: value for key, value in self.document.items() if value != []}
         if self.binary:
-            document['buffers'] = [{'byteLength': len(self.binary)}]
+            document.setdefault('buffers', [{'byteLength': len(self.binary)}])
         return glb(document, self.binary)
 
     def text(self):

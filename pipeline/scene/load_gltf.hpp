@@ -25,6 +25,7 @@ struct LoadOptions {
   int max_node_depth = 128;
   std::uint64_t max_nodes = 1'000'000;      // nodes and instances visited, and primitives placed
   std::uint64_t max_lights = 1024;          // each has maps and passes of its own
+  std::uint64_t max_lit_meshes = 16'000'000;  // lights times placed meshes: each pair is judged by itself
   std::uint64_t max_vertices = 50'000'000;  // after instancing
   std::uint64_t max_triangles = 50'000'000;
   double max_coordinate = 1e12;  // metres; beyond it, products overflow single precision

@@ -169,4 +169,9 @@ TEST_CASE("More lights than the limit are refused") {
   CHECK(load_text(gltf.json(), options).lights.size() == 2);
   options.max_lights = 1;
   CHECK(contains(refusal(gltf.json(), options), "nodes[1].extensions.KHR_lights_punctual: the scene has more than 1 lights"));
+  options = {};
+  options.max_lit_meshes = 2;
+  CHECK(load_text(gltf.json(), options).lights.size() == 2);
+  options.max_lit_meshes = 1;
+  CHECK(contains(refusal(gltf.json(), options), "nodes: the scene's lights times its meshes are more than 1"));
 }

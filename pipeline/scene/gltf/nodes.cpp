@@ -18,6 +18,11 @@ class Walk {
 
   Placements run() {
     for (const int node : roots()) visit(node, -1, Affine{}, 0, true);
+    const std::uint64_t most = context_.options().max_lit_meshes;
+    if (placements_.lights.size() * placements_.meshes.size() > most) {
+      root_.member("nodes").fail("the scene's lights times its meshes are more than " + std::to_string(most),
+                                 "join meshes, or leave lights out");
+    }
     return std::move(placements_);
   }
 
