@@ -8,7 +8,6 @@
 #include <fstream>
 #include <vector>
 
-#include "pipeline/gpu/error.hpp"
 
 namespace caustics::fuzz {
 
@@ -57,14 +56,6 @@ class Scratch {
   fs::path folder_;
 };
 
-void check_refusal(const Error& error) {
-  const std::string line = error.what();
-  if (error.code() != ExitCode::BadInput)
-    finding("refused with exit code " + std::to_string(static_cast<int>(error.code())) + ": " + line);
-  for (const char c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) finding("the refusal is not one printable line: " + line);
-}
-
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
 bool is_unit(const glm::dvec3& v) { return std::fabs(glm::length(v) - 1.0) <= 1e-5; }
 
@@ -99,6 +90,14 @@ void check_material(const Scene& scene, const Material& m) {
 void finding(const std::string& what) {
   std::fprintf(stderr, "\nFINDING: %s\n", what.c_str());
   std::abort();
+}
+
+void check_refusal(const Error& error) {
+  const std::string line = error.what();
+  if (error.code() != ExitCode::BadInput)
+    finding("refused with exit code " + std::to_string(static_cast<int>(error.code())) + ": " + line);
+  for (const char c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) finding("the refusal is not one printable line: " + line);
 }
 
 LoadOptions small_limits() {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/settings.hpp"
 #include "pipeline/scene/animated_scene.hpp"
 #include "pipeline/scene/load_gltf.hpp"
@@ -18,11 +19,13 @@ using ByteSpan = std::span<const std::uint8_t>;
 // Says what does not hold on stderr, and ends the program by a signal, so that the input is kept.
 [[noreturn]] void finding(const std::string& what);
 
+// A finding unless the error is of ExitCode::BadInput and its message one printable line.
+void check_refusal(const Error& error);
+
 // Limits under which a run takes milliseconds; each is reached by some file of the corpus.
 LoadOptions small_limits();
 
-// The scene in the bytes, or in a file: nothing when it is refused. A refusal must be an Error of ExitCode::BadInput of one
-// printable line, anything else is a finding. Bytes are put into a folder of their own, beside files that they may name:
+// The scene in the bytes, or in a file: nothing when it is refused, as check_refusal allows. Bytes are put into a folder of their own, beside files that they may name:
 // side.bin, side.png, folder/side.bin. `why` receives the refusal.
 std::optional<AnimatedScene> load_bytes(ByteSpan bytes, const LoadOptions& limits);
 std::optional<AnimatedScene> load_path(const std::filesystem::path& path, const LoadOptions& limits,

@@ -245,6 +245,15 @@ def hazy():
     return file
 
 
+def hazy_beside():
+    """Rays along an axis that pass by the haze, and a light with a position."""
+    file = stage(glass(), light=False)
+    file.light('point', 20, {'translation': [0.5, 2, 0.3]})
+    file.document['scenes'][0]['extras'] = {'medium': {'scattering': 0.2}}
+    file.document['cameras'][0]['orthographic'].update(xmag=5, ymag=5)
+    return file
+
+
 def textured():
     file = stage(light=False)
     grid = png(4, 4, lambda x, y: (60 * x, 60 * y, 128, 255 if (x + y) % 2 else 40), 6)
@@ -418,7 +427,7 @@ def extras_of_everything():
 
 
 SCENES = {function.__name__: function for function in (
-    bare, dispersing, pane, sheet, water, point_inside, sized_lights, shining, hazy, textured, moving, morphing, skinned,
+    bare, dispersing, pane, sheet, water, point_inside, sized_lights, shining, hazy, hazy_beside, textured, moving, morphing, skinned,
     instances, quantized, sparse, sparse_alone, shapes, strips, joined, cube_light, extras_of_everything)}
 
 
@@ -435,7 +444,7 @@ FRAMES = [
     ('point_inside', 0, 0, 0, 0, 0, 0, 0), ('point_inside', 0, 4, 0, 0x3f, 0, 0, 0), ('point_inside', 0, 8, 0, 0, 0, 0, 0),
     ('cube_light', 0, 4, 0, 0x3f, 0, 0, 0), ('cube_light', 8, 4, 0, 0, 0, 1, 0), ('sized_lights', 0, 0, 0, 0, 0, 0, 0),
     ('sized_lights', 4, 0, 0x80, 0x3f, 0, 2, 0), ('shining', 0, 0x40, 0, 0, 0, 0, 0), ('shining', 0, 0, 0, 0, 0, 4, 0),
-    ('hazy', 0, 0, 0, 0, 0, 0, 0), ('hazy', 0, 0x10, 0, 0, 0x2c, 0, 0), ('textured', 0, 0, 0, 0, 0, 0, 0),
+    ('hazy', 0, 0, 0, 0, 0, 0, 0), ('hazy', 0, 0x10, 0, 0, 0x2c, 0, 0), ('hazy_beside', 0, 0, 0, 0, 0, 0, 0), ('textured', 0, 0, 0, 0, 0, 0, 0),
     ('textured', 1, 0, 0, 0x3f, 0, 0, 0), ('moving', 0, 0, 0, 0, 0, 0, 90), ('morphing', 0, 0, 0, 0, 0, 0, 255),
     ('skinned', 0, 0, 0, 0, 0, 0, 128), ('instances', 0, 0, 0, 0, 0, 0, 0), ('quantized', 0, 0, 0, 0, 0, 0, 0),
     ('joined', 0, 0, 0, 0, 0, 0, 0), ('joined', 3, 1, 0, 0, 0, 0, 0), ('joined', 3, 2, 2, 0, 0, 0, 0),

@@ -5,7 +5,6 @@
 
 #include "fuzz/fuzzed_scene.hpp"
 #include "passes/registry.hpp"
-#include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/cascades.hpp"
 #include "pipeline/plan/error_estimate.hpp"
 #include "pipeline/plan/framing.hpp"
@@ -58,13 +57,15 @@ class TinyFrame {
     run_plan(plan_, pass_registry(), *on_device_, *targets_, inputs);
   }
 
-  // Of every texture that the passes have written.
+  // Every texture, in the order in which the passes have written them.
   void check_finite() const {
-    for (std::size_t i = 0; i < plan_.textures.size(); ++i) {
-      if (plan_.textures[i].external) continue;
-      const std::size_t bad = count_non_finite(device_->read_back((*targets_)[static_cast<int>(i)]));
-      if (bad > 0) finding(plan_.textures[i].name + " has " + std::to_string(bad) + " values that are not finite");
-    }
+    for (const PlannedPass& pass : plan_.passes)
+      for (const int texture : pass.writes) {
+        const std::size_t bad = count_non_finite(device_->read_back((*targets_)[texture]));
+        if (bad > 0)
+          finding(pass.label + ": " + plan_.textures[static_cast<std::size_t>(texture)].name + " has " +
+                  std::to_string(bad) + " values that are not finite");
+      }
   }
 
   void check_ledgers() const {
@@ -174,10 +175,16 @@ bool render_frame(Scene scene, const Settings& settings, double seconds) {
   sample_lights(scene, settings.light_samples);
   complete_scene(scene);
   if (scene.lights.size() > kMostLights) return false;
-  TinyFrame frame(std::move(scene), settings, seconds);
-  frame.run();
-  frame.check_finite();
-  frame.check_ledgers();
+  try {
+    TinyFrame frame(std::move(scene), settings, seconds);
+    frame.run();
+    frame.check_finite();
+    frame.check_ledgers();
+  } catch (const Error& error) {
+    // Water that is no refractor under these settings, for example.
+    check_refusal(error);
+    return false;
+  }
   return true;
 }
 
