@@ -1,6 +1,6 @@
 # caustics_gltf: scenes from glTF files and environments from images. Apart from caustics_pipeline,
 # so that the core builds with a compiler and GLM alone.
-if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST)
+if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST OR CAUSTICS_BUILD_FUZZERS)
   find_package(nlohmann_json 3 REQUIRED)
   option(CAUSTICS_TINYGLTF_HEADER_ONLY "Compile tinygltf's header even if there is a library" OFF)
   # For digests on machines without OpenImageIO; the program itself needs it.

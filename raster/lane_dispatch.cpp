@@ -11,7 +11,7 @@ namespace caustics {
 namespace raster {
 
 void render_tile_plain4(const TileJob&, TileCounters&);
-#if defined(__x86_64__)
+#if defined(CAUSTICS_X86_LANES)
 void render_tile_sse41(const TileJob&, TileCounters&);
 void render_tile_avx2(const TileJob&, TileCounters&);
 void render_tile_avx512(const TileJob&, TileCounters&);
@@ -22,7 +22,7 @@ bool is_supported(Lanes lanes) {
     case Lanes::Scalar:
     case Lanes::Plain4:
       return true;
-#if defined(__x86_64__)
+#if defined(CAUSTICS_X86_LANES)
     case Lanes::Sse41x4:
       return __builtin_cpu_supports("sse4.1");
     case Lanes::Avx2x8:
@@ -60,7 +60,7 @@ TileKernel tile_kernel(Lanes lanes) {
     case Lanes::Scalar:
     case Lanes::Plain4:
       return render_tile_plain4;
-#if defined(__x86_64__)
+#if defined(CAUSTICS_X86_LANES)
     case Lanes::Sse41x4:
       return render_tile_sse41;
     case Lanes::Avx2x8:

@@ -1,4 +1,7 @@
 # The tile renderer, compiled once for each instruction set (the scalar lanes share the plain one).
+if("avx2" IN_LIST CAUSTICS_WIDTHS)
+  target_compile_definitions(caustics_raster PRIVATE CAUSTICS_X86_LANES=1)
+endif()
 foreach(WIDTH IN LISTS CAUSTICS_WIDTHS)
   if(WIDTH STREQUAL "scalar")
     continue()

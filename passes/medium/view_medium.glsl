@@ -47,8 +47,12 @@ void main() {
   range = within_slab(range, origin.x, direction.x, u.medium_lower.x, u.medium_upper.x);
   range = within_slab(range, origin.y, direction.y, u.medium_lower.y, u.medium_upper.y);
   range = within_slab(range, origin.z, direction.z, u.medium_lower.z, u.medium_upper.z);
-  Float end = max_of(range.y, range.x);
-  beauty = Vec4(medium_transmittance(end - range.x), Float(1.0f));
-  view_range = Vec4(z, range.x, end, Float(0.0f));
+  // A ray that passes by the medium has no way in it. It must not be said to be where its planes are met: for a ray along
+  // an axis that is so far away that squared distances overflow.
+  Bool crosses = range.y > range.x;
+  Float start = sel(crosses, range.x, Float(0.0f));
+  Float end = sel(crosses, range.y, Float(0.0f));
+  beauty = Vec4(medium_transmittance(end - start), Float(1.0f));
+  view_range = Vec4(z, start, end, Float(0.0f));
 }
 #endif

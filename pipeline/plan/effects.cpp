@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/all_around.hpp"
@@ -75,8 +76,9 @@ bool dark(const Light& light) {
 }
 
 // Why no light of this kind gets from the light by the mesh onto a receiver, or nothing.
+// `receivers`: the farthest that any of them reaches from the light; none where there is no receiver.
 std::string unreachable(const Scene& scene, const Light& light, std::size_t index, bool mirror,
-                        const std::vector<SurfaceRole>& surfaces) {
+                        std::optional<double> receivers) {
   const Mesh& mesh = scene.meshes[index];
   if (dark(light)) return "the light's intensity or colour is 0";
   if (light.emitter == static_cast<int>(index)) return "it is the light itself";
@@ -88,14 +90,21 @@ std::string unreachable(const Scene& scene, const Light& light, std::size_t inde
   if (light.type != LightType::Directional && caster.nearest > static_cast<double>(light.range)) {
     return "it lies beyond the light's range of " + number_text(light.range) + " m";
   }
-  bool any = false;
+  if (!receivers) return "there is no diffuse receiver";
+  // A mirror sends light any way.
+  if (mirror || *receivers > caster.nearest) return {};
+  return "no receiver lies behind it, seen from the light";
+}
+
+// Looked for once a light, not once a light and caster: there may be a million of them.
+std::optional<double> farthest_receiver(const Scene& scene, const Light& light, const std::vector<SurfaceRole>& surfaces) {
+  std::optional<double> farthest;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (surfaces[i].role != Role::Receiver) continue;
-    any = true;
-    // A mirror sends light any way.
-    if (mirror || reach_of(light, scene.meshes[i]).farthest > caster.nearest) return {};
+    const double here = reach_of(light, scene.meshes[i]).farthest;
+    farthest = farthest ? std::max(*farthest, here) : here;
   }
-  return any ? "no receiver lies behind it, seen from the light" : "there is no diffuse receiver";
+  return farthest;
 }
 
 // The lights as a person knows them.
@@ -120,13 +129,14 @@ std::size_t count_roles(const Effects& effects, Role role) {
 void add_expectations(const Scene& scene, const std::vector<Judgement>& judgements,
                       Effects& effects) {
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+    const std::optional<double> receivers = farthest_receiver(scene, scene.lights[l], effects.surfaces);
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
       if (!judgements[m].looks_specular) continue;
       Expectation e{static_cast<int>(l), static_cast<int>(m), false, judgements[m].no_caustic};
       const Role role = judgements[m].role.role;
       if (is_caster(role)) {
         const Mesh& mesh = scene.meshes[m];
-        e.reason = unreachable(scene, scene.lights[l], m, role == Role::Mirror, effects.surfaces);
+        e.reason = unreachable(scene, scene.lights[l], m, role == Role::Mirror, receivers);
         e.expected = e.reason.empty();
         const float ior = scene.materials[static_cast<std::size_t>(mesh.material)].ior;
         if (e.expected && role == Role::Mirror) {

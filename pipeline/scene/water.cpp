@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kCourant = 0.5;
 constexpr double kMostStepsPerSecond = 20'000.0;
-constexpr std::size_t kMostTriangles = std::size_t{1} << 20;
 // Room for waves above and below the level: plops' heights, or shares of the shorter side, so that the
 // bounds of calm water have a depth too.
 constexpr double kHighestOverPlop = 4.0, kLeastRoom = 1e-3;
@@ -96,9 +95,9 @@ double longest_edge(const Mesh& mesh) {
   return longest;
 }
 
-void refine(Mesh& mesh, double longest_allowed) {
+void refine(Mesh& mesh, double longest_allowed, std::size_t most_triangles) {
   double edge = longest_edge(mesh);
-  while (edge > longest_allowed && mesh.indices.size() / 3 * 4 <= kMostTriangles) {
+  while (edge > longest_allowed && mesh.indices.size() / 3 * 4 <= most_triangles) {
     split(mesh);
     edge *= 0.5;
   }
@@ -163,6 +162,15 @@ std::string lay_steps(Water& water) {
   return {};
 }
 
+std::string cost_problem(const Water& water, const WaterLimits& limits) {
+  const double cells = static_cast<double>(water.columns) * water.rows;
+  if (!(cells <= limits.cells)) return "it has more cells than all waters together may have; lower cells";
+  if (!(cells * static_cast<double>(water.steps_until(0.0)) <= limits.updates)) {
+    return "its cells have to make too many steps before time 0; lower start, speed or cells";
+  }
+  return {};
+}
+
 }  // namespace
 
 double Water::since_rest(double seconds) const { return std::max(settings.start + seconds, 0.0); }
@@ -184,7 +192,8 @@ std::optional<Plop> Water::plop_in_step(std::int64_t number) const {
   return plop(number / steps_per_plop - 1);
 }
 
-std::string add_water(Scene& scene, int index, const glm::dvec3& axis, const WaterSettings& settings) {
+std::string add_water(Scene& scene, int index, const glm::dvec3& axis, const WaterSettings& settings,
+                      const WaterLimits& limits) {
   Mesh& mesh = scene.meshes[static_cast<std::size_t>(index)];
   Water water{.name = mesh.name, .mesh = index, .settings = settings};
   water.right = exact::normalise({axis.x, 0.0, axis.z}, {1.0, 0.0, 0.0});
@@ -194,10 +203,11 @@ std::string add_water(Scene& scene, int index, const glm::dvec3& axis, const Wat
     if (!problem.empty()) return problem;
   if (std::string problem = lay_grid(rectangle, water); !problem.empty()) return problem;
   if (std::string problem = lay_steps(water); !problem.empty()) return problem;
+  if (std::string problem = cost_problem(water, limits); !problem.empty()) return problem;
   const glm::dvec2 size = rectangle.upper - rectangle.lower;
   water.highest = std::max(kHighestOverPlop * water.height, kLeastRoom * std::min(size.x, size.y));
   water.before = Image(Format::RG32F, water.columns, water.rows);
-  refine(mesh, 1.5 * std::max(water.dx, water.dz));
+  refine(mesh, 1.5 * std::max(water.dx, water.dz), limits.triangles);
   mesh.lower.y -= static_cast<float>(water.highest);
   mesh.upper.y += static_cast<float>(water.highest);
   scene.waters.push_back(std::move(water));

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -65,9 +66,17 @@ struct Water {
   std::optional<Plop> plop_in_step(std::int64_t step) const;
 };
 
+// What a water may cost at most.
+struct WaterLimits {
+  double cells = std::numeric_limits<double>::infinity();    // of its grid
+  double updates = std::numeric_limits<double>::infinity();  // cells times the steps before time 0
+  std::size_t triangles = std::size_t{1} << 20;              // that its mesh is split into
+};
+
 // Makes a mesh of the scene water: lays the grid, splits the mesh's triangles until their edges are no
-// longer than a cell's diagonal (up to a million triangles), and widens its bounds by its highest waves.
+// longer than a cell's diagonal (up to `limits.triangles`), and widens its bounds by its highest waves.
 // `axis` is the direction along which `cells` are counted. Returns what forbids it, or "".
-std::string add_water(Scene& scene, int mesh, const glm::dvec3& axis, const WaterSettings& settings);
+std::string add_water(Scene& scene, int mesh, const glm::dvec3& axis, const WaterSettings& settings,
+                      const WaterLimits& limits = {});
 
 }  // namespace caustics

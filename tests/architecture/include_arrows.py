@@ -17,6 +17,7 @@ MAY = {
     'reference': {'pipeline'},
     'metrics': {'pipeline'},
     'app': {'passes', 'raster', 'gl_backend', 'reference', 'metrics', 'pipeline'},
+    'fuzz': {'passes', 'raster', 'pipeline'},
 }
 
 # Libraries that only some rooms may name: the others build and run without them.

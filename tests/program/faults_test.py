@@ -17,7 +17,7 @@ from program import PROGRAM, SMALL, ProgramTest
 # A minute of work each, were they left alone. `reference` and `study` keep what they have for --resume.
 LONG = {
     "render": ["ball.glb", "-r", "2000x2000", "--grid", "2048", "--map", "2048", "-o", "out.png", "--stats", "out.json"],
-    "frames": ["ball.glb", *SMALL, "--frames", "9999", "--fps", "24", "-o", "f_%05d.png"],
+    "frames": ["ball.glb", *SMALL, "--frames", "0..9999", "--fps", "24", "-o", "f_%05d.png"],
     "dump": ["ball.glb", "-r", "2000x2000", "--grid", "2048", "--dump", "dumped"],
     "digest": ["digest", "ball.glb", "-r", "2000x2000", "--grid", "2048"],
     "reference": ["reference", "ball.glb", "-r", "256x256", "--seconds", "1000", "--error", "0.0001%", "-o", "out.exr"],
@@ -65,7 +65,7 @@ class Signals(ProgramTest):
 class Death(ProgramTest):
     def test_a_killed_program_leaves_no_half_written_file_under_its_name(self):
         moments = random.Random(2)
-        arguments = ["ball.glb", *SMALL, "--frames", "999", "--fps", "24", "-o", "f_%05d.png"]
+        arguments = ["ball.glb", *SMALL, "--frames", "0..999", "--fps", "24", "-o", "f_%05d.png"]
         written = 0
         for _ in range(12):
             process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
@@ -87,7 +87,7 @@ class FullDisk(ProgramTest):
         "exr": ["ball.glb", *SMALL, "-o", "out.exr"],
         "stats": ["ball.glb", *SMALL, "-o", "out.png", "--stats", "out.json"],
         "dump": ["ball.glb", *SMALL, "--dump", "dumped"],
-        "frames": ["ball.glb", *SMALL, "--frames", "2", "--fps", "24", "-o", "f_%05d.png"],
+        "frames": ["ball.glb", *SMALL, "--frames", "0..2", "--fps", "24", "-o", "f_%05d.png"],
         "reference": ["reference", "ball.glb", "-r", "64x48", "--seconds", "1", "-o", "out.exr"],
         "study": ["study", "ball.glb", *SMALL, "--repeat", "1", "--vary", "grid=16,32", "-o", "studied"],
     }

@@ -158,3 +158,20 @@ TEST_CASE("The limits on vertices, triangles and instances hold") {
   options.max_nodes = 1;
   CHECK(contains(refusal(triangle().json(), options), "more than 1 nodes"));
 }
+
+TEST_CASE("More lights than the limit are refused") {
+  Gltf gltf = triangle();
+  const std::string light = R"("extensions":{"KHR_lights_punctual":{"light":0}})";
+  gltf.node += "," + light + R"(,"children":[1]},{)" + light;
+  gltf.rest = R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}})";
+  LoadOptions options;
+  options.max_lights = 2;
+  CHECK(load_text(gltf.json(), options).lights.size() == 2);
+  options.max_lights = 1;
+  CHECK(contains(refusal(gltf.json(), options), "nodes[1].extensions.KHR_lights_punctual: the scene has more than 1 lights"));
+  options = {};
+  options.max_lit_meshes = 2;
+  CHECK(load_text(gltf.json(), options).lights.size() == 2);
+  options.max_lit_meshes = 1;
+  CHECK(contains(refusal(gltf.json(), options), "nodes: the scene's lights times its meshes are more than 1"));
+}

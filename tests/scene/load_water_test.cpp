@@ -98,3 +98,26 @@ TEST_CASE("Water on anything but a level open sheet is refused") {
                  "no horizontal sheet"));
   CHECK(contains(refusal(sheet("{}", R"(,"rotation":[1,0,0,0])")), "turn its faces over"));
 }
+
+TEST_CASE("All waters together have a limited number of cells") {
+  Gltf gltf = sheet(R"({"cells":16})", R"(,"children":[1]},{"mesh":0,"extras":{"water":{"cells":16}})");
+  LoadOptions options;
+  options.max_water_cells = 512;
+  CHECK(load_text(gltf.json(), options).waters.size() == 2);
+  options.max_water_cells = 511;
+  CHECK(contains(refusal(gltf.json(), options), "nodes[1].extras.water: cannot be: it has more cells"));
+}
+
+TEST_CASE("Waters may not ask for endless steps before time 0") {
+  // 2 million cells, 15 000 steps a second.
+  CHECK(contains(refusal(sheet(R"({"cells":1500,"speed":10,"start":3600})")), "too many steps before time 0"));
+  // The defaults after the longest start: 31 billion.
+  CHECK(load(sheet(R"({"start":3600})")).waters.size() == 1);
+}
+
+TEST_CASE("Splitting a water's triangles keeps to the limit on triangles") {
+  LoadOptions options;
+  options.max_triangles = 100;
+  const Scene scene = load_text(sheet(R"({"cells":32})").json(), options);
+  CHECK(scene.meshes.at(0).indices.size() == 6 * 16);
+}

@@ -199,3 +199,18 @@ TEST_CASE("medium: clear air has no pass, texture or number of its own") {
     CHECK(plan.find(name) < 0);
   for (const PlannedPass& pass : plan.passes) CHECK(pass.label.find("medium") == std::string::npos);
 }
+
+TEST_CASE("medium: rays along an axis that pass by it are left alone, also where a light has a position") {
+  Scene scene = with_medium(without_casters(sphere_scene(1.5f)), glm::vec3(0.2f), glm::vec3(0.1f));
+  scene.cameras = {camera_down(0.2, 5.0)};  // the floor, and with it the medium, ends at 3 m
+  scene.lights[0].type = LightType::Point;
+  scene.lights[0].position = {0.3, 2.0, 0.2};
+  const Rendering r = render(scene, small_settings(8, 8, 8), {"beauty", "haze"});
+  for (const auto& [name, image] : r.images) {
+    INFO(name);
+    CHECK(count_non_finite(image) == 0);
+  }
+  CHECK(r["haze"].at(0, 4, 0) == 0.0f);
+  CHECK(r["beauty"].at(0, 4, 0) == 0.0f);
+  CHECK(r["haze"].at(4, 4, 0) > 0.0f);
+}

@@ -1,5 +1,7 @@
 #include "pipeline/scene/gltf/extras.hpp"
 
+#include <algorithm>
+
 namespace caustics::gltf {
 
 Cursor extra(const Cursor& owner, const char* key) {
@@ -26,14 +28,15 @@ void check_keys(const Cursor& cursor, const std::vector<std::string>& known) {
 }
 
 int only_mesh(const Cursor& extra, const Scene& scene, int object) {
-  int found = -1;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (scene.meshes[i].object != object) continue;
-    if (found >= 0) extra.fail("stands on a mesh of several primitives", "join them to one");
-    found = static_cast<int>(i);
-  }
-  if (found < 0) extra.fail("stands on a mesh without triangles", "take it out");
-  return found;
+  // Objects are numbered in the order of their meshes.
+  const auto beginning_with = [&](int number) {
+    return std::partition_point(scene.meshes.begin(), scene.meshes.end(),
+                                [&](const Mesh& mesh) { return mesh.object < number; });
+  };
+  const auto first = beginning_with(object), end = beginning_with(object + 1);
+  if (first == end) extra.fail("stands on a mesh without triangles", "take it out");
+  if (end - first > 1) extra.fail("stands on a mesh of several primitives", "join them to one");
+  return static_cast<int>(first - scene.meshes.begin());
 }
 
 }  // namespace caustics::gltf

@@ -18,6 +18,11 @@ class Walk {
 
   Placements run() {
     for (const int node : roots()) visit(node, -1, Affine{}, 0, true);
+    const std::uint64_t most = context_.options().max_lit_meshes;
+    if (placements_.lights.size() * placements_.meshes.size() > most) {
+      root_.member("nodes").fail("the scene's lights times its meshes are more than " + std::to_string(most),
+                                 "join meshes, or leave lights out");
+    }
     return std::move(placements_);
   }
 
@@ -147,6 +152,10 @@ void Walk::place(const Cursor& node, int index, const Affine& to_world, bool vis
     placements_.cameras.back().index = *camera;
   }
   if (light.present() && visible) {
+    if (placements_.lights.size() >= context_.options().max_lights) {
+      light.fail("the scene has more than " + std::to_string(context_.options().max_lights) + " lights",
+                 "leave some out");
+    }
     placements_.lights.push_back(here);
     placements_.lights.back().index =
         light.member("light").index("extensions.KHR_lights_punctual.lights", lights_);

@@ -1,5 +1,7 @@
 #include "pipeline/scene/gltf/water.hpp"
 
+#include <algorithm>
+
 #include "pipeline/scene/gltf/extras.hpp"
 
 namespace caustics::gltf {
@@ -28,6 +30,21 @@ WaterSettings settings_of(const Cursor& water) {
   return s;
 }
 
+// What the waters that are there leave of the limits; a mesh keeps the triangles that it has.
+WaterLimits limits_of(const LoadOptions& options, const Scene& scene) {
+  WaterLimits left{.cells = static_cast<double>(options.max_water_cells), .updates = options.max_water_updates};
+  std::uint64_t triangles = 0;
+  for (const Water& water : scene.waters) {
+    const double cells = static_cast<double>(water.columns) * water.rows;
+    left.cells -= cells;
+    left.updates -= cells * static_cast<double>(water.steps_until(0.0));
+  }
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.indices.size() / 3;
+  const std::uint64_t room = options.max_triangles > triangles ? options.max_triangles - triangles : 0;
+  left.triangles = std::min(left.triangles, static_cast<std::size_t>(room));
+  return left;
+}
+
 }  // namespace
 
 void read_waters(const Cursor& root, const std::vector<Placement>& placements, Scene& scene) {
@@ -37,7 +54,8 @@ void read_waters(const Cursor& root, const std::vector<Placement>& placements, S
     if (!water.present()) continue;
     if (!water.json().is_object()) water.fail("is no object", "write \"water\": {} for the defaults");
     const int mesh = only_mesh(water, scene, static_cast<int>(object));
-    const std::string problem = add_water(scene, mesh, placement.to_world.x, settings_of(water));
+    const std::string problem = add_water(scene, mesh, placement.to_world.x, settings_of(water),
+                                          limits_of(root.context().options(), scene));
     if (!problem.empty()) water.fail("cannot be: " + problem);
     if (!placement.name.empty()) scene.waters.back().name = printable(placement.name);
   }
