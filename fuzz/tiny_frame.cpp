@@ -24,7 +24,8 @@ namespace {
 // What may remain of a ledger is rounding: of each landing's own numbers; and of the map's sums, which are single
 // precision. A sum of n is off by up to n 2^-24 of its size, and where the map is small or all light meets in one texel,
 // that texel takes each landing up to twice, as a part of cells and as a splat.
-double most_residual(const Ledger& ledger) {
+double most_residual(const Ledger& ledger, const Frame& caustic) {
+  if (!caustic.cube) return 1e-5;  // the ledger has counted the splats of each texel itself
   const auto landed = static_cast<double>(ledger.vertices[static_cast<std::size_t>(LandingStatus::Landed)]);
   return std::max(1e-5, 2.0 * landed * 0x1p-24);
 }
@@ -93,15 +94,15 @@ class TinyFrame {
     const std::vector<BranchImages> branches = branch_images(light, effects_.branches, is_there, get);
     const Image map = read(light_texture(kCausticMap, light));
     const LightFrames& frames = frames_[static_cast<std::size_t>(light)];
-    const Ledger ledger =
-        make_ledger(branches, map, read(light_texture(far_texture(kCausticMap), light)), frames.caustic, settings_);
-    if (!(ledger.residual() <= most_residual(ledger)))
+    const std::vector<CellImages> cells = cell_images(light, effects_.branches, is_there, get);
+    const Ledger ledger = make_ledger(branches, cells, map, read(light_texture(far_texture(kCausticMap), light)),
+                                      frames.caustic, settings_);
+    if (!(ledger.residual() <= most_residual(ledger, frames.caustic)))
       finding("light " + std::to_string(light) + ": the ledger's residual is " + std::to_string(ledger.residual() * 1e6) +
               " millionths");
     const double pixel = settings_.pixel_means ? pixel_side(read("view_position"), map, frames.caustic) : 0.0;
     const ErrorEstimate estimate =
-        estimate_error(branches, cell_images(light, effects_.branches, is_there, get), map,
-                       read(light_texture(kCascadeMap, light)), frames, settings_, ledger, pixel);
+        estimate_error(branches, cells, map, read(light_texture(kCascadeMap, light)), frames, settings_, ledger, pixel);
     if (!std::isfinite(estimate.total())) finding("light " + std::to_string(light) + ": the error estimate is not finite");
   }
 
