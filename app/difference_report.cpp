@@ -11,19 +11,19 @@ namespace caustics::app {
 
 namespace {
 
-using Row = std::vector<std::string>;
+using TextRow = std::vector<std::string>;
 
 // Columns two blanks apart: the first and those called "worst" flush left, the others flush right.
 // A row of two words is a name with a remark, which runs below the columns.
-std::string table(const std::vector<Row>& rows) {
-  const Row& head = rows.front();
+std::string table(const std::vector<TextRow>& rows) {
+  const TextRow& head = rows.front();
   std::vector<std::size_t> widths(head.size());
-  for (const Row& row : rows) {
+  for (const TextRow& row : rows) {
     const std::size_t aligned = row.size() == head.size() ? row.size() : 1;
     for (std::size_t i = 0; i < aligned; ++i) widths[i] = std::max(widths[i], row[i].size());
   }
   std::string text;
-  for (const Row& row : rows) {
+  for (const TextRow& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string blanks(widths[i] - std::min(widths[i], row[i].size()), ' ');
@@ -74,8 +74,8 @@ std::string worst_text(const ChannelDifference& channel) {
          exact(pair.b);
 }
 
-Row channel_row(const ChannelDifference& channel) {
-  Row row = {one_line(channel.name)};
+TextRow channel_row(const ChannelDifference& channel) {
+  TextRow row = {one_line(channel.name)};
   if (!channel.mismatch.empty()) {
     row.push_back(channel.mismatch);
     return row;
@@ -136,7 +136,7 @@ std::string verdict_line(const PlanesDifference& difference) {
   return line + (worst == nullptr ? "" : "; worst: " + worst_text(*worst)) + "\n";
 }
 
-Row attachment_row(const AttachmentDifference& attachment) {
+TextRow attachment_row(const AttachmentDifference& attachment) {
   const std::string name = one_line(attachment.name);
   if (!attachment.mismatch.empty()) return {name, attachment.mismatch};
   double absolute = 0.0, relative = 0.0, ulps = 0.0;
@@ -178,7 +178,7 @@ bool ImageAnswer::passed() const {
 
 std::string report_text(const Comparison& comparison, const ImageAnswer& answer) {
   const PlanesDifference& difference = answer.difference;
-  std::vector<Row> rows = {{"channel", "differing", "max |A-B|", "99.9%", "mean", "max relative",
+  std::vector<TextRow> rows = {{"channel", "differing", "max |A-B|", "99.9%", "mean", "max relative",
                             "max ULPs", "worst x,y", "A", "B"}};
   std::string non_finite;
   for (const ChannelDifference& channel : difference.channels) {
@@ -192,7 +192,7 @@ std::string report_text(const Comparison& comparison, const ImageAnswer& answer)
 }
 
 std::string report_text(const Comparison& comparison, const FolderDifference& difference) {
-  std::vector<Row> rows = {
+  std::vector<TextRow> rows = {
       {"attachment", "differing", "failing", "max |A-B|", "max relative", "max ULPs", "worst"}};
   std::size_t different = 0;
   for (const AttachmentDifference& attachment : difference.attachments) {

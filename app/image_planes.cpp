@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::int64_t kMostValues = std::int64_t{1} << 32;
 constexpr int kMostParts = 1024;
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+[[noreturn]] void refuse_image(const fs::path& path, const std::string& why) {
   throw Error(ExitCode::BadInput, path.string() + ": " + why);
 }
 
@@ -30,12 +30,12 @@ std::string reason(std::string message) {
 
 std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
   std::error_code error;
-  if (!fs::exists(path, error)) refuse(path, "no such file");
-  if (!fs::is_regular_file(path, error)) refuse(path, "is not a plain file");
+  if (!fs::exists(path, error)) refuse_image(path, "no such file");
+  if (!fs::is_regular_file(path, error)) refuse_image(path, "is not a plain file");
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   auto input = OIIO::ImageInput::open(path.string(), &config);
-  if (!input) refuse(path, "is no image that can be read: " + reason(OIIO::geterror()));
+  if (!input) refuse_image(path, "is no image that can be read: " + reason(OIIO::geterror()));
   return input;
 }
 
@@ -45,17 +45,17 @@ bool is_wide_integer(const OIIO::TypeDesc& type) {
 }
 
 void require_readable(const fs::path& path, const OIIO::ImageSpec& spec) {
-  if (spec.deep) refuse(path, "is a deep image; only flat ones are compared");
-  if (spec.depth > 1) refuse(path, "is a volume; only flat images are compared");
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse(path, "has no pixels");
+  if (spec.deep) refuse_image(path, "is a deep image; only flat ones are compared");
+  if (spec.depth > 1) refuse_image(path, "is a volume; only flat images are compared");
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse_image(path, "has no pixels");
   if (std::int64_t{spec.width} * spec.height > kMostValues / spec.nchannels) {
-    refuse(path, "says that it is " + std::to_string(spec.width) + "x" +
+    refuse_image(path, "says that it is " + std::to_string(spec.width) + "x" +
                      std::to_string(spec.height) + " with " + std::to_string(spec.nchannels) +
                      " channels, which is too large");
   }
   for (int c = 0; c < spec.nchannels; ++c) {
     if (is_wide_integer(spec.channelformat(c))) {
-      refuse(path, "channel " + std::string(spec.channel_name(c)) +
+      refuse_image(path, "channel " + std::string(spec.channel_name(c)) +
                        " holds 32-bit integers; only floats, halves and 8- or 16-bit integers are "
                        "compared");
     }
@@ -76,7 +76,7 @@ void add_part(const fs::path& path, OIIO::ImageInput& input, int number, bool se
   std::vector<float>& values = image.storage.emplace_back(
       static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * channels);
   if (!input.read_image(number, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
-    refuse(path, "cannot be decoded: " + reason(input.geterror()));
+    refuse_image(path, "cannot be decoded: " + reason(input.geterror()));
   }
   std::string part;
   if (several) {
@@ -85,7 +85,7 @@ void add_part(const fs::path& path, OIIO::ImageInput& input, int number, bool se
   for (int c = 0; c < spec.nchannels; ++c) {
     const std::string name = plane_name(spec, c, part);
     for (const Plane& plane : image.planes) {
-      if (plane.name == name) refuse(path, "has two channels named " + name);
+      if (plane.name == name) refuse_image(path, "has two channels named " + name);
     }
     image.planes.push_back({name,
                             {values.data() + c, channels, spec.width, spec.height},

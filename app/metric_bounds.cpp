@@ -31,7 +31,7 @@ bool is_worse(const std::optional<double>& value, const std::optional<double>& t
   return !value || *value > *than;
 }
 
-BoundAnswer judge(const MetricBound& bound, const Measurement& measurement) {
+BoundAnswer judge_bound(const MetricBound& bound, const Measurement& measurement) {
   BoundAnswer answer;
   answer.bound = bound;
   for (const LayerMeasure& layer : measurement.layers) {
@@ -82,7 +82,7 @@ std::vector<BoundAnswer> judge(const std::vector<MetricBound>& bounds,
                                const Measurement& measurement) {
   std::vector<BoundAnswer> answers;
   answers.reserve(bounds.size());
-  for (const MetricBound& bound : bounds) answers.push_back(judge(bound, measurement));
+  for (const MetricBound& bound : bounds) answers.push_back(judge_bound(bound, measurement));
   return answers;
 }
 

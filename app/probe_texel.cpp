@@ -34,16 +34,16 @@ std::vector<TextureView> views_of(const std::vector<Image>& images) {
   return views;
 }
 
-using Row = std::array<float, kBlock>;
+using LaneRow = std::array<float, kBlock>;
 
 // One block whose 16 fragments are all this texel; the trace of the first is kept.
-std::vector<Row> run_kernel(const PassRun& run, const std::vector<TextureView>& views, int x, int y,
+std::vector<LaneRow> run_kernel(const PassRun& run, const std::vector<TextureView>& views, int x, int y,
                             std::vector<NamedValues>& trace) {
   const std::size_t outputs = run.definition->writes.size() * 4;
   const ShaderInterface interface = reflect(run.definition->shader->text);
-  std::vector<Row> output_rows(outputs),
+  std::vector<LaneRow> output_rows(outputs),
       varyings(static_cast<std::size_t>(std::max(interface.varying_components(), 1)));
-  Row frag_x, frag_y;
+  LaneRow frag_x, frag_y;
   frag_x.fill(static_cast<float>(x) + 0.5f);
   frag_y.fill(static_cast<float>(y) + 0.5f);
   std::array<std::int32_t, kBlock> front_facing, discarded{};
@@ -88,7 +88,7 @@ ProbedTexel probe_texel(const RenderedFrame& frame, const PlannedPass& pass, int
     probed.inputs.push_back(texel_of(definition.reads[images.size() - 1].name, image, x, y));
   }
   const raster::FlushDenormals as_the_device_does;
-  const std::vector<Row> outputs = run_kernel(run, views_of(images), x, y, probed.trace);
+  const std::vector<LaneRow> outputs = run_kernel(run, views_of(images), x, y, probed.trace);
   for (std::size_t w = 0; w < definition.writes.size(); ++w) {
     const Image image = frame.device().read_back(run.colors[w]);
     probed.stored.push_back(texel_of(definition.writes[w].name, image, x, y));

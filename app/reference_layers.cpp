@@ -13,13 +13,13 @@ namespace caustics::app {
 
 namespace {
 
-struct Layer {
+struct ReferenceLayer {
   const char* name;
   const char* meaning;
   int count = 3;
 };
 
-constexpr Layer kLayers[] = {
+constexpr ReferenceLayer kReferenceLayers[] = {
     {"caustic", "illuminance by caustics, lux; 0 on casters"},
     {"caustic_error", "its standard error, lux"},
     {"direct", "illuminance by the lights after shadows, lux; 0 on casters"},
@@ -29,16 +29,16 @@ constexpr Layer kLayers[] = {
     {"coverage", "1 where there is a surface, else 0", 1},
 };
 
-const Layer& find_layer(const std::string& name) {
-  const auto found = std::find_if(std::begin(kLayers), std::end(kLayers),
-                                  [&](const Layer& layer) { return layer.name == name; });
-  if (found != std::end(kLayers)) return *found;
+const ReferenceLayer& find_reference_layer(const std::string& name) {
+  const auto found = std::find_if(std::begin(kReferenceLayers), std::end(kReferenceLayers),
+                                  [&](const ReferenceLayer& layer) { return layer.name == name; });
+  if (found != std::end(kReferenceLayers)) return *found;
   if (name == "beauty")
     throw Error(ExitCode::WrongUsage,
                 "the reference has no layer 'beauty': it traces light onto surfaces, not what the camera sees in "
                 "glass; 'caustic' and 'direct' are what to compare");
   std::vector<std::string> names;
-  for (const Layer& layer : kLayers) names.emplace_back(layer.name);
+  for (const ReferenceLayer& layer : kReferenceLayers) names.emplace_back(layer.name);
   throw Error(ExitCode::WrongUsage, "--aov has no layer '" + one_line(name).substr(0, 60) +
                                         "', did you mean '" + nearest_name(name, names) + "'?");
 }
@@ -84,7 +84,7 @@ std::vector<std::string> parse_reference_layers(const std::string& list) {
   std::vector<std::string> layers;
   for (std::size_t start = 0; start <= list.size();) {
     const std::size_t end = std::min(list.find(',', start), list.size());
-    const std::string name = find_layer(list.substr(start, end - start)).name;
+    const std::string name = find_reference_layer(list.substr(start, end - start)).name;
     if (std::find(layers.begin(), layers.end(), name) == layers.end()) layers.push_back(name);
     start = end + 1;
   }
@@ -93,13 +93,13 @@ std::vector<std::string> parse_reference_layers(const std::string& list) {
 
 std::vector<std::string> all_reference_layers() {
   std::vector<std::string> names;
-  for (const Layer& layer : kLayers) names.emplace_back(layer.name);
+  for (const ReferenceLayer& layer : kReferenceLayers) names.emplace_back(layer.name);
   return names;
 }
 
 std::string reference_layer_help() {
   std::string text;
-  for (const Layer& layer : kLayers) {
+  for (const ReferenceLayer& layer : kReferenceLayers) {
     std::string line = "  " + std::string(layer.name);
     line.resize(16, ' ');
     text += line + layer.meaning + "\n";
@@ -112,7 +112,7 @@ void write_reference_layers(const std::filesystem::path& path, const std::vector
   std::map<std::string, Image> images;
   std::vector<ExrChannel> channels;
   for (const std::string& name : layers) {
-    const Layer& layer = find_layer(name);
+    const ReferenceLayer& layer = find_reference_layer(name);
     const Image& image = images[name] = image_for(name, tracer, threads);
     if (count_non_finite(image) > 0)
       throw Error(ExitCode::NumericFault, "the layer '" + name + "' has values that are not finite; no picture is written");

@@ -25,7 +25,7 @@ constexpr const char* kKeys[] = {"width",       "height",       "camera",       
                                  "interfaces",  "wavelengths",  "reflections",     "assume_solid",
                                  "mirror.metallic", "mirror.roughness", "glass.roughness"};
 
-void assign(Settings& settings, const std::string& assignment) {
+void assign_traced(Settings& settings, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string key = assignment.substr(0, equals);
   if (equals == std::string::npos)
@@ -80,7 +80,7 @@ void add_physics(Parser& parser, ReferenceRequest& request) {
   parser.flag("--assume-solid", settings.assume_solid,
               "glass without KHR_materials_volume is solid, not a thin wall");
   parser.repeated("-D", "KEY=VALUE", "one of the settings below; may stand several times",
-                  [&](const std::string& value) { assign(settings, value); });
+                  [&](const std::string& value) { assign_traced(settings, value); });
 }
 
 void add_effort(Parser& parser, ReferenceRequest& request) {

@@ -9,7 +9,7 @@ namespace caustics::app {
 
 namespace {
 
-constexpr int kGap = 4;  // pixels between panels
+constexpr int kShotGap = 4;  // pixels between panels
 
 void put(Image& page, const Image& panel, int left, int bottom) {
   for (int y = 0; y < panel.height(); ++y)
@@ -35,9 +35,9 @@ double white_of(const Image& truth) {
 
 Image side_by_side(const std::vector<Image>& tested, const Image& truth) {
   const Image small = small_picture(truth);
-  const int wide = small.width() + kGap, high = small.height() + kGap;
+  const int wide = small.width() + kShotGap, high = small.height() + kShotGap;
   const int columns = static_cast<int>(tested.size()) + 1;
-  Image page(Format::RGBA32F, columns * wide - kGap, 2 * high - kGap);
+  Image page(Format::RGBA32F, columns * wide - kShotGap, 2 * high - kShotGap);
   std::fill(page.values.begin(), page.values.end(), 1.0f);
   for (int column = 0; column + 1 < columns; ++column) {
     const Image& image = tested[static_cast<std::size_t>(column)];

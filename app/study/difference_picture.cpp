@@ -10,7 +10,7 @@ namespace caustics::app {
 namespace {
 
 constexpr int kColors = 3;
-constexpr double kDecades = 3.0;  // from full colour down to black
+constexpr double kPictureDecades = 3.0;  // from full colour down to black
 constexpr Color kMore = {1.0, 0.62, 0.12}, kLess = {0.25, 0.62, 1.0};  // told apart by all kinds of eyes
 
 int box_side(const Image& image) {
@@ -26,9 +26,9 @@ double box_mean(const Image& image, int x, int y, int side, int channel) {
   return sum / (static_cast<double>(right - x * side) * static_cast<double>(top - y * side));
 }
 
-Color color_of(double difference, double white) {
+Color sign_color(double difference, double white) {
   if (difference == 0.0) return {0.0, 0.0, 0.0};
-  const double level = std::clamp(1.0 + std::log10(std::fabs(difference) / white) / kDecades, 0.0, 1.0);
+  const double level = std::clamp(1.0 + std::log10(std::fabs(difference) / white) / kPictureDecades, 0.0, 1.0);
   const Color& full = difference > 0.0 ? kMore : kLess;
   return {full.r * level, full.g * level, full.b * level};
 }
@@ -55,7 +55,7 @@ Image difference_picture(const Image& tested, const Image& truth, double white) 
         const double each = static_cast<double>(a.at(x, y, c)) - static_cast<double>(b.at(x, y, c));
         if (std::fabs(each) > std::fabs(most)) most = each;
       }
-      const Color color = color_of(most, white);
+      const Color color = sign_color(most, white);
       picture.at(x, y, 0) = static_cast<float>(color.r);
       picture.at(x, y, 1) = static_cast<float>(color.g);
       picture.at(x, y, 2) = static_cast<float>(color.b);

@@ -39,7 +39,7 @@ code { overflow-wrap: anywhere; }
 </style>
 )";
 
-constexpr char kLegend[] =
+constexpr char kPlotLegend[] =
     "relative L1: the share of the light that is missing or in the wrong place. relMSE 1, 4, 16: relative squared error "
     "in boxes of so many pixels; where it falls steeply from 1 to 16, light is a little shifted or noisy, where it stays, "
     "whole regions have another amount. Flux: all light over all light of the truth. FLIP: the mean of what an eye sees "
@@ -86,7 +86,7 @@ std::string table_row(const StudyRow& row) {
 std::string all_rows(const Study& study) {
   std::string html = "<div class=\"wide\"><table>\n<thead>" + row_heads(study) + "</thead>\n<tbody>\n";
   for (const StudyRow& row : study.rows) html += table_row(row);
-  return html + "</tbody></table></div>\n" + paragraph(kLegend);
+  return html + "</tbody></table></div>\n" + paragraph(kPlotLegend);
 }
 
 std::string front_rows(const Study& study) {

@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr double kBetweenSaves = 2000.0;  // milliseconds
+constexpr double kBetweenStudySaves = 2000.0;  // milliseconds
 
 // A row that is to be there.
 struct Job {
@@ -348,7 +348,7 @@ class StudyRun {
 
   // So that not even the machine's end costs more than the last seconds.
   void save_now_and_then() {
-    if (saved_.milliseconds() < kBetweenSaves) return;
+    if (saved_.milliseconds() < kBetweenStudySaves) return;
     put(request_.folder / "study.json", study_json(study_));
     saved_ = Stopwatch();
   }

@@ -19,7 +19,7 @@ const Knob* find(const std::vector<Knob>& knobs, const std::string& key) {
   return found == knobs.end() ? nullptr : &*found;
 }
 
-bool has(const Values& values, const std::string& value) {
+bool has_value(const Values& values, const std::string& value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
@@ -107,7 +107,7 @@ Values standpoint(const std::vector<Knob>& knobs, const std::vector<Point>& poin
 // its base on.
 Values told(const Knob& knob) {
   Values values = knob.values;
-  if (!has(values, knob.base)) values.insert(values.begin(), knob.base);
+  if (!has_value(values, knob.base)) values.insert(values.begin(), knob.base);
   if (knob.ordered) {
     std::stable_sort(values.begin(), values.end(), [](const std::string& a, const std::string& b) {
       return std::stod(a) < std::stod(b);

@@ -15,19 +15,19 @@ namespace caustics::app {
 
 namespace {
 
-constexpr int kColors = 3;
+constexpr int kTruthColors = 3;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why) {
   throw Error(ExitCode::BadInput, one_line(name) + ": " + why);
 }
 
-std::string size_text(int width, int height) {
+std::string truth_size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
 // The colours of a layer as an image, rows turned; a single channel counts for all three.
 Image layer_image(const ImagePlanes& planes, const std::string& layer, const std::string& name) {
-  const Plane* colors[kColors] = {};
+  const Plane* colors[kTruthColors] = {};
   const Plane* only = nullptr;
   int found = 0;
   for (const Plane& plane : planes.planes) {
@@ -38,12 +38,12 @@ Image layer_image(const ImagePlanes& planes, const std::string& layer, const std
     colors[at] = &plane;
     ++found;
   }
-  if (found != kColors && found != 0) refuse(name, "its layer " + layer + " lacks a channel of R, G, B");
+  if (found != kTruthColors && found != 0) refuse(name, "its layer " + layer + " lacks a channel of R, G, B");
   if (found == 0 && !only) refuse(name, "has no layer '" + layer + "', as render --aov caustic writes it");
-  if (found == 0) std::fill(colors, colors + kColors, only);
+  if (found == 0) std::fill(colors, colors + kTruthColors, only);
   const ChannelView& first = colors[0]->view;
   Image image(Format::RGBA32F, first.width, first.height);
-  for (int c = 0; c < kColors; ++c) {
+  for (int c = 0; c < kTruthColors; ++c) {
     const ChannelView& view = colors[c]->view;
     if (view.width != first.width || view.height != first.height || colors[c]->left != 0 || colors[c]->top != 0)
       refuse(name, "the channels of its layer " + layer + " do not cover the picture alike");
@@ -76,7 +76,7 @@ void for_each_selected(const Image& image, const Selection& selection, const Use
 double sum_of(const Image& image, const Selection& selection) {
   double sum = 0.0;
   for_each_selected(image, selection, [&](int x, int y) {
-    for (int c = 0; c < kColors; ++c) sum += std::fabs(static_cast<double>(image.at(x, y, c)));
+    for (int c = 0; c < kTruthColors; ++c) sum += std::fabs(static_cast<double>(image.at(x, y, c)));
   });
   return sum;
 }
@@ -112,8 +112,8 @@ Truth read_truth(const std::filesystem::path& file, int width, int height, const
   Image caustic = layer_image(planes, "caustic", name);
   const auto check_size = [&](const Image& image) {
     if (image.width() == width && image.height() == height) return;
-    refuse(name, "is " + size_text(image.width(), image.height()) + ", the study renders " +
-                     size_text(width, height) + "; use -r " + size_text(image.width(), image.height()));
+    refuse(name, "is " + truth_size_text(image.width(), image.height()) + ", the study renders " +
+                     truth_size_text(width, height) + "; use -r " + truth_size_text(image.width(), image.height()));
   };
   check_size(caustic);
   Truth truth = make_truth(std::move(caustic), mask, name);

@@ -1,0 +1,124 @@
+// Properties of frames over random scenes (RapidCheck), to find what nobody thought of. A failure prints the choices that
+// led to it, made as small as they go, and the RC_PARAMS that repeat it.
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "tests/stability/hard_case.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// The same scenes in every run of the tests; RC_PARAMS asks for others, and for more.
+void fix_seed() { setenv("RC_PARAMS", "seed=20261122 max_success=60", 0); }
+
+// RapidCheck begins with small numbers and lets them grow; a body a millimetre wide is no simpler than one of a metre.
+int from(int low, int end) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, end)); }
+
+float between(float low, float high) { return low + (high - low) * static_cast<float>(from(0, 1001)) * 1e-3f; }
+
+// Powers of ten, both signs of the exponent.
+float magnitude(int most) { return std::pow(10.0f, static_cast<float>(from(-most, most + 1))); }
+
+Mesh random_body(int material) {
+  const double x = static_cast<double>(between(-0.6f, 0.6f)), y = static_cast<double>(between(-0.1f, 1.2f)),
+               size = static_cast<double>(between(0.01f, 0.8f));
+  switch (from(0, 5)) {
+    case 0:
+      return sphere({x, y, 0.1}, size, from(0, 4), material);
+    case 1:
+      return box({x, y, -0.3}, {x + size, y + static_cast<double>(between(1e-6f, 0.5f)), 0.3}, material);
+    case 2:
+      return wave_sheet(size, y, static_cast<double>(between(0.0f, 0.2f)), static_cast<double>(between(0.1f, 30.0f)), 12, material);
+    case 3:
+      return ring(0.5 * size, size, static_cast<double>(between(0.01f, 0.5f)), from(3, 24), material);
+    default:
+      return half_ring(size, static_cast<double>(between(0.01f, 0.5f)), from(2, 24), material);
+  }
+}
+
+Material random_caster() {
+  if (from(0, 4) == 0) return metal(glm::vec3(between(0.0f, 1.0f), between(0.0f, 1.0f), between(0.0f, 1.0f)));
+  Material material = glass(*rc::gen::element(1.0f, 1.000001f, 1.33f, 1.5f, 2.42f, 4.0f, 0.9f, 0.5f, 100.0f));
+  material.thickness = static_cast<float>(from(0, 2));
+  material.attenuation_distance = *rc::gen::element(INFINITY, 1.0f, 1e-9f, 1e9f);
+  material.attenuation_color = glm::vec3(between(0.0f, 1.0f), between(0.0f, 1.0f), 1.0f);
+  material.dispersion = *rc::gen::element(0.0f, 0.0f, 0.3f, 20.0f);
+  return material;
+}
+
+Light random_light() {
+  Light light = sun({static_cast<double>(between(-1.5f, 1.5f)), static_cast<double>(between(-2.0f, 0.1f)), 0.2}, magnitude(20));
+  light.type = *rc::gen::element(LightType::Directional, LightType::Point, LightType::Spot);
+  light.position = {static_cast<double>(between(-2.0f, 2.0f)), static_cast<double>(between(0.5f, 4.0f)), static_cast<double>(between(-1.0f, 1.0f))};
+  light.outer_cone = between(0.01f, 1.57f);
+  light.inner_cone = light.outer_cone * between(0.0f, 1.0f);
+  return light;
+}
+
+HardCase random_case() {
+  HardCase c{"a random scene", "", {}};
+  c.scene.materials = {diffuse(0.8f), random_caster(), random_caster()};
+  c.scene.meshes = {floor(3.0, 0.0, 0)};
+  const int bodies = from(1, 4);
+  for (int i = 0; i < bodies; ++i) c.scene.meshes.push_back(random_body(*rc::gen::element(1, 1, 2, 0)));
+  c.scene.lights = {random_light()};
+  c.scene.cameras = {camera_down(static_cast<double>(between(0.1f, 5.0f)), static_cast<double>(between(0.1f, 4.0f)))};
+  Settings& s = c.settings;
+  s = small_settings(*rc::gen::element(24, 40, 9, 2, 1), *rc::gen::element(24, 40, 7, 1), 12);
+  s.estimator = *rc::gen::element(Estimator::Secant, Estimator::Paper, Estimator::Newton, Estimator::Impostor);
+  s.splat = *rc::gen::element(Splat::Cell, Splat::Point, Splat::Gaussian);
+  s.interfaces = *rc::gen::element(Interfaces::Auto, Interfaces::One, Interfaces::Two);
+  s.thickness = *rc::gen::element(Thickness::Map, Thickness::Wyman);
+  s.reflections = from(0, 2) == 1;
+  s.cube = Cube::Off;
+  return c;
+}
+
+constexpr double kLedgerTolerance = 1e-5;
+
+}  // namespace
+
+TEST_CASE("random scenes: every texel is finite and every ledger closes") {
+  fix_seed();
+  const auto device = make_software_device();
+  CHECK(rc::check("finite texels, closed ledgers", [&] {
+    const HardCase c = random_case();
+    const DrawnCase drawn = draw_case(c, *device, *device);
+    const Invariants found = invariants_of(drawn);
+    RC_CLASSIFY(drawn.ledger().in_map[1] > 0.0, "light lands");
+    RC_ASSERT(found.first_non_finite == "");
+    RC_ASSERT(found.residual < kLedgerTolerance);
+    for (const Ledger& ledger : drawn.ledgers) RC_ASSERT(ledger.in_map[1] <= ledger.entered[1] * 1.00001 + 1e-30);
+  }));
+}
+
+TEST_CASE("random scenes: a light's intensity changes no map") {
+  fix_seed();
+  const auto device = make_software_device();
+  CHECK(rc::check("maps are relative to the light", [&] {
+    HardCase c = random_case();
+    const DrawnCase once = draw_case(c, *device, *device);
+    HardCase brighter = c;
+    brighter.scene.lights[0].intensity *= 4.0f;
+    const DrawnCase more = draw_case(brighter, *device, *device);
+    for (const auto& [name, image] : once.rendering.images)
+      if (name.starts_with("caustic_map") || name.starts_with("landing")) RC_ASSERT(sha256(image) == sha256(more.rendering[name]));
+  }));
+}
+
+TEST_CASE("random scenes: threads and lanes change no bit") {
+  fix_seed();
+  const auto device = make_software_device();
+  CHECK(rc::check("the same on one scalar thread", [&] {
+    const HardCase c = random_case();
+    const DrawnCase a = draw_case(c, *device, *device);
+    const auto scalar = make_software_device({.threads = from(1, 8), .lanes = Lanes::Scalar});
+    const DrawnCase b = draw_case(c, *scalar, *scalar);
+    for (const auto& [name, image] : a.rendering.images) RC_ASSERT(sha256(image) == sha256(b.rendering[name]));
+  }));
+}
