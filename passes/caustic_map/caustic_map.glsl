@@ -42,6 +42,13 @@ void main() {
   Vec2 uv = frame_uv(q, u.window, u.depth);
   flux = Vec3(carried) * part;
   centre = Vec2(uv.x * float(u.grid.y), uv.y * float(u.grid.y));
+  // One texel is meant where there is no kernel: its middle is drawn, for a place on a border would be rounded to either
+  // side of it, and off the map at the map's.
+  Float last = Float(float(u.grid.y)) - 0.5f;
+  if (u.kernel.x == 0.0f) {
+    centre = Vec2(clamp_to(floor(centre.x) + 0.5f, 0.5f, last), clamp_to(floor(centre.y) + 0.5f, 0.5f, last));
+    uv = centre * (1.0f / float(u.grid.y));
+  }
   // The middle of the depth range: a splat is never clipped by depth. Outside the volume: not drawn.
   Vec4 at = Vec4(2.0f * uv.x - 1.0f, 2.0f * uv.y - 1.0f, Float(0.5f), Float(1.0f));
   set_position(sel(drawn, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));

@@ -131,8 +131,12 @@ Plane texel_error(const Plane& map, Counts counts) {
   return error;
 }
 
-double map_error(const Image& caustic_map, const Image& cascade_map, const Maps& maps, double pixel) {
+// A tile's guard is not shown, and what two texels of a face's edge are interpolated from lies in part in it.
+constexpr int kBesideGuard = 2;
+
+double map_error(const Image& caustic_map, const Image& cascade_map, const Maps& maps, const Frame& frame, double pixel) {
   double sum = texel_error(plane_of(caustic_map), [&](int x, int y) {
+                 if (frame.cube) return frame.cube->in_face(x, y, kBesideGuard);
                  return !maps.cascade_shows({x + 0.5, y + 0.5});
                }).absolute_sum(glm::dvec2(pixel));
   if (maps.has_cascade) {
@@ -181,10 +185,12 @@ Cell cell_at(const CellImages& cells, const Image& flux, int x, int y) {
   return {0.25 * (a + b + c + d), triangle_area(a, b, c) + triangle_area(d, c, b), sum_rgb(flux, x, y), true};
 }
 
-// Each block of two by two cells taken for one with even light: what each of the four has more or less than that.
-void compare_cells(const CellImages& cells, const Image& flux, Moved& moved) {
+// Each block of two by two cells taken for one with even light: what each of the four has more or less than that. Of a
+// grid in tiles, blocks of one face.
+void compare_cells(const CellImages& cells, const Image& flux, const Frame& caster, Moved& moved) {
   for (int y = 0; y + 2 < flux.height(); y += 2)
     for (int x = 0; x + 2 < flux.width(); x += 2) {
+      if (caster.cube && !(caster.cube->in_face(x, y) && caster.cube->in_face(x + 2, y + 2))) continue;
       const Cell four[] = {cell_at(cells, flux, x, y), cell_at(cells, flux, x + 1, y),
                            cell_at(cells, flux, x, y + 1), cell_at(cells, flux, x + 1, y + 1)};
       double area = 0.0, light = 0.0;
@@ -235,10 +241,12 @@ ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const st
                              const Image& caustic_map, const Image& cascade_map, const LightFrames& frames,
                              const Settings& settings, const Ledger& ledger, double pixel) {
   ErrorEstimate estimate;
-  if (frames.caustic.cube) return estimate;
+  const bool spots = std::any_of(branches.begin(), branches.end(),
+                                 [](const BranchImages& images) { return images.cell_flux.values.empty(); });
+  if (frames.caustic.cube && spots) return estimate;
   const Maps maps(frames, settings, caustic_map.width(), !cascade_map.values.empty());
   estimate.landed = total(ledger.in_map);
-  estimate.map = kOfTexels * map_error(caustic_map, cascade_map, maps, pixel);
+  estimate.map = kOfTexels * map_error(caustic_map, cascade_map, maps, frames.caustic, pixel);
   estimate.missing = total(ledger.outside) + total(ledger.kernel_edge) + total(ledger.not_converged);
   Moved moved(maps);
   double points = 0.0;
@@ -246,7 +254,7 @@ ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const st
     if (branches[b].cell_flux.values.empty()) {
       compare_splats(branches[b], frames.caustic, maps.side, moved);
     } else {
-      compare_cells(cells[b], branches[b].cell_flux, moved);
+      compare_cells(cells[b], branches[b].cell_flux, frames.caster, moved);
       points += flux_of_points(branches[b]);
     }
   }

@@ -25,8 +25,8 @@ struct ErrorEstimate {
 void add(ErrorEstimate& sum, const ErrorEstimate& other, double share);
 
 // Of one light; `pixel` is a pixel's side in texels of the caustic map (pixel_side.hpp), 1 or less where the maps' own
-// texels are judged; `cells` by branch, `cascade_map` without values where the light has none. The caustic of lights that
-// see all around is not estimated: landed is 0.
+// texels are judged; `cells` by branch, `cascade_map` without values where the light has none. Of lights that see all
+// around only cells are judged: landed is 0 where their landings are splatted one by one.
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
                              const Image& caustic_map, const Image& cascade_map, const LightFrames& frames,
                              const Settings& settings, const Ledger& ledger, double pixel);

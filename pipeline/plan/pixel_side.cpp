@@ -23,9 +23,13 @@ Place step_at(const Image& position, const glm::dvec3& here, int x, int y, int d
   return here - *behind;
 }
 
-// Texels of a map of so many a side; none behind a light.
-std::optional<glm::dvec2> texel_of(const glm::dvec3& p, const Frame& frame, int map) {
-  const glm::dvec3 q = frame.coordinates(p);
+// Texels of a map of so many a side, of a cube those of this face; none behind a light.
+std::optional<glm::dvec2> texel_of(const glm::dvec3& p, const Frame& frame, int map, int face) {
+  glm::dvec3 q = frame.coordinates(p);
+  if (frame.cube) {
+    q = turned_to_face(q, face);
+    return q.z > 0.0 ? std::optional(frame.cube->texel({q.x / q.z, q.y / q.z}, face)) : std::nullopt;
+  }
   if (frame.perspective && !(q.z > 0.0)) return {};
   return (frame.window(q) - frame.window_lower) / (frame.window_upper - frame.window_lower) * static_cast<double>(map);
 }
@@ -41,10 +45,11 @@ double light_at(const Image& map, const glm::dvec2& texel) {
 
 // Square texels of a pixel's parallelogram; none where that cannot be told.
 std::optional<double> area_at(const Image& position, const glm::dvec3& here, const glm::dvec2& texel, const Frame& frame,
-                              int map, int x, int y) {
+                              int map, int face, int x, int y) {
   const Place across = step_at(position, here, x, y, 1, 0), upward = step_at(position, here, x, y, 0, 1);
   if (!across || !upward) return {};
-  const auto right = texel_of(here + *across, frame, map), above = texel_of(here + *upward, frame, map);
+  const auto right = texel_of(here + *across, frame, map, face),
+             above = texel_of(here + *upward, frame, map, face);
   if (!right || !above) return {};
   const glm::dvec2 a = *right - texel, b = *above - texel;
   const double area = std::fabs(a.x * b.y - a.y * b.x);
@@ -55,17 +60,17 @@ std::optional<double> area_at(const Image& position, const glm::dvec3& here, con
 }  // namespace
 
 double pixel_side(const Image& view_position, const Image& caustic_map, const Frame& caustic) {
-  if (caustic.cube) return 0.0;
   const int map = caustic_map.width();
   double sides = 0.0, weights = 0.0;
   for (int y = 0; y < view_position.height(); ++y)
     for (int x = 0; x < view_position.width(); ++x) {
       const Place here = place_at(view_position, x, y);
       if (!here) continue;
-      const std::optional<glm::dvec2> texel = texel_of(*here, caustic, map);
+      const int face = caustic.cube ? face_of(caustic.coordinates(*here)) : 0;
+      const std::optional<glm::dvec2> texel = texel_of(*here, caustic, map, face);
       const double light = texel ? light_at(caustic_map, *texel) : 0.0;
       if (!(light > 0.0)) continue;
-      const std::optional<double> area = area_at(view_position, *here, *texel, caustic, map, x, y);
+      const std::optional<double> area = area_at(view_position, *here, *texel, caustic, map, face, x, y);
       if (!area) continue;
       // The light in the pixel is in proportion to the light in the texel and to its area.
       sides += light * *area * std::sqrt(*area);

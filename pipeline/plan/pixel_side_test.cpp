@@ -49,11 +49,19 @@ TEST_CASE("pixel side: a neighbour far behind does not make a pixel large") {
   CHECK(bench.side() == Approx(2.0));
 }
 
-TEST_CASE("pixel side: none under a light that sees all around, and where a pixel has no neighbours") {
+TEST_CASE("pixel side: under a light that sees all around, texels are those of the face below it") {
+  // A face of the atlas' 96 texels is (96 / 3 - 2 guard) wide and (96 / 2 - 2 guard) high over 2 tangents: 20 m on the
+  // floor, 10 m below. Pixels of 2 m.
   Bench bench;
   bench.frame = with_atlas(cube_frame({0.0, 10.0, 0.0}, {0.1, 20.0}), 96);
-  CHECK(bench.side() == 0.0);
-  bench = {};
+  bench.map = filled(96, 96, glm::vec4(1.0f));
+  const CubeAtlas& atlas = *bench.frame.cube;
+  const double texels = 2.0 / 20.0 * std::sqrt(double(atlas.face_width()) * double(atlas.face_height()));
+  CHECK(bench.side() == Approx(texels));
+}
+
+TEST_CASE("pixel side: none where a pixel has no neighbours") {
+  Bench bench;
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x)
       if (x != 1 || y != 1) bench.position.at(x, y, 3) = 0.0f;

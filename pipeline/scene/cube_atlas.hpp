@@ -22,6 +22,18 @@ struct CubeAtlas {
   // Texels of a face, without the guard: 2 tangent units.
   int face_width() const { return tile_width() - 2 * guard; }
   int face_height() const { return tile_height() - 2 * guard; }
+  // Where tangents of a face's frame (x/z, y/z) lie in the atlas, in texels from its lower left; past the face's edge in
+  // its guard and beyond.
+  glm::dvec2 texel(const glm::dvec2& tangents, int face) const {
+    const glm::dvec2 corner(face % 3 * tile_width() + guard, face / 3 * tile_height() + guard);
+    return corner + 0.5 * (tangents + 1.0) * glm::dvec2(face_width(), face_height());
+  }
+  // Does the texel lie in a face, and as many texels from its edges?
+  bool in_face(int x, int y, int from_edge = 0) const {
+    if (x >= 3 * tile_width() || y >= 2 * tile_height()) return false;
+    const int column = x % tile_width(), row = y % tile_height(), least = guard + from_edge;
+    return column >= least && row >= least && column < tile_width() - least && row < tile_height() - least;
+  }
   // Area of a texel in tangent units squared.
   double texel_area() const {
     return 4.0 / (static_cast<double>(face_width()) * static_cast<double>(face_height()));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include "tests/stability/hard_case.hpp"
 #include "tests/support/catch.hpp"
@@ -81,6 +82,35 @@ HardCase random_case() {
 
 constexpr double kLedgerTolerance = 1e-5;
 
+// What a failure needs to be told.
+std::string description(const HardCase& c, const DrawnCase& drawn) {
+  std::ostringstream text;
+  text.precision(9);
+  const Settings& s = c.settings;
+  text << "grid " << s.grid << ", map " << s.map << ", " << name_of(s.estimator) << ", " << name_of(s.splat)
+       << ", interfaces " << name_of(s.interfaces) << ", thickness " << name_of(s.thickness)
+       << (s.reflections ? ", reflections" : "") << "\n";
+  for (const Mesh& mesh : c.scene.meshes)
+    text << mesh.name << " of material " << mesh.material << ", " << mesh.indices.size() / 3 << " triangles, from "
+         << mesh.lower.x << " " << mesh.lower.y << " " << mesh.lower.z << " to " << mesh.upper.x << " " << mesh.upper.y << " "
+         << mesh.upper.z << "\n";
+  for (const Material& m : c.scene.materials)
+    text << m.name << ": index " << m.ior << ", dispersion " << m.dispersion << ", thickness " << m.thickness
+         << ", attenuation over " << m.attenuation_distance << "\n";
+  const Light& light = c.scene.lights[0];
+  text << "light of type " << static_cast<int>(light.type) << " at " << light.position.x << " " << light.position.y << " "
+       << light.position.z << " along " << light.direction.x << " " << light.direction.y << " " << light.direction.z << ", cone "
+       << light.inner_cone << " to " << light.outer_cone << "\n";
+  const Ledger& l = drawn.ledger();
+  const std::pair<const char*, FluxRgb> accounts[] = {
+      {"entered", l.entered}, {"in map", l.in_map}, {"fresnel", l.fresnel}, {"absorbed", l.absorbed},
+      {"total reflection", l.total_reflection}, {"missed", l.missed}, {"outside", l.outside},
+      {"not converged", l.not_converged}, {"kernel edge", l.kernel_edge}, {"rounding", l.rounding},
+      {"rounding bound", l.rounding_bound}};
+  for (const auto& [name, flux] : accounts) text << name << " " << flux[0] << " " << flux[1] << " " << flux[2] << "\n";
+  return text.str();
+}
+
 }  // namespace
 
 TEST_CASE("random scenes: every texel is finite and every ledger closes") {
@@ -90,6 +120,7 @@ TEST_CASE("random scenes: every texel is finite and every ledger closes") {
     const HardCase c = random_case();
     const DrawnCase drawn = draw_case(c, *device, *device);
     const Invariants found = invariants_of(drawn);
+    RC_LOG() << description(c, drawn);
     RC_CLASSIFY(drawn.ledger().in_map[1] > 0.0, "light lands");
     RC_ASSERT(found.first_non_finite == "");
     RC_ASSERT(found.residual < kLedgerTolerance);
