@@ -63,8 +63,8 @@ std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand
     const std::optional<Trial> trial = try_sizes(request, grid, map);
     if (!trial) {
       if (demand.error && load_scene(request)->effects().active("caustics"))
-        throw Error(ExitCode::WrongUsage, "--target-error: the error of this caustic cannot be told, as its light sees "
-                                          "all around or none of it lands; choose --grid and --map");
+        throw Error(ExitCode::WrongUsage, "--target-error: the error of this caustic cannot be told, as none of its "
+                                          "light lands, or as points that see all around; choose --grid and --map");
       return {};
     }
     trials.push_back(*trial);
