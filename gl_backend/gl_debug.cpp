@@ -26,6 +26,18 @@ GLenum take_error() {
   return first;
 }
 
+// Faults of the device, which no caller can have made.
+void check_device(const std::string& what, GLenum error) {
+  if (glGetGraphicsResetStatus() != GL_NO_ERROR || error == GL_CONTEXT_LOST)
+    throw Error(ExitCode::BackendUnavailable,
+                what +
+                    ": the graphics driver was reset and its contents are lost; start again, or "
+                    "use --backend software");
+  if (error == GL_OUT_OF_MEMORY)
+    throw Error(ExitCode::BackendUnavailable,
+                what + ": the graphics memory has run out; use smaller maps or --backend software");
+}
+
 }  // namespace
 
 DebugLog::DebugLog() {
@@ -41,22 +53,15 @@ void DebugLog::add(const char* message) {
   std::replace(first_.begin(), first_.end(), '\n', ' ');
 }
 
-void DebugLog::forget() {
-  take_error();
+void DebugLog::forget(const std::string& what) {
   first_.clear();
+  check_device(what, take_error());
 }
 
 void DebugLog::check(const std::string& what) {
   const GLenum error = take_error();
   const std::string message = std::exchange(first_, {});
-  if (glGetGraphicsResetStatus() != GL_NO_ERROR || error == GL_CONTEXT_LOST)
-    throw Error(ExitCode::BackendUnavailable,
-                what +
-                    ": the graphics driver was reset and its contents are lost; start again, or "
-                    "use --backend software");
-  if (error == GL_OUT_OF_MEMORY)
-    throw Error(ExitCode::BackendUnavailable,
-                what + ": the graphics memory has run out; use smaller maps or --backend software");
+  check_device(what, error);
   if (error == GL_NO_ERROR && message.empty()) return;
   char code[16];
   std::snprintf(code, sizeof code, "0x%04x", error);

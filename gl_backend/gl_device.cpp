@@ -96,8 +96,13 @@ class OpenGlDevice final : public GlDevice {
 
   TextureId upload(const Image& image) override {
     const TextureId id = create_texture(image.shape.format, image.width(), image.height());
-    write_texels(texture_of(id), image);
-    debug_.check("filling a texture");
+    try {
+      write_texels(texture_of(id), image);
+      debug_.check("filling a texture");
+    } catch (...) {
+      destroy(id);
+      throw;
+    }
     return id;
   }
 
@@ -151,7 +156,18 @@ class OpenGlDevice final : public GlDevice {
     validate(run, *this);
     context_.make_current();
     const std::string what = "pass '" + run.definition->name + "'";
-    // All that can fail comes before the queries begin.
+    try {
+      return checked_run(run, what);
+    } catch (...) {
+      drop_what_runs_made();
+      debug_.forget(what);
+      throw;
+    }
+  }
+
+ private:
+  PassResult checked_run(const PassRun& run, const std::string& what) {
+    // All that a faultless driver can refuse comes before the queries begin.
     const Program& program = program_of(*run.definition->shader);
     const GLuint framebuffer = framebuffer_of(run);
     prepare_draws(run, program);
@@ -166,7 +182,14 @@ class OpenGlDevice final : public GlDevice {
     return result;
   }
 
- private:
+  // What a driver has failed to make, or has half made, must not serve the next run.
+  void drop_what_runs_made() {
+    meter_.end_queries();
+    framebuffers_.clear();
+    for (auto& [id, mesh] : meshes_) mesh.arrays.clear();
+    uniforms_.drop_buffer();
+  }
+
   const Texture& texture_of(TextureId id) const {
     const auto found = textures_.find(id);
     if (found == textures_.end())
@@ -185,7 +208,7 @@ class OpenGlDevice final : public GlDevice {
     try {
       return make_program(shader);
     } catch (...) {
-      debug_.forget();  // the compiler's messages, which the Error repeats
+      debug_.forget("shader '" + std::string(shader.name) + "'");  // the compiler's messages, which the Error repeats
       throw;
     }
   }

@@ -47,7 +47,7 @@ void RunMeter::begin(bool count_samples) {
   glBeginQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB, fragments_.id());
 }
 
-void RunMeter::end(PassResult& result) {
+void RunMeter::end_queries() {
   if (counts_pipeline_) {
     glEndQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB);
     glEndQuery(GL_PRIMITIVES_SUBMITTED_ARB);
@@ -55,6 +55,10 @@ void RunMeter::end(PassResult& result) {
   }
   if (counts_samples_) glEndQuery(GL_SAMPLES_PASSED);
   if (timed_ && !wall_clock_) glEndQuery(GL_TIME_ELAPSED);
+}
+
+void RunMeter::end(PassResult& result) {
+  end_queries();
   if (wall_clock_) {
     glFinish();
     result.milliseconds =

@@ -16,6 +16,8 @@ class RunMeter {
   // Fills in what was counted since begin(), and leaves what the driver does not count as it is. Waits for
   // the driver only for figures that were asked for.
   void end(PassResult& result);
+  // Ends the queries of begin(), as end() does; of a run that failed. Sets error flags where none is open.
+  void end_queries();
 
  private:
   bool timed_, wall_clock_, counts_pipeline_ = false, counts_samples_ = false;

@@ -15,6 +15,11 @@ void UniformBuffer::clear() {
   ranges_.clear();
 }
 
+void UniformBuffer::drop_buffer() {
+  buffer_ = BufferObject();
+  capacity_ = 0;
+}
+
 void UniformBuffer::add(const std::vector<std::byte>& block, int size) {
   const std::size_t start = (bytes_.size() + alignment_ - 1) / alignment_ * alignment_;
   const std::size_t bytes = std::max(block.size(), static_cast<std::size_t>(std::max(size, 0)));

@@ -12,6 +12,8 @@ class UniformBuffer {
   UniformBuffer();  // asks the current context how blocks must be aligned
   // Forgets the last run's blocks.
   void clear();
+  // Forgets the buffer too, which the driver may have left half made: the next upload makes another.
+  void drop_buffer();
   // Appends a draw's block, zeros behind it up to `size` bytes where the program expects more.
   void add(const std::vector<std::byte>& block, int size);
   // Moves all blocks to the device. True when a larger buffer had to be made.

@@ -1,0 +1,147 @@
+// An OpenGL driver that fails at any of its calls: one line that says so, no wrong picture, and a device that goes on.
+#include <set>
+
+#include "tests/gl/faulty_driver.hpp"
+#include "tests/gl/gl_or_skip.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+const Settings kSettings = small_settings(16, 16, 8);
+
+std::string frame_on(Device& device) { return sha256(render_on(device, sphere_scene(1.5f, 2), kSettings, {})["picture"]); }
+
+struct Outcome {
+  std::string result, error;
+};
+
+// What `work` gives, or its error, which must be the device's and one line.
+template <class Work>
+Outcome outcome_of(Work work) {
+  try {
+    return {work(), ""};
+  } catch (const Error& error) {
+    const std::string line = error.what();
+    CHECK(error.code() == ExitCode::BackendUnavailable);
+    CHECK(line.find('\n') == std::string::npos);
+    CHECK(line.find("--backend software") != std::string::npos);
+    return {"", line};
+  }
+}
+
+// A draw without its array of indices reads at address 0, by OpenGL's own rules; and what tells errors cannot fail by one.
+const std::set<std::string> kMustNotFail = {"glBindVertexArray", "glGetError"};
+
+// Their failure changes nothing that is seen: the context is made current once more, nothing was reset, an object stays.
+const std::set<std::string> kMayFail = {"eglGetCurrentContext", "glDeleteBuffers", "glDeleteFramebuffers",
+                                        "glDeleteTextures", "glDeleteVertexArrays", "glGetGraphicsResetStatus"};
+
+// A device starts and ends without them; what they should have deleted goes with its context.
+const std::set<std::string> kNotNeeded = {"eglDestroyContext", "eglGetCurrentContext", "glDeleteQueries", "glDeleteTextures",
+                                          "glDeleteVertexArrays", "glGetGraphicsResetStatus"};
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("gl: memory that runs out at any call of a frame is told in one line, and the next frame is right") {
+  const auto device = gl_or_skip();
+  if (!device) return;
+  const std::string expected = frame_on(*device);
+  FaultyDriver driver;
+  CHECK(frame_on(*device) == expected);
+  const std::map<std::string, int> calls = driver.calls();
+  CHECK(calls.size() > 40);
+  std::set<std::string> unnoticed;
+  for (const auto& [function, count] : calls) {
+    if (kMustNotFail.count(function)) continue;
+    for (const int n : std::set<int>{0, count / 2, count - 1}) {
+      INFO(function << ", call " << n << " of " << count);
+      driver.fail(function, n);
+      const Outcome outcome = outcome_of([&] { return frame_on(*device); });
+      if (outcome.error.empty()) {
+        CHECK(outcome.result == expected);
+        unnoticed.insert(function);
+      } else {
+        CHECK(contains(outcome.error, "the graphics memory has run out"));
+      }
+      std::map<std::string, int> called = driver.calls();
+      CHECK(called["glCreateTextures"] - (function == "glCreateTextures") == called["glDeleteTextures"]);
+      driver.mend();
+      CHECK(outcome_of([&] { return frame_on(*device); }).result == expected);
+    }
+  }
+  CHECK(unnoticed == kMayFail);
+}
+
+TEST_CASE("gl: a driver that is reset says so, whenever it is asked") {
+  const auto device = gl_or_skip();
+  if (!device) return;
+  frame_on(*device);
+  FaultyDriver driver;
+  frame_on(*device);
+  const int questions = driver.calls().at("glGetGraphicsResetStatus");
+  for (int n = 0; n < questions; n += 7) {
+    driver.reset_at(n);
+    CHECK(contains(outcome_of([&] { return frame_on(*device); }).error, "the graphics driver was reset"));
+  }
+}
+
+TEST_CASE("gl: memory that runs out while a shader is made is told in one line, and the shader is made the next time") {
+  const auto device = gl_or_skip();
+  if (!device) return;
+  const std::string expected = frame_on(*gl_or_skip());
+  FaultyDriver driver;
+  for (const char* function :
+       {"glCreateProgram", "glCreateShader", "glShaderSource", "glCompileShader", "glGetShaderiv", "glAttachShader",
+        "glBindAttribLocation", "glLinkProgram", "glGetProgramiv", "glDetachShader", "glDeleteShader",
+        "glGetUniformBlockIndex", "glGetActiveUniformBlockiv"}) {
+    INFO(function);
+    driver.fail(function, 0);
+    CHECK(contains(outcome_of([&] { return frame_on(*device); }).error, "the graphics memory has run out"));
+    CHECK(device->made().programs == 0);
+  }
+  driver.mend();
+  CHECK(frame_on(*device) == expected);
+}
+
+TEST_CASE("gl: a driver that fails while a device starts gives another device, or one line that says why") {
+  if (!gl_or_skip()) return;
+  FaultyDriver driver;
+  const auto start = [] { return make_gl_device()->renderer(); };
+  const std::string expected = start();
+  const std::map<std::string, int> calls = driver.calls();
+  std::set<std::string> done_without;
+  for (const auto& [function, count] : calls) {
+    if (kMustNotFail.count(function)) continue;
+    for (const int n : {0, count - 1, FaultyDriver::kAlways}) {
+      INFO(function << ", call " << n << " of " << count);
+      driver.fail(function, n);
+      const Outcome outcome = outcome_of(start);
+      if (outcome.error.empty()) {
+        CHECK(outcome.result == expected);
+        if (n == FaultyDriver::kAlways) done_without.insert(function);
+      } else {
+        CHECK(contains(outcome.error, "no OpenGL 4.5 core context ("));
+      }
+      driver.mend();
+      CHECK(outcome_of(start).result == expected);
+    }
+  }
+  CHECK(done_without == kNotNeeded);
+}
+
+TEST_CASE("gl: a display that offers no contexts without a surface gets a surface of one pixel") {
+  const auto device = gl_or_skip();
+  if (!device) return;
+  FaultyDriver driver;
+  driver.hide_display_extensions();
+  const Outcome outcome = outcome_of([&] { return frame_on(*make_gl_device()); });
+  CHECK(driver.calls().count("eglCreatePbufferSurface") == 1);
+  CHECK(outcome.error == "");
+  CHECK(outcome.result == frame_on(*device));
+}
