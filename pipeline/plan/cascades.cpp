@@ -44,13 +44,14 @@ bool can_have_cascades(const Settings& settings) {
   return settings.cascades && settings.splat == Splat::Cell && 2 * settings.grid >= settings.map;
 }
 
-std::optional<Frame> cascade_frame(const Frame& caustic, const LandedFlux& landed, double margin) {
+std::optional<Frame> cascade_frame(const Frame& caustic, const LandedFlux& landed, double margin,
+                                   double shortest) {
   std::optional<Frame> best;
   double least = kWorth;
   for (const double share : kShares) {
     Frame frame = caustic;
     const Window window = landed.window(share);
-    set_window(frame, window, margin);
+    set_window(frame, window, margin, shortest);
     const double inside = landed.share_in(window);
     const double finer = std::sqrt(frame.window_area() / caustic.window_area());
     const double mean = inside * finer + (1.0 - inside);

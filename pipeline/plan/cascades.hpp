@@ -18,7 +18,8 @@ bool can_have_cascades(const Settings& settings);
 
 // A caustic frame narrowed to the window that makes the mean side of a texel, weighted by the flux on it, least;
 // nothing where that would not be less than half of what it is in the map around all.
-std::optional<Frame> cascade_frame(const Frame& caustic, const LandedFlux& landed, double margin);
+std::optional<Frame> cascade_frame(const Frame& caustic, const LandedFlux& landed, double margin,
+                                   double shortest = 1e-9);
 
 // The effect "cascades" before the lights' frames are known: inactive.
 void add_cascades(const Settings& settings, Effects& effects);

@@ -166,13 +166,17 @@ LightFrames widest_frames(const LightExtents& extents, const Effects& effects, i
 
 void add_landings(const Image& landing, const Image& flux, const Frame& frame,
                   std::vector<WeightedPoint>& points) {
+  const double origin = exact::length(frame.origin);
   for (int y = 0; y < landing.height(); ++y)
     for (int x = 0; x < landing.width(); ++x) {
       if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
       const glm::dvec3 p{landing.at(x, y, 0), landing.at(x, y, 1), landing.at(x, y, 2)};
-      points.push_back({frame.window(frame.coordinates(p)),
-                        static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1),
-                                                      flux.at(x, y, 2)}))});
+      const glm::dvec3 q = frame.coordinates(p);
+      const double w = frame.perspective ? q.z : 1.0;
+      points.push_back({.window = frame.window(q),
+                        .weight = static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1),
+                                                                flux.at(x, y, 2)})),
+                        .rounding = w > 0.0 ? 0x1p-24 * (exact::length(p) + origin) / w : 0.0});
     }
 }
 
@@ -183,12 +187,13 @@ void fit_to_landings(LightFrames& frames, const std::vector<WeightedPoint>& poin
   frames.cascade.reset();
   if (points.empty()) return;
   const LandedFlux landed(points);
-  set_window(frames.caustic, landed.window(0.25 * settings.outside_share), margin);
-  if (can_have_cascades(settings)) frames.cascade = cascade_frame(frames.caustic, landed, margin);
+  const double shortest = landed.shortest_side(settings.map);
+  set_window(frames.caustic, landed.window(0.25 * settings.outside_share), margin, shortest);
+  if (can_have_cascades(settings)) frames.cascade = cascade_frame(frames.caustic, landed, margin, shortest);
   // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map would have
   // to be as wide, and on receivers that are not flat its texels tell where light lands.
   if (frames.cascade && flat)
-    set_window(frames.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin);
+    set_window(frames.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin, shortest);
   frames.receiver.window_lower =
       glm::min(frames.caustic.window_lower, frames.caster.window_lower);
   frames.receiver.window_upper =

@@ -4,6 +4,13 @@
 
 namespace caustics {
 
+namespace {
+
+// Finer texels would show coordinates' rounding as grain.
+constexpr double kRoundingsPerTexel = 8.0;
+
+}  // namespace
+
 LandedFlux::LandedFlux(const std::vector<WeightedPoint>& points) {
   for (int axis = 0; axis < 2; ++axis) {
     along_[axis] = points;
@@ -13,7 +20,10 @@ LandedFlux::LandedFlux(const std::vector<WeightedPoint>& points) {
                 return a.weight < b.weight;
               });
   }
-  for (const WeightedPoint& p : along_[0]) total_ += p.weight;
+  for (const WeightedPoint& p : along_[0]) {
+    total_ += p.weight;
+    rounding_ = std::max(rounding_, p.rounding);
+  }
 }
 
 glm::dvec2 LandedFlux::range(int axis, double share) const {
@@ -43,11 +53,12 @@ double LandedFlux::share_in(const Window& window) const {
   return inside / total_;
 }
 
-void set_window(Frame& frame, const Window& window, double margin) {
+double LandedFlux::shortest_side(int map) const { return kRoundingsPerTexel * rounding_ * map; }
+
+void set_window(Frame& frame, const Window& window, double margin, double shortest) {
   glm::dvec2 size = window.upper - window.lower;
   const glm::dvec2 centre = 0.5 * (window.lower + window.upper);
-  const double shortest = std::max(0.5 * std::max(size.x, size.y), 1e-9);
-  size = glm::max(size, glm::dvec2(shortest)) * (1.0 + margin);
+  size = glm::max(size, glm::dvec2(std::max(0.5 * std::max(size.x, size.y), shortest))) * (1.0 + margin);
   frame.window_lower = centre - 0.5 * size;
   frame.window_upper = centre + 0.5 * size;
 }

@@ -10,6 +10,7 @@ namespace caustics {
 struct WeightedPoint {
   glm::dvec2 window{0.0};
   double weight = 0.0;
+  double rounding = 0.0;  // what single precision may move it by, in window coordinates
 };
 
 struct Window {
@@ -29,16 +30,18 @@ class LandedFlux {
   Window window(double share) const;
   // The share of all flux in a window, 0..1.
   double share_in(const Window& window) const;
+  // The side of the smallest window that is worth a map of so many texels a side: its texels are some roundings wide.
+  double shortest_side(int map) const;
 
  private:
   glm::dvec2 range(int axis, double share) const;
 
   std::vector<WeightedPoint> along_[2];  // sorted by x, and by y
-  double total_ = 0.0;
+  double total_ = 0.0, rounding_ = 0.0;
 };
 
 // Gives a frame this window and a margin, a share of its size. No side becomes shorter than half the other, so
-// that texels stay compact.
-void set_window(Frame& frame, const Window& window, double margin);
+// that texels stay compact, or than `shortest`.
+void set_window(Frame& frame, const Window& window, double margin, double shortest = 1e-9);
 
 }  // namespace caustics

@@ -92,12 +92,13 @@ void add(Ledger& sum, const Ledger& other, double share) {
 
 namespace {
 
-void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
+void add_vertex(const BranchImages& images, int x, int y, const FrameUniforms& frame,
                 const SplatKernel& kernel, int map, Ledger& ledger) {
   const auto status = static_cast<LandingStatus>(static_cast<int>(images.landing.at(x, y, 3)));
   const double flux = images.fresnel.at(x, y, 3);
   // The guard vertices of a cube's grid belong to other faces: they carry nothing.
-  const bool guard = frame.cube && flux == 0.0;
+  const bool cube = frame.depth.z > 1.5f;
+  const bool guard = cube && flux == 0.0;
   ++ledger.vertices[static_cast<std::size_t>(guard ? LandingStatus::Empty : status)];
   if (status == LandingStatus::Empty || guard) return;
   const glm::vec3& color = images.branch.color;
@@ -114,7 +115,7 @@ void add_vertex(const BranchImages& images, int x, int y, const Frame& frame,
   const FluxRgb carried = rgb(images.flux, x, y);
   if (FluxRgb* account = account_of(ledger, status)) return add(*account, carried);
   add(ledger.rounding, carried);
-  if (frame.cube) return;  // a tile's guard holds every splat whole
+  if (cube) return;  // a tile's guard holds every splat whole
   const glm::dvec2 texel = texel_of(images, x, y, frame, map);
   const double beyond = (1.0 - share_on_map(kernel, texel.x, texel.y, map)) * share_of_points(images.cell_flux, x, y);
   add(ledger.kernel_edge, carried, beyond);
@@ -131,9 +132,10 @@ Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<
   Ledger ledger;
   const SplatKernel kernel = splat_kernel(settings);
   const int side = caustic_map.width();
+  const FrameUniforms uniforms = pack(caustic_frame);
   for (const BranchImages& images : branches)
     for (int y = 0; y < images.landing.height(); ++y)
-      for (int x = 0; x < images.landing.width(); ++x) add_vertex(images, x, y, caustic_frame, kernel, side, ledger);
+      for (int x = 0; x < images.landing.width(); ++x) add_vertex(images, x, y, uniforms, kernel, side, ledger);
   const std::vector<std::uint32_t> counts =
       caustic_frame.cube ? std::vector<std::uint32_t>{} : splat_counts(branches, cells, kernel, caustic_frame, side);
   for (const Image* map : {&caustic_map, &far_map})

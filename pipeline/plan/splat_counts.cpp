@@ -51,11 +51,12 @@ class RectangleCounts {
 
 void add_landings(const BranchImages& images, const SplatKernel& kernel, const Frame& frame, int map,
                   RectangleCounts& counts) {
+  const FrameUniforms uniforms = pack(frame);
   for (int y = 0; y < images.landing.height(); ++y)
     for (int x = 0; x < images.landing.width(); ++x) {
       if (images.landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
       if (share_of_points(images.cell_flux, x, y) <= 0.0) continue;
-      const glm::dvec2 texel = texel_of(images, x, y, frame, map);
+      const glm::dvec2 texel = texel_of(images, x, y, uniforms, map);
       counts.add(texel - kernel.radius, texel + kernel.radius);
     }
 }
@@ -76,10 +77,15 @@ void add_cells(const BranchImages& images, const CellImages& cells, RectangleCou
 
 }  // namespace
 
-glm::dvec2 texel_of(const BranchImages& images, int x, int y, const Frame& frame, int map) {
-  const glm::dvec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1), images.landing.at(x, y, 2)};
-  return (frame.window(frame.coordinates(p)) - frame.window_lower) / (frame.window_upper - frame.window_lower) *
-         static_cast<double>(map);
+glm::dvec2 texel_of(const BranchImages& images, int x, int y, const FrameUniforms& frame, int map) {
+  const glm::vec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1), images.landing.at(x, y, 2)};
+  const auto along = [&](int row) {
+    const glm::mat4& m = frame.from_scene;
+    return ((m[0][row] * p.x + m[1][row] * p.y) + m[2][row] * p.z) + m[3][row];
+  };
+  const float w = frame.depth.z > 0.5f ? along(2) : 1.0f;
+  const auto side = static_cast<float>(map);
+  return {(along(0) / w * frame.window.x + frame.window.z) * side, (along(1) / w * frame.window.y + frame.window.w) * side};
 }
 
 std::vector<std::uint32_t> splat_counts(const std::vector<BranchImages>& branches,

@@ -16,7 +16,9 @@ std::vector<std::uint32_t> splat_counts(const std::vector<BranchImages>& branche
                                         const std::vector<CellImages>& cells, const SplatKernel& kernel,
                                         const Frame& frame, int map);
 
-// Where a landing lies in a map of `frame`, in texels from its lower left corner. Not for cubes.
-glm::dvec2 texel_of(const BranchImages& images, int x, int y, const Frame& frame, int map);
+// Where a landing is splatted in a map of a frame, in texels from its lower left corner: in single precision, step by step
+// as passes/shared/frame_space.glsl does, for where a caustic is hardly wider than its coordinates' rounding a texel more
+// or less decides what the map's edge cuts off. Not for cubes.
+glm::dvec2 texel_of(const BranchImages& images, int x, int y, const FrameUniforms& frame, int map);
 
 }  // namespace caustics

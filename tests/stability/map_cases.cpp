@@ -67,6 +67,21 @@ HardCase coarse_case(Splat splat) {
   return splatted("a grid of 2 on a map of 64, " + std::string(name_of(splat)), "few rays; books close", splat, 2, 64);
 }
 
+// One ray through a plate that stands away from the axes, so that no coordinate is exact.
+HardCase point_case(Splat splat) {
+  HardCase c = splatted("a caustic narrower than its coordinates' rounding, " + std::string(name_of(splat)),
+                        "the map is some thousand roundings wide and has the whole splat", splat, 1, 64);
+  c.scene.meshes[1] = box({-0.524, 0.5, -0.825}, {0.277, 0.6, -0.225}, 1);
+  c.expect = [](const DrawnCase& drawn) {
+    CHECK(drawn.share(&Ledger::in_map) == Approx(0.96 * 0.96).margin(0.005));
+    CHECK(drawn.share(&Ledger::kernel_edge) < 1e-6);
+    const Frame& frame = drawn.rendering.frames.front().caustic;
+    CHECK(frame.window_area() > std::pow(64 * 8 * 0x1p-24, 2.0));
+    CHECK(frame.window_area() < 1e-6);
+  };
+  return c;
+}
+
 HardCase no_margin_case(double share) {
   HardCase c = splatted(share > 0.0 ? "half of the flux may fall outside the map" : "no flux may fall outside the map",
                         "what falls outside is booked", Splat::Cell, 48, 64);
@@ -89,6 +104,7 @@ std::vector<HardCase> map_cases() {
   for (const Splat splat : {Splat::Point, Splat::Cell}) cases.push_back(coarse_case(splat));
   cases.push_back(no_margin_case(0.0));
   cases.push_back(no_margin_case(0.5));
+  for (const Splat splat : {Splat::Point, Splat::Gaussian, Splat::Cell}) cases.push_back(point_case(splat));
   cases.push_back(million_case());
   return cases;
 }
