@@ -144,4 +144,7 @@ TEST_CASE("gl: a display that offers no contexts without a surface gets a surfac
   CHECK(driver.calls().count("eglCreatePbufferSurface") == 1);
   CHECK(outcome.error == "");
   CHECK(outcome.result == frame_on(*device));
+  driver.fail("eglChooseConfig", FaultyDriver::kAlways);
+  driver.hide_display_extensions();
+  CHECK(contains(outcome_of([] { return make_gl_device()->renderer(); }).error, "EGL has no configuration"));
 }

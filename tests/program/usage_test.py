@@ -1,5 +1,6 @@
 """Help, versions, misspelt words, sizes out of range: what is said before anything is rendered."""
 
+import os
 import unittest
 
 from program import ProgramTest
@@ -51,6 +52,10 @@ class Mistakes(ProgramTest):
                              ("--assume-solids", "--assume-solid")):
             self.fails(2, "ball.glb", typed, "7", saying=f"did you mean '{meant}'?")
             self.fails(2, "ball.glb", typed + "=7", saying=f"did you mean '{meant}'?")
+
+    def test_unknown_lanes(self):
+        wrong = dict(os.environ, CAUSTICS_LANES="avx3")
+        self.fails(2, "ball.glb", saying="CAUSTICS_LANES is 'avx3'; this build and processor have: scalar", env=wrong)
 
     def test_misspelt_key(self):
         self.fails(2, "ball.glb", "-D", "splat.sigam=1", saying="did you mean 'splat.sigma'?")

@@ -1,4 +1,5 @@
 // Lane widths and threads never show: random triangles and points, seeded, hashed.
+#include <algorithm>
 #include <random>
 
 #include "pipeline/gpu/error.hpp"
@@ -58,6 +59,15 @@ TEST_CASE("lanes: random triangles and points give the same bits on every width 
 TEST_CASE("lanes: a width that the processor lacks, and a senseless number of threads, are refused") {
   CHECK(supported_lanes().size() >= 2);
   CHECK_THROWS_AS(make_software_device({.threads = -1}), Error);
+  for (int i = 0; i < kLanesCount; ++i) {
+    const auto lanes = static_cast<Lanes>(i);
+    const std::vector<Lanes> supported = supported_lanes();
+    if (std::find(supported.begin(), supported.end(), lanes) != supported.end()) {
+      CHECK_NOTHROW(make_software_device({.lanes = lanes}));
+    } else {
+      CHECK_THROWS_AS(make_software_device({.lanes = lanes}), Error);
+    }
+  }
 }
 
 TEST_CASE("device: sizes beyond the limit are refused, one texel is enough") {
@@ -68,4 +78,19 @@ TEST_CASE("device: sizes beyond the limit are refused, one texel is enough") {
   b.width = b.height = 1;
   CHECK(b.draw({b.at(0, 0, 4.0f), b.at(2, 0, 4.0f), b.at(0, 2, 4.0f)})[0].values ==
         std::vector<float>{4.0f});
+}
+
+TEST_CASE("device: ids that do not exist, indices beyond the vertices and other sizes are refused") {
+  const auto device = make_software_device();
+  CHECK_THROWS_AS(device->read_back(static_cast<TextureId>(99)), Error);
+  CHECK_THROWS_AS(device->shape(static_cast<TextureId>(99)), Error);
+  MeshData mesh{.layout = {{"position", 1}}, .vertices = {1.0f}, .indices = {1}};
+  CHECK_THROWS_AS(device->create_mesh(mesh), Error);
+  mesh.indices = {0};
+  const MeshId one = device->create_mesh(mesh);
+  mesh.vertices = {2.0f};
+  CHECK_NOTHROW(device->update(one, mesh));
+  mesh.vertices = {2.0f, 3.0f};
+  CHECK_THROWS_AS(device->update(one, mesh), Error);
+  CHECK_THROWS_AS(device->update(static_cast<MeshId>(99), mesh), Error);
 }

@@ -226,6 +226,30 @@ TEST_CASE("An animator's meshes start from the file at every moment") {
   }
 }
 
+TEST_CASE("An animator of a mesh that the scene lacks is refused") {
+  class Stray final : public MeshAnimator {
+   public:
+    std::vector<int> meshes() const override { return {7}; }
+    void move(double, Scene&) override {}
+  };
+  AnimatedScene scene = load_moving(triangle());
+  CHECK_THROWS_AS(scene.add(std::make_shared<Stray>()), Error);
+}
+
+TEST_CASE("A motion that overflows at some moment is refused there") {
+  Gltf gltf = triangle();
+  gltf.node = R"("children":[1]},{"scale":[1e290,1,1],"children":[2]},{"mesh":0)";
+  animate(gltf, 0, "scale", {0, 2}, {1, 1, 1, 9e29f, 1, 1}, "VEC3");
+  std::string message;
+  try {
+    load_moving(gltf).at(1.9);
+  } catch (const Error& error) {
+    CHECK(error.code() == ExitCode::BadInput);
+    message = error.what();
+  }
+  CHECK(contains(message, "nodes[1]: its transform is not finite"));
+}
+
 TEST_CASE("Channels without a node and of other properties are left out with a note") {
   Gltf gltf = sliding_triangle();
   const std::string node = R"("node":0,)";
@@ -307,6 +331,14 @@ TEST_CASE("Bad skins are refused in one line") {
   const int two = few.add<float>({1, 0, 0, 0, 1, 0, 0, 0}, 5126, "VEC4", 2);
   few.mesh.replace(few.mesh.find("\"WEIGHTS_0\":2"), 13, "\"WEIGHTS_0\":" + std::to_string(two));
   CHECK(contains(refusal(few), "2 elements, POSITION 3"));
+  Gltf flat = skinned_triangle();
+  flat.add<float>(std::vector<float>(18, 1.0f), 5126, "MAT3", 2);
+  flat.rest.replace(flat.rest.find("\"inverseBindMatrices\":3"), 23, "\"inverseBindMatrices\":4");
+  CHECK(contains(refusal(flat), "must be matrices of 4x4 floats"));
+  Gltf negative = skinned_triangle();
+  negative.add<float>({-1, 0, 0, 0, 0.5f, 0, 0, 0, 0.5f, 0.5f, 0, 0}, 5126, "VEC4", 3);
+  negative.mesh.replace(negative.mesh.find("\"WEIGHTS_0\":2"), 13, "\"WEIGHTS_0\":4");
+  CHECK(contains(refusal(negative), "vertex 0 has a weight below 0 or not finite"));
 }
 
 TEST_CASE("Bad morph targets are refused in one line") {
@@ -318,6 +350,10 @@ TEST_CASE("Bad morph targets are refused in one line") {
   const int two = few.add<float>({0, 0, 0, 2, 0, 0}, 5126, "VEC3", 2);
   few.mesh.replace(few.mesh.find("[{\"POSITION\":1"), 14, "[{\"POSITION\":" + std::to_string(two));
   CHECK(contains(refusal(few), "2 elements, POSITION 3"));
+  Gltf plane = morphing_triangle();
+  plane.add<float>({0, 0, 2, 0, 0, 0}, 5126, "VEC2", 3);
+  plane.mesh.replace(plane.mesh.find("[{\"POSITION\":1"), 14, "[{\"POSITION\":4");
+  CHECK(contains(refusal(plane), "wrong type for a morph target"));
   Gltf wild = morphing_triangle();
   const int bad = wild.add<float>({0, 0, 0, std::nanf(""), 0, 0, 0, 0, 0}, 5126, "VEC3", 3);
   wild.mesh.replace(wild.mesh.find("[{\"POSITION\":1"), 14, "[{\"POSITION\":" + std::to_string(bad));

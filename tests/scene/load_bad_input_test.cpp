@@ -125,6 +125,36 @@ TEST_CASE("Sparse indices out of order or out of range are refused") {
   }
 }
 
+TEST_CASE("A buffer with neither a URI nor a binary chunk is refused") {
+  std::string json = triangle().json();
+  const std::size_t uri = json.find(",\"uri\":"), end = json.find('}', uri);
+  CHECK(contains(refusal(json.erase(uri, end - uri)), "buffers[0].uri: is missing"));
+}
+
+TEST_CASE("A mesh that is only there in compressed form is refused with the way to unpack it") {
+  Gltf gltf = triangle();
+  gltf.accessors += R"(,{"componentType":5126,"type":"VEC3","count":3})";
+  gltf.mesh = R"("attributes":{"POSITION":1},"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{}}})";
+  CHECK(contains(refusal(gltf), "only there in compressed form"));
+}
+
+TEST_CASE("A camera whose node is flat is refused") {
+  Gltf gltf = triangle();
+  gltf.node = R"("mesh":0,"camera":0,"scale":[1,0,1])";
+  gltf.rest = R"(,"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}])";
+  CHECK(contains(refusal(gltf), "nodes[0]: its transform is flat, so its camera has no direction"));
+}
+
+TEST_CASE("Instances of the wrong type or count are refused") {
+  for (const bool wrong_type : {true, false}) {
+    Gltf gltf = triangle();
+    gltf.add<float>({0, 0, 0, 1, 0, 0}, 5126, "VEC3", 2);
+    gltf.add<float>({1, 1, 1}, 5126, wrong_type ? "SCALAR" : "VEC3", wrong_type ? 3 : 1);
+    gltf.node += R"(,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":1,"SCALE":2}}})";
+    CHECK(contains(refusal(gltf), "EXT_mesh_gpu_instancing.attributes.SCALE: has the wrong type, or another count"));
+  }
+}
+
 TEST_CASE("Cycles, second parents and endless depth in the node tree are refused") {
   Gltf gltf = triangle();
   gltf.node = R"("children":[0])";

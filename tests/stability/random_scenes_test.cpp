@@ -46,7 +46,7 @@ Material random_caster() {
   if (from(0, 4) == 0) return metal(glm::vec3(between(0.0f, 1.0f), between(0.0f, 1.0f), between(0.0f, 1.0f)));
   Material material = glass(*rc::gen::element(1.0f, 1.000001f, 1.33f, 1.5f, 2.42f, 4.0f, 0.9f, 0.5f, 100.0f));
   material.thickness = static_cast<float>(from(0, 2));
-  material.attenuation_distance = *rc::gen::element(INFINITY, 1.0f, 1e-9f, 1e9f);
+  material.attenuation_distance = *rc::gen::element(INFINITY, INFINITY, INFINITY, 1.0f, 1e-9f, 1e9f);
   material.attenuation_color = glm::vec3(between(0.0f, 1.0f), between(0.0f, 1.0f), 1.0f);
   material.dispersion = *rc::gen::element(0.0f, 0.0f, 0.3f, 20.0f);
   return material;
@@ -61,16 +61,28 @@ Light random_light() {
   return light;
 }
 
+// Most lights in most scenes would shine past the casters: three of four are turned to one, from above.
+void aim(Light& light, const Mesh& caster) {
+  if (from(0, 4) == 0) return;
+  const glm::dvec3 centre = 0.5 * glm::dvec3(caster.lower + caster.upper);
+  light.position.y = centre.y + static_cast<double>(between(0.3f, 4.0f));
+  if (light.type == LightType::Directional) light.direction.y = static_cast<double>(between(-3.0f, -0.5f));
+  if (light.type != LightType::Directional) light.direction = centre - light.position;
+  light.direction = glm::normalize(light.direction);
+}
+
 HardCase random_case() {
   HardCase c{"a random scene", "", {}};
   c.scene.materials = {diffuse(0.8f), random_caster(), random_caster()};
   c.scene.meshes = {floor(3.0, 0.0, 0)};
   const int bodies = from(1, 4);
-  for (int i = 0; i < bodies; ++i) c.scene.meshes.push_back(random_body(*rc::gen::element(1, 1, 2, 0)));
+  c.scene.meshes.push_back(random_body(1));
+  for (int i = 1; i < bodies; ++i) c.scene.meshes.push_back(random_body(*rc::gen::element(1, 1, 2, 0)));
   c.scene.lights = {random_light()};
+  aim(c.scene.lights[0], c.scene.meshes[1]);
   c.scene.cameras = {camera_down(static_cast<double>(between(0.1f, 5.0f)), static_cast<double>(between(0.1f, 4.0f)))};
   Settings& s = c.settings;
-  s = small_settings(*rc::gen::element(24, 40, 9, 2, 1), *rc::gen::element(24, 40, 7, 1), 12);
+  s = small_settings(*rc::gen::element(24, 24, 24, 40, 40, 9, 2, 1), *rc::gen::element(24, 24, 40, 7, 1), 12);
   s.estimator = *rc::gen::element(Estimator::Secant, Estimator::Paper, Estimator::Newton, Estimator::Impostor);
   s.splat = *rc::gen::element(Splat::Cell, Splat::Point, Splat::Gaussian);
   s.interfaces = *rc::gen::element(Interfaces::Auto, Interfaces::One, Interfaces::Two);
@@ -122,6 +134,7 @@ TEST_CASE("random scenes: every texel is finite and every ledger closes") {
     const Invariants found = invariants_of(drawn);
     RC_LOG() << description(c, drawn);
     RC_CLASSIFY(drawn.ledger().in_map[1] > 0.0, "light lands");
+    RC_CLASSIFY(!(drawn.ledger().entered[1] > 0.0), "no light enters");
     RC_ASSERT(found.first_non_finite == "");
     RC_ASSERT(found.residual < kLedgerTolerance);
     for (const Ledger& ledger : drawn.ledgers) RC_ASSERT(ledger.in_map[1] <= ledger.entered[1] * 1.00001 + 1e-30);
@@ -144,12 +157,14 @@ TEST_CASE("random scenes: a light's intensity changes no map") {
 
 TEST_CASE("random scenes: threads and lanes change no bit") {
   fix_seed();
-  const auto device = make_software_device();
-  CHECK(rc::check("the same on one scalar thread", [&] {
+  CHECK(rc::check("the same on any number of scalar threads", [&] {
     const HardCase c = random_case();
+    // One device at a time: oneTBB gives all that live no more threads than the one that asks for fewest.
+    auto device = make_software_device();
     const DrawnCase a = draw_case(c, *device, *device);
-    const auto scalar = make_software_device({.threads = from(1, 8), .lanes = Lanes::Scalar});
-    const DrawnCase b = draw_case(c, *scalar, *scalar);
+    device.reset();
+    device = make_software_device({.threads = from(1, 8), .lanes = Lanes::Scalar});
+    const DrawnCase b = draw_case(c, *device, *device);
     for (const auto& [name, image] : a.rendering.images) RC_ASSERT(sha256(image) == sha256(b.rendering[name]));
   }));
 }
