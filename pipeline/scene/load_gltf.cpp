@@ -318,16 +318,16 @@ Loaded load(Context& context) {
 
 // Runs the loader so that whatever goes wrong is one line about the file.
 Loaded load_file(const std::filesystem::path& path, const LoadOptions& options) {
-  Context context(path, options);
   try {
+    Context context(path, options);
     return load(context);
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    context.fail("", "needs more memory than there is", "simplify the scene");
+    Context(path, options).fail("", "needs more memory than there is", "simplify the scene");
   } catch (const std::exception& problem) {
     // Whatever a library throws on a file is the file's fault here: nothing else came in.
-    context.fail("", std::string("cannot be read: ") + problem.what(), "export it again");
+    Context(path, options).fail("", std::string("cannot be read: ") + problem.what(), "export it again");
   }
 }
 

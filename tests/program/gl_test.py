@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import subprocess
 import unittest
 
 from program import PROGRAM, SMALL, ProgramTest
@@ -132,6 +133,24 @@ class Absence(ProgramTest):
         for command in (["ball.glb", "--backend", "gl"], ["parity", "ball.glb"]):
             self.fails(5, *command, saying="--backend software", env=none)
         self.succeeds("ball.glb", *SMALL, env=none)
+
+    def test_no_libraries(self):
+        # In a mount namespace of its own, where that is allowed, empty files lie over the libraries.
+        libraries = subprocess.run(["/sbin/ldconfig", "-p"], text=True, capture_output=True).stdout
+        for hidden, missing in ((["libEGL.so.1"], "libEGL.so.1 is missing"),
+                                (["libOpenGL.so.0", "libGL.so.1"], "libOpenGL.so.0 and libGL.so.1 are missing")):
+            paths = [line.split()[-1] for line in libraries.splitlines() if line.split()[:1] and line.split()[0] in hidden]
+            mounts = "".join(f"mount --bind /dev/null {path} && " for path in paths)
+            if subprocess.run(["unshare", "-m", "sh", "-c", mounts + "true"], capture_output=True).returncode != 0:
+                self.skipTest("no mount namespaces here")
+            for backend, code in (("gl", 5), ("software", 0)):
+                command = [PROGRAM, "ball.glb", *SMALL, "--backend", backend]
+                result = subprocess.run(["unshare", "-m", "sh", "-c", mounts + 'exec "$0" "$@"', *command], text=True,
+                                        capture_output=True, cwd=self.folder)
+                self.assertEqual(result.returncode, code, result.stderr)
+                if code:
+                    self.assertIn(missing, result.stderr)
+                    self.assertIn("--backend software", result.stderr)
 
     def test_a_driver_that_is_too_old(self):
         old = dict(os.environ, MESA_GL_VERSION_OVERRIDE="4.4")

@@ -1,6 +1,7 @@
 #include "pipeline/scene/gltf/model.hpp"
 
 #include <charconv>
+#include <new>
 
 namespace caustics::gltf {
 
@@ -96,6 +97,8 @@ tinygltf::Model build_model(Context& context, const Document& document,
   reader.SetFsCallbacks(callbacks_for(buffers));
   if (!reader.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                   static_cast<unsigned int>(text.size()), "")) {
+    // tinygltf catches what is thrown while it parses, and keeps the name.
+    if (error.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     context.fail("", "tinygltf: " + error, "export the file again");
   }
   return model;

@@ -1,0 +1,42 @@
+#include "tests/support/failing_new.hpp"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+constexpr std::int64_t kNever = -1;
+// Allocations that are left before the one that fails.
+thread_local std::int64_t left = kNever;
+
+bool is_own_code(const void* address) {
+  Dl_info there{}, here{};
+  return dladdr(address, &there) && dladdr(reinterpret_cast<const void*>(&is_own_code), &here) && there.dli_fbase == here.dli_fbase;
+}
+
+inline void* allocate(std::size_t bytes, const void* caller) {
+  if (left != kNever && is_own_code(caller) && left-- == 0) throw std::bad_alloc();
+  void* memory = std::malloc(bytes > 0 ? bytes : 1);
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) { return allocate(bytes, __builtin_return_address(0)); }
+void* operator new[](std::size_t bytes) { return allocate(bytes, __builtin_return_address(0)); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace caustics::test {
+
+// After the failure `left` stands at kNever: it fails once.
+FailingNew::FailingNew(std::int64_t n) { left = n; }
+FailingNew::~FailingNew() { left = kNever; }
+bool FailingNew::failed() const { return left == kNever; }
+
+}  // namespace caustics::test
