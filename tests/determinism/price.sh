@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # What equal bits cost: milliseconds of all passes in g++ -O3 as it is, with contraction allowed for a processor with FMA, and
 # with -ffast-math. Times are taken in turns, one thread, AVX2 lanes; the fastest of three frames, then the median of the turns.
-#   price.sh [TURNS]     7 unless given
+#   price.sh [TURNS]     at least 2; 7 unless given, and a quarter of an hour then
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
+turns=${1:-7}
+[[ $turns =~ ^[1-9][0-9]*$ ]] && ((turns >= 2)) || give_up 2 "TURNS is '$turns', must be a number of at least 2"
 ensure_packages
 target=caustics_pass_times
 digest_build g++-O3 -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O3
@@ -14,7 +16,7 @@ inexact() {  # NAME FLAGS
 }
 inexact contracted "-ffp-contract=fast -march=haswell"
 inexact fast-math "-ffast-math -march=haswell -U__FAST_MATH__"
-exec python3 - "$root" "$builds" "${1:-7}" << 'PYTHON'
+exec python3 - "$root" "$builds" "$turns" << 'PYTHON'
 import os
 import statistics
 import subprocess
