@@ -58,6 +58,11 @@ void DebugLog::forget(const std::string& what) {
   check_device(what, take_error());
 }
 
+void DebugLog::drop() {
+  take_error();
+  first_.clear();
+}
+
 void DebugLog::check(const std::string& what) {
   const GLenum error = take_error();
   const std::string message = std::exchange(first_, {});

@@ -20,6 +20,8 @@ class DebugLog {
   // Drops what has been collected, where the caller reports the fault itself; but a lost context and memory that has run
   // out, which are the reason then, it throws as check() does.
   void forget(const std::string& what);
+  // Drops everything, after calls whose failure takes nothing from anyone: an object that is not deleted.
+  void drop();
 
  private:
   std::string first_;

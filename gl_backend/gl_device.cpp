@@ -100,7 +100,7 @@ class OpenGlDevice final : public GlDevice {
       write_texels(texture_of(id), image);
       debug_.check("filling a texture");
     } catch (...) {
-      destroy(id);
+      textures_.erase(id);
       throw;
     }
     return id;
@@ -112,6 +112,7 @@ class OpenGlDevice final : public GlDevice {
       return std::find(entry.first.begin(), entry.first.end(), texture) != entry.first.end();
     });
     textures_.erase(texture);
+    debug_.drop();
   }
 
   MeshId create_mesh(const MeshData& data) override {
@@ -134,6 +135,7 @@ class OpenGlDevice final : public GlDevice {
   void destroy(MeshId mesh) override {
     context_.make_current();
     meshes_.erase(mesh);
+    debug_.drop();
   }
 
   Image read_back(TextureId texture) override {

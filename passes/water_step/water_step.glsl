@@ -20,6 +20,12 @@ Float plop_at(Float column, Float row) {
   return (bump * (1.0f - q * Float(u.plop_shape.w))) * Float(u.plop_shape.z);
 }
 
+// Ahead of a wave's front heights fall off by powers, until they are denormal: some machines keep such numbers and others
+// take them for 0. What no picture can show is at rest on all of them.
+Float settled(Float x) {
+  return sel(abs(x) < 1e-20f, Float(0.0f), x);
+}
+
 void main() {
   Int x = floor_to_int(frag_x());
   Int y = floor_to_int(frag_y());
@@ -33,6 +39,6 @@ void main() {
   Float pull = (east - west) * Float(u.wave.x) + (north - south) * Float(u.wave.y);
   Float rate = (here.y + pull) * Float(u.wave.z);
   Float height = h + rate * Float(u.wave.w);
-  water_after = Vec4(height + plop_at(frag_x(), frag_y()), rate, Float(0.0f), Float(0.0f));
+  water_after = Vec4(settled(height + plop_at(frag_x(), frag_y())), settled(rate), Float(0.0f), Float(0.0f));
 }
 #endif

@@ -166,7 +166,10 @@ LightFrames widest_frames(const LightExtents& extents, const Effects& effects, i
 
 void add_landings(const Image& landing, const Image& flux, const Frame& frame,
                   std::vector<WeightedPoint>& points) {
-  const double origin = exact::length(frame.origin);
+  // What x and y are made of before they are rounded; how far back a parallel light stands is no part of them.
+  const double origin = frame.perspective ? exact::length(frame.origin)
+                                          : std::max(std::fabs(exact::dot(frame.right, frame.origin)),
+                                                     std::fabs(exact::dot(frame.up, frame.origin)));
   for (int y = 0; y < landing.height(); ++y)
     for (int x = 0; x < landing.width(); ++x) {
       if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;

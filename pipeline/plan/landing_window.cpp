@@ -8,6 +8,8 @@ namespace {
 
 // Finer texels would show coordinates' rounding as grain.
 constexpr double kRoundingsPerTexel = 8.0;
+// Metres, or tangents: smaller ones have areas that irradiances in single precision cannot be divided by.
+constexpr double kShortest = 1e-9;
 
 }  // namespace
 
@@ -22,7 +24,7 @@ LandedFlux::LandedFlux(const std::vector<WeightedPoint>& points) {
   }
   for (const WeightedPoint& p : along_[0]) {
     total_ += p.weight;
-    rounding_ = std::max(rounding_, p.rounding);
+    if (p.weight > 0.0) rounding_ = std::max(rounding_, p.rounding);
   }
 }
 
@@ -53,7 +55,7 @@ double LandedFlux::share_in(const Window& window) const {
   return inside / total_;
 }
 
-double LandedFlux::shortest_side(int map) const { return kRoundingsPerTexel * rounding_ * map; }
+double LandedFlux::shortest_side(int map) const { return std::max(kRoundingsPerTexel * rounding_ * map, kShortest); }
 
 void set_window(Frame& frame, const Window& window, double margin, double shortest) {
   glm::dvec2 size = window.upper - window.lower;

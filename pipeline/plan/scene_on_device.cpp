@@ -55,8 +55,9 @@ glm::vec3 metal_reflectance(const Material& material) {
 
 SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
     : scene_(scene), device_(device) {
-  for (const Mesh& mesh : scene.meshes) meshes_.emplace_back(device, device.create_mesh(mesh_data(mesh)));
-  for (const Image& image : scene.images) images_.emplace_back(device, device.upload(image));
+  // Each has its owner before the list may fail to grow.
+  for (const Mesh& mesh : scene.meshes) meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(mesh))));
+  for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.upload(image)));
   upload_caster_materials(effects);
   for (std::size_t i = 0; i < scene.waters.size(); ++i)
     externals_[water_texture(kWaterBefore, i)] = {device, device.upload(scene.waters[i].before)};

@@ -1,4 +1,5 @@
 // An OpenGL driver that fails at any of its calls: one line that says so, no wrong picture, and a device that goes on.
+#include <algorithm>
 #include <set>
 
 #include "tests/gl/faulty_driver.hpp"
@@ -113,9 +114,10 @@ TEST_CASE("gl: a driver that fails while a device starts gives another device, o
   if (!gl_or_skip()) return;
   FaultyDriver driver;
   const auto start = [] { return make_gl_device()->renderer(); };
-  const std::string expected = start();
+  start();
   const std::map<std::string, int> calls = driver.calls();
-  std::set<std::string> done_without;
+  std::set<std::string> renderers, done_without;
+  for (const GlDeviceInfo& info : list_gl_devices()) renderers.insert(info.renderer);
   for (const auto& [function, count] : calls) {
     if (kMustNotFail.count(function)) continue;
     for (const int n : {0, count - 1, FaultyDriver::kAlways}) {
@@ -123,16 +125,18 @@ TEST_CASE("gl: a driver that fails while a device starts gives another device, o
       driver.fail(function, n);
       const Outcome outcome = outcome_of(start);
       if (outcome.error.empty()) {
-        CHECK(outcome.result == expected);
+        CHECK(renderers.count(outcome.result) == 1);
         if (n == FaultyDriver::kAlways) done_without.insert(function);
       } else {
         CHECK(contains(outcome.error, "no OpenGL 4.5 core context ("));
       }
       driver.mend();
-      CHECK(outcome_of(start).result == expected);
+      CHECK(renderers.count(outcome_of(start).result) == 1);
     }
   }
-  CHECK(done_without == kNotNeeded);
+  // Where a display works too, more can fail for good.
+  CHECK(std::includes(done_without.begin(), done_without.end(), kNotNeeded.begin(), kNotNeeded.end()));
+  CHECK(done_without.count("eglInitialize") + done_without.count("eglCreateContext") + done_without.count("eglMakeCurrent") == 0);
 }
 
 TEST_CASE("gl: a display that offers no contexts without a surface gets a surface of one pixel") {

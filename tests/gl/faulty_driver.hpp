@@ -3,7 +3,6 @@
 #pragma once
 #include <map>
 #include <string>
-#include <vector>
 
 namespace caustics::test {
 
@@ -28,8 +27,5 @@ class FaultyDriver {
   // Calls of each function since the last mend(), in the order of their names; functions that were not called are absent.
   std::map<std::string, int> calls() const;
 };
-
-// Every function of OpenGL and EGL that a file of gl_backend names.
-std::vector<std::string> functions_of_the_backend();
 
 }  // namespace caustics::test

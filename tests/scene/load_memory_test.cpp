@@ -9,7 +9,7 @@ using namespace caustics::test;
 
 namespace {
 
-// A caster with a texture, a light, a camera and an animation: most of the loader's rooms.
+// A caster, a light, a camera and an animation: most of the loader's rooms.
 Gltf lively() {
   Gltf gltf = triangle();
   gltf.add<float>({0, 2}, 5126, "SCALAR", 2);

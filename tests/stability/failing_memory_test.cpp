@@ -55,7 +55,7 @@ TEST_CASE("failing memory: an allocation of a frame that fails comes out, leaves
   const auto frame = [&] { return render_on(device, scene, settings, {}); };
   const std::string expected = sha256(frame()["picture"]);
   int failures = 0;
-  for (int n = 0;; n += n < 50 ? 1 : 61) {
+  for (int n = 0;; n += n < 400 ? 1 : 17) {
     bool thrown = false, failed = false;
     {
       const FailingNew memory(n);
@@ -70,8 +70,8 @@ TEST_CASE("failing memory: an allocation of a frame that fails comes out, leaves
     INFO("allocation " << n);
     CHECK(thrown);
     CHECK(device.objects() == 0);
-    if (++failures % 25 == 0) CHECK(sha256(frame()["picture"]) == expected);
+    if (++failures % 100 == 0) CHECK(sha256(frame()["picture"]) == expected);
   }
-  CHECK(failures > 100);
+  CHECK(failures > 400);
   CHECK(sha256(frame()["picture"]) == expected);
 }

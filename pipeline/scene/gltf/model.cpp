@@ -98,7 +98,7 @@ tinygltf::Model build_model(Context& context, const Document& document,
   if (!reader.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                   static_cast<unsigned int>(text.size()), "")) {
     // tinygltf catches what is thrown while it parses, and keeps the name.
-    if (error.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (error.rfind("std::bad_alloc", 0) == 0) throw std::bad_alloc();
     context.fail("", "tinygltf: " + error, "export the file again");
   }
   return model;
