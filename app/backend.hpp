@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/parser.hpp"
+#include "app/shell/parser.hpp"
 #include "pipeline/gpu/device.hpp"
 
 namespace caustics::app {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/attachments.hpp"
+#include "app/output/attachments.hpp"
 #include "app/sample_scenes.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 

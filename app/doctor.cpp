@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/parser.hpp"
-#include "app/version.hpp"
+#include "app/shell/parser.hpp"
+#include "app/shell/version.hpp"
 #include "gl_backend/gl_device.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/shader.hpp"
 #include "raster/software_device.hpp"
-#include "reference/tracer/rays.hpp"
+#include "lab/reference/tracer/rays.hpp"
 
 namespace caustics::app {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/light_groups.hpp"
-#include "app/terminal.hpp"
+#include "app/output/light_groups.hpp"
+#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 

@@ -1,8 +1,8 @@
 #include "app/flux.hpp"
 
-#include "app/light_groups.hpp"
-#include "app/terminal.hpp"
-#include "pipeline/plan/pixel_side.hpp"
+#include "app/output/light_groups.hpp"
+#include "app/shell/terminal.hpp"
+#include "pipeline/measure/pixel_side.hpp"
 
 namespace caustics::app {
 
@@ -39,18 +39,18 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   const auto read = [&](const std::string& name) { return frame.read(name); };
   const std::vector<BranchImages> branches = branch_images(light, frame.effects().branches, has, read);
   const Image map = frame.read(light_texture(kCausticMap, light));
-  const LightFrames& frames = frame.frames()[static_cast<std::size_t>(light)];
+  const LightViews& views = frame.views()[static_cast<std::size_t>(light)];
   const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
   const std::vector<CellImages> cells = cell_images(light, frame.effects().branches, has, read);
   const Ledger ledger = make_ledger(branches, cells, map, if_any(light_texture(far_texture(kCausticMap), light)),
-                                    frames.caustic, frame.settings());
+                                    views.caustic, frame.settings());
   const double pixel = frame.settings().pixel_means && has(kViewPosition)
-                           ? pixel_side(read(kViewPosition), map, frames.caustic)
+                           ? pixel_side(read(kViewPosition), map, views.caustic)
                            : 0.0;
   add(sum.ledger, ledger, share);
   add(sum.error,
       estimate_error(branches, cells, map,
-                     if_any(light_texture(kCascadeMap, light)), frames, frame.settings(), ledger, pixel),
+                     if_any(light_texture(kCascadeMap, light)), views, frame.settings(), ledger, pixel),
       share);
   const std::vector<Outcome> outcomes = outcomes_of(
       sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/frame.hpp"
-#include "pipeline/plan/error_estimate.hpp"
-#include "pipeline/plan/outcome.hpp"
+#include "pipeline/measure/error_estimate.hpp"
+#include "pipeline/measure/outcome.hpp"
 
 namespace caustics::app {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/interrupt.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 #include "raster/software_device.hpp"
 
@@ -60,12 +60,12 @@ void check_memory(const FramePlan& plan, const Effects& effects) {
                                         (effects.active("area lights") ? " or -D light.samples" : ""));
 }
 
-std::vector<LightFrames> fit_frames(JudgedScene& judged, const FrameRequest& request) {
+std::vector<LightViews> fit_views(JudgedScene& judged, const FrameRequest& request) {
   const std::unique_ptr<Device> device = make_software_device({.threads = request.backend.threads});
   if (judged.effects().active("water waves"))
-    return fit_moving_frames(judged.scene(), *device, judged.effects(), request.settings, pass_registry(),
+    return fit_moving_views(judged.scene(), *device, judged.effects(), request.settings, pass_registry(),
                              stop_if_interrupted);
-  return fit_light_frames(SceneOnDevice(judged.scene(), judged.effects(), *device), judged.effects(),
+  return fit_light_views(SceneOnDevice(judged.scene(), judged.effects(), *device), judged.effects(),
                           request.settings, pass_registry());
 }
 
@@ -80,7 +80,7 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Judged
   make_fitter(request.backend);
   inputs_.settings = &settings_;
   inputs_.effects = &effects();
-  inputs_.frames = &frames_;
+  inputs_.views = &views_;
   inputs_.exposure = judged_->exposure();
   fit();
   plan_frame();
@@ -112,15 +112,15 @@ void RenderedFrame::make_fitter(const BackendRequest& backend) {
 // The frames hold whatever the waves do, so that maps and shadows do not crawl.
 void RenderedFrame::fit() {
   if (effects().active("water waves")) {
-    frames_ = fit_moving_frames(judged_->scene(), fitting_device_ ? *fitting_device_ : *device_, effects(),
+    views_ = fit_moving_views(judged_->scene(), fitting_device_ ? *fitting_device_ : *device_, effects(),
                                 settings_, pass_registry(), stop_if_interrupted);
   } else {
-    frames_ = fitter_->fit(effects());
+    views_ = fitter_->fit(effects());
   }
-  judged_->judge_cascades(frames_);
+  judged_->judge_cascades(views_);
   stop_if_interrupted();
-  inputs_.view =
-      frame_of(judged_->camera(), settings_.width, settings_.height, bounds_of(scene()));
+  inputs_.camera =
+      view_of(judged_->camera(), settings_.width, settings_.height, bounds_of(scene()));
 }
 
 void RenderedFrame::move_to(double seconds) {

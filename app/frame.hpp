@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "app/judged_scene.hpp"
-#include "pipeline/plan/framing.hpp"
-#include "pipeline/plan/run_plan.hpp"
-#include "pipeline/water/moving_water.hpp"
+#include "pipeline/renderer/light_pilot.hpp"
+#include "pipeline/renderer/run_plan.hpp"
+#include "pipeline/renderer/moving_water.hpp"
 
 namespace caustics::app {
 
@@ -17,8 +17,8 @@ void check_memory(const FramePlan& plan, const Effects& effects);
 // The same of so many bytes; `advice`: what to lower.
 void check_memory(std::uint64_t needed, const std::string& advice);
 
-// The frames of every light, fitted on a software device of its own. Leaves waters at rest.
-std::vector<LightFrames> fit_frames(JudgedScene& judged, const FrameRequest& request);
+// The views of every light, fitted on a software device of its own. Leaves waters at rest.
+std::vector<LightViews> fit_views(JudgedScene& judged, const FrameRequest& request);
 
 // A frame on the device, ready to run; one after the other where the scene moves. Everything it refers
 // to it owns.
@@ -44,7 +44,7 @@ class RenderedFrame {
   bool moves() const { return judged_->moves() || water_ != nullptr; }
   const Settings& settings() const { return settings_; }
   const FramePlan& plan() const { return plan_; }
-  const std::vector<LightFrames>& frames() const { return frames_; }
+  const std::vector<LightViews>& views() const { return views_; }
   const FrameInputs& inputs() const { return inputs_; }
   const SceneOnDevice& on_device() const { return *on_device_; }
   Device& device() const { return *device_; }
@@ -69,7 +69,7 @@ class RenderedFrame {
   std::unique_ptr<MovingWater> water_;  // where the scene has any
   WaterReport water_report_;           // of what was shown last
   std::optional<double> shown_;         // the moment of the waters
-  std::vector<LightFrames> frames_;
+  std::vector<LightViews> views_;
   std::unique_ptr<FrameTargets> targets_;
   FrameInputs inputs_;
 };

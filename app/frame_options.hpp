@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/backend.hpp"
-#include "pipeline/plan/settings.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
 

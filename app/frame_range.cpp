@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/parser.hpp"
+#include "app/shell/parser.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics::app {

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "app/interrupt.hpp"
-#include "app/terminal.hpp"
-#include "pipeline/plan/framing.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/terminal.hpp"
+#include "pipeline/renderer/light_pilot.hpp"
+#include "pipeline/settings/nearest.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/far_lights.hpp"
 #include "pipeline/scene/light_samples.hpp"
-#include "pipeline/scene/load_environment.hpp"
-#include "pipeline/scene/load_gltf.hpp"
+#include "pipeline/scene/gltf/load_environment.hpp"
+#include "pipeline/scene/gltf/load_gltf.hpp"
 
 namespace caustics::app {
 

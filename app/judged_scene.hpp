@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/frame_options.hpp"
-#include "pipeline/plan/cascades.hpp"
-#include "pipeline/plan/effects.hpp"
+#include "pipeline/views/cascades.hpp"
+#include "pipeline/effects/effects.hpp"
 #include "pipeline/scene/animated_scene.hpp"
 
 namespace caustics::app {
@@ -24,7 +24,7 @@ class JudgedScene {
   Scene& scene() { return scene_; }  // for its waters to move
   const Effects& effects() const { return effects_; }
   // Which lights have a cascade, once their frames are known.
-  void judge_cascades(const std::vector<LightFrames>& frames) {
+  void judge_cascades(const std::vector<LightViews>& frames) {
     caustics::judge_cascades(frames, settings_, effects_);
   }
   const Camera& camera() const { return *camera_; }

@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/run_program.hpp"
-#include "app/terminal.hpp"
-#include "app/version.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "app/shell/run_program.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

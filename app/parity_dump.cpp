@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/atomic_file.hpp"
-#include "app/dump.hpp"
-#include "app/image_file.hpp"
-#include "app/stats.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/output/dump.hpp"
+#include "app/output/image_file.hpp"
+#include "app/output/stats.hpp"
 
 namespace caustics::app {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/plan/parity.hpp"
+#include "pipeline/renderer/parity.hpp"
 
 namespace caustics::app {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/table.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/table.hpp"
+#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 

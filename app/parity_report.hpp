@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/gpu/allowance.hpp"
-#include "pipeline/plan/parity.hpp"
+#include "pipeline/renderer/parity.hpp"
 
 namespace caustics::app {
 

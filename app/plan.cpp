@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/plan_report.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 
 namespace caustics::app {
@@ -42,7 +42,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
   check_request(request, "plan");
   std::unique_ptr<JudgedScene> loaded = load_scene(request);
   const JudgedScene* judged = loaded.get();
-  if (judged->effects().active("caustics")) loaded->judge_cascades(fit_frames(*loaded, request));
+  if (judged->effects().active("caustics")) loaded->judge_cascades(fit_views(*loaded, request));
   // What `render` runs for a PNG picture.
   const FramePlan plan =
       make_plan(judged->scene(), judged->effects(), request.settings, pass_registry(), {{"picture"}});

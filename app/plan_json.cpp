@@ -1,10 +1,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/expectations.hpp"
-#include "app/light_groups.hpp"
+#include "app/output/light_groups.hpp"
 #include "app/plan_report.hpp"
-#include "app/stats.hpp"
-#include "app/version.hpp"
+#include "app/output/stats.hpp"
+#include "app/shell/version.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics::app {

@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "app/expectations.hpp"
-#include "app/light_groups.hpp"
+#include "app/output/light_groups.hpp"
 #include "app/plan_report.hpp"
-#include "app/summary.hpp"
-#include "app/table.hpp"
-#include "app/terminal.hpp"
+#include "app/output/summary.hpp"
+#include "app/shell/table.hpp"
+#include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 
 namespace caustics::app {

@@ -2,9 +2,9 @@
 #include <cstdio>
 
 #include "app/flux.hpp"
-#include "app/light_groups.hpp"
+#include "app/output/light_groups.hpp"
 #include "app/probe_texel.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 
 namespace caustics::app {

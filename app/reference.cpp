@@ -4,16 +4,16 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/atomic_file.hpp"
+#include "app/shell/atomic_file.hpp"
 #include "app/frame.hpp"
-#include "app/interrupt.hpp"
+#include "app/shell/interrupt.hpp"
 #include "app/judged_scene.hpp"
-#include "app/progress.hpp"
+#include "app/shell/progress.hpp"
 #include "app/reference_layers.hpp"
 #include "app/reference_options.hpp"
 #include "app/reference_report.hpp"
-#include "app/terminal.hpp"
-#include "reference/tracer/state_file.hpp"
+#include "app/shell/terminal.hpp"
+#include "lab/reference/tracer/state_file.hpp"
 
 namespace caustics::app {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "app/image_file.hpp"
-#include "app/terminal.hpp"
+#include "app/output/image_file.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/nearest.hpp"
-#include "reference/tracer/direct.hpp"
+#include "pipeline/settings/nearest.hpp"
+#include "lab/reference/tracer/direct.hpp"
 
 namespace caustics::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/tracer/tracer.hpp"
+#include "lab/reference/tracer/tracer.hpp"
 
 namespace caustics::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/frame_options.hpp"
 #include "app/reference_shapes.hpp"
-#include "reference/tracer/tracer.hpp"
+#include "lab/reference/tracer/tracer.hpp"
 
 namespace caustics::app {
 

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/flux.hpp"
-#include "app/stats.hpp"
-#include "app/summary.hpp"
-#include "app/terminal.hpp"
-#include "app/version.hpp"
+#include "app/output/stats.hpp"
+#include "app/output/summary.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
 
 namespace caustics::app {
 

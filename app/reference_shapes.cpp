@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

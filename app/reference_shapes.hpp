@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/tracer/exact_shapes.hpp"
+#include "lab/reference/tracer/exact_shapes.hpp"
 
 namespace caustics::app {
 

@@ -3,18 +3,18 @@
 #include <cmath>
 #include <memory>
 
-#include "app/atomic_file.hpp"
-#include "app/dump.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/output/dump.hpp"
 #include "app/frame_range.hpp"
-#include "app/interrupt.hpp"
-#include "app/on_demand.hpp"
-#include "app/image_file.hpp"
-#include "app/outputs.hpp"
-#include "app/progress.hpp"
-#include "app/stats.hpp"
-#include "app/summary.hpp"
-#include "app/terminal.hpp"
-#include "app/video_file.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/on_demand.hpp"
+#include "app/output/image_file.hpp"
+#include "app/output/outputs.hpp"
+#include "app/shell/progress.hpp"
+#include "app/output/stats.hpp"
+#include "app/output/summary.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/output/video_file.hpp"
 
 namespace caustics::app {
 

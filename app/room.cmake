@@ -2,8 +2,7 @@
 # pipeline/room.cmake has found OpenImageIO and nlohmann_json.
 find_package(CLI11 REQUIRED)
 
-file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp
-  ${PROJECT_SOURCE_DIR}/app/paper/*.cpp ${PROJECT_SOURCE_DIR}/app/study/*.cpp)
+file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
 list(FILTER app_sources EXCLUDE REGEX "_test[.]cpp$")
 add_executable(caustics_app ${app_sources})
 set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)

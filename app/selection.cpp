@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "app/image_layers.hpp"
-#include "app/image_planes.hpp"
-#include "app/parser.hpp"
-#include "app/terminal.hpp"
+#include "app/output/image_layers.hpp"
+#include "app/output/image_planes.hpp"
+#include "app/shell/parser.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics::app {

@@ -1,5 +1,5 @@
-# caustics_add_room(name): a static library caustics_<name> of every source in the folder <name>, tests left
-# out. caustics_target_options(target): the flags that every target of the project compiles with.
+# caustics_add_room(name [folder]): a static library caustics_<name> of every source in the folder (<name> where none
+# is given), tests left out. caustics_target_options(target): the flags that every target of the project compiles with.
 function(caustics_target_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE ${CAUSTICS_EXACT_FLAGS} -Wall -Wextra)
@@ -16,8 +16,12 @@ function(caustics_target_options target)
 endfunction()
 
 function(caustics_add_room room)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/lanes/|load_gltf|/gltf/")
+  set(folder ${room})
+  if(ARGC GREATER 1)
+    set(folder ${ARGV1})
+  endif()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/lanes/|/gltf/")
   if(NOT sources)
     file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/empty_${room}.cpp "")
     set(sources ${CMAKE_CURRENT_BINARY_DIR}/empty_${room}.cpp)

@@ -96,7 +96,7 @@ build() {
 program_is_fresh() {
   local stamp=$release/.built part parts=()
   [[ -x $release/caustics && -f $stamp ]] || return 1
-  for part in pipeline passes raster reference gl_backend app cmake CMakeLists.txt; do
+  for part in pipeline passes raster gl_backend lab app cmake CMakeLists.txt; do
     if [[ -e $root/$part ]]; then parts+=("$root/$part"); fi
   done
   [[ -z $(find "${parts[@]}" -newer "$stamp" ! -name '*_test.cpp' ! -name '*.md' -print -quit) ]]

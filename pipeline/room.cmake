@@ -23,7 +23,7 @@ if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST OR CAUSTI
     set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
       INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing}")
   endif()
-  add_library(caustics_gltf STATIC pipeline/scene/load_gltf.cpp ${gltf_sources})
+  add_library(caustics_gltf STATIC pipeline/scene/gltf/load_gltf.cpp ${gltf_sources})
   add_library(caustics::gltf ALIAS caustics_gltf)
   caustics_target_options(caustics_gltf)
   target_link_libraries(caustics_gltf PUBLIC caustics_pipeline

@@ -5,7 +5,7 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 file(GLOB_RECURSE caustics_test_sources CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/pipeline/*_test.cpp ${PROJECT_SOURCE_DIR}/passes/*_test.cpp
-  ${PROJECT_SOURCE_DIR}/reference/*_test.cpp ${PROJECT_SOURCE_DIR}/metrics/*_test.cpp
+  ${PROJECT_SOURCE_DIR}/lab/*_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT CAUSTICS_BUILD_APP)
   list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/")
@@ -21,7 +21,7 @@ if(CAUSTICS_BUILD_APP)
     OpenImageIO::OpenImageIO)
   # Rooms of the program that need nothing else of it.
   file(GLOB study_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/study/*_test.cpp)
-  target_sources(caustics_tests PRIVATE ${study_tests} ${PROJECT_SOURCE_DIR}/app/terminal.cpp)
+  target_sources(caustics_tests PRIVATE ${study_tests} ${PROJECT_SOURCE_DIR}/app/shell/terminal.cpp)
   foreach(room sweep pareto sentence html plot difference_picture)
     target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/app/study/${room}.cpp)
   endforeach()

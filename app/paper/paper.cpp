@@ -5,15 +5,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/atomic_file.hpp"
-#include "app/interrupt.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/shell/interrupt.hpp"
 #include "app/paper/row.hpp"
-#include "app/parser.hpp"
-#include "app/progress.hpp"
-#include "app/stats.hpp"
-#include "app/terminal.hpp"
-#include "app/version.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "app/shell/parser.hpp"
+#include "app/shell/progress.hpp"
+#include "app/output/stats.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "app/paper/row.hpp"
-#include "app/terminal.hpp"
-#include "reference/sphere_floor.hpp"
+#include "app/shell/terminal.hpp"
+#include "lab/reference/sphere_floor.hpp"
 
 namespace caustics::app {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/image_file.hpp"
+#include "app/output/image_file.hpp"
 #include "app/paper/side_by_side.hpp"
 #include "app/sample_scenes.hpp"
 

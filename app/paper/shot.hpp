@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/command.hpp"
-#include "app/image_planes.hpp"
+#include "app/shell/command.hpp"
+#include "app/output/image_planes.hpp"
 
 namespace caustics::app {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/display_pair.hpp"
+#include "app/output/display_pair.hpp"
 #include "app/study/difference_picture.hpp"
 
 namespace caustics::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/color_scale.hpp"
+#include "app/output/color_scale.hpp"
 
 namespace caustics::app {
 

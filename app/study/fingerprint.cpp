@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/sha256.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 

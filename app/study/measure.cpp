@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 
 namespace caustics::app {

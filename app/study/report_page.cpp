@@ -6,8 +6,8 @@
 #include "app/study/html.hpp"
 #include "app/study/sentence.hpp"
 #include "app/study/study_plot.hpp"
-#include "app/terminal.hpp"
-#include "app/version.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
 
 namespace caustics::app {
 

@@ -1,8 +1,8 @@
 #include "app/study/report_text.hpp"
 
 #include "app/study/sentence.hpp"
-#include "app/table.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/table.hpp"
+#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/stats.hpp"
-#include "app/terminal.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "app/output/stats.hpp"
+#include "app/shell/terminal.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

@@ -25,7 +25,7 @@ struct PassTime {
   double median = 0.0;    // milliseconds a frame
 };
 
-// Against the truth; a figure that does not exist is none (metrics/image_metrics.hpp).
+// Against the truth; a figure that does not exist is none (lab/metrics/image_metrics.hpp).
 struct Figures {
   std::optional<double> relative_l1{}, rmse{}, flux_ratio{}, flip_mean{};
   std::optional<double> relative_mse_1{}, relative_mse_4{}, relative_mse_16{};

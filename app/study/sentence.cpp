@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/sha256.hpp"
 
 namespace caustics::app {

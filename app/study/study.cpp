@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/atomic_file.hpp"
-#include "app/display_pair.hpp"
-#include "app/image_file.hpp"
-#include "app/interrupt.hpp"
-#include "app/progress.hpp"
-#include "app/stats.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/output/display_pair.hpp"
+#include "app/output/image_file.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/progress.hpp"
+#include "app/output/stats.hpp"
 #include "app/study/difference_picture.hpp"
 #include "app/study/fingerprint.hpp"
 #include "app/study/measure.hpp"
@@ -21,8 +21,8 @@
 #include "app/study/study.hpp"
 #include "app/study/study_plot.hpp"
 #include "app/study/truth.hpp"
-#include "app/terminal.hpp"
-#include "app/version.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
 
 namespace caustics::app {
 

@@ -1,9 +1,9 @@
 // study.json and study.csv (docs/study.md).
 #include <nlohmann/json.hpp>
 
-#include "app/stats.hpp"
+#include "app/output/stats.hpp"
 #include "app/study/study.hpp"
-#include "app/version.hpp"
+#include "app/shell/version.hpp"
 
 namespace caustics::app {
 

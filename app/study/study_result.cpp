@@ -4,7 +4,7 @@
 #include "app/study/pareto.hpp"
 #include "app/study/sentence.hpp"
 #include "app/study/study.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 

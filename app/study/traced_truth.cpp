@@ -4,10 +4,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/command.hpp"
-#include "app/progress.hpp"
-#include "app/stats.hpp"
-#include "app/terminal.hpp"
+#include "app/shell/command.hpp"
+#include "app/shell/progress.hpp"
+#include "app/output/stats.hpp"
+#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/display_pair.hpp"
-#include "app/image_layers.hpp"
-#include "app/image_planes.hpp"
-#include "app/terminal.hpp"
-#include "metrics/flip.hpp"
-#include "metrics/image_metrics.hpp"
+#include "app/output/display_pair.hpp"
+#include "app/output/image_layers.hpp"
+#include "app/output/image_planes.hpp"
+#include "app/shell/terminal.hpp"
+#include "lab/metrics/flip.hpp"
+#include "lab/metrics/image_metrics.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics::app {

@@ -29,8 +29,8 @@ std::optional<std::string> with_cells(const Effects& effects) {
 }
 
 CascadeMapUniforms cells_uniforms(const PassContext& context) {
-  const Frame& map = context.frames->caustic;
-  const Frame& cascade = *context.frames->cascade;
+  const View& map = context.views->caustic;
+  const View& cascade = *context.views->cascade;
   const double texels = context.settings->map;
   const glm::dvec2 size = map.window_upper - map.window_lower;
   const glm::dvec2 part = cascade.window_upper - cascade.window_lower;
@@ -69,7 +69,7 @@ Pass points_pass(bool coloured) {
   pass.definition.writes = {caustic_map_write(coloured, kCascadeMap)};
   pass.called_for_by = coloured ? called_for_coloured : called_for_grey;
   pass.uniforms = [](const PassContext& context) {
-    return uniform_bytes(caustic_map_uniforms(context, *context.frames->cascade));
+    return uniform_bytes(caustic_map_uniforms(context, *context.views->cascade));
   };
   pass.light_needs = has_cascade;
   return pass;

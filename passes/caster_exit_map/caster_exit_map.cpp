@@ -1,7 +1,7 @@
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 
 #include "passes/caster_map/caster_map.hpp"
-#include "pipeline/plan/textured_casters.hpp"
+#include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
@@ -36,7 +36,7 @@ Pass caster_exit_map_pass() {
       .extent = Extent::Grid,
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(caster_map_uniforms(context.frames->caster, context.material_row));
+            return uniform_bytes(caster_map_uniforms(context.views->caster, context.material_row));
           },
   };
 }

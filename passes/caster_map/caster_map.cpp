@@ -1,18 +1,18 @@
 #include "passes/caster_map/caster_map.hpp"
 
-#include "pipeline/plan/textured_casters.hpp"
+#include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
 extern const Shader caster_map_shader;
 
-CasterMapUniforms caster_map_uniforms(const Frame& frame, int material_row) {
-  const FrameUniforms f = pack(frame);
+CasterMapUniforms caster_map_uniforms(const View& view, int material_row) {
+  const ViewUniforms f = pack(view);
   return {.from_scene = f.from_scene,
           .window = f.window,
           .depth = f.depth,
           .material = {static_cast<float>(material_row),
-                       frame.cube ? static_cast<float>(frame.cube->side) : 0.0f, 0.0f, 0.0f}};
+                       view.cube ? static_cast<float>(view.cube->side) : 0.0f, 0.0f, 0.0f}};
 }
 
 Pass caster_map_pass() {
@@ -44,7 +44,7 @@ Pass caster_map_pass() {
       .extent = Extent::Grid,
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(caster_map_uniforms(context.frames->caster, context.material_row));
+            return uniform_bytes(caster_map_uniforms(context.views->caster, context.material_row));
           },
   };
 }

@@ -9,7 +9,7 @@ VARYING_SMOOTH(3, Vec3, surface_normal)
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec3, normal)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/mesh_vertex.glsl"
 #else
 OUTPUT(0, Vec4, caster_position)

@@ -11,7 +11,7 @@ struct CasterMapUniforms {
   using mat4 = glm::mat4;
 #include "passes/caster_map/caster_map_uniforms.glsl"
 };
-CasterMapUniforms caster_map_uniforms(const Frame& frame, int material_row);
+CasterMapUniforms caster_map_uniforms(const View& view, int material_row);
 
 // caster_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caster_map_pass();

@@ -1,7 +1,7 @@
 #include "passes/caustic_map/caustic_map.hpp"
 
 #include "passes/shared/caustic_map_write.hpp"
-#include "pipeline/plan/splat_kernel.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
 
@@ -19,13 +19,13 @@ std::optional<std::string> called_for_grey(const Effects& e) { return called_for
 
 }  // namespace
 
-CausticMapUniforms caustic_map_uniforms(const PassContext& context, const Frame& map) {
-  const FrameUniforms frame = pack(map);
+CausticMapUniforms caustic_map_uniforms(const PassContext& context, const View& map) {
+  const ViewUniforms view = pack(map);
   const SplatKernel kernel = splat_kernel(*context.settings);
   return {
-      .from_scene = frame.from_scene,
-      .window = frame.window,
-      .depth = frame.depth,
+      .from_scene = view.from_scene,
+      .window = view.window,
+      .depth = view.depth,
       .kernel = {static_cast<float>(kernel.radius), static_cast<float>(kernel.sharpness),
                  static_cast<float>(1.0 / kernel.mass), static_cast<float>(kernel.point_size)},
       .grid = {context.settings->grid, context.settings->map,
@@ -56,7 +56,7 @@ Pass caustic_map_pass(bool coloured) {
       .extent = Extent::Map,
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(caustic_map_uniforms(context, context.frames->caustic));
+            return uniform_bytes(caustic_map_uniforms(context, context.views->caustic));
           },
       .owner = Each::Light,
   };

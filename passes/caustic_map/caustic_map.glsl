@@ -11,7 +11,7 @@ VARYING_FLAT(3, Vec2, centre)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
 // Quarters of a grid vertex's flux that the cells around it have not taken.
 Float quarters_left(Int column, Int row) {
@@ -38,8 +38,8 @@ void main() {
   drawn = drawn && part > 0.0f;
   // The guard vertices of a cube's caster map carry nothing.
   if (u.depth.z > 1.5f) drawn = drawn && max_of(max_of(carried.x, carried.y), carried.z) > 0.0f;
-  Vec3 q = frame_coordinates(u.from_scene, Vec3(place));
-  Vec2 uv = frame_uv(q, u.window, u.depth);
+  Vec3 q = view_coordinates(u.from_scene, Vec3(place));
+  Vec2 uv = view_uv(q, u.window, u.depth);
   flux = Vec3(carried) * part;
   centre = Vec2(uv.x * float(u.grid.y), uv.y * float(u.grid.y));
   // One texel is meant where there is no kernel: its middle is drawn, for a place on a border would be rounded to either

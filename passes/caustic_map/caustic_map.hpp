@@ -13,7 +13,7 @@ struct CausticMapUniforms {
 };
 
 // Of the map whose frame is `map`.
-CausticMapUniforms caustic_map_uniforms(const PassContext& context, const Frame& map);
+CausticMapUniforms caustic_map_uniforms(const PassContext& context, const View& map);
 
 // caustic_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caustic_map_pass();

@@ -1,6 +1,6 @@
 #include "passes/caustic_map/caustic_map.hpp"
 
-#include "pipeline/plan/splat_kernel.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 
@@ -16,13 +16,13 @@ PassImages splat(const Image& landing, const Image& flux, Splat how, float sigma
   settings.map = 8;
   settings.splat = how;
   settings.gaussian_sigma = sigma;
-  LightFrames frames;
-  frames.caustic = down(4.0, 10.0, 20.0);
+  LightViews views;
+  views.caustic = down(4.0, 10.0, 20.0);
   const Pass pass = caustic_map_pass();
   return run_pass(pass.definition,
                   {.width = 8,
                    .height = 8,
-                   .uniforms = pass.uniforms({.settings = &settings, .frames = &frames}),
+                   .uniforms = pass.uniforms({.settings = &settings, .views = &views}),
                    .textures = {landing, flux, Image{}},
                    .vertex_count = landing.width() * landing.height()});
 }

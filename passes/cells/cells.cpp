@@ -9,14 +9,14 @@ extern const Shader cells_shader;
 namespace {
 
 CellsUniforms cells_uniforms(const PassContext& context) {
-  const FrameUniforms receiver = pack(context.frames->receiver);
-  const FrameUniforms caustic = pack(context.frames->caustic);
+  const ViewUniforms receiver = pack(context.views->receiver);
+  const ViewUniforms caustic = pack(context.views->caustic);
   const CellLimits limits;
   glm::vec4 tile{0.0f};
-  if (const auto& cube = context.frames->caustic.cube)
+  if (const auto& cube = context.views->caustic.cube)
     tile = {cube->tile_width(), cube->tile_height(), 0.0f, 0.0f};
   glm::vec4 grid_tile{0.0f};
-  if (const auto& cube = context.frames->caster.cube) grid_tile = {cube->tile_width(), cube->guard, 0.0f, 0.0f};
+  if (const auto& cube = context.views->caster.cube) grid_tile = {cube->tile_width(), cube->guard, 0.0f, 0.0f};
   const int map = context.settings->map;
   return {
       .from_scene = caustic.from_scene,

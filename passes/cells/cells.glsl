@@ -15,7 +15,7 @@ OUTPUT(0, Vec4, cell_near)
 OUTPUT(1, Vec4, cell_far)
 OUTPUT(2, Vec4, cell_flux)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
 #include "passes/cells/neighbours.glsl"
 
@@ -29,12 +29,12 @@ struct Corner {
 // `face`: of a cube, which one's tile all corners of a cell lie in; those beyond the face in its guard.
 Corner corner_at(Place where, Int face) {
   Vec4 place = fetch_clamped(landing, where.x, where.y);
-  Vec3 q = frame_coordinates(u.from_scene, Vec3(place));
+  Vec3 q = view_coordinates(u.from_scene, Vec3(place));
   Vec2 uv = Vec2(Float(0.0f), Float(0.0f));
   if (u.caustic_depth.z > 1.5f) {
     uv = face_uv(q, face, u.caustic_window, u.caustic_depth);
   } else {
-    uv = frame_uv(q, u.caustic_window, u.caustic_depth);
+    uv = view_uv(q, u.caustic_window, u.caustic_depth);
   }
   Corner corner;
   corner.point = Vec3(place);
@@ -47,7 +47,7 @@ Corner corner_at(Place where, Int face) {
 
 // Where a cell's light lands, from the light, times the number of corners that exist.
 Vec3 landing_direction(Place where) {
-  Vec3 q = frame_coordinates(u.from_scene, Vec3(fetch_clamped(landing, where.x, where.y)));
+  Vec3 q = view_coordinates(u.from_scene, Vec3(fetch_clamped(landing, where.x, where.y)));
   return sel(where.exists, q, Vec3(0.0f));
 }
 
@@ -73,7 +73,7 @@ Bool goes_on(Corner before, Corner a, Corner b, Corner after) {
   return span(a, b) <= max_of(Float(u.limits.x) * usual, Float(u.limits.y));
 }
 
-// frame_w of a point in its face's coordinates.
+// view_w of a point in its face's coordinates.
 Float along_face(Vec3 q) {
   Float w = Float(1.0f);
   if (u.receiver_depth.z > 0.5f) w = q.z;
@@ -82,8 +82,8 @@ Float along_face(Vec3 q) {
 
 // Is the receiver between two landings one surface, and not a step with the landings on both its levels?
 Bool one_surface(Corner a, Corner b, Int face) {
-  Vec3 from = in_face(frame_coordinates(u.from_scene, a.point), face, u.receiver_depth);
-  Vec3 to = in_face(frame_coordinates(u.from_scene, b.point), face, u.receiver_depth);
+  Vec3 from = in_face(view_coordinates(u.from_scene, a.point), face, u.receiver_depth);
+  Vec3 to = in_face(view_coordinates(u.from_scene, b.point), face, u.receiver_depth);
   Vec3 middle = (from + to) * 0.5f;
   Gap gap = gap_at(receiver_position, u.from_scene, u.receiver_window, u.receiver_depth,
                    (a.point + b.point) * 0.5f, along_face(middle), false);

@@ -20,7 +20,7 @@ struct Bench {
   std::function<float(float)> floor_height = [](float) { return 0.0f; };
 
   PassImages run() const {
-    const FrameUniforms f = pack(down(4.0, 10.0, 20.0));
+    const ViewUniforms f = pack(down(4.0, 10.0, 20.0));
     const CellLimits limits;
     const CellsUniforms u{.from_scene = f.from_scene,
                           .receiver_window = f.window,

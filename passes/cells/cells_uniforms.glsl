@@ -1,4 +1,4 @@
-mat4 from_scene;       // origin and axes, shared by all frames of the light
+mat4 from_scene;       // origin and axes, shared by all views of the light
 vec4 receiver_window;
 vec4 receiver_depth;
 vec4 caustic_window;

@@ -16,22 +16,22 @@ struct ComposeUniforms {
 #include "passes/compose/compose_uniforms.glsl"
 };
 
-UniformBytes uniforms(const Frame& frame, int width, int height, const PassContext& context) {
+UniformBytes uniforms(const View& view, int width, int height, const PassContext& context) {
   const Environment& environment = context.scene->environment;
   const SkyUniforms sky = sky_uniforms(environment);
-  const glm::dvec2 size = frame.window_upper - frame.window_lower;
+  const glm::dvec2 size = view.window_upper - view.window_lower;
   const std::array<glm::vec3, 9> ambient =
       environment.image ? environment_irradiance(*environment.image) : std::array<glm::vec3, 9>{};
   ComposeUniforms u{
       .sky_zenith = sky.zenith,
       .sky_horizon = sky.horizon,
       .sky_ground = sky.ground,
-      .right = glm::vec4(glm::vec3(frame.right), 0.0f),
-      .up = glm::vec4(glm::vec3(frame.up), 0.0f),
-      .forward = glm::vec4(glm::vec3(frame.forward), frame.perspective ? 1.0f : 0.0f),
+      .right = glm::vec4(glm::vec3(view.right), 0.0f),
+      .up = glm::vec4(glm::vec3(view.up), 0.0f),
+      .forward = glm::vec4(glm::vec3(view.forward), view.perspective ? 1.0f : 0.0f),
       .pixel = {static_cast<float>(size.x / width),
                 static_cast<float>(size.y / height),
-                static_cast<float>(frame.window_lower.x), static_cast<float>(frame.window_lower.y)},
+                static_cast<float>(view.window_lower.x), static_cast<float>(view.window_lower.y)},
       .ambient_0 = glm::vec4(ambient[0], 0.0f),
       .ambient_1 = glm::vec4(ambient[1], 0.0f),
       .ambient_2 = glm::vec4(ambient[2], 0.0f),
@@ -71,7 +71,7 @@ Pass compose_pass() {
             return "glass shows the scene behind it";
           },
           .extent = Extent::Picture,
-          .uniforms = [](const PassContext& c) { return uniforms(*c.view, c.width, c.height, c); }};
+          .uniforms = [](const PassContext& c) { return uniforms(*c.camera, c.width, c.height, c); }};
 }
 
 Pass compose_beauty_pass() {
@@ -81,7 +81,7 @@ Pass compose_beauty_pass() {
             return "no glass stands before the scene";
           },
           .extent = Extent::Picture,
-          .uniforms = [](const PassContext& c) { return uniforms(*c.view, c.width, c.height, c); }};
+          .uniforms = [](const PassContext& c) { return uniforms(*c.camera, c.width, c.height, c); }};
 }
 
 Pass wide_compose_pass() {
@@ -91,7 +91,7 @@ Pass wide_compose_pass() {
             return "glass shows what lies beyond the picture's edges";
           },
           .extent = Extent::Wide,
-          .uniforms = [](const PassContext& c) { return uniforms(*c.wide, c.width, c.height, c); }};
+          .uniforms = [](const PassContext& c) { return uniforms(*c.surroundings, c.width, c.height, c); }};
 }
 
 }  // namespace caustics

@@ -16,7 +16,7 @@ constexpr float kPi = 3.14159265f;
 // One colour for every pixel of a picture of diffuse surfaces.
 struct Bench {
   Scene scene;
-  Frame view = down(1.0, 10.0, 20.0);
+  View view = down(1.0, 10.0, 20.0);
   int width = 1, height = 1;
   float covered = 1.0f;
   glm::vec3 normal{0.0f, 1.0f, 0.0f}, albedo{0.5f}, emission{0.0f};
@@ -29,7 +29,7 @@ struct Bench {
     return run_pass(pass.definition,
                     {.width = width,
                      .height = height,
-                     .uniforms = pass.uniforms({.scene = &scene, .view = &view, .width = width,
+                     .uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = width,
                                                 .height = height}),
                      .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f),
                                   all(albedo, 1.0f), all(emission, 1.0f),
@@ -45,11 +45,11 @@ void check_color(const glm::vec3& found, const glm::vec3& expected) {
 }
 
 // Looks along -z with up = +y, in perspective.
-Frame level_view() {
-  Frame frame = frame_along({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0});
-  frame.perspective = true;
-  frame.near = 0.1;
-  return frame;
+View level_view() {
+  View view = view_along({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0});
+  view.perspective = true;
+  view.near = 0.1;
+  return view;
 }
 
 }  // namespace
@@ -158,8 +158,8 @@ TEST_CASE("compose: beauty and the wide view are composed by the same rule") {
                                        filled(1, 1, glm::vec4(0.5f)), filled(1, 1, glm::vec4(0.0f)),
                                        filled(1, 1, glm::vec4(kPi)), Image{}, Image{}};
   const Scene scene;
-  const Frame view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
-  const PassContext context{.scene = &scene, .view = &view, .wide = &wide, .width = 1, .height = 1};
+  const View view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
+  const PassContext context{.scene = &scene, .camera = &view, .surroundings = &wide, .width = 1, .height = 1};
   const Pass beauty = compose_beauty_pass(), around = wide_compose_pass();
   CHECK(run_pass(beauty.definition, {.uniforms = beauty.uniforms(context), .textures = textures})["beauty"]
             .at(0, 0, 1) == Approx(0.5));

@@ -41,7 +41,7 @@ Pass first_hit_pass() {
           .extent = Extent::Picture,
           .uniforms =
               [](const PassContext& context) {
-                return uniform_bytes(FirstHitUniforms{.from_scene = pack(*context.view).from_scene});
+                return uniform_bytes(FirstHitUniforms{.from_scene = pack(*context.camera).from_scene});
               }};
 }
 

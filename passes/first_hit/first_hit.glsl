@@ -17,7 +17,7 @@ OUTPUT(1, Vec4, aov_caustic)
 OUTPUT(2, Vec4, aov_position)
 OUTPUT(3, Vec4, aov_normal)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
 void main() {
   Int column = floor_to_int(frag_x());
@@ -27,7 +27,7 @@ void main() {
   // What the frame lacks is one texel of zeros.
   Vec4 caster = fetch_clamped(view_caster_position, column, row);
   Vec4 caster_normal = fetch_clamped(view_caster_normal, column, row);
-  Float z = frame_coordinates(u.from_scene, Vec3(caster)).z;
+  Float z = view_coordinates(u.from_scene, Vec3(caster)).z;
   Bool glass = caster.w != 0.0f && (surface.w == 0.0f || z < normal.w);
   Vec3 toward = sel(caster.w < 0.0f, -Vec3(caster_normal), Vec3(caster_normal));
   Vec4 nothing = Vec4(0.0f);

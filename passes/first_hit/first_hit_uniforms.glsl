@@ -1,1 +1,1 @@
-mat4 from_scene;  // the camera's frame
+mat4 from_scene;  // the camera's view

@@ -4,7 +4,7 @@
 
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/shared/sky_uniforms.hpp"
-#include "pipeline/plan/textured_casters.hpp"
+#include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
@@ -24,7 +24,7 @@ struct GlassUniforms {
 UniformBytes glass_uniforms(const PassContext& context) {
   const SkyUniforms sky = sky_uniforms(context.scene->environment);
   const bool tinted = context.effects->active("textured casters");
-  const FrameUniforms view = pack(*context.view), wide = pack(*context.wide);
+  const ViewUniforms view = pack(*context.camera), wide = pack(*context.surroundings);
   return uniform_bytes(GlassUniforms{
       .sky_zenith = sky.zenith,
       .sky_horizon = sky.horizon,
@@ -34,8 +34,8 @@ UniformBytes glass_uniforms(const PassContext& context) {
       .depth = view.depth,
       .wide_window = wide.window,
       .wide_depth = wide.depth,
-      .eye = glm::vec4(glm::vec3(context.view->origin), context.view->perspective ? 1.0f : 0.0f),
-      .forward = glm::vec4(glm::vec3(context.view->forward), 0.0f),
+      .eye = glm::vec4(glm::vec3(context.camera->origin), context.camera->perspective ? 1.0f : 0.0f),
+      .forward = glm::vec4(glm::vec3(context.camera->forward), 0.0f),
       .method = {12, tinted ? 1 : 0, 0, 0},
   });
 }
@@ -46,7 +46,7 @@ std::optional<std::string> seen(const Effects& effects) {
 }
 
 UniformBytes caster_uniforms(const PassContext& context) {
-  return uniform_bytes(caster_map_uniforms(*context.view, context.material_row));
+  return uniform_bytes(caster_map_uniforms(*context.camera, context.material_row));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ TEXTURE(10, view_caster_tint)
 #else
 OUTPUT(0, Vec4, beauty)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/intersect.glsl"
 #include "passes/shared/sky.glsl"
@@ -28,10 +28,10 @@ OUTPUT(0, Vec4, beauty)
 // How far a ray may end before or behind a surface and still count as having met it, metres: eight texels'
 // extents, because a surface that is seen from the side is known coarsely.
 Bool meets(Hit hit, Vec3 start, Vec3 direction, Texture positions, vec4 window, vec4 depth) {
-  Vec3 q = frame_coordinates(u.from_scene, start + direction * hit.distance);
-  Float extent = frame_w(q, depth) / (window.x * float(texture_width(positions)));
+  Vec3 q = view_coordinates(u.from_scene, start + direction * hit.distance);
+  Float extent = view_w(q, depth) / (window.x * float(texture_width(positions)));
   return hit.inside && !hit.left && hit.covered && hit.residual <= 8.0f * extent && hit.distance > 0.0f &&
-         frame_w(q, depth) > 0.0f;
+         view_w(q, depth) > 0.0f;
 }
 
 // Radiance along a ray that starts outside the glass: the surface it meets on the screen, else one in
@@ -40,19 +40,19 @@ Vec3 radiance_along(Vec3 start, Vec3 direction) {
   Vec3 color = sky_radiance(direction);
   Hit hit = intersect_secant(wide_position, u.from_scene, u.wide_window, u.wide_depth, start, direction,
                              u.method.x, false);
-  Vec2 uv = frame_uv(frame_coordinates(u.from_scene, start + direction * hit.distance),
+  Vec2 uv = view_uv(view_coordinates(u.from_scene, start + direction * hit.distance),
                      u.wide_window, u.wide_depth);
   color = sel(meets(hit, start, direction, wide_position, u.wide_window, u.wide_depth),
               Vec3(fetch_bilinear(wide_color, uv.x, uv.y)), color);
   hit = intersect_secant(view_position, u.from_scene, u.window, u.depth, start, direction, u.method.x,
                          false);
-  uv = frame_uv(frame_coordinates(u.from_scene, start + direction * hit.distance), u.window, u.depth);
+  uv = view_uv(view_coordinates(u.from_scene, start + direction * hit.distance), u.window, u.depth);
   return sel(meets(hit, start, direction, view_position, u.window, u.depth),
              Vec3(fetch_bilinear(scene_color, uv.x, uv.y)), color);
 }
 
 Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
-  Vec2 uv = frame_uv(frame_coordinates(u.from_scene, p), u.window, u.depth);
+  Vec2 uv = view_uv(view_coordinates(u.from_scene, p), u.window, u.depth);
   Vec4 smooth_normal = fetch_bilinear(view_exit_normal, uv.x, uv.y);
   Vec4 nearest = fetch_nearest(view_exit_normal, uv.x, uv.y);
   return normalize_or(sel(smooth_normal.w > 0.999f, Vec3(smooth_normal), Vec3(nearest)), fallback);
@@ -108,8 +108,8 @@ void main() {
   Vec4 entry = texel_fetch(view_caster_position, column, row);
   Vec4 entry_normal = texel_fetch(view_caster_normal, column, row);
   Vec4 surface = texel_fetch(view_position, column, row);
-  Float z = frame_coordinates(u.from_scene, Vec3(entry)).z;
-  Float surface_z = frame_coordinates(u.from_scene, Vec3(surface)).z;
+  Float z = view_coordinates(u.from_scene, Vec3(entry)).z;
+  Float surface_z = view_coordinates(u.from_scene, Vec3(surface)).z;
   Bool seen = entry.w != 0.0f && (surface.w == 0.0f || z < surface_z);
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) color = sel(seen, through_glass(entry, entry_normal), color);

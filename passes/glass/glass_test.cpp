@@ -17,7 +17,7 @@ const glm::vec4 kNothing{0.0f};
 // A camera 10 m up looks down on +-4 m in 8 x 8 pixels: a floor at height 0, glass at height 5 in every
 // pixel, the back of it at height 4 where it is solid.
 struct Bench {
-  Frame view = down(4.0, 10.0, 20.0);
+  View view = down(4.0, 10.0, 20.0);
   Scene scene;
   float ior = 1.5f;
   bool mirror = false;  // then `tint` is its colour
@@ -30,15 +30,15 @@ struct Bench {
   Image wide_color = filled(8, 8, kNothing), wide_floor = filled(8, 8, kNothing);
 
   // Positions of the plane at this height, seen through the pixels' centres.
-  static Image level(const Frame& frame, double height, float w) {
+  static Image level(const View& view, double height, float w) {
     Image image(Format::RGBA32F, 8, 8);
-    const glm::dvec2 size = frame.window_upper - frame.window_lower;
-    const double away = frame.perspective ? frame.origin.y - height : 1.0;
+    const glm::dvec2 size = view.window_upper - view.window_lower;
+    const double away = view.perspective ? view.origin.y - height : 1.0;
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 8; ++x) {
-        image.at(x, y, 0) = static_cast<float>((frame.window_lower.x + size.x * (x + 0.5) / 8) * away);
+        image.at(x, y, 0) = static_cast<float>((view.window_lower.x + size.x * (x + 0.5) / 8) * away);
         image.at(x, y, 1) = static_cast<float>(height);
-        image.at(x, y, 2) = static_cast<float>(-(frame.window_lower.y + size.y * (y + 0.5) / 8) * away);
+        image.at(x, y, 2) = static_cast<float>(-(view.window_lower.y + size.y * (y + 0.5) / 8) * away);
         image.at(x, y, 3) = w;
       }
     return image;
@@ -53,7 +53,7 @@ struct Bench {
     }
     materials.at(0, 1, 3) = mirror ? 1.0f : 0.0f;
     materials.at(1, 1, 3) = solid ? 1.0f : 0.0f;
-    const Frame wide = widened(view, 3.0);
+    const View wide = widened(view, 3.0);
     const Pass pass = glass_pass();
     Effects effects;
     effects.list.push_back({"textured casters", pixel_tint.has_value(), {}});
@@ -61,7 +61,7 @@ struct Bench {
                     {.width = 8,
                      .height = 8,
                      .uniforms = pass.uniforms(
-                         {.scene = &scene, .effects = &effects, .view = &view, .wide = &wide}),
+                         {.scene = &scene, .effects = &effects, .camera = &view, .surroundings = &wide}),
                      .textures = {scene_color, floor, wide_color, wide_floor,
                                   level(view, glass_height, facing), filled(8, 8, {normal, 1.0f}),
                                   solid ? level(view, 4.0, 1.0f) : Image{},
@@ -189,13 +189,13 @@ TEST_CASE("glass: from inside at a flat angle all is mirrored") {
 }
 
 TEST_CASE("view_caster_map: a pixel holds position, side, normal and material of the nearest glass") {
-  const Frame view = down(1.0, 10.0, 20.0);
+  const View view = down(1.0, 10.0, 20.0);
   const Pass pass = view_caster_map_pass();
   const glm::vec3 corners[4] = {{-1, 2, 1}, {0, 2, 1}, {0, 2, -1}, {-1, 2, -1}};
   const auto draw = [&](const MeshData& mesh) {
     return run_pass(pass.definition, {.width = 4,
                                       .height = 4,
-                                      .uniforms = pass.uniforms({.view = &view, .material_row = 3}),
+                                      .uniforms = pass.uniforms({.camera = &view, .material_row = 3}),
                                       .mesh = mesh});
   };
   MeshData mesh = quad(corners, {0.0f, 2.0f, 0.0f});
@@ -209,12 +209,12 @@ TEST_CASE("view_caster_map: a pixel holds position, side, normal and material of
 }
 
 TEST_CASE("view_exit_map: only back faces are seen") {
-  const Frame view = down(1.0, 10.0, 20.0);
+  const View view = down(1.0, 10.0, 20.0);
   const Pass pass = view_exit_map_pass();
   const auto draw = [&](const MeshData& mesh) {
     return run_pass(pass.definition, {.width = 4,
                                       .height = 4,
-                                      .uniforms = pass.uniforms({.view = &view, .material_row = 3}),
+                                      .uniforms = pass.uniforms({.camera = &view, .material_row = 3}),
                                       .mesh = mesh});
   };
   const glm::vec3 up[4] = {{-1, 2, 1}, {1, 2, 1}, {1, 2, -1}, {-1, 2, -1}};

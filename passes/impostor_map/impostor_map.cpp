@@ -1,7 +1,7 @@
 #include "passes/impostor_map/impostor_map.hpp"
 
 #include "passes/receiver_map/receiver_map.hpp"
-#include "pipeline/plan/all_around.hpp"
+#include "pipeline/views/all_around.hpp"
 
 namespace caustics {
 
@@ -9,10 +9,10 @@ extern const Shader impostor_map_shader;
 
 namespace {
 
-Frame impostor_frame(const PassContext& context) {
-  Frame frame = with_atlas(context.effects->impostors, context.width);
-  frame.face = context.face;
-  return frame;
+View impostor_view(const PassContext& context) {
+  View view = with_atlas(context.effects->impostors, context.width);
+  view.face = context.face;
+  return view;
 }
 
 }  // namespace
@@ -43,9 +43,9 @@ Pass impostor_map_pass() {
       .extent = Extent::Map,
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(receiver_map_uniforms(impostor_frame(context), *context.material));
+            return uniform_bytes(receiver_map_uniforms(impostor_view(context), *context.material));
           },
-      .all_around = impostor_frame,
+      .all_around = impostor_view,
   };
 }
 

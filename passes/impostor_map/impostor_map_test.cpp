@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "passes/receiver_map/receiver_map.hpp"
-#include "pipeline/plan/all_around.hpp"
+#include "pipeline/views/all_around.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/cube_map.hpp"
 #include "tests/support/render_scene.hpp"
@@ -17,13 +17,13 @@ namespace {
 
 // A floor 1 m below the middle, much wider than a face sees, drawn into one face.
 PassImages draw(int face) {
-  Frame frame = with_atlas(cube_frame({0.0, 1.0, 0.0}, {1.0, 100.0}), 48);
-  frame.face = face;
+  View view = with_atlas(cube_view({0.0, 1.0, 0.0}, {1.0, 100.0}), 48);
+  view.face = face;
   const glm::vec3 corners[4] = {{-50, 0, 50}, {50, 0, 50}, {50, 0, -50}, {-50, 0, -50}};
   return run_pass(impostor_map_pass().definition,
                   {.width = 48,
                    .height = 48,
-                   .uniforms = uniform_bytes(receiver_map_uniforms(frame, Material{})),
+                   .uniforms = uniform_bytes(receiver_map_uniforms(view, Material{})),
                    .textures = {Image{}},
                    .mesh = quad(corners, {0.0f, 1.0f, 0.0f})});
 }
@@ -46,7 +46,7 @@ TEST_CASE("impostor_map: a texel holds the floor's point in its direction, and i
   const CubeAtlas atlas{.side = 48, .guard = kLeastGuard};
   for (int y = 0; y < 24; ++y)
     for (int x = 0; x < 16; ++x) {
-      // Frame axes: right +x, up +y, forward -z.
+      // View axes: right +x, up +y, forward -z.
       const glm::dvec3 q = direction_of(atlas, 3, x, y);
       const glm::vec4 p = texel(map, x, 24 + y);
       CHECK(p.x == Approx(q.x).margin(1e-4));

@@ -4,7 +4,7 @@
 
 #include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
-#include "pipeline/plan/all_around.hpp"
+#include "pipeline/views/all_around.hpp"
 
 namespace caustics {
 
@@ -27,17 +27,17 @@ Bounds receivers_box(const PassContext& context) {
 }  // namespace
 
 LandingUniforms landing_uniforms(const PassContext& context) {
-  const LightFrames& frames = *context.frames;
+  const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
   const Branch& branch = *context.branch;
-  const FrameUniforms caster = pack(frames.caster);
-  const FrameUniforms receiver = pack(frames.receiver);
-  const FrameUniforms caustic = pack(frames.caustic);
+  const ViewUniforms caster = pack(views.caster);
+  const ViewUniforms receiver = pack(views.receiver);
+  const ViewUniforms caustic = pack(views.caustic);
   const bool around = settings.estimator == Estimator::Impostor && context.effects->active("distance impostors");
-  const FrameUniforms impostors =
-      around ? pack(with_atlas(context.effects->impostors, settings.map)) : FrameUniforms{};
+  const ViewUniforms impostors =
+      around ? pack(with_atlas(context.effects->impostors, settings.map)) : ViewUniforms{};
   glm::vec4 tile{0.0f};
-  if (const auto& cube = frames.caster.cube)
+  if (const auto& cube = views.caster.cube)
     tile = {cube->tile_width(), cube->tile_height(), cube->guard, 1.0f};
   const LightCone cone = light_cone(*context.light);
   const Bounds receivers = receivers_box(context);
@@ -50,12 +50,12 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .receiver_depth = receiver.depth,
       .caustic_window = caustic.window,
       .caustic_depth = caustic.depth,
-      .light = glm::vec4(glm::vec3(frames.caster.perspective ? context.light->position
-                                                             : frames.caster.forward),
+      .light = glm::vec4(glm::vec3(views.caster.perspective ? context.light->position
+                                                             : views.caster.forward),
                          0.0f),
       .cone_axis = cone.axis,
       .cone = cone.scale_offset,
-      .cell = {static_cast<float>(frames.caster.window_area() / cells), kExitTolerance,
+      .cell = {static_cast<float>(views.caster.window_area() / cells), kExitTolerance,
                kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
       .receivers_lower = glm::vec4(receivers.lower, 0.0),
       .receivers_upper = glm::vec4(receivers.upper, 0.0),

@@ -30,7 +30,7 @@ OUTPUT(6, Vec4, landing_way)
 OUTPUT(7, Vec4, landing_start_flux)
 #endif
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/intersect.glsl"
 #include "passes/shared/light_intensity.glsl"
@@ -65,17 +65,17 @@ Hit find_receiver(Vec3 start, Vec3 direction) {
   return hit;
 }
 
-// The larger extent of a texel at frame coordinates q, metres.
+// The larger extent of a texel at view coordinates q, metres.
 Float texel_extent(Texture t, Vec3 q, vec4 window, vec4 depth) {
   Float across = Float(1.0f / (window.x * float(texture_width(t))));
   Float along = Float(1.0f / (window.y * float(texture_height(t))));
-  return frame_w(q, depth) * max_of(across, along);
+  return view_w(q, depth) * max_of(across, along);
 }
 
 // The smooth normal where the ray leaves: interpolated where all four texels are covered and lean the same way. A
 // mixture of the normals of two faces, shorter than either, is no face's own: light would leave by a crease where none goes.
 Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
-  Vec2 uv = frame_uv(frame_coordinates(u.from_scene, p), u.caster_window, u.caster_depth);
+  Vec2 uv = view_uv(view_coordinates(u.from_scene, p), u.caster_window, u.caster_depth);
   Vec4 smooth_normal = fetch_bilinear(caster_exit_normal, uv.x, uv.y);
   Vec4 nearest = fetch_nearest(caster_exit_normal, uv.x, uv.y);
   Vec3 mixed = Vec3(smooth_normal);
@@ -89,7 +89,7 @@ Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot
 // d_N, in the ratio of the angles of refraction and incidence. He finds d_N beforehand; here it is met in the exit map.
 // d0: the light's direction; d1: inside; n: the normal against the light.
 Hit thickness_of_wyman(Vec3 p, Vec3 q, Vec3 d0, Vec3 d1, Vec3 n, Float ior) {
-  Vec2 uv = frame_uv(q, u.caster_window, u.caster_depth);
+  Vec2 uv = view_uv(q, u.caster_window, u.caster_depth);
   Vec4 behind = fetch_nearest(caster_exit_position, uv.x, uv.y);
   Hit hit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p, -n, true);
   Float incidence = angle_between(d0, -n);
@@ -117,7 +117,7 @@ Bool meets_receivers(Vec3 start, Vec3 direction) {
 
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
-// The light's flux on a grid vertex's cell at frame coordinates q, seen by `face`, relative to its intensity: the
+// The light's flux on a grid vertex's cell at view coordinates q, seen by `face`, relative to its intensity: the
 // solid angle from a point, by the midpoint form.
 Float solid_angle(Vec3 q, Int face, Bool covered) {
   Vec3 t = in_face(q, face, u.caster_depth);
@@ -143,7 +143,7 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered, Int face, Bool guard) {
 
   // Flux onto the cell, relative to the light's intensity: its area across parallel light; its solid
   // angle (midpoint form) from a point, times the cone's falloff.
-  Vec3 q1 = frame_coordinates(u.from_scene, p1);
+  Vec3 q1 = view_coordinates(u.from_scene, p1);
   Vec3 d0 = Vec3(u.light);
   Float entered = Float(u.cell.x);
   if (u.caster_depth.z > 0.5f) {
@@ -212,12 +212,12 @@ void follow(Vec4 entry, Vec4 entry_normal, Bool covered, Int face, Bool guard) {
   Hit hit = find_receiver(p2, d2);
   Float flight = max_of(hit.distance, 0.0f);
   Vec3 p3 = p2 + d2 * flight;
-  Vec3 q3 = frame_coordinates(u.from_scene, p3);
-  Vec2 uv3 = frame_uv(q3, u.caustic_window, u.caustic_depth);
+  Vec3 q3 = view_coordinates(u.from_scene, p3);
+  Vec2 uv3 = view_uv(q3, u.caustic_window, u.caustic_depth);
   Float tolerance =
       u.cell.z * texel_extent(receiver_position, q3, u.receiver_window, u.receiver_depth);
   if (u.method.y == 3) {
-    Vec3 around = frame_coordinates(u.impostor_from_scene, p3);
+    Vec3 around = view_coordinates(u.impostor_from_scene, p3);
     tolerance = u.cell.z * texel_extent(impostor_position, around, u.impostor_window, u.impostor_depth);
   }
   Bool converged = hit.residual <= tolerance;

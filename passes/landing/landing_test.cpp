@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "pipeline/plan/ledger.hpp"
-#include "pipeline/plan/all_around.hpp"
+#include "pipeline/measure/ledger.hpp"
+#include "pipeline/views/all_around.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/cube_map.hpp"
 #include "tests/support/run_pass.hpp"
@@ -18,7 +18,7 @@ namespace {
 // A light straight down from 10 m, casters around height 1, a floor at height 0. The caster map is one
 // grid vertex at (0, 1, 0) repeated, so every texel of a 2 x 2 grid tells the same.
 struct Bench {
-  Frame frame = down(4.0, 10.0, 20.0);
+  View view = down(4.0, 10.0, 20.0);
   glm::vec3 normal{0.0f, 1.0f, 0.0f};
   float facing = 1.0f;
   float ior = 1.5f;
@@ -38,7 +38,7 @@ struct Bench {
   int estimator = 1;
   int weights = 0;
   Image receiver = floor_map(64, 0.0, 0.0);
-  Frame impostors = with_atlas(cube_frame({0.0, 2.0, 0.0}, {1.0, 20.0}), 300);
+  View impostors = with_atlas(cube_view({0.0, 2.0, 0.0}, {1.0, 20.0}), 300);
   Image impostor;  // positions around impostors.origin
 
   // Positions of the plane y = height + slope * x over the frame, as receiver_map writes them.
@@ -56,7 +56,7 @@ struct Bench {
   }
 
   PassImages run() const {
-    const FrameUniforms f = pack(frame);
+    const ViewUniforms f = pack(view);
     LandingUniforms u{.from_scene = f.from_scene,
                       .caster_window = f.window,
                       .caster_depth = f.depth,
@@ -234,8 +234,8 @@ TEST_CASE("landing: light that meets no receiver is missed, light that leaves th
   bench.receiver = bench.floor_map(64, 0.0, 0.0);
   bench.normal = tilted(85.0);
   bench.ior = 3.0f;
-  bench.frame.window_lower = glm::dvec2(-0.2);
-  bench.frame.window_upper = glm::dvec2(0.2);
+  bench.view.window_lower = glm::dvec2(-0.2);
+  bench.view.window_upper = glm::dvec2(0.2);
   CHECK(status(bench.run()) == LandingStatus::Outside);
   // Where the floor ends inside the window, the same ray passes it.
   bench.receivers_lower = {-0.2f, 0.0f, -0.2f, 0.0f};
@@ -248,8 +248,8 @@ TEST_CASE("landing: of light that leaves the map, only what goes towards the rec
   Bench bench;
   bench.mirror = true;
   bench.normal = tilted(45.0);
-  bench.frame.window_lower = glm::dvec2(-0.2);
-  bench.frame.window_upper = glm::dvec2(0.2);
+  bench.view.window_lower = glm::dvec2(-0.2);
+  bench.view.window_upper = glm::dvec2(0.2);
   const auto wall_at = [&](float x) {
     bench.receivers_lower = {x, 0.0f, -1.0f, 0.0f};
     bench.receivers_upper = {x, 2.0f, 1.0f, 0.0f};
@@ -280,8 +280,8 @@ TEST_CASE("landing: a texel without a caster writes zeros") {
 TEST_CASE("landing: a point light's cell subtends its solid angle") {
   // A cell of 0.25 tangent units squared on the axis: 0.25 sr by the midpoint form.
   Bench bench;
-  bench.frame.perspective = true;
-  bench.frame.near = 0.1;
+  bench.view.perspective = true;
+  bench.view.near = 0.1;
   const PassImages out = bench.run();
   CHECK(out["landing_fresnel"].at(0, 0, 3) == Approx(0.25));
 }
@@ -457,7 +457,7 @@ Bench impostor_bench(const glm::dvec3& centre, const std::function<double(const 
   bench.mirror = true;
   bench.normal = {-0.948683298f, 0.316227766f, 0.0f};
   bench.estimator = 3;
-  bench.impostors = with_atlas(cube_frame(centre, {1.0, 20.0}), side);
+  bench.impostors = with_atlas(cube_view(centre, {1.0, 20.0}), side);
   bench.impostor = positions_around(bench.impostors, distance);
   return bench;
 }
@@ -519,7 +519,7 @@ TEST_CASE("landing: distance impostors see all of a box room, over the cube's ed
   };
   Bench bench = impostor_bench(middle, [&](const glm::dvec3& d) { return walls(middle, d); });
   bench.iterations = 12;
-  bench.frame = down(8.0, 10.0, 20.0);
+  bench.view = down(8.0, 10.0, 20.0);
   int landed = 0;
   for (int turn = 0; turn < 40; ++turn)
     for (const double lean : {0.15, 0.5, 0.7, 0.95, 1.2}) {

@@ -1,4 +1,4 @@
-mat4 from_scene;       // origin and axes, shared by all frames of the light
+mat4 from_scene;       // origin and axes, shared by all views of the light
 vec4 caster_window;
 vec4 caster_depth;
 vec4 receiver_window;

@@ -5,7 +5,7 @@
 
 #include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
-#include "pipeline/plan/splat_kernel.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
 
@@ -34,28 +34,28 @@ bool throws_caustic(const PassContext& context) {
 }
 
 UniformBytes uniforms(const PassContext& context) {
-  const LightFrames& frames = *context.frames;
+  const LightViews& views = *context.views;
   const Light& light = *context.light;
-  const FrameUniforms caster = pack(frames.caster), receiver = pack(frames.receiver);
-  const FrameUniforms caustic = pack(frames.caustic), shadow = pack(frames.shadow);
-  const FrameUniforms panes = pack(frames.panes), column = pack(frames.column);
+  const ViewUniforms caster = pack(views.caster), receiver = pack(views.receiver);
+  const ViewUniforms caustic = pack(views.caustic), shadow = pack(views.shadow);
+  const ViewUniforms panes = pack(views.panes), column = pack(views.column);
   const LightCone cone = light_cone(light);
   const bool directional = light.type == LightType::Directional;
   const bool caustics = context.effects->active("caustics") && throws_caustic(context);
   const double texels =
       static_cast<double>(context.settings->map) * static_cast<double>(context.settings->map);
   glm::vec2 reach{0.0f};
-  if (const auto& cube = frames.caustic.cube)
+  if (const auto& cube = views.caustic.cube)
     reach = glm::vec2(0.5 * glm::dvec2(cube->tile_width() - 1, cube->tile_height() - 1) /
                       static_cast<double>(cube->side));
-  const FrameUniforms cascade = pack(frames.cascade.value_or(Frame{}));
+  const ViewUniforms cascade = pack(views.cascade.value_or(View{}));
   glm::vec4 cascade_texel{0.0f};
-  if (frames.cascade && caustics)
-    cascade_texel = {static_cast<float>(frames.cascade->window_area() / texels),
+  if (views.cascade && caustics)
+    cascade_texel = {static_cast<float>(views.cascade->window_area() / texels),
                      static_cast<float>((splat_kernel(*context.settings).radius + kBorder) / context.settings->map),
                      1.0f, 0.0f};
   // Not of lights that see all around.
-  if (caustics && context.effects->active("hidden receivers") && !frames.caustic.cube) cascade_texel.w = 1.0f;
+  if (caustics && context.effects->active("hidden receivers") && !views.caustic.cube) cascade_texel.w = 1.0f;
   return uniform_bytes(LightShadingUniforms{
       .from_scene = shadow.from_scene,
       .caster_window = caster.window,
@@ -68,15 +68,15 @@ UniformBytes uniforms(const PassContext& context) {
       .shadow_range = shadow.depth,
       .pane_window = panes.window,
       .pane_depth = panes.depth,
-      .light = glm::vec4(glm::vec3(directional ? frames.shadow.forward : light.position),
+      .light = glm::vec4(glm::vec3(directional ? views.shadow.forward : light.position),
                          directional ? 0.0f : 1.0f),
       .cone_axis = cone.axis,
       .cone = cone.scale_offset,
       .intensity = glm::vec4(light.color * light.intensity,
                              !directional && std::isfinite(light.range) ? light.range : 0.0f),
       .column = column.window,
-      .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(frames.casters_nearest)),
-      .caustic_texel = {static_cast<float>(frames.caustic.window_area() / texels), reach.x, reach.y,
+      .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(views.casters_nearest)),
+      .caustic_texel = {static_cast<float>(views.caustic.window_area() / texels), reach.x, reach.y,
                         context.effects->active("coloured caustics") ? 0.0f : 1.0f},
       .cascade_window = cascade.window,
       .cascade_texel = cascade_texel,

@@ -23,7 +23,7 @@ TEXTURE(9, far_caustic_map)
 OUTPUT(0, Vec4, direct)
 OUTPUT(1, Vec4, caustic)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/light_intensity.glsl"
 #include "passes/shared/column.glsl"
 #include "passes/shared/surface_plane.glsl"
@@ -32,7 +32,7 @@ OUTPUT(1, Vec4, caustic)
 #include "passes/medium/medium.glsl"
 #endif
 
-// The surface's tangent plane in frame coordinates, to compare depths where a map's texel is instead of
+// The surface's tangent plane in view coordinates, to compare depths where a map's texel is instead of
 // where the shaded point is: that leaves nothing of the usual slope for a bias to hide. It is the
 // triangle's plane, which is what the maps drew; shading normals lean away from it.
 struct TangentPlane {
@@ -54,7 +54,7 @@ Float plane_slope(TangentPlane p) {
   return slope;
 }
 
-// z of the plane at window coordinates; in a perspective frame within half and twice the point's own.
+// z of the plane at window coordinates; in a perspective view within half and twice the point's own.
 Float plane_z(TangentPlane p, Float x, Float y) {
   Float z = p.q.z;
   if (u.light.w > 0.5f) {
@@ -111,60 +111,60 @@ Float occluded(TangentPlane p, Int x, Int y, Float bias) {
 Float shadow_share(TangentPlane p) {
   int width = texture_width(shadow_depth);
   int height = texture_height(shadow_depth);
-  Vec2 uv = frame_uv(p.at, u.shadow_window, u.shadow_range);
+  Vec2 uv = view_uv(p.at, u.shadow_window, u.shadow_range);
   Corners c = corners_at(uv, width, height);
   // A map knows where a surface lies to a texel's extent across the light. What is nearer to the plane
   // than that, measured across the plane, is the surface itself: along the light, the extent over the slope.
   Float slant = 1.0f / max_of(abs(plane_slope(p)), 0.02f);
-  Float bias = slant * frame_w(p.at, u.shadow_range) *
+  Float bias = slant * view_w(p.at, u.shadow_range) *
                max_of(Float(1.0f / (u.shadow_window.x * float(width))),
                       Float(1.0f / (u.shadow_window.y * float(height))));
   Float bottom = occluded(p, c.x0, c.y0, bias) * (1.0f - c.fx) + occluded(p, c.x0 + 1, c.y0, bias) * c.fx;
   Float top = occluded(p, c.x0, c.y0 + 1, bias) * (1.0f - c.fx) +
               occluded(p, c.x0 + 1, c.y0 + 1, bias) * c.fx;
-  return sel(frame_w(p.at, u.shadow_range) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
+  return sel(view_w(p.at, u.shadow_range) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
 }
 
 // 1 where a caster covers this texel before the point, else 0.
 Float covered_by_caster(TangentPlane p, Int x, Int y) {
   Vec4 caster = fetch_clamped(caster_position, x, y);
-  Float z = in_face(frame_coordinates(u.from_scene, Vec3(caster)), p.face, u.caster_depth).z;
+  Float z = in_face(view_coordinates(u.from_scene, Vec3(caster)), p.face, u.caster_depth).z;
   Bool blocked = in_map(x, y, texture_width(caster_position), texture_height(caster_position)) &&
                  caster.w != 0.0f && z < p.q.z;
   return sel(blocked, Float(1.0f), Float(0.0f));
 }
 
 Float caster_share(TangentPlane p) {
-  Vec2 uv = frame_uv(p.at, u.caster_window, u.caster_depth);
+  Vec2 uv = view_uv(p.at, u.caster_window, u.caster_depth);
   Corners c = corners_at(uv, texture_width(caster_position), texture_height(caster_position));
   Float bottom = covered_by_caster(p, c.x0, c.y0) * (1.0f - c.fx) +
                  covered_by_caster(p, c.x0 + 1, c.y0) * c.fx;
   Float top = covered_by_caster(p, c.x0, c.y0 + 1) * (1.0f - c.fx) +
               covered_by_caster(p, c.x0 + 1, c.y0 + 1) * c.fx;
-  return sel(frame_w(p.at, u.caster_depth) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
+  return sel(view_w(p.at, u.caster_depth) > 0.0f, bottom * (1.0f - c.fy) + top * c.fy, Float(0.0f));
 }
 
 // What thin panes leave of the direct light.
 Vec3 through_panes(TangentPlane p) {
-  Vec2 uv = frame_uv(p.at, u.pane_window, u.pane_depth);
-  Bool inside = inside_unit(uv.x, uv.y) && frame_w(p.at, u.pane_depth) > 0.0f;
+  Vec2 uv = view_uv(p.at, u.pane_window, u.pane_depth);
+  Bool inside = inside_unit(uv.x, uv.y) && view_w(p.at, u.pane_depth) > 0.0f;
   return sel(inside, Vec3(fetch_bilinear(pane_transmittance, uv.x, uv.y)), Vec3(1.0f));
 }
 
 // Does a receiver map see this point, and not something before it? Two texels' extents may lie between. In the map of
 // the farthest receivers nothing must lie behind it either.
 Bool receives(Texture receivers, TangentPlane p, bool farthest) {
-  Vec2 uv = frame_uv(p.at, u.receiver_window, u.receiver_depth);
+  Vec2 uv = view_uv(p.at, u.receiver_window, u.receiver_depth);
   int width = texture_width(receivers);
   int height = texture_height(receivers);
   Int x = floor_to_int(uv.x * float(width));
   Int y = floor_to_int(uv.y * float(height));
   Vec4 receiver = fetch_clamped(receivers, x, y);
-  Float seen = in_face(frame_coordinates(u.from_scene, Vec3(receiver)), p.face, u.receiver_depth).z;
+  Float seen = in_face(view_coordinates(u.from_scene, Vec3(receiver)), p.face, u.receiver_depth).z;
   Vec2 offset = face_offset(p.face, u.receiver_window, u.receiver_depth);
   Float z = plane_z(p, window_of(x, width, u.receiver_window.x, offset.x),
                     window_of(y, height, u.receiver_window.y, offset.y));
-  Float extent = frame_w(p.at, u.receiver_depth) *
+  Float extent = view_w(p.at, u.receiver_depth) *
                  max_of(Float(1.0f / (u.receiver_window.x * float(width))),
                         Float(1.0f / (u.receiver_window.y * float(height))));
   Bool near_enough = z <= seen + 2.0f * extent;
@@ -211,7 +211,7 @@ Vec3 flux_all_around(Vec3 q) {
   return flux;
 }
 
-// What a caustic is averaged over for a pixel: half of each side to either side of the point, in frame coordinates,
+// What a caustic is averaged over for a pixel: half of each side to either side of the point, in view coordinates,
 // and by how many samples along each.
 struct Footprint {
   Vec3 across;
@@ -220,7 +220,7 @@ struct Footprint {
   Float rows;
 };
 
-// The step to a neighbouring pixel in frame coordinates; none where that pixel shows something else.
+// The step to a neighbouring pixel in view coordinates; none where that pixel shows something else.
 Vec3 step_on_surface(Int column, Int row, int dx, int dy, Vec3 position, Vec3 n) {
   Vec3 offset = offset_to_neighbour(view_position, column, row, dx, dy, position);
   Float off_plane = dot3(offset, n);
@@ -231,7 +231,7 @@ Vec3 step_on_surface(Int column, Int row, int dx, int dy, Vec3 position, Vec3 n)
 // The larger side in the map of a step from a point, texels of the face that sees the point; 0 where the step ends
 // behind the light.
 Float texels_along(Vec3 at, Vec3 step, vec4 window, int size) {
-  Int face = frame_face(at, u.caustic_depth);
+  Int face = view_face(at, u.caustic_depth);
   Vec3 from = in_face(at, face, u.caustic_depth);
   Vec3 to = in_face(at + step, face, u.caustic_depth);
   Float texels = Float(0.0f);
@@ -262,7 +262,7 @@ Float samples_over(Float spread) {
 
 // Is a point so far inside the cascade that all its light is there?
 Bool in_cascade(Vec3 at) {
-  Vec2 finer = frame_uv(at, u.cascade_window, u.caustic_depth);
+  Vec2 finer = view_uv(at, u.cascade_window, u.caustic_depth);
   return inside_unit(finer.x - u.cascade_texel.y, finer.y - u.cascade_texel.y) &&
          inside_unit(finer.x + u.cascade_texel.y, finer.y + u.cascade_texel.y);
 }
@@ -280,7 +280,7 @@ Footprint footprint_at(Int column, Int row, Vec3 at, Vec3 position, Vec3 n, Bool
     columns = sel(finer, texels_along(at, f.across, u.cascade_window, size), columns);
     rows = sel(finer, texels_along(at, f.upward, u.cascade_window, size), rows);
   }
-  Vec2 uv = frame_uv(at, u.caustic_window, u.caustic_depth);
+  Vec2 uv = view_uv(at, u.caustic_window, u.caustic_depth);
   Float reach = (columns + rows) / float(size);
   Bool counts = receives && uv.x > -reach && uv.y > -reach && uv.x < reach + 1.0f && uv.y < reach + 1.0f;
   Float wide = sel(counts, spread_of(columns), Float(0.0f));
@@ -292,7 +292,7 @@ Footprint footprint_at(Int column, Int row, Vec3 at, Vec3 position, Vec3 n, Bool
   return f;
 }
 
-// The irradiance of caustics at a point near p, in frame coordinates: flux over area times the cosine. `near` and
+// The irradiance of caustics at a point near p, in view coordinates: flux over area times the cosine. `near` and
 // `far` receivers take it or not as p does.
 Vec3 caustic_at(Vec3 at, TangentPlane p, Float facing, Float distance_squared, Bool near, Bool far) {
   Vec3 flux = Vec3(0.0f);
@@ -301,11 +301,11 @@ Vec3 caustic_at(Vec3 at, TangentPlane p, Float facing, Float distance_squared, B
   if (u.caustic_depth.z > 1.5f) {
     flux = flux_all_around(at);
   } else {
-    Vec2 uv = frame_uv(at, u.caustic_window, u.caustic_depth);
+    Vec2 uv = view_uv(at, u.caustic_window, u.caustic_depth);
     inside = inside_unit(uv.x, uv.y);
     flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
     if (u.cascade_texel.z > 0.5f) {
-      Vec2 finer = frame_uv(at, u.cascade_window, u.caustic_depth);
+      Vec2 finer = view_uv(at, u.cascade_window, u.caustic_depth);
       Bool reaches = in_cascade(at);
       flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), flux);
       texel = sel(reaches, Float(u.cascade_texel.x), texel);
@@ -316,7 +316,7 @@ Vec3 caustic_at(Vec3 at, TangentPlane p, Float facing, Float distance_squared, B
   Float area = texel_area(texel, p.q, distance_squared);
   Vec3 caught = sel(near && inside, flux * (facing / area), Vec3(0.0f));
   if (u.cascade_texel.w > 0.5f) {
-    Vec2 uv = frame_uv(at, u.caustic_window, u.caustic_depth);
+    Vec2 uv = view_uv(at, u.caustic_window, u.caustic_depth);
     Vec3 behind = Vec3(fetch_bilinear(far_caustic_map, uv.x, uv.y));
     if (u.caustic_texel.w > 0.5f) behind = Vec3(behind.x);
     Float far_area = texel_area(Float(u.caustic_texel.x), p.q, distance_squared);
@@ -382,8 +382,8 @@ void main() {
   }
   Float facing = max_of(-dot3(n, travel), 0.0f);
   TangentPlane p;
-  p.at = frame_coordinates(u.from_scene, position);
-  p.face = frame_face(p.at, u.shadow_range);
+  p.at = view_coordinates(u.from_scene, position);
+  p.face = view_face(p.at, u.shadow_range);
   p.q = in_face(p.at, p.face, u.shadow_range);
   Vec3 plane = plane_normal(view_position, column, row, position, n);
   p.normal = in_face(transform_vector(u.from_scene, plane), p.face, u.shadow_range);

@@ -10,7 +10,7 @@ using namespace caustics::test;
 
 namespace {
 
-// One surface point under one light that shines down from 10 m. All the light's frames share a window of
+// One surface point under one light that shines down from 10 m. All the light's views share a window of
 // 8 m (tangent 1 for lights with a position), all its maps are 8 x 8.
 struct Bench {
   Light light = [] {
@@ -39,17 +39,17 @@ struct Bench {
                     {"thin panes", !panes.values.empty(), ""},
                     {"hidden receivers", !far_receiver.values.empty(), ""}};
     if (caustics) effects.expectations = {{0, 0, true, ""}};
-    Frame frame = down(4.0, 10.0, 20.0);
+    View view = down(4.0, 10.0, 20.0);
     if (light.type != LightType::Directional) {
-      frame = down(1.0, 10.0, 20.0);
-      frame.perspective = true;
-      frame.near = 0.1;
+      view = down(1.0, 10.0, 20.0);
+      view.perspective = true;
+      view.near = 0.1;
     }
-    LightFrames frames{.caster = frame, .receiver = frame, .caustic = frame, .shadow = frame,
-                       .panes = frame, .casters_nearest = casters_nearest, .column = frame, .cascade = {}};
-    if (!cascade_map.values.empty()) frames.cascade = widened(frame, 0.5);
+    LightViews views{.caster = view, .receiver = view, .caustic = view, .shadow = view,
+                       .panes = view, .casters_nearest = casters_nearest, .column = view, .cascade = {}};
+    if (!cascade_map.values.empty()) views.cascade = widened(view, 0.5);
     return pass.uniforms({.scene = &scene, .settings = &settings, .effects = &effects,
-                          .frames = &frames, .light = &scene.lights[0]});
+                          .views = &views, .light = &scene.lights[0]});
   }
 
   std::vector<Image> textures() const {

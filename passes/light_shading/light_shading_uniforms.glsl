@@ -1,4 +1,4 @@
-mat4 from_scene;         // origin and axes, shared by all frames of the light
+mat4 from_scene;         // origin and axes, shared by all views of the light
 vec4 caster_window;
 vec4 caster_depth;
 vec4 receiver_window;
@@ -6,7 +6,7 @@ vec4 receiver_depth;
 vec4 caustic_window;
 vec4 caustic_depth;
 vec4 shadow_window;
-vec4 shadow_range;       // the shadow frame's depth
+vec4 shadow_range;       // the shadow view's depth
 vec4 pane_window;
 vec4 pane_depth;
 vec4 light;              // xyz: direction of travel (directional) or position; w: 1 for a position

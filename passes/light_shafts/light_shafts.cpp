@@ -12,7 +12,7 @@ namespace {
 constexpr float kWidest = 0.0625f;
 
 UniformBytes uniforms(const PassContext& context) {
-  const FrameUniforms view = pack(*context.view);
+  const ViewUniforms view = pack(*context.camera);
   const float width = static_cast<float>(context.width), height = static_cast<float>(context.height);
   const double pixels = static_cast<double>(context.width) * static_cast<double>(context.height);
   const float widest = std::max(kWidest * std::max(width, height), 4.0f);
@@ -21,7 +21,7 @@ UniformBytes uniforms(const PassContext& context) {
           .from_scene = view.from_scene,
           .window = view.window,
           .depth = view.depth,
-          .picture = {width, height, widest, static_cast<float>(context.view->window_area() / pixels)},
+          .picture = {width, height, widest, static_cast<float>(context.camera->window_area() / pixels)},
           .intensity = glm::vec4(context.light->color * context.light->intensity, 0.0f),
           .beams = {beams_a_side(*context.settings), 0, 0, 0}}),
       *context.scene);

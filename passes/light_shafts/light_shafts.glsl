@@ -7,7 +7,7 @@ TEXTURE(0, beam_start)
 TEXTURE(1, beam_way)
 TEXTURE(2, beam_flux)
 TEXTURE(3, view_range)
-VARYING_FLAT(0, Vec3, start)      // camera's frame, metres
+VARYING_FLAT(0, Vec3, start)      // camera's view, metres
 VARYING_FLAT(3, Vec3, way)        // likewise, unit
 VARYING_FLAT(6, Vec3, flux)
 VARYING_FLAT(9, Vec4, ends)       // along the picture's axis that the beam follows: its lower and upper end, pixels,
@@ -16,11 +16,11 @@ VARYING_FLAT(13, Vec4, widths)    // across, at the two ends: to a neighbour in 
                                   // pixels times what window coordinates are divided by
 VARYING_FLAT(17, Float, follows)  // 0: the picture's x, 1: y
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
-// Pixel coordinates of a point in the camera's frame.
+// Pixel coordinates of a point in the camera's view.
 Vec2 pixel_of(Vec3 q) {
-  Float w = frame_w(q, u.depth);
+  Float w = view_w(q, u.depth);
   return Vec2((q.x / w * u.window.x + u.window.z) * u.picture.x, (q.y / w * u.window.y + u.window.w) * u.picture.y);
 }
 
@@ -66,7 +66,7 @@ Float across(Vec2 p, Bool follows_y) { return sel(follows_y, p.x, p.y); }
 
 // How far a neighbouring beam runs beside this one at two distances from the starts, across, in pixels times w.
 Vec2 beside(Int column, Int row, Vec2 at, Vec2 p, Vec2 q, Float slope, Vec2 w, Bool follows_y) {
-  Vec3 other = frame_coordinates(u.from_scene, Vec3(fetch_clamped(beam_start, column, row)));
+  Vec3 other = view_coordinates(u.from_scene, Vec3(fetch_clamped(beam_start, column, row)));
   Vec3 heading = transform_vector(u.from_scene, Vec3(fetch_clamped(beam_way, column, row)));
   Vec2 a = pixel_of(before_camera(other + heading * at.x));
   Vec2 b = pixel_of(before_camera(other + heading * at.y));
@@ -99,7 +99,7 @@ void main() {
   Int y = beam / Int(u.beams.x);
   Int x = beam - y * Int(u.beams.x);
   Vec4 from = texel_fetch(beam_start, x, y);
-  start = frame_coordinates(u.from_scene, Vec3(from));
+  start = view_coordinates(u.from_scene, Vec3(from));
   way = transform_vector(u.from_scene, Vec3(texel_fetch(beam_way, x, y)));
   flux = Vec3(texel_fetch(beam_flux, x, y));
   Vec2 range = in_view(start, way, from.w);
@@ -114,7 +114,7 @@ void main() {
   Vec2 p = sel(swapped, b, a);
   Vec2 q = sel(swapped, a, b);
   Vec2 at = sel(swapped, Vec2(range.y, range.x), range);
-  Vec2 w = Vec2(frame_w(sel(swapped, far, near), u.depth), frame_w(sel(swapped, near, far), u.depth));
+  Vec2 w = Vec2(view_w(sel(swapped, far, near), u.depth), view_w(sel(swapped, near, far), u.depth));
   Float low = along(p, follows_y);
   Float high = along(q, follows_y);
   Bool has_extent = high - low > 0.01f;
@@ -209,7 +209,7 @@ void main() {
   Float from_middle = sel(follows > 0.5f, frag_x() - p.x, frag_y() - p.y);
   Float span = ends.w - ends.z;
   Float f = clamp_to((middle - ends.z) / sel(span != 0.0f, span, Float(1.0f)), 0.0f, 1.0f);
-  Float w = frame_w(q, u.depth);
+  Float w = view_w(q, u.depth);
   Float a = width(widths.x * (1.0f - f) + widths.y * f, w);
   Float b = width(widths.z * (1.0f - f) + widths.w * f, w);
   Float part = share_below(from_middle + 0.5f, a, b) - share_below(from_middle - 0.5f, a, b);

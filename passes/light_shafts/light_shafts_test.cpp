@@ -16,7 +16,7 @@ constexpr double kPi = 3.14159265358979323846;
 // A camera 10 m up that looks straight down on 8 x 8 pixels of 1 m. Pixel column 0 begins at x = -4, and row 0 at
 // z = +4. A medium that scatters 0.1 per metre to all sides and takes nothing unless told to. Beams lie 5 m up.
 struct Bench {
-  Frame view = down(4.0, 10.0, 20.0);
+  View view = down(4.0, 10.0, 20.0);
   int side = 1;
   std::vector<glm::vec4> starts{{-2.5f, 5.0f, -0.5f, 4.0f}};  // length 4 along x, at the middle of row 4
   glm::vec4 way{1.0f, 0.0f, 0.0f, 1.0f};
@@ -25,7 +25,7 @@ struct Bench {
   float extinction = 0.0f, anisotropy = 0.0f;
 
   Image run() const {
-    const FrameUniforms f = pack(view);
+    const ViewUniforms f = pack(view);
     LightShaftsUniforms u{.from_scene = f.from_scene, .window = f.window, .depth = f.depth,
                           .picture = {8.0f, 8.0f, 4.0f, static_cast<float>(view.window_area() / 64.0)},
                           .intensity = {1.0f, 1.0f, 1.0f, 0.0f},

@@ -1,4 +1,4 @@
-mat4 from_scene;    // the camera's frame
+mat4 from_scene;    // the camera's view
 vec4 window;
 vec4 depth;
 vec4 picture;       // width, height, pixels; widest beam, pixels; pixel's area in window units squared

@@ -14,7 +14,7 @@ TEXTURE(3, pane_transmittance)
 #else
 OUTPUT(0, Vec4, haze)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/light_intensity.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/medium/medium.glsl"
@@ -42,22 +42,22 @@ Vec3 mean_transmittance(Float from, Float to, Vec3 e0, Vec3 e1) {
 // What reaches a point of a light without distance: 0 in the shadow of opaque surfaces and behind casters, whose
 // light goes other ways; what panes leave, elsewhere.
 Vec3 visibility(Vec3 p) {
-  Vec3 q = frame_coordinates(u.light_from_scene, p);
+  Vec3 q = view_coordinates(u.light_from_scene, p);
   Vec3 seen = Vec3(1.0f);
   if (u.uses.z > 0.5f) {
-    Vec2 uv = frame_uv(q, u.pane_window, u.pane_depth);
+    Vec2 uv = view_uv(q, u.pane_window, u.pane_depth);
     seen = sel(inside_unit(uv.x, uv.y), Vec3(fetch_bilinear(pane_transmittance, uv.x, uv.y)), seen);
   }
   if (u.uses.x > 0.5f) {
-    Vec2 uv = frame_uv(q, u.shadow_window, u.shadow_range);
+    Vec2 uv = view_uv(q, u.shadow_window, u.shadow_range);
     Bool blocked = inside_unit(uv.x, uv.y) && fetch_nearest(shadow_depth, uv.x, uv.y).x < q.z;
     seen = sel(blocked, Vec3(0.0f), seen);
   }
   if (u.uses.y > 0.5f) {
-    Vec2 uv = frame_uv(q, u.caster_window, u.caster_depth);
+    Vec2 uv = view_uv(q, u.caster_window, u.caster_depth);
     Vec4 caster = fetch_nearest(caster_position, uv.x, uv.y);
     Bool blocked = inside_unit(uv.x, uv.y) && caster.w != 0.0f &&
-                   frame_coordinates(u.light_from_scene, Vec3(caster)).z < q.z;
+                   view_coordinates(u.light_from_scene, Vec3(caster)).z < q.z;
     seen = sel(blocked, Vec3(0.0f), seen);
   }
   return seen;

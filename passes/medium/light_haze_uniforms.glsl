@@ -1,8 +1,8 @@
-mat4 light_from_scene;   // origin and axes, shared by all frames of the light
+mat4 light_from_scene;   // origin and axes, shared by all views of the light
 vec4 caster_window;
 vec4 caster_depth;
 vec4 shadow_window;
-vec4 shadow_range;       // the shadow frame's depth
+vec4 shadow_range;       // the shadow view's depth
 vec4 pane_window;
 vec4 pane_depth;
 vec4 light;              // xyz: direction of travel (directional) or position; w: 1 for a position

@@ -21,14 +21,14 @@ bool throws_caustic(const PassContext& context) {
 }
 
 UniformBytes view_uniforms(const PassContext& context) {
-  return with_medium(uniform_bytes(view_ray_uniforms(*context.view, context.width, context.height)),
+  return with_medium(uniform_bytes(view_ray_uniforms(*context.camera, context.width, context.height)),
                      *context.scene);
 }
 
 UniformBytes light_uniforms(const PassContext& context) {
-  const LightFrames& frames = *context.frames;
+  const LightViews& views = *context.views;
   const Light& light = *context.light;
-  const FrameUniforms caster = pack(frames.caster), shadow = pack(frames.shadow), panes = pack(frames.panes);
+  const ViewUniforms caster = pack(views.caster), shadow = pack(views.shadow), panes = pack(views.panes);
   const LightCone cone = light_cone(light);
   const bool directional = light.type == LightType::Directional;
   const auto used = [&](const char* effect) { return context.effects->active(effect) ? 1.0f : 0.0f; };
@@ -40,7 +40,7 @@ UniformBytes light_uniforms(const PassContext& context) {
       .shadow_range = shadow.depth,
       .pane_window = panes.window,
       .pane_depth = panes.depth,
-      .light = glm::vec4(glm::vec3(directional ? frames.shadow.forward : light.position),
+      .light = glm::vec4(glm::vec3(directional ? views.shadow.forward : light.position),
                          directional ? 0.0f : 1.0f),
       .cone_axis = cone.axis,
       .cone = cone.scale_offset,

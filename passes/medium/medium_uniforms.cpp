@@ -19,12 +19,12 @@ UniformBytes with_medium(UniformBytes bytes, const Scene& scene) {
   return bytes;
 }
 
-ViewRayUniforms view_ray_uniforms(const Frame& view, int width, int height) {
-  const FrameUniforms frame = pack(view);
+ViewRayUniforms view_ray_uniforms(const View& view, int width, int height) {
+  const ViewUniforms packed = pack(view);
   const glm::dvec2 size = view.window_upper - view.window_lower;
-  return {.from_scene = frame.from_scene,
-          .window = frame.window,
-          .depth = frame.depth,
+  return {.from_scene = packed.from_scene,
+          .window = packed.window,
+          .depth = packed.depth,
           .eye = glm::vec4(glm::vec3(view.origin), view.perspective ? 1.0f : 0.0f),
           .right = glm::vec4(glm::vec3(view.right), 0.0f),
           .up = glm::vec4(glm::vec3(view.up), 0.0f),

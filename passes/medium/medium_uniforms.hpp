@@ -23,6 +23,6 @@ struct ViewRayUniforms {
 #include "passes/medium/view_ray_uniforms.glsl"
 };
 
-ViewRayUniforms view_ray_uniforms(const Frame& view, int width, int height);
+ViewRayUniforms view_ray_uniforms(const View& view, int width, int height);
 
 }  // namespace caustics

@@ -13,7 +13,7 @@ TEXTURE(2, view_caster_position)
 OUTPUT(0, Vec4, beauty)
 OUTPUT(1, Vec4, view_range)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/medium/medium.glsl"
 #include "passes/medium/view_ray.glsl"
@@ -38,7 +38,7 @@ void main() {
   Float z = sel(surface.w != 0.0f, texel_fetch(view_normal, column, row).w, far);
   Float distance = sel(surface.w != 0.0f, dot3(Vec3(surface) - origin, direction), far);
   Vec4 caster = fetch_clamped(view_caster_position, column, row);
-  Float caster_z = frame_coordinates(u.from_scene, Vec3(caster)).z;
+  Float caster_z = view_coordinates(u.from_scene, Vec3(caster)).z;
   Bool glass = caster.w != 0.0f && caster_z < z;
   z = sel(glass, caster_z, z);
   distance = sel(glass, dot3(Vec3(caster) - origin, direction), distance);

@@ -30,7 +30,7 @@ Pass occluder_depth_pass() {
       .extent = Extent::Grid,
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(receiver_map_uniforms(context.frames->caster, *context.material));
+            return uniform_bytes(receiver_map_uniforms(context.views->caster, *context.material));
           },
   };
 }

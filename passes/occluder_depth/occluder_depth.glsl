@@ -1,4 +1,4 @@
-// Opaque surfaces seen from the light in the casters' frame: depth alone, so that a caster in their
+// Opaque surfaces seen from the light in the casters' view: depth alone, so that a caster in their
 // shadow does not enter the caster map.
 UNIFORMS_BEGIN
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
@@ -10,11 +10,11 @@ VARYING_SMOOTH(0, Vec2, surface_uv)
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec2, uv)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
 void main() {
   surface_uv = uv;
-  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
 }
 #else
 #include "passes/shared/cutout.glsl"

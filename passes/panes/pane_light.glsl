@@ -12,10 +12,10 @@ OUTPUT(0, Vec4, pane_transmittance_rgb)
 
 // Is an opaque surface nearer to the light? Two of its map's texels' extents may lie between.
 Bool in_shadow() {
-  Vec3 at = frame_coordinates(u.from_scene, surface_position);
-  Vec2 uv = frame_uv(at, u.shadow_window, u.shadow_range);
-  Vec3 q = in_face(at, frame_face(at, u.shadow_range), u.shadow_range);
-  Float extent = frame_w(at, u.shadow_range) / (u.shadow_window.x * float(texture_width(shadow_depth)));
+  Vec3 at = view_coordinates(u.from_scene, surface_position);
+  Vec2 uv = view_uv(at, u.shadow_window, u.shadow_range);
+  Vec3 q = in_face(at, view_face(at, u.shadow_range), u.shadow_range);
+  Float extent = view_w(at, u.shadow_range) / (u.shadow_window.x * float(texture_width(shadow_depth)));
   Float stored = fetch_nearest(shadow_depth, uv.x, uv.y).x;
   return u.uses.y > 0.5f && inside_unit(uv.x, uv.y) && stored < q.z - 2.0f * extent;
 }

@@ -9,18 +9,18 @@ ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec3, normal)
 ATTRIBUTE(6, Vec2, uv)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
 void main() {
   surface_position = position;
   surface_normal = normal;
   surface_uv = uv;
-  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
 }
 #else
 #include "passes/shared/cutout.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/optics.glsl"
 

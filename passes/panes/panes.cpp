@@ -17,8 +17,8 @@ struct PaneUniforms {
 #include "passes/panes/pane_uniforms.glsl"
 };
 
-PaneUniforms pane_uniforms(const Frame& frame, const glm::dvec3& eye, const PassContext& context) {
-  const FrameUniforms f = pack(frame);
+PaneUniforms pane_uniforms(const View& view, const glm::dvec3& eye, const PassContext& context) {
+  const ViewUniforms f = pack(view);
   const SkyUniforms sky = sky_uniforms(context.scene->environment);
   const Material& m = *context.material;
   const glm::mat3& uv = m.base_color_texture.uv_transform;
@@ -31,21 +31,21 @@ PaneUniforms pane_uniforms(const Frame& frame, const glm::dvec3& eye, const Pass
   u.from_scene = f.from_scene;
   u.window = f.window;
   u.depth = f.depth;
-  u.eye = glm::vec4(glm::vec3(eye), frame.perspective ? 1.0f : 0.0f);
-  u.forward = glm::vec4(glm::vec3(frame.forward), 0.0f);
+  u.eye = glm::vec4(glm::vec3(eye), view.perspective ? 1.0f : 0.0f);
+  u.forward = glm::vec4(glm::vec3(view.forward), 0.0f);
   u.tint = glm::vec4(glm::vec3(m.base_color) * m.transmission, m.ior);
   u.alpha = {m.base_color.a, masked ? m.alpha_cutoff : 0.0f, masked && textured ? 1.0f : 0.0f, 0.0f};
   u.uv_row0 = {uv[0][0], uv[1][0], uv[2][0], 0.0f};
   u.uv_row1 = {uv[0][1], uv[1][1], uv[2][1], 0.0f};
-  u.uses.z = frame.cube ? static_cast<float>(frame.cube->side) : 0.0f;
+  u.uses.z = view.cube ? static_cast<float>(view.cube->side) : 0.0f;
   u.uses.x = textured ? 1.0f : 0.0f;
   return u;
 }
 
 UniformBytes light_uniforms(const PassContext& context) {
-  const LightFrames& frames = *context.frames;
-  const FrameUniforms shadow = pack(frames.shadow);
-  PaneUniforms u = pane_uniforms(frames.panes, context.light->position, context);
+  const LightViews& views = *context.views;
+  const ViewUniforms shadow = pack(views.shadow);
+  PaneUniforms u = pane_uniforms(views.panes, context.light->position, context);
   u.uses.y = context.effects->active("occluders") ? 1.0f : 0.0f;
   u.shadow_window = shadow.window;
   u.shadow_range = shadow.depth;
@@ -53,11 +53,11 @@ UniformBytes light_uniforms(const PassContext& context) {
 }
 
 UniformBytes view_uniforms(const PassContext& context) {
-  return uniform_bytes(pane_uniforms(*context.view, context.view->origin, context));
+  return uniform_bytes(pane_uniforms(*context.camera, context.camera->origin, context));
 }
 
 UniformBytes mirror_uniforms(const PassContext& context) {
-  PaneUniforms u = pane_uniforms(*context.view, context.view->origin, context);
+  PaneUniforms u = pane_uniforms(*context.camera, context.camera->origin, context);
   u.forward.w = 1.0f;
   return uniform_bytes(u);
 }

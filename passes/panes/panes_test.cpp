@@ -31,8 +31,8 @@ struct LightBench {
   float opaque_distance = 1e30f;  // of the nearest opaque surface, from the light
 
   glm::vec4 transmittance() const {
-    LightFrames frames;
-    frames.panes = frames.shadow = down(1.0, 10.0, 20.0);
+    LightViews views;
+    views.panes = views.shadow = down(1.0, 10.0, 20.0);
     Effects effects;
     effects.list = {{"occluders", true, ""}};
     const Scene scene;
@@ -41,7 +41,7 @@ struct LightBench {
     return texel(run_pass(pass.definition,
                           {.uniforms = pass.uniforms({.scene = &scene,
                                                       .effects = &effects,
-                                                      .frames = &frames,
+                                                      .views = &views,
                                                       .light = &light,
                                                       .material = &material}),
                            .textures = {Image{}, filled(1, 1, glm::vec4(opaque_distance))},
@@ -58,11 +58,11 @@ struct ViewBench {
   float depth = 0.0f;
 
   glm::vec3 after(Pass pass) const {
-    const Frame view = down(1.0, 10.0, 20.0);
+    const View view = down(1.0, 10.0, 20.0);
     pass.definition.writes[0].clear = {1.0f, 1.0f, 1.0f, 1.0f};
     return glm::vec3(texel(
         run_pass(pass.definition,
-                 {.uniforms = pass.uniforms({.scene = &scene, .view = &view, .material = &material}),
+                 {.uniforms = pass.uniforms({.scene = &scene, .camera = &view, .material = &material}),
                   .textures = {Image{}, filled(1, 1, surface), filled(1, 1, {0, 1, 0, depth}),
                                filled(1, 1, caster), Image{}},
                   .mesh = level(4.0f)})["beauty"],

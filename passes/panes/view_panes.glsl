@@ -17,11 +17,11 @@ OUTPUT(0, Vec4, beauty)
 Bool hidden() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
-  Float z = frame_coordinates(u.from_scene, surface_position).z;
+  Float z = view_coordinates(u.from_scene, surface_position).z;
   Bool surface = texel_fetch(view_position, column, row).w != 0.0f;
   Vec4 glass = fetch_clamped(view_caster_position, column, row);
   return (surface && texel_fetch(view_normal, column, row).w < z) ||
-         (glass.w != 0.0f && frame_coordinates(u.from_scene, Vec3(glass)).z < z);
+         (glass.w != 0.0f && view_coordinates(u.from_scene, Vec3(glass)).z < z);
 }
 
 void main() {

@@ -4,12 +4,12 @@ namespace caustics {
 
 extern const Shader receiver_map_shader;
 
-ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& material,
-                                          const LightFrames* frames) {
-  const FrameUniforms f = pack(frame);
+ReceiverMapUniforms receiver_map_uniforms(const View& view, const Material& material,
+                                          const LightViews* views) {
+  const ViewUniforms f = pack(view);
   const glm::mat3& uv = material.base_color_texture.uv_transform;
-  const FrameUniforms column = frames ? pack(frames->column) : f;
-  const float nearest = frames ? static_cast<float>(frames->casters_nearest) : -1e30f;
+  const ViewUniforms column = views ? pack(views->column) : f;
+  const float nearest = views ? static_cast<float>(views->casters_nearest) : -1e30f;
   const bool masked = material.alpha_mode == AlphaMode::Mask;
   return {
       .from_scene = f.from_scene,
@@ -17,7 +17,7 @@ ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& ma
       .depth = f.depth,
       .alpha = {material.base_color.a, masked ? material.alpha_cutoff : 0.0f,
                 masked && material.base_color_texture.present() ? 1.0f : 0.0f,
-                frame.cube ? static_cast<float>(frame.cube->side) : 0.0f},
+                view.cube ? static_cast<float>(view.cube->side) : 0.0f},
       .uv_row0 = {uv[0][0], uv[1][0], uv[2][0], 0.0f},
       .uv_row1 = {uv[0][1], uv[1][1], uv[2][1], 0.0f},
       .column = column.window,
@@ -53,7 +53,7 @@ Pass receiver_map_pass() {
       .uniforms =
           [](const PassContext& context) {
             return uniform_bytes(
-                receiver_map_uniforms(context.frames->receiver, *context.material, context.frames));
+                receiver_map_uniforms(context.views->receiver, *context.material, context.views));
           },
   };
 }

@@ -10,25 +10,25 @@ VARYING_SMOOTH(3, Vec2, surface_uv)
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec2, uv)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
 void main() {
   surface_position = position;
   surface_uv = uv;
-  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
 }
 #else
 OUTPUT(0, Vec4, receiver_position)
 #include "passes/shared/cutout.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/column.glsl"
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
   if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.alpha.w));
   discard_if(cut_out(surface_uv) ||
-             stands_before_casters(frame_coordinates(u.from_scene, surface_position)));
+             stands_before_casters(view_coordinates(u.from_scene, surface_position)));
   receiver_position = Vec4(surface_position, Float(1.0f));
 }
 #endif

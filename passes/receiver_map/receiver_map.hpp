@@ -12,8 +12,8 @@ struct ReceiverMapUniforms {
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
 };
 // `frames`: keep the space between light and casters free; null: keep all.
-ReceiverMapUniforms receiver_map_uniforms(const Frame& frame, const Material& material,
-                                          const LightFrames* frames = nullptr);
+ReceiverMapUniforms receiver_map_uniforms(const View& view, const Material& material,
+                                          const LightViews* views = nullptr);
 
 // receiver_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass receiver_map_pass();

@@ -11,12 +11,12 @@ namespace {
 const Material kPlain{};
 
 // The definition drawn with one quad facing up at this height, over a 2 m window from 10 m above.
-PassImages draw(const glm::vec3 (&corners)[4], const Frame& frame, const Material& material = kPlain,
+PassImages draw(const glm::vec3 (&corners)[4], const View& view, const Material& material = kPlain,
                 const Image& base_color = {}) {
   return run_pass(receiver_map_pass().definition,
                   {.width = 4,
                    .height = 4,
-                   .uniforms = uniform_bytes(receiver_map_uniforms(frame, material)),
+                   .uniforms = uniform_bytes(receiver_map_uniforms(view, material)),
                    .textures = {base_color},
                    .mesh = quad(corners, {0.0f, 1.0f, 0.0f})});
 }
@@ -48,14 +48,14 @@ TEST_CASE("receiver_map: what nothing covers has w = 0") {
 
 TEST_CASE("receiver_map: what stands between the light and the casters is left out, what stands beside is not") {
   // Casters in the middle quarter, their top at height 1; the quad at height 2 covers everything.
-  LightFrames frames;
-  frames.column = down(0.5, 10.0, 20.0);
-  frames.casters_nearest = 9.0;
-  const Frame frame = down(1.0, 10.0, 20.0);
+  LightViews views;
+  views.column = down(0.5, 10.0, 20.0);
+  views.casters_nearest = 9.0;
+  const View view = down(1.0, 10.0, 20.0);
   const Image map = run_pass(receiver_map_pass().definition,
                              {.width = 4,
                               .height = 4,
-                              .uniforms = uniform_bytes(receiver_map_uniforms(frame, kPlain, &frames)),
+                              .uniforms = uniform_bytes(receiver_map_uniforms(view, kPlain, &views)),
                               .textures = {Image{}},
                               .mesh = quad(kFloor, {0.0f, 1.0f, 0.0f})})["receiver_position"];
   for (int y = 0; y < 4; ++y)
@@ -79,11 +79,11 @@ TEST_CASE("receiver_map: an alpha mask cuts holes") {
 
 TEST_CASE("receiver_map: a point light's frame sees positions in perspective") {
   // From 10 m above, the floor at height 2 is 8 m away: a window of tangent 0.5 spans +-4 m there.
-  Frame frame = down(0.5, 10.0, 20.0);
-  frame.perspective = true;
-  frame.near = 0.1;
+  View view = down(0.5, 10.0, 20.0);
+  view.perspective = true;
+  view.near = 0.1;
   const glm::vec3 wide[4] = {{-9, 2, 9}, {9, 2, 9}, {9, 2, -9}, {-9, 2, -9}};
-  const glm::vec4 p = texel(draw(wide, frame)["receiver_position"], 3, 0);
+  const glm::vec4 p = texel(draw(wide, view)["receiver_position"], 3, 0);
   CHECK(p.x == Approx(3.0));
   CHECK(p.z == Approx(3.0));
 }

@@ -34,7 +34,7 @@ Pass shadow_map_pass() {
       .extent = Extent::Shadow,
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(receiver_map_uniforms(context.frames->shadow, *context.material));
+            return uniform_bytes(receiver_map_uniforms(context.views->shadow, *context.material));
           },
   };
 }

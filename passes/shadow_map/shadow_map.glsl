@@ -10,13 +10,13 @@ VARYING_SMOOTH(1, Vec2, surface_uv)
 ATTRIBUTE(0, Vec3, position)
 ATTRIBUTE(3, Vec2, uv)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
 void main() {
-  Vec3 q = frame_coordinates(u.from_scene, position);
+  Vec3 q = view_coordinates(u.from_scene, position);
   along = in_face(q, floor_to_int(Float(u.depth.w)), u.depth).z;
   surface_uv = uv;
-  set_position(frame_clip(q, u.window, u.depth));
+  set_position(view_clip(q, u.window, u.depth));
 }
 #else
 OUTPUT(0, Vec4, shadow_depth)

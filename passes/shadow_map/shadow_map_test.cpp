@@ -9,15 +9,15 @@ using namespace caustics::test;
 namespace {
 
 // From 10 m above, a window of 2 m in 4 x 4 texels.
-Image depths(const MeshData& mesh, const Frame& frame = down(1.0, 10.0, 20.0),
+Image depths(const MeshData& mesh, const View& view = down(1.0, 10.0, 20.0),
              const Material& material = {}, const Image& base_color = {}) {
-  LightFrames frames;
-  frames.shadow = frame;
+  LightViews views;
+  views.shadow = view;
   const Pass pass = shadow_map_pass();
   return run_pass(pass.definition,
                   {.width = 4,
                    .height = 4,
-                   .uniforms = pass.uniforms({.frames = &frames, .material = &material}),
+                   .uniforms = pass.uniforms({.views = &views, .material = &material}),
                    .textures = {base_color},
                    .mesh = mesh})["shadow_depth"];
 }
@@ -68,10 +68,10 @@ TEST_CASE("shadow_map: a face that is turned away from the light shadows too") {
 
 TEST_CASE("shadow_map: a point light's depth is along its axis, not along the ray") {
   // A window of tangent 1: the corner texel's centre lies at tangents (0.75, 0.75), 8 m along the axis.
-  Frame frame = down(1.0, 10.0, 20.0);
-  frame.perspective = true;
-  frame.near = 0.1;
-  CHECK(depths(level(2.0f, 20.0f), frame).at(3, 3, 0) == Approx(8.0));
+  View view = down(1.0, 10.0, 20.0);
+  view.perspective = true;
+  view.near = 0.1;
+  CHECK(depths(level(2.0f, 20.0f), view).at(3, 3, 0) == Approx(8.0));
 }
 
 TEST_CASE("shadow_map: an alpha mask cuts holes, and an opaque material ignores alpha") {
@@ -81,9 +81,9 @@ TEST_CASE("shadow_map: an alpha mask cuts holes, and an opaque material ignores 
   Material material;
   material.base_color_texture.image = 0;
   material.alpha_mode = AlphaMode::Mask;
-  const Frame frame = down(1.0, 10.0, 20.0);
-  CHECK(depths(level(2.0f), frame, material, base_color).at(1, 2, 0) == 1e30f);
-  CHECK(depths(level(2.0f), frame, material, base_color).at(2, 2, 0) == Approx(8.0));
+  const View view = down(1.0, 10.0, 20.0);
+  CHECK(depths(level(2.0f), view, material, base_color).at(1, 2, 0) == 1e30f);
+  CHECK(depths(level(2.0f), view, material, base_color).at(2, 2, 0) == Approx(8.0));
   material.alpha_mode = AlphaMode::Opaque;
-  CHECK(depths(level(2.0f), frame, material, base_color).at(1, 2, 0) == Approx(8.0));
+  CHECK(depths(level(2.0f), view, material, base_color).at(1, 2, 0) == Approx(8.0));
 }

@@ -1,4 +1,4 @@
-// Whether a point, in frame coordinates, stands between the light and the casters: inside the column's
+// Whether a point, in view coordinates, stands between the light and the casters: inside the column's
 // window and nearer than the casters' nearest point. Expects the uniforms column (window) and
 // column_depth (depth; w: the casters' nearest z).
 Bool stands_before_casters(Vec3 q) {
@@ -7,7 +7,7 @@ Bool stands_before_casters(Vec3 q) {
     // All around: nearer than any caster, whatever the direction.
     before = length3(q) < u.column_depth.w;
   } else {
-    Vec2 uv = frame_uv(q, u.column, u.column_depth);
+    Vec2 uv = view_uv(q, u.column, u.column_depth);
     before = inside_unit(uv.x, uv.y) && q.z < u.column_depth.w;
   }
   return before;

@@ -1,9 +1,9 @@
 // Where a ray meets a surface that a frame has seen: the surface is known as a texture of positions
-// (w != 0 where there is one), one texel a direction of light. Needs frame_space.glsl.
+// (w != 0 where there is one), one texel a direction of light. Needs view_space.glsl.
 
 // The signed gap between a point and the surface that the frame sees at the same place: negative
 // before the surface, positive behind it, metres. Along a ray it is a linear function for any plane,
-// in parallel and perspective frames alike: z(p) - z(surface), or (z(p) / z(surface) - 1) * scale.
+// in parallel and perspective views alike: z(p) - z(surface), or (z(p) / z(surface) - 1) * scale.
 struct Gap {
   Float value;
   Bool inside;   // the point lies in the frame's window
@@ -12,7 +12,7 @@ struct Gap {
 
 // A surface's z (parallel) or 1/z (perspective) at a texel; both are linear over a plane. Of a cube: z along `face`.
 Float gap_height(Vec4 texel, mat4 from_scene, vec4 depth, Int face) {
-  Vec3 q = in_face(frame_coordinates(from_scene, Vec3(texel)), face, depth);
+  Vec3 q = in_face(view_coordinates(from_scene, Vec3(texel)), face, depth);
   Float height = q.z;
   if (depth.z > 0.5f) height = 1.0f / sel(q.z > 0.0f, q.z, Float(1.0e-20f));
   return height;
@@ -28,10 +28,10 @@ Float gap_of_height(Float height, Float z, vec4 depth, Float scale) {
 // steeper than 83 degrees; elsewhere, and otherwise, the texel that holds p decides.
 Gap gap_at(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p, Float scale,
            bool smoothly) {
-  Vec3 at = frame_coordinates(from_scene, p);
-  Int face = frame_face(at, depth);
+  Vec3 at = view_coordinates(from_scene, p);
+  Int face = view_face(at, depth);
   Vec3 q = in_face(at, face, depth);
-  Vec2 uv = frame_uv(at, window, depth);
+  Vec2 uv = view_uv(at, window, depth);
   Gap gap;
   gap.inside = inside_unit(uv.x, uv.y);
   Vec4 nearest = fetch_nearest(positions, uv.x, uv.y);
@@ -83,14 +83,14 @@ Hit intersect_paper(Texture positions, mat4 from_scene, vec4 window, vec4 depth,
                     Vec3 direction, Float first_guess, int iterations) {
   Float t = first_guess;
   for (int k = 0; k < iterations; k++) {
-    Vec2 uv = frame_uv(frame_coordinates(from_scene, start + direction * t), window, depth);
+    Vec2 uv = view_uv(view_coordinates(from_scene, start + direction * t), window, depth);
     Vec4 texel = fetch_nearest(positions, uv.x, uv.y);
     Bool known = inside_unit(uv.x, uv.y) && texel.w != 0.0f;
     t = sel(known, length3(Vec3(texel) - start), t);
     TRACE(distance, t);
   }
   Gap gap = gap_at(positions, from_scene, window, depth, start + direction * t,
-                   frame_w(frame_coordinates(from_scene, start), depth), false);
+                   view_w(view_coordinates(from_scene, start), depth), false);
   Hit hit;
   hit.distance = t;
   hit.residual = abs(gap.value);
@@ -102,7 +102,7 @@ Hit intersect_paper(Texture positions, mat4 from_scene, vec4 window, vec4 depth,
 
 // The surface point that the frame sees at p, interpolated where all four texels around are covered.
 Vec4 surface_point(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p) {
-  Vec2 uv = frame_uv(frame_coordinates(from_scene, p), window, depth);
+  Vec2 uv = view_uv(view_coordinates(from_scene, p), window, depth);
   Vec4 smooth_point = fetch_bilinear(positions, uv.x, uv.y);
   Vec4 nearest = fetch_nearest(positions, uv.x, uv.y);
   Vec4 known = sel(smooth_point.w == nearest.w, smooth_point, nearest);
@@ -116,8 +116,8 @@ Vec4 surface_point(Texture positions, mat4 from_scene, vec4 window, vec4 depth, 
 Hit intersect_newton(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
                      Vec3 direction, int iterations) {
   Float reach = Float(depth.y - depth.x);
-  Vec3 q = frame_coordinates(from_scene, start);
-  Float stencil = frame_w(q, depth) *
+  Vec3 q = view_coordinates(from_scene, start);
+  Float stencil = view_w(q, depth) *
                   max_of(Float(1.0f / (window.x * float(texture_width(positions)))),
                          Float(1.0f / (window.y * float(texture_height(positions)))));
   Float x = Float(0.1f);
@@ -134,7 +134,7 @@ Hit intersect_newton(Texture positions, mat4 from_scene, vec4 window, vec4 depth
     x = clamp_to(next, 0.0f, reach);
     TRACE(distance, x);
   }
-  Gap gap = gap_at(positions, from_scene, window, depth, start + direction * x, frame_w(q, depth), true);
+  Gap gap = gap_at(positions, from_scene, window, depth, start + direction * x, view_w(q, depth), true);
   Hit hit;
   hit.distance = x;
   hit.residual = abs(gap.value);
@@ -163,7 +163,7 @@ struct Bracket {
 // is off by its slope, and one such gap in the bracket keeps the root out. Leaves the bracket in `from`.
 Hit close_in(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start, Vec3 direction,
              int iterations, bool beyond_is_behind, INOUT(Bracket) from) {
-  Float scale = frame_w(frame_coordinates(from_scene, start), depth);
+  Float scale = view_w(view_coordinates(from_scene, start), depth);
   Float reach = Float(depth.y - depth.x);
   Float low = from.low;
   Float gap_low = from.gap_low;
@@ -237,9 +237,9 @@ Hit close_in(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 s
 // level: a plane across the light is met exactly.
 Bracket bracket_at_start(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
                          Vec3 direction) {
-  Vec3 at = frame_coordinates(from_scene, start);
-  Float scale = frame_w(at, depth);
-  Float fall = in_face(transform_vector(from_scene, direction), frame_face(at, depth), depth).z;
+  Vec3 at = view_coordinates(from_scene, start);
+  Float scale = view_w(at, depth);
+  Float fall = in_face(transform_vector(from_scene, direction), view_face(at, depth), depth).z;
   Gap gap = gap_at(positions, from_scene, window, depth, start, scale, false);
   Float reach = Float(depth.y - depth.x);
   Bool above = gap.covered && gap.value < 0.0f;
@@ -258,7 +258,7 @@ Bracket bracket_at_start(Texture positions, mat4 from_scene, vec4 window, vec4 d
 // where there is no other.
 Bracket bracket_by_steps(Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 start,
                          Vec3 direction, Bracket from) {
-  Float scale = frame_w(frame_coordinates(from_scene, start), depth);
+  Float scale = view_w(view_coordinates(from_scene, start), depth);
   Bracket found = from;
   Bool passed = Bool(false);
   Bool was_before = Bool(false);
@@ -290,7 +290,7 @@ Bracket bracket_by_steps(Texture positions, mat4 from_scene, vec4 window, vec4 d
 
 // Did the search end on a surface, to two texels' extents?
 Bool is_met(Hit hit, Texture positions, mat4 from_scene, vec4 window, vec4 depth, Vec3 p) {
-  Float extent = frame_w(frame_coordinates(from_scene, p), depth) *
+  Float extent = view_w(view_coordinates(from_scene, p), depth) *
                  max_of(Float(1.0f / (window.x * float(texture_width(positions)))),
                         Float(1.0f / (window.y * float(texture_height(positions)))));
   return hit.inside && hit.covered && hit.residual <= 2.0f * extent;

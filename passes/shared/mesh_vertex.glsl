@@ -3,5 +3,5 @@
 void main() {
   surface_position = position;
   surface_normal = normal;
-  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
 }

@@ -1,4 +1,4 @@
-// Does a fragment drawn into a cube frame lie outside the tile of the face that is drawn (depth.w)? Triangles reach
+// Does a fragment drawn into a cube view lie outside the tile of the face that is drawn (depth.w)? Triangles reach
 // over their tile's border. `side`: of the texture, texels. Needs cube_atlas.glsl.
 Bool outside_tile(vec4 window, vec4 depth, float side) {
   // Half a tile in texels, to a quarter: rounding of the uniforms moves it by less.

@@ -1,7 +1,7 @@
 #include "passes/textured_casters/textured_casters.hpp"
 
-#include "pipeline/plan/scene_on_device.hpp"
-#include "pipeline/plan/textured_casters.hpp"
+#include "pipeline/renderer/scene_on_device.hpp"
+#include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
@@ -16,14 +16,14 @@ glm::vec4 row(const TextureUse& use, int index) {
   return {m[0][index], m[1][index], m[2][index], 0.0f};
 }
 
-UniformBytes drawn_into(const Frame& frame, const PassContext& context) {
+UniformBytes drawn_into(const View& view, const PassContext& context) {
   const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
-  return uniform_bytes(textured_casters_uniforms(frame, *context.material, role, context.material_row));
+  return uniform_bytes(textured_casters_uniforms(view, *context.material, role, context.material_row));
 }
 UniformBytes light_uniforms(const PassContext& context) {
-  return drawn_into(context.frames->caster, context);
+  return drawn_into(context.views->caster, context);
 }
-UniformBytes view_uniforms(const PassContext& context) { return drawn_into(*context.view, context); }
+UniformBytes view_uniforms(const PassContext& context) { return drawn_into(*context.camera, context); }
 
 const TextureRead kBaseColor{.name = "base_color",
                              .meaning = "colour and opacity; alpha masks cut holes",
@@ -106,9 +106,9 @@ std::optional<std::string> tinted(const Effects& effects) {
 
 }  // namespace
 
-TexturedCastersUniforms textured_casters_uniforms(const Frame& frame, const Material& material, Role role,
+TexturedCastersUniforms textured_casters_uniforms(const View& view, const Material& material, Role role,
                                                   int material_row) {
-  const FrameUniforms f = pack(frame);
+  const ViewUniforms f = pack(view);
   const auto used = [](const TextureUse& use) { return use.present() ? 1.0f : 0.0f; };
   const bool mirror = role == Role::Mirror;
   const bool masked = material.alpha_mode == AlphaMode::Mask;
@@ -122,7 +122,7 @@ TexturedCastersUniforms textured_casters_uniforms(const Frame& frame, const Mate
       .window = f.window,
       .depth = f.depth,
       .material = {static_cast<float>(material_row), material.normal_scale,
-                   frame.cube ? static_cast<float>(frame.cube->side) : 0.0f, 0.0f},
+                   view.cube ? static_cast<float>(view.cube->side) : 0.0f, 0.0f},
       .color_factor = glm::vec4(factor, 0.0f),
       .color_offset = glm::vec4(offset, 0.0f),
       .uses = {used(material.base_color_texture), used(material.normal_texture),

@@ -12,7 +12,7 @@ struct TexturedCastersUniforms {
 #include "passes/textured_casters/textured_casters_uniforms.glsl"
 };
 // `role`: what the material's colour means, what it lets through or what it mirrors.
-TexturedCastersUniforms textured_casters_uniforms(const Frame& frame, const Material& material, Role role,
+TexturedCastersUniforms textured_casters_uniforms(const View& view, const Material& material, Role role,
                                                   int material_row);
 
 // textured_casters.md says what these passes are for, what they read and write, and what can go wrong.

@@ -13,7 +13,7 @@ ATTRIBUTE(3, Vec3, normal)
 ATTRIBUTE(6, Vec4, tangent)
 ATTRIBUTE(10, Vec2, uv)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
 
 void main() {
@@ -24,7 +24,7 @@ void main() {
   color_uv = transformed_uv(u.uv_row0, u.uv_row1, uv);
   normal_uv = transformed_uv(u.normal_row0, u.normal_row1, uv);
   transmission_uv = transformed_uv(u.transmission_row0, u.transmission_row1, uv);
-  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
 }
 #else
 #include "passes/shared/cube_atlas.glsl"
@@ -40,7 +40,7 @@ Bool cut_out_here() {
   return opacity < u.alpha.y;
 }
 
-// Of a cube frame: does the fragment lie outside the tile that is drawn?
+// Of a cube view: does the fragment lie outside the tile that is drawn?
 Bool elsewhere() {
   Bool outside = Bool(false);
   if (u.depth.z > 1.5f) outside = outside_tile(u.window, u.depth, u.material.z);

@@ -19,8 +19,8 @@ glm::vec4 row(const TextureUse& use, int index) {
   return {m[0][index], m[1][index], m[2][index], 0.0f};
 }
 
-UniformBytes uniforms(const Frame& frame, const Material& m) {
-  const FrameUniforms f = pack(frame);
+UniformBytes uniforms(const View& view, const Material& m) {
+  const ViewUniforms f = pack(view);
   const auto used = [](const TextureUse& use) { return use.present() ? 1.0f : 0.0f; };
   return uniform_bytes(ViewSurfacesUniforms{
       .from_scene = f.from_scene,
@@ -72,7 +72,7 @@ Pass view_surfaces_pass() {
           .draws = DrawSet::Receivers,
           .extent = Extent::Picture,
           .uniforms =
-              [](const PassContext& c) { return uniforms(*c.view, *c.material); }};
+              [](const PassContext& c) { return uniforms(*c.camera, *c.material); }};
 }
 
 Pass wide_surfaces_pass() {
@@ -86,7 +86,7 @@ Pass wide_surfaces_pass() {
           .draws = DrawSet::Receivers,
           .extent = Extent::Wide,
           .uniforms =
-              [](const PassContext& c) { return uniforms(*c.wide, *c.material); }};
+              [](const PassContext& c) { return uniforms(*c.surroundings, *c.material); }};
 }
 
 }  // namespace caustics

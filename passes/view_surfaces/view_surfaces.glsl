@@ -16,14 +16,14 @@ ATTRIBUTE(3, Vec3, normal)
 ATTRIBUTE(6, Vec4, tangent)
 ATTRIBUTE(10, Vec2, uv)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 
 void main() {
   surface_position = position;
   surface_normal = normal;
   surface_tangent = tangent;
   surface_uv = uv;
-  set_position(frame_clip(frame_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
 }
 #else
 OUTPUT(0, Vec4, view_position)
@@ -31,7 +31,7 @@ OUTPUT(1, Vec4, view_normal)
 OUTPUT(2, Vec4, view_albedo)
 OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/frame_space.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/tangent_space.glsl"
 
@@ -59,7 +59,7 @@ void main() {
     emission = emission * Vec3(fetch_repeat(emissive, at.x, at.y));
   }
   view_position = Vec4(surface_position, Float(1.0f));
-  view_normal = Vec4(n, frame_coordinates(u.from_scene, surface_position).z);
+  view_normal = Vec4(n, view_coordinates(u.from_scene, surface_position).z);
   view_albedo = Vec4(base.x, base.y, base.z, Float(1.0f));
   view_emission = Vec4(emission, Float(1.0f));
 }

@@ -25,14 +25,14 @@ Material plain() {
 // A camera 10 m up that looks down on +-half metres, 8 x 8 pixels.
 PassImages see(const MeshData& mesh, const Material& material, const std::vector<Image>& textures = {},
                double half = 2.0) {
-  const Frame view = down(half, 10.0, 20.0);
+  const View view = down(half, 10.0, 20.0);
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
   bound.resize(3);
   return run_pass(pass.definition,
                   {.width = 8,
                    .height = 8,
-                   .uniforms = pass.uniforms({.view = &view, .material = &material}),
+                   .uniforms = pass.uniforms({.camera = &view, .material = &material}),
                    .textures = bound,
                    .mesh = mesh});
 }
@@ -155,13 +155,13 @@ TEST_CASE("view_surfaces: an alpha mask cuts holes where the interpolated alpha 
 }
 
 TEST_CASE("wide_surfaces: the same is drawn with the wide frame, under its own names") {
-  const Frame view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
+  const View view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
   const Material material = plain();
   const Pass pass = wide_surfaces_pass();
   const PassImages out = run_pass(pass.definition,
                                   {.width = 6,
                                    .height = 6,
-                                   .uniforms = pass.uniforms({.view = &view, .wide = &wide,
+                                   .uniforms = pass.uniforms({.camera = &view, .surroundings = &wide,
                                                               .material = &material}),
                                    .textures = {Image{}, Image{}, Image{}},
                                    .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});

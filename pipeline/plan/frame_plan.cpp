@@ -4,7 +4,7 @@
 #include <set>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/surface_role.hpp"
+#include "pipeline/effects/surface_role.hpp"
 
 namespace caustics {
 

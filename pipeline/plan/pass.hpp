@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pipeline/gpu/pass_definition.hpp"
-#include "pipeline/plan/effects.hpp"
-#include "pipeline/scene/frame.hpp"
+#include "pipeline/effects/effects.hpp"
+#include "pipeline/scene/view.hpp"
 
 namespace caustics {
 
@@ -36,20 +36,20 @@ enum class DrawSet : std::uint8_t {
 // not planes, tell where light lands.
 enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Receiver, Shadow, Water, Beams };
 
-// The frames of one light. All share origin and axes; only the windows and depth ranges differ. All of them are
+// The views of one light. All share origin and axes; only the windows and depth ranges differ. All of them are
 // cubes, or none is.
-struct LightFrames {
-  Frame caster;    // on the casters: caster map, exit map
-  Frame receiver;  // from the casters to where their light lands: receiver map
-  Frame caustic;   // on where the light lands: caustic map
-  Frame shadow;    // on everything that can throw or catch a shadow
-  Frame panes;     // on the thin panes
+struct LightViews {
+  View caster;    // on the casters: caster map, exit map
+  View receiver;  // from the casters to where their light lands: receiver map
+  View caustic;   // on where the light lands: caustic map
+  View shadow;    // on everything that can throw or catch a shadow
+  View panes;     // on the thin panes
   // z of the casters' nearest point: what lies before it within the column's window stands between light and
   // casters, and is no receiver of their light. Refracted light goes on forwards, so the column has everything
   // in it; mirrored light comes back, so it is the casters' own.
   double casters_nearest = 0.0;  // in cubes a distance
-  Frame column;
-  std::optional<Frame> cascade;  // a part of `caustic` that has a finer map of its own (pipeline/plan/cascades.hpp)
+  View column;
+  std::optional<View> cascade;  // a part of `caustic` that has a finer map of its own (pipeline/views/cascades.hpp)
 };
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
@@ -57,9 +57,9 @@ struct PassContext {
   const Scene* scene = nullptr;
   const Settings* settings = nullptr;
   const Effects* effects = nullptr;
-  const LightFrames* frames = nullptr;  // Each::Light and Each::Branch
-  const Frame* view = nullptr;          // the camera's
-  const Frame* wide = nullptr;          // three times as wide and high
+  const LightViews* views = nullptr;  // Each::Light and Each::Branch
+  const View* camera = nullptr;
+  const View* surroundings = nullptr;  // three times as wide and high as the camera's view
   const Light* light = nullptr;         // Each::Light and Each::Branch
   const Branch* branch = nullptr;       // Each::Branch only
   const Water* water = nullptr;         // Each::Water only
@@ -69,7 +69,7 @@ struct PassContext {
   int material_row = 0;   // row of `caster_materials`: the mesh's material
   int mesh_index = 0;
   int width = 0, height = 0;  // of the pass's targets
-  int face = 4;           // of a cube frame: the face that is drawn
+  int face = 4;           // of a cube view: the face that is drawn
   float exposure = 1.0f;  // factor from nit to display white
 };
 
@@ -93,7 +93,7 @@ struct Pass {
   Extent extent = Extent::Picture;
   UniformBytes (*uniforms)(const PassContext&) = nullptr;
   // Of a pass that draws its meshes once for each face of a cube of its own: that cube.
-  Frame (*all_around)(const PassContext&) = nullptr;
+  View (*all_around)(const PassContext&) = nullptr;
   // Of a pass that only some lights need: which ones.
   bool (*light_needs)(const Effects&, int light) = nullptr;
   // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOMS = ('pipeline', 'passes', 'raster', 'gl_backend', 'reference', 'metrics', 'app', 'fuzz', 'tests')
+ROOMS = ('pipeline', 'passes', 'raster', 'gl_backend', 'lab', 'app', 'tests')
 BODIES = {'pipeline/shader/vectors.hpp', 'pipeline/shader/scalar.hpp', 'pipeline/shader/wide.hpp',
           'pipeline/shader/stage.hpp', 'raster/lanes/tile_renderer.hpp'}
 

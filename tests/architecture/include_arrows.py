@@ -9,21 +9,25 @@ MAY = {
     'pipeline/gpu': set(),
     'pipeline/shader': {'pipeline/gpu'},
     'pipeline/scene': {'pipeline/gpu'},
-    'pipeline/plan': {'pipeline/scene', 'pipeline/gpu'},
-    'pipeline/water': {'pipeline/plan', 'pipeline/scene', 'pipeline/gpu'},
+    'pipeline/settings': {'pipeline/scene', 'pipeline/gpu'},
+    'pipeline/effects': {'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
+    'pipeline/views': {'pipeline/effects', 'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
+    'pipeline/plan': {'pipeline/views', 'pipeline/effects', 'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
+    'pipeline/measure': {'pipeline/plan', 'pipeline/views', 'pipeline/effects', 'pipeline/settings', 'pipeline/scene',
+                         'pipeline/gpu'},
+    'pipeline/renderer': {'pipeline'},
     'passes': {'pipeline'},
     'raster': {'pipeline'},
     'gl_backend': {'pipeline'},
-    'reference': {'pipeline'},
-    'metrics': {'pipeline'},
-    'app': {'passes', 'raster', 'gl_backend', 'reference', 'metrics', 'pipeline'},
-    'fuzz': {'passes', 'raster', 'pipeline'},
+    'lab': {'pipeline'},
+    'app': {'passes', 'raster', 'gl_backend', 'lab', 'pipeline'},
+    'tests/fuzz': {'passes', 'raster', 'pipeline'},
 }
 
 # Libraries that only some rooms may name: the others build and run without them.
 OWNED = {
     'epoxy/': {'gl_backend'}, 'EGL/': {'gl_backend'}, 'GL/': {'gl_backend'},
-    'tbb/': {'raster', 'reference'}, 'oneapi/': {'raster', 'reference'}, 'embree': {'reference'}, 'CLI/': {'app'},
+    'tbb/': {'raster', 'lab'}, 'oneapi/': {'raster', 'lab'}, 'embree': {'lab'}, 'CLI/': {'app'},
     'tiny_gltf.h': {'pipeline/scene'}, 'nlohmann/': {'pipeline/scene', 'app'},
     'OpenImageIO/': {'pipeline/scene', 'app'},
 }

@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOMS = ('pipeline', 'passes', 'raster', 'gl_backend', 'reference', 'metrics', 'app', 'tests')
+ROOMS = ('pipeline', 'passes', 'raster', 'gl_backend', 'lab', 'app', 'tests')
 
 
 def main():

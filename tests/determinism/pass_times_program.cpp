@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "app/frame.hpp"
-#include "app/run_program.hpp"
+#include "app/shell/run_program.hpp"
 
 namespace caustics::app {
 

@@ -2,7 +2,7 @@
 # bits cost (price.sh). Built when they are asked for.
 find_package(CLI11 REQUIRED)
 set(frame_sources "")
-foreach(file backend frame frame_options interrupt judged_scene parser run_program terminal)
+foreach(file backend frame frame_options judged_scene shell/interrupt shell/parser shell/run_program shell/terminal)
   list(APPEND frame_sources app/${file}.cpp)
 endforeach()
 add_library(caustics_frame STATIC EXCLUDE_FROM_ALL ${frame_sources})
@@ -10,7 +10,7 @@ caustics_target_options(caustics_frame)
 target_link_libraries(caustics_frame PUBLIC caustics_passes caustics_raster caustics_gl_backend caustics_gltf CLI11::CLI11)
 
 add_executable(caustics_digest EXCLUDE_FROM_ALL tests/determinism/digest_program.cpp
-  app/attachments.cpp app/digest.cpp app/sample_scenes.cpp)
+  app/output/attachments.cpp app/digest.cpp app/sample_scenes.cpp)
 add_executable(caustics_pass_times EXCLUDE_FROM_ALL tests/determinism/pass_times_program.cpp)
 foreach(program caustics_digest caustics_pass_times)
   caustics_target_options(${program})

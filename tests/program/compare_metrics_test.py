@@ -31,7 +31,7 @@ class MetricsTest(ProgramTest):
 
 class Figures(MetricsTest):
     def test_of_channels_and_of_a_layer(self):
-        # R: differences 0, 1, -1, 2 against a sum of 10, as in metrics/image_metrics_test.cpp; G equal;
+        # R: differences 0, 1, -1, 2 against a sum of 10, as in lab/metrics/image_metrics_test.cpp; G equal;
         # B 0 against 10. Alpha is no colour.
         self.write("a.exr", {"R": [1, 3, 2, 6], "G": [1, 2, 3, 4], "B": [0] * 4, "A": [1] * 4})
         self.write("b.exr", {"R": [1, 2, 3, 4], "G": [1, 2, 3, 4], "B": [4, 3, 2, 1], "A": [2] * 4})

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/scene/load_gltf.hpp"
+#include "pipeline/scene/gltf/load_gltf.hpp"
 #include "tests/support/catch.hpp"
 
 namespace caustics::test {

@@ -1,5 +1,5 @@
 // Containers and the files that a scene refers to.
-#include "pipeline/scene/load_environment.hpp"
+#include "pipeline/scene/gltf/load_environment.hpp"
 #include "tests/scene/gltf_builder.hpp"
 
 using namespace caustics;

@@ -58,7 +58,7 @@ HardCase steep_case(Estimator estimator, double degrees) {
     const Image& landing = drawn.of_light(kLanding);
     // A landing may be off by what the pass itself takes for converged: three texels of the receiver map; with impostors
     // two texels of their cube across a slope that stretches them by 1 / cos.
-    const double texel = (drawn.rendering.frames[0].receiver.window_upper - drawn.rendering.frames[0].receiver.window_lower).x /
+    const double texel = (drawn.rendering.views[0].receiver.window_upper - drawn.rendering.views[0].receiver.window_lower).x /
                          drawn.settings.map;
     double worst = 0.0;
     for (int y = 0; y < landing.height(); ++y)

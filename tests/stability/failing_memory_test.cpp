@@ -52,15 +52,15 @@ TEST_CASE("failing memory: an allocation of a frame that fails comes out, leaves
   const Scene scene = sphere_scene(1.5f, 2);
   const Settings settings = small_settings(16, 16, 8);
   CountingDevice device;
-  const auto frame = [&] { return render_on(device, scene, settings, {}); };
-  const std::string expected = sha256(frame()["picture"]);
+  const auto view = [&] { return render_on(device, scene, settings, {}); };
+  const std::string expected = sha256(view()["picture"]);
   int failures = 0;
   for (int n = 0;; n += n < 400 ? 1 : 17) {
     bool thrown = false, failed = false;
     {
       const FailingNew memory(n);
       try {
-        frame();
+        view();
       } catch (const std::bad_alloc&) {
         thrown = true;
       }
@@ -70,8 +70,8 @@ TEST_CASE("failing memory: an allocation of a frame that fails comes out, leaves
     INFO("allocation " << n);
     CHECK(thrown);
     CHECK(device.objects() == 0);
-    if (++failures % 100 == 0) CHECK(sha256(frame()["picture"]) == expected);
+    if (++failures % 100 == 0) CHECK(sha256(view()["picture"]) == expected);
   }
   CHECK(failures > 400);
-  CHECK(sha256(frame()["picture"]) == expected);
+  CHECK(sha256(view()["picture"]) == expected);
 }

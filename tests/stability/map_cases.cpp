@@ -75,9 +75,9 @@ HardCase point_case(Splat splat) {
   c.expect = [](const DrawnCase& drawn) {
     CHECK(drawn.share(&Ledger::in_map) == Approx(0.96 * 0.96).margin(0.005));
     CHECK(drawn.share(&Ledger::kernel_edge) < 1e-6);
-    const Frame& frame = drawn.rendering.frames.front().caustic;
-    CHECK(frame.window_area() > std::pow(64 * 8 * 0x1p-24 * 0.5, 2.0));  // it lies more than half a metre from the origin
-    CHECK(frame.window_area() < 1e-6);
+    const View& view = drawn.rendering.views.front().caustic;
+    CHECK(view.window_area() > std::pow(64 * 8 * 0x1p-24 * 0.5, 2.0));  // it lies more than half a metre from the origin
+    CHECK(view.window_area() < 1e-6);
   };
   return c;
 }

@@ -1,7 +1,7 @@
 // Total reflection, grazing light, extreme indices, absorption and dispersion.
 #include <cmath>
 
-#include "reference/closed_forms.hpp"
+#include "lab/reference/closed_forms.hpp"
 #include "tests/stability/hard_case.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/truth/prism.hpp"

@@ -6,25 +6,25 @@
 #include <vector>
 
 #include "passes/registry.hpp"
-#include "pipeline/plan/cascades.hpp"
-#include "pipeline/plan/error_estimate.hpp"
-#include "pipeline/plan/framing.hpp"
-#include "pipeline/plan/ledger.hpp"
-#include "pipeline/plan/pixel_side.hpp"
-#include "pipeline/plan/run_plan.hpp"
+#include "pipeline/views/cascades.hpp"
+#include "pipeline/measure/error_estimate.hpp"
+#include "pipeline/renderer/light_pilot.hpp"
+#include "pipeline/measure/ledger.hpp"
+#include "pipeline/measure/pixel_side.hpp"
+#include "pipeline/renderer/run_plan.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::test {
 
 struct Rendering {
   std::map<std::string, Image> images;
-  std::vector<LightFrames> frames;
+  std::vector<LightViews> views;
   std::vector<Branch> branches;
   std::vector<PassReport> passes;
   const Image& operator[](const std::string& name) const { return images.at(name); }
 };
 
-// `framer`: the device that fits the light frames; none: the same one.
+// `framer`: the device that fits the light views; none: the same one.
 inline Rendering render_on(Device& device, const Scene& scene, const Settings& settings,
                            const std::vector<std::string>& textures, Device* framer = nullptr) {
   Effects effects = effects_of(scene, settings);
@@ -33,19 +33,19 @@ inline Rendering render_on(Device& device, const Scene& scene, const Settings& s
   out.branches = effects.branches;
   if (framer) {
     const SceneOnDevice on_framer(scene, effects, *framer);
-    out.frames = fit_light_frames(on_framer, effects, settings, pass_registry());
+    out.views = fit_light_views(on_framer, effects, settings, pass_registry());
   } else {
-    out.frames = fit_light_frames(on_device, effects, settings, pass_registry());
+    out.views = fit_light_views(on_device, effects, settings, pass_registry());
   }
-  judge_cascades(out.frames, settings, effects);
+  judge_cascades(out.views, settings, effects);
   const FramePlan plan = make_plan(scene, effects, settings, pass_registry(), {textures});
   const FrameTargets targets(plan, device);
   const FrameInputs inputs{
       .settings = &settings,
       .effects = &effects,
-      .frames = &out.frames,
-      .view = scene.cameras.empty() ? Frame{}
-                                    : frame_of(scene.cameras[0], settings.width, settings.height,
+      .views = &out.views,
+      .camera = scene.cameras.empty() ? View{}
+                                    : view_of(scene.cameras[0], settings.width, settings.height,
                                                bounds_of(scene)),
       .exposure = exposure_of(scene, settings)};
   out.passes = run_plan(plan, pass_registry(), on_device, targets, inputs);
@@ -66,7 +66,7 @@ inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light 
   const std::string far = light_texture(far_texture(kCausticMap), light);
   return make_ledger(branch_images(light, r.branches, has, read), cell_images(light, r.branches, has, read),
                      r[light_texture(kCausticMap, light)], has(far) ? r[far] : Image{},
-                     r.frames[static_cast<std::size_t>(light)].caustic, settings);
+                     r.views[static_cast<std::size_t>(light)].caustic, settings);
 }
 
 // What estimate_of reads.
@@ -78,10 +78,10 @@ inline ErrorEstimate estimate_of(const Rendering& r, const Settings& settings, i
   const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
   const auto read = [&](const std::string& name) { return has(name) ? r[name] : Image{}; };
   const Image& map = r[light_texture(kCausticMap, light)];
-  const LightFrames& frames = r.frames[static_cast<std::size_t>(light)];
+  const LightViews& views = r.views[static_cast<std::size_t>(light)];
   return estimate_error(branch_images(light, r.branches, has, read), cell_images(light, r.branches, has, read), map,
-                        read(light_texture(kCascadeMap, light)), frames, settings, ledger_of(r, settings, light),
-                        pixel_side(r["view_position"], map, frames.caustic));
+                        read(light_texture(kCascadeMap, light)), views, settings, ledger_of(r, settings, light),
+                        pixel_side(r["view_position"], map, views.caustic));
 }
 
 // The sizes of grid and map at which an estimate is held against the truth.

@@ -65,13 +65,13 @@ inline MeshData quad(const glm::vec3 (&corners)[4], const glm::vec3& normal) {
 }
 
 // A square frame that looks straight down from `height` metres on a window of +-half metres.
-inline Frame down(double half, double height, double far) {
-  Frame frame = frame_along({0.0, height, 0.0}, {0.0, -1.0, 0.0});
-  frame.window_lower = glm::dvec2(-half);
-  frame.window_upper = glm::dvec2(half);
-  frame.near = 0.0;
-  frame.far = far;
-  return frame;
+inline View down(double half, double height, double far) {
+  View view = view_along({0.0, height, 0.0}, {0.0, -1.0, 0.0});
+  view.window_lower = glm::dvec2(-half);
+  view.window_upper = glm::dvec2(half);
+  view.near = 0.0;
+  view.far = far;
+  return view;
 }
 
 // An image whose every texel holds the same four values.

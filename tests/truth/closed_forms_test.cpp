@@ -1,6 +1,6 @@
-// Whole frames against closed forms that share no code with the passes (reference/closed_forms.hpp).
-#include "reference/closed_forms.hpp"
-#include "reference/sphere_floor.hpp"
+// Whole frames against closed forms that share no code with the passes (lab/reference/closed_forms.hpp).
+#include "lab/reference/closed_forms.hpp"
+#include "lab/reference/sphere_floor.hpp"
 
 #include <cmath>
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "passes/landing/landing.hpp"
-#include "pipeline/plan/all_around.hpp"
-#include "pipeline/plan/ledger.hpp"
+#include "pipeline/views/all_around.hpp"
+#include "pipeline/measure/ledger.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/cube_map.hpp"
 #include "tests/support/run_pass.hpp"
@@ -111,14 +111,14 @@ enum Estimator { kPaper, kSecant, kNewton, kImpostor };
 // What an estimator makes of a fan, for one receiver.
 struct Trial {
   Trial(const Receiver& r, int rays_a_side, int atlas)
-      : fan(r, rays_a_side), receiver(seen_from_above(r)), impostors(with_atlas(cube_frame(kMiddle, {0.2, 20.0}), atlas)) {
+      : fan(r, rays_a_side), receiver(seen_from_above(r)), impostors(with_atlas(cube_view(kMiddle, {0.2, 20.0}), atlas)) {
     impostor = positions_around(impostors, [&](const glm::dvec3& d) {
       return d.y < 0.0 && glm::dot(d, d) < 1e4 * d.y * d.y ? first_meeting(r, kMiddle, d) : 0.0;
     });
   }
 
   PassImages run(Estimator estimator, int iterations) const {
-    const FrameUniforms f = pack(frame), around = pack(impostors);
+    const ViewUniforms f = pack(view), around = pack(impostors);
     const LandingUniforms u{.from_scene = f.from_scene,
                             .caster_window = f.window,
                             .caster_depth = f.depth,
@@ -151,9 +151,9 @@ struct Trial {
   }
 
   Fan fan;
-  Frame frame = down(kHalf, 10.0, 20.0);
+  View view = down(kHalf, 10.0, 20.0);
   Image receiver;
-  Frame impostors;
+  View impostors;
   Image impostor;
 };
 

@@ -45,7 +45,7 @@ TEST_CASE("floor: glass of index 1 leaves no trace but at the shadow's edge") {
 TEST_CASE("floor: with point splats and coinciding frames glass of index 1 leaves no trace at all") {
   Settings settings = small_settings(128, 128, 128);
   settings.splat = Splat::Point;
-  settings.shared_frames = true;
+  settings.shared_views = true;
   const Rendering with = render(sphere_scene(1.0f), settings, kLayers);
   double worst = 0.0;
   for (int y = 0; y < 128; ++y)

@@ -1,11 +1,11 @@
 // Surfaces without aberration: parallel light meets in one point, so all that a spot has of size
 // comes from the tessellation and the maps.
-#include "reference/imagers.hpp"
+#include "lab/reference/imagers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "reference/closed_forms.hpp"
+#include "lab/reference/closed_forms.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/revolved.hpp"
 #include "tests/truth/rows.hpp"

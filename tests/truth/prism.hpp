@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/closed_forms.hpp"
+#include "lab/reference/closed_forms.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/scenes.hpp"

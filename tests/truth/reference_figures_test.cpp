@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "pipeline/plan/spectrum.hpp"
+#include "pipeline/effects/spectrum.hpp"
 #include "pipeline/scene/light_samples.hpp"
-#include "reference/glass_bar.hpp"
-#include "reference/ring_floor.hpp"
-#include "reference/tracer/tracer.hpp"
+#include "lab/reference/glass_bar.hpp"
+#include "lab/reference/ring_floor.hpp"
+#include "lab/reference/tracer/tracer.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/truth/prism.hpp"

@@ -1,7 +1,7 @@
 // A half ring of metal against the counted closed form of its reflections.
 #include <cmath>
 
-#include "reference/half_ring.hpp"
+#include "lab/reference/half_ring.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/truth/rows.hpp"
 

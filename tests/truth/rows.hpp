@@ -24,7 +24,7 @@ using Rows = std::vector<Row>;
 // A device and the size at which a row is measured.
 struct Bench {
   Device& device;
-  Device& framer;  // fits the light frames, so that all devices see the same
+  Device& framer;  // fits the light views, so that all devices see the same
   bool full = false;
 
   int maps() const { return full ? 512 : 256; }    // grid and map, a side

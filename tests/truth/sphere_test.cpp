@@ -1,7 +1,7 @@
 // Spheres of glass and of gas under parallel light.
 #include <cmath>
 
-#include "reference/closed_forms.hpp"
+#include "lab/reference/closed_forms.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/truth/rows.hpp"
 
@@ -51,16 +51,16 @@ const std::vector<std::string> kTextures = {"aov_caustic", kCausticMap, kLanding
 // How far the area of a disc round the sphere's middle, by counting the centres of grid cells, is
 // from its own; its rim is drawn to a facet's sagitta, for edges of 0.02 radii.
 double counted_area_error(const Rendering& r, int grid, double radius) {
-  const Frame& frame = r.frames[0].caster;
-  const glm::dvec2 cell = (frame.window_upper - frame.window_lower) / double(grid);
-  const glm::dvec2 middle = frame.window(frame.coordinates({0.0, 0.8, 0.0}));
+  const View& view = r.views[0].caster;
+  const glm::dvec2 cell = (view.window_upper - view.window_lower) / double(grid);
+  const glm::dvec2 middle = view.window(view.coordinates({0.0, 0.8, 0.0}));
   double worst = 0.0;
   for (int k = -2; k <= 2; ++k) {
     const double rim = radius * (1.0 + 0.5 * k * 0.02 * 0.02 / 6.0);
     int inside = 0;
     for (int y = 0; y < grid; ++y)
       for (int x = 0; x < grid; ++x) {
-        const glm::dvec2 p = frame.window_lower + (glm::dvec2(x, y) + 0.5) * cell;
+        const glm::dvec2 p = view.window_lower + (glm::dvec2(x, y) + 0.5) * cell;
         inside += glm::length(p - middle) < rim ? 1 : 0;
       }
     worst = std::max(worst, std::fabs(inside * cell.x * cell.y / (kPi * radius * radius) - 1.0));
@@ -71,8 +71,8 @@ double counted_area_error(const Rendering& r, int grid, double radius) {
 // What passes the glass sphere in the outermost ring of grid cells, whose exits lie among the exit
 // map's rim texels.
 double rim_share(const Rendering& r, int grid) {
-  const Frame& frame = r.frames[0].caster;
-  const double cell = (frame.window_upper.x - frame.window_lower.x) / grid;
+  const View& view = r.views[0].caster;
+  const double cell = (view.window_upper.x - view.window_lower.x) / grid;
   const GlassSphere sphere{.radius = 0.5, .index = 1.5};
   double sum = 0.0;
   constexpr int kSteps = 1000;

@@ -15,8 +15,8 @@ std::string text_of(const Settings& settings) {
 }
 
 double texel_on_floor(const Scene& scene, const Rendering& r, const Settings& settings) {
-  const Frame& frame = r.frames[0].caustic;
-  const glm::dvec2 size = frame.window_upper - frame.window_lower;
+  const View& view = r.views[0].caustic;
+  const glm::dvec2 size = view.window_upper - view.window_lower;
   return std::max(size.x, size.y) / settings.map / std::fabs(scene.lights[0].direction.y);
 }
 

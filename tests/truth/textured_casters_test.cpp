@@ -1,7 +1,7 @@
 // Whole frames whose casters have textures, against light that is followed by hand.
 #include <cmath>
 
-#include "reference/closed_forms.hpp"
+#include "lab/reference/closed_forms.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/run_pass.hpp"

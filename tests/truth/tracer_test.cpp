@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/spectrum.hpp"
+#include "pipeline/effects/spectrum.hpp"
 #include "pipeline/scene/light_samples.hpp"
-#include "reference/closed_forms.hpp"
-#include "reference/half_ring.hpp"
-#include "reference/tracer/direct.hpp"
-#include "reference/tracer/state_file.hpp"
+#include "lab/reference/closed_forms.hpp"
+#include "lab/reference/half_ring.hpp"
+#include "lab/reference/tracer/direct.hpp"
+#include "lab/reference/tracer/state_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/truth/prism.hpp"

@@ -1,7 +1,7 @@
 // Water that moves, from the waves to the light on the floor (figure 8 of the paper).
 #include <cmath>
 
-#include "pipeline/water/moving_water.hpp"
+#include "pipeline/renderer/moving_water.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/water.hpp"
@@ -16,7 +16,7 @@ class Film {
  public:
   Film(Scene scene, const Settings& settings)
       : scene_(std::move(scene)), settings_(settings), effects_(effects_of(scene_, settings_)),
-        frames_(fit_moving_frames(scene_, *device_, effects_, settings_, pass_registry())),
+        views_(fit_moving_views(scene_, *device_, effects_, settings_, pass_registry())),
         moving_(scene_, *device_, pass_registry()), on_device_(scene_, effects_, *device_) {}
 
   const Rendering& show(double seconds) {
@@ -29,10 +29,10 @@ class Film {
     const FrameInputs inputs{
         .settings = &settings_,
         .effects = &effects_,
-        .frames = &frames_,
-        .view = frame_of(scene_.cameras[0], settings_.width, settings_.height, bounds_of(scene_)),
+        .views = &views_,
+        .camera = view_of(scene_.cameras[0], settings_.width, settings_.height, bounds_of(scene_)),
         .exposure = exposure_of(scene_, settings_)};
-    out_.frames = frames_;
+    out_.views = views_;
     out_.branches = effects_.branches;
     out_.passes = run_plan(plan, pass_registry(), on_device_, targets, inputs);
     out_.images.clear();
@@ -50,7 +50,7 @@ class Film {
   Settings settings_;
   std::unique_ptr<Device> device_ = make_software_device();
   Effects effects_;
-  std::vector<LightFrames> frames_;
+  std::vector<LightViews> views_;
   MovingWater moving_;
   SceneOnDevice on_device_;
   Rendering out_;

@@ -1,7 +1,7 @@
 // Water: the sine wave under vertical light, and flat water under a point light.
 #include <cmath>
 
-#include "reference/closed_forms.hpp"
+#include "lab/reference/closed_forms.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/truth/rows.hpp"
 
@@ -179,9 +179,9 @@ Rows point_light_rows(const Bench& bench) {
   const Scene scene = flat_water_scene(truth);
   const Settings settings = bench.settings();
   const Rendering r = bench.render(scene, settings, {"aov_caustic"});
-  const Frame& frame = r.frames[0].caustic;
+  const View& view = r.views[0].caustic;
   // A texel is so many tangent units wide, which 2 m below the light is as many times 2 m.
-  const double texel = 2.0 * (frame.window_upper.x - frame.window_lower.x) / settings.map;
+  const double texel = 2.0 * (view.window_upper.x - view.window_lower.x) / settings.map;
   constexpr int kBands = 6;
   double worst[kBands] = {}, bound[kBands] = {};
   for (int y = 0; y < settings.height; ++y)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/scene/load_gltf.hpp"
+#include "pipeline/scene/gltf/load_gltf.hpp"
 
 namespace caustics::gltf {
 

@@ -1,6 +1,6 @@
 #include "pipeline/scene/gltf/container.hpp"
 #include "pipeline/scene/gltf/image_file.hpp"
-#include "pipeline/scene/load_environment.hpp"
+#include "pipeline/scene/gltf/load_environment.hpp"
 
 namespace caustics {
 

@@ -1,0 +1,227 @@
+// caustics compare: do two images, or two dumps of all passes, hold the same values?
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/shell/atomic_file.hpp"
+#include "app/compare/difference_images.hpp"
+#include "app/compare/difference_report.hpp"
+#include "app/compare/flip_picture.hpp"
+#include "app/output/image_file.hpp"
+#include "app/output/image_layers.hpp"
+#include "app/shell/parser.hpp"
+#include "app/shell/terminal.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CompareRequest {
+  Comparison comparison;
+  std::string prefix;  // of the difference images
+  std::string layer, mask;
+  Region region;
+  std::vector<MetricBound> bounds;
+  bool flip = false;
+  bool json = false;
+
+  bool needs_flip() const {
+    return flip || std::any_of(bounds.begin(), bounds.end(),
+                               [](const MetricBound& each) { return each.is_of_flip(); });
+  }
+  bool is_about_images() const {
+    return !layer.empty() || !mask.empty() || region.width > 0 || !bounds.empty() || flip;
+  }
+};
+
+double parse_bound(const std::string& option, const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value) || value < 0.0) {
+    throw Error(ExitCode::WrongUsage,
+                option + " cannot be '" + one_line(text).substr(0, 80) + "': a number, 0 or more");
+  }
+  return value;
+}
+
+void require_there(const std::string& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) throw Error(ExitCode::BadInput, path + ": no such file or folder");
+}
+
+void require_output(const CompareRequest& request, const fs::path& output) {
+  for (const std::string& input : {request.comparison.a, request.comparison.b, request.mask}) {
+    std::error_code error;
+    if (!input.empty() && fs::equivalent(output, input, error)) {
+      throw Error(ExitCode::WrongUsage, output.string() + ": --diff would replace an input");
+    }
+  }
+  require_writable(output);
+}
+
+// Everything that can be known before anything is read. True for two folders.
+bool check(const CompareRequest& request) {
+  const std::string &a = request.comparison.a, &b = request.comparison.b;
+  if (a.empty() || b.empty()) {
+    throw Error(ExitCode::WrongUsage, "compare needs two images, or two folders of --dump");
+  }
+  require_there(a);
+  require_there(b);
+  const bool folders = fs::is_directory(a);
+  if (folders != fs::is_directory(b)) {
+    throw Error(ExitCode::WrongUsage, (folders ? a : b) + " is a folder and " + (folders ? b : a) +
+                                          " is not; compare two images, or two folders of --dump");
+  }
+  if (folders && (!request.prefix.empty() || request.is_about_images())) {
+    throw Error(ExitCode::WrongUsage,
+                "--diff, --layer, --mask, --region, --flip and --fail-above need two images; name "
+                "the files in the folders");
+  }
+  if (request.prefix.empty()) return folders;
+  const DifferencePaths paths(request.prefix);
+  for (const fs::path& output : {paths.signed_exr, paths.color_png}) {
+    require_output(request, output);
+  }
+  return folders;
+}
+
+// Prints the report; the answer becomes the exit code.
+template <typename Result>
+ExitCode answer(const CompareRequest& request, const Result& result, bool passed) {
+  const std::string report = request.json ? report_json(request.comparison, result)
+                                          : report_text(request.comparison, result);
+  std::fputs(report.c_str(), stdout);
+  return passed ? ExitCode::Done : ExitCode::AnswerIsNo;
+}
+
+// PREFIX_flip.png, or PREFIX_LAYER_flip.png where the layer has a name.
+fs::path flip_path(const std::string& prefix, std::string layer) {
+  std::replace(layer.begin(), layer.end(), '/', '_');
+  return prefix + (layer.empty() ? "" : "_" + layer) + "_flip.png";
+}
+
+void require_flip_outputs(const CompareRequest& request, const PlanesDifference& difference) {
+  if (!request.flip || request.prefix.empty()) return;
+  for (const ChannelDifference& channel : difference.channels) {
+    require_output(request, flip_path(request.prefix, layer_of(channel.name)));
+  }
+}
+
+void draw_flip(const CompareRequest& request, const Measurement& measurement) {
+  if (!request.flip) return;
+  for (const LayerMeasure& layer : measurement.layers) {
+    if (!layer.flip) continue;
+    write_png(flip_path(request.prefix, layer.layer),
+              flip_picture(layer.flip->map, measurement.selection));
+  }
+}
+
+void draw(const std::string& prefix, const PlanesDifference& difference,
+          const Selection& selection) {
+  if (const std::string reason = why_not_drawable(difference); !reason.empty()) {
+    complain("no difference images: " + reason);
+    return;
+  }
+  const DifferencePaths paths(prefix);
+  const std::string scale = write_difference_images(paths, difference, selection);
+  std::fprintf(stderr, "%s: %s\n", one_line(paths.color_png.string()).c_str(), scale.c_str());
+}
+
+ExitCode compare_images(const CompareRequest& request) {
+  const Comparison& comparison = request.comparison;
+  ImagePlanes a = read_planes(comparison.a), b = read_planes(comparison.b);
+  if (!request.layer.empty()) {
+    keep_layer(a, request.layer, comparison.a);
+    keep_layer(b, request.layer, comparison.b);
+  }
+  Selection selection = select(a, request.mask, request.region);
+  ImageAnswer result;
+  result.difference = compare_planes(a, b, comparison.tolerance, selection);
+  require_flip_outputs(request, result.difference);
+  result.measurement = measure(result.difference, std::move(selection), request.needs_flip());
+  result.bounds = judge(request.bounds, result.measurement);
+  if (!request.prefix.empty()) {
+    draw(request.prefix, result.difference, result.measurement.selection);
+    draw_flip(request, result.measurement);
+  }
+  return answer(request, result, result.passed());
+}
+
+// Names in lines that fit a terminal.
+std::string metric_list() {
+  std::string text, line = " ";
+  for (const std::string& name : boundable_metrics()) {
+    if (line.size() + name.size() > 98) {
+      text += line + "\n";
+      line = " ";
+    }
+    line += " " + name;
+  }
+  return text + line;
+}
+
+void add_options(Parser& parser, CompareRequest& request) {
+  Tolerance& tolerance = request.comparison.tolerance;
+  parser.positional("A", "an image, or a folder of render --dump", request.comparison.a);
+  parser.positional("B", "what it is compared with", request.comparison.b);
+  parser.group("Allowed difference; either bound suffices");
+  parser.option(
+      "--tolerance", "T", "|A-B| up to T, in the images' unit; 0.. (default 0)",
+      [&](const std::string& value) { tolerance.absolute = parse_bound("--tolerance", value); });
+  parser.option(
+      "--relative", "R", "|A-B| up to R times the larger of |A|, |B|; 0.. (default 0)",
+      [&](const std::string& value) { tolerance.relative = parse_bound("--relative", value); });
+  parser.group("What is looked at, in two images");
+  parser.option("--layer", "NAME", "the channels of one layer, as in caustic.R (default all)",
+                [&](const std::string& value) { request.layer = value; });
+  parser.option("--mask", "FILE", "texels where a channel of this image is above 0 (default all)",
+                [&](const std::string& value) { request.mask = value; });
+  parser.option("--region", "X,Y,W,H", "a rectangle, counted from the top left (default all)",
+                [&](const std::string& value) { request.region = parse_region(value); });
+  parser.group("Figures, in two images");
+  parser.flag("--flip", request.flip, "FLIP of colours as a screen shows them; a map with --diff");
+  parser.repeated(
+      "--fail-above", "METRIC=VALUE",
+      "exit code 1 above this, instead of by the values; repeatable (default none)",
+      [&](const std::string& value) { request.bounds.push_back(parse_metric_bound(value)); });
+  parser.group("Output");
+  parser.flag("--json", request.json, "the report as JSON");
+  parser.option("--diff", "PREFIX",
+                "writes PREFIX_signed.exr (A-B), PREFIX_color.png (default none)",
+                [&](const std::string& value) { request.prefix = value; });
+  parser.footer(
+      "Channels are lined up by name, values taken as stored; one that only one image has, another "
+      "size,\nand a NaN anywhere, even in both, make images different. -0 equals 0, an infinity "
+      "equals itself.\nExit code 0: equal, or within what is allowed; 1: different. With "
+      "--fail-above: 0 if every "
+      "bound holds\nin every layer, and there is no NaN and no channel that only one image has. "
+      "Metrics that it knows:\n" +
+      metric_list());
+}
+
+}  // namespace
+
+ExitCode run_compare(const Arguments& arguments) {
+  Parser parser(
+      "compare",
+      "Compares two images in values and figures, or two dumps of all passes value by value.",
+      "  caustics compare mine.exr reference.exr\n"
+      "  caustics compare mine.exr reference.exr --relative 1e-5 --diff where\n"
+      "  caustics compare mine.exr truth.exr --layer caustic --fail-above relative_l1=0.02\n"
+      "  caustics compare my_passes/ passes/      two folders of render --dump\n");
+  CompareRequest request;
+  add_options(parser, request);
+  if (!parser.parse(arguments)) return ExitCode::Done;
+  if (!check(request)) return compare_images(request);
+  const Comparison& comparison = request.comparison;
+  const FolderDifference difference =
+      compare_folders(comparison.a, comparison.b, comparison.tolerance);
+  return answer(request, difference, difference.verdict() != Verdict::Different);
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,142 @@
+#include "app/output/outputs.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "app/shell/atomic_file.hpp"
+#include "app/output/image_file.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/output/video_file.hpp"
+#include "pipeline/settings/nearest.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// A layer of an EXR file and the texture channels it is made of.
+struct Layer {
+  const char* name;
+  const char* meaning;
+  const char* texture;
+  int first = 0, count = 3;
+  bool in_world = false;  // scene space, written in the glTF world's coordinates
+};
+
+constexpr Layer kLayers[] = {
+    {"beauty", "what the camera sees, nit; the channels R, G, B, A", "beauty", 0, 4},
+    {"caustic", "illuminance by caustics, lux; 0 on casters", "aov_caustic"},
+    {"direct", "illuminance by the lights after shadows, lux; 0 on casters", "aov_direct"},
+    {"position", "glTF world coordinates, metres", "aov_position", 0, 3, true},
+    {"normal", "unit, world axes", "aov_normal"},
+    {"depth", "metres along the view axis", "aov_normal", 3, 1},
+    {"coverage", "1 where there is a surface, else 0", "aov_position", 3, 1},
+};
+
+const Layer& find_layer(const std::string& name) {
+  const auto found = std::find_if(std::begin(kLayers), std::end(kLayers),
+                                  [&](const Layer& layer) { return layer.name == name; });
+  if (found != std::end(kLayers)) return *found;
+  std::vector<std::string> names;
+  for (const Layer& layer : kLayers) names.emplace_back(layer.name);
+  throw Error(ExitCode::WrongUsage, "--aov has no layer '" + one_line(name).substr(0, 60) +
+                                        "', did you mean '" + nearest_name(name, names) + "'?");
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
+}
+
+// Without a list the picture's light alone; a list says all that is written.
+std::vector<std::string> layers_of(const OutputRequest& request) {
+  return request.layers.empty() ? std::vector<std::string>{"beauty"} : request.layers;
+}
+
+void write_layers(const std::filesystem::path& path, const OutputRequest& request,
+                  const RenderedFrame& frame) {
+  std::map<std::string, Image> images;
+  std::vector<ExrChannel> channels;
+  for (const std::string& name : layers_of(request)) {
+    const Layer& layer = find_layer(name);
+    if (!images.count(layer.texture)) images[layer.texture] = frame.read(layer.texture);
+    const Image& image = images[layer.texture];
+    // Beauty is what a viewer shows, so its channels carry no prefix.
+    const std::string prefix = name == "beauty" ? "" : name + ".";
+    for (int c = 0; c < layer.count; ++c) {
+      channels.push_back({prefix + "RGBA"[c], &image, layer.first + c,
+                          layer.in_world ? frame.scene().origin[c] : 0.0, layer.in_world ? 3 : -1});
+    }
+  }
+  write_exr(path, channels);
+}
+
+}  // namespace
+
+std::vector<std::string> parse_layers(const std::string& list) {
+  std::vector<std::string> layers;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    const std::string name = find_layer(list.substr(start, end - start)).name;
+    if (std::find(layers.begin(), layers.end(), name) == layers.end()) layers.push_back(name);
+    start = end + 1;
+  }
+  return layers;
+}
+
+std::string layer_help() {
+  std::string text;
+  for (const Layer& layer : kLayers) {
+    std::string line = "  " + std::string(layer.name);
+    line.resize(12, ' ');
+    text += line + layer.meaning + "\n";
+  }
+  return text;
+}
+
+void check_outputs(const OutputRequest& request) {
+  bool exr = false;
+  for (std::size_t i = 0; i < request.files.size(); ++i) {
+    const std::filesystem::path& file = request.files[i];
+    const std::string extension = lower_extension(file);
+    if (extension != ".png" && extension != ".exr" && !is_video(file)) {
+      throw Error(ExitCode::WrongUsage, file.string() +
+                                            ": outputs are named .png or .exr, which says their "
+                                            "format; films .mp4, .mkv, .webm or .gif");
+    }
+    exr = exr || extension == ".exr";
+    if (std::count(request.files.begin(), request.files.end(), file) > 1) {
+      throw Error(ExitCode::WrongUsage, file.string() + ": named twice as an output");
+    }
+  }
+  if (!request.layers.empty() && !exr) {
+    throw Error(ExitCode::WrongUsage, "--aov needs an EXR output: add -o FILE.exr");
+  }
+  for (const std::filesystem::path& file : request.files) require_writable(file);
+}
+
+std::vector<std::string> textures_for(const OutputRequest& request) {
+  std::vector<std::string> textures;
+  for (const std::filesystem::path& file : request.files) {
+    if (lower_extension(file) != ".exr") {
+      textures.emplace_back("picture");
+    } else {
+      for (const std::string& name : layers_of(request)) {
+        textures.emplace_back(find_layer(name).texture);
+      }
+    }
+  }
+  return textures;
+}
+
+void write_outputs(const OutputRequest& request, const RenderedFrame& frame) {
+  for (const std::filesystem::path& file : request.files) {
+    if (lower_extension(file) == ".png") {
+      write_png(file, frame.read("picture"));
+    } else if (!is_video(file)) {
+      write_layers(file, request, frame);
+    }
+  }
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,145 @@
+#include "app/output/stats.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/output/light_groups.hpp"
+#include "app/shell/version.hpp"
+
+namespace caustics::app {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json pass_json(const PassReport& report) {
+  return {{"pass", report.label},
+          {"milliseconds", report.result.milliseconds},
+          {"vertices", report.result.vertices},
+          {"primitives", report.result.primitives},
+          {"fragments", report.result.fragments},
+          {"samples_passed", report.result.samples_passed}};
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Json objects_json(const DeviceObjects& objects) {
+  return {{"programs", objects.programs},
+          {"buffers", objects.buffers},
+          {"textures", objects.textures},
+          {"vertex_layouts", objects.vertex_layouts},
+          {"framebuffers", objects.framebuffers},
+          {"read_backs", objects.read_backs}};
+}
+
+// A steady loop makes nothing after its first frame, and reads back what it writes to files alone.
+Json frames_json(const FrameStats& frames, const DeviceObjects& made) {
+  return {{"count", frames.milliseconds.size()},
+          {"milliseconds", frames.milliseconds},
+          {"median", median(frames.milliseconds)},
+          {"made_by_first", objects_json(frames.made_by_first)},
+          {"made_by_all", objects_json(made)}};
+}
+
+// Relative L1 of the caustic; null where it is not estimated.
+Json error_json(const ErrorEstimate& error) {
+  if (!(error.landed > 0.0)) return nullptr;
+  return {{"total", error.total()},
+          {"map", error.relative(error.map)},
+          {"grid", error.relative(error.grid)},
+          {"missing", error.relative(error.missing)}};
+}
+
+Json ledger_json(const Scene& scene, const LightLedger& entry) {
+  const Light& light = scene.sources[static_cast<std::size_t>(entry.light)];
+  Json flux = {{"unit", flux_unit(light)}};
+  for (const auto& [name, value] : accounts(entry.ledger)) flux[name] = value;
+  flux["rounding"] = entry.ledger.rounding;
+  flux["rounding_bound"] = entry.ledger.rounding_bound;
+  flux["residual"] = entry.ledger.residual();
+  Json vertices;
+  for (int s = 0; s < kLandingStatuses; ++s) {
+    vertices[std::string(name_of(static_cast<LandingStatus>(s)))] =
+        entry.ledger.vertices[static_cast<std::size_t>(s)];
+  }
+  return {{"light", entry.light},
+          {"name", light.name},
+          {"intensity", light.intensity},
+          {"intensity_unit", intensity_unit(light)},
+          {"samples", samples_of(scene, entry.light).size()},
+          {"flux", flux},
+          {"leaves_share", entry.leaves()},
+          {"estimated_error", error_json(entry.error)},
+          {"vertices", vertices}};
+}
+
+}  // namespace
+
+Json settings_json(const Settings& s) {
+  return {{"width", s.width},
+          {"height", s.height},
+          {"grid", s.grid},
+          {"map", s.map},
+          {"shadow", s.shadow},
+          {"light.samples", s.light_samples},
+          {"emissive.lights", s.emissive_lights ? "on" : "off"},
+          {"shafts", s.shafts},
+          {"medium.steps", s.medium_steps},
+          {"iterations", s.iterations},
+          {"estimator", name_of(s.estimator)},
+          {"thickness", name_of(s.thickness)},
+          {"splat", name_of(s.splat)},
+          {"splat.sigma", s.gaussian_sigma},
+          {"interfaces", name_of(s.interfaces)},
+          {"weights", name_of(s.weights)},
+          {"wavelengths", s.wavelengths},
+          {"reflections", s.reflections ? "yes" : "no"},
+          {"frames", s.shared_views ? "shared" : "fitted"},
+          {"cube", s.cube == Cube::Auto ? "auto" : s.cube == Cube::On ? "on" : "off"},
+          {"cascades", s.cascades ? "auto" : "off"},
+          {"pixel_means", s.pixel_means ? "auto" : "off"},
+          {"hidden_receivers", s.hidden_receivers ? "auto" : "off"},
+          {"outside_share", s.outside_share},
+          {"assume_solid", s.assume_solid ? "yes" : "no"},
+          {"exposure", s.exposure ? Json(*s.exposure) : Json("auto")},
+          {"camera", s.camera},
+          {"mirror.metallic", s.mirror_metallic},
+          {"mirror.roughness", s.mirror_roughness},
+          {"glass.roughness", s.glass_roughness}};
+}
+
+std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
+                       const std::vector<LightLedger>& ledgers, const Timing& timing,
+                       const FrameStats& frames) {
+  Json document = {{"format", 1},
+                   {"program", version_line()},
+                   {"scene", frame.scene().file},
+                   {"device", frame.device().description()},
+                   {"settings", settings_json(frame.settings())},
+                   {"milliseconds",
+                    {{"load", timing.load},
+                     {"prepare", timing.prepare},
+                     {"passes", timing.passes},
+                     {"write", timing.write},
+                     {"total", timing.total}}},
+                   {"texture_bytes", frame.plan().bytes()},
+                   {"frames", frames_json(frames, frame.device().made())}};
+  document["passes"] = Json::array();
+  for (const PassReport& report : reports) document["passes"].push_back(pass_json(report));
+  document["lights"] = Json::array();
+  for (const LightLedger& ledger : ledgers) {
+    document["lights"].push_back(ledger_json(frame.scene(), ledger));
+  }
+  document["notes"] = frame.scene().notes;
+  return json_text(document);
+}
+
+std::string json_text(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,115 @@
+#include "app/output/summary.hpp"
+
+#include <algorithm>
+
+#include "app/expectations.hpp"
+#include "app/shell/terminal.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// More than this many sentences of one kind are counted instead of printed.
+constexpr std::size_t kMostSentences = 12;
+
+std::string words(const char* account) {
+  std::string text = account;
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+// "light 'sun': 87.3% of the light onto its casters is in the map; fresnel 8.1%, missed 4.6%".
+std::string ledger_sentence(const Scene& scene, const LightLedger& entry) {
+  const std::string light = "light " + light_label(scene, entry.light) + ": ";
+  const double entered = sum(entry.ledger.entered);
+  if (!(entered > 0.0)) return light + "no light reaches a caster";
+  std::string line = light + percent(sum(entry.ledger.in_map) / entered) +
+                     " of the light onto its casters is in the map";
+  std::string losses;
+  for (const auto& [name, flux] : accounts(entry.ledger)) {
+    const bool loss = std::string(name) != "entered" && std::string(name) != "in_map";
+    if (!loss || !(sum(flux) > 0.001 * entered)) continue;
+    losses +=
+        (losses.empty() ? "; lost: " : ", ") + words(name) + " " + percent(sum(flux) / entered);
+  }
+  return line + losses;
+}
+
+// "estimated error 1.2% (map 0.9%, grid 0.2%, missing 0.1%)"; empty where there is no estimate.
+std::string error_text(const ErrorEstimate& error) {
+  if (!(error.landed > 0.0)) return {};
+  return "; estimated error " + percent(error.total()) + " (map " + percent(error.relative(error.map)) + ", grid " +
+         percent(error.relative(error.grid)) + ", missing " + percent(error.relative(error.missing)) + ")";
+}
+
+void print_some(const char* kind, const std::vector<std::string>& sentences) {
+  for (std::size_t i = 0; i < std::min(sentences.size(), kMostSentences); ++i) {
+    std::fprintf(stderr, "%s: %s\n", kind, one_line(sentences[i]).c_str());
+  }
+  if (sentences.size() > kMostSentences) {
+    std::fprintf(stderr, "%s: and %zu more; 'caustics plan' lists all\n", kind,
+                 sentences.size() - kMostSentences);
+  }
+}
+
+}  // namespace
+
+std::string mesh_label(const Scene& scene, int mesh) {
+  const std::string& name = scene.meshes[static_cast<std::size_t>(mesh)].name;
+  return name.empty() ? "mesh " + std::to_string(mesh) : "'" + one_line(name) + "'";
+}
+
+std::vector<std::string> missing_caustics(const Scene& scene, const std::vector<Expectation>& expectations) {
+  struct Group {
+    std::string reason, first;
+    std::size_t more = 0;
+  };
+  std::vector<Group> groups;
+  for (const Expectation& e : expectations) {
+    if (e.expected) continue;
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group& group) { return group.reason == e.reason; });
+    if (same != groups.end()) {
+      ++same->more;
+    } else {
+      groups.push_back(
+          {e.reason,
+           "light " + light_label(scene, e.light) + " through " + mesh_label(scene, e.mesh), 0});
+    }
+  }
+  std::vector<std::string> sentences;
+  if (expectations.empty()) {
+    sentences.emplace_back("nothing in the scene bends or mirrors light");
+  }
+  for (const Group& group : groups) {
+    const std::string others =
+        group.more == 0 ? "" : " (and " + std::to_string(group.more) + " more)";
+    sentences.push_back(group.first + others + ": " + group.reason);
+  }
+  return sentences;
+}
+
+void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
+                   const Timing& timing, const std::vector<std::filesystem::path>& outputs,
+                   int drawn) {
+  print_some("note", frame.scene().notes);
+  print_some("no caustic",
+             missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)));
+  for (const LightLedger& ledger : ledgers) {
+    std::fprintf(stderr, "%s\n", (ledger_sentence(frame.scene(), ledger) + error_text(ledger.error)).c_str());
+    const std::string warning = leaving_sentence(frame.scene(), ledger);
+    if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  }
+  std::string files;
+  for (const std::filesystem::path& file : outputs) {
+    files += (files.empty() ? "" : ", ") + one_line(file.string());
+  }
+  const std::string frames = drawn > 0 ? ", " + std::to_string(drawn) + " frames" : "";
+  std::fprintf(stderr, "%s: %dx%d%s in %s (load %s, prepare %s, passes %s, write %s)\n",
+               files.c_str(), frame.settings().width, frame.settings().height, frames.c_str(),
+               duration_text(timing.total).c_str(), duration_text(timing.load).c_str(),
+               duration_text(timing.prepare).c_str(), duration_text(timing.passes).c_str(),
+               duration_text(timing.write).c_str());
+}
+
+}  // namespace caustics::app

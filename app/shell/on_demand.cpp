@@ -1,0 +1,80 @@
+#include "app/shell/on_demand.hpp"
+
+#include <algorithm>
+
+#include "app/shell/parser.hpp"
+#include "app/shell/terminal.hpp"
+#include "pipeline/gpu/error.hpp"
+
+namespace caustics::app {
+
+std::optional<Trial> try_sizes(FrameRequest request, int grid, int map) {
+  request.settings.grid = grid;
+  request.settings.map = map;
+  PlanGoal goal{ledger_textures()};
+  goal.textures.emplace_back("picture");
+  RenderedFrame frame(request, load_scene(request), goal);
+  // The first run also fetches memory, which later frames have.
+  frame.run();
+  const double once = sum_of_passes(frame.run());
+  return trial_of(frame, std::min(once, sum_of_passes(frame.run())));
+}
+
+std::string demand_text(const Demand& demand, const Trial& expected, const Trial& found, double milliseconds) {
+  const auto figures = [](const Trial& trial) {
+    return percent(trial.error()) + " in " + duration_text(trial.milliseconds);
+  };
+  const std::string asked = demand.error ? "an error of " + percent(*demand.error)
+                                         : "passes within " + duration_text(*demand.milliseconds);
+  return std::string(meets(found, demand) ? "" : "missed: ") + "asked for " + asked + ": chose --grid " +
+         std::to_string(found.grid) + " --map " + std::to_string(found.map) + ", expected " + figures(expected) +
+         ", found " + figures(found) + " (choosing took " + duration_text(milliseconds) + ")\n";
+}
+
+double sum_of_passes(const std::vector<PassReport>& reports) {
+  double sum = 0.0;
+  for (const PassReport& report : reports) sum += report.result.milliseconds;
+  return sum;
+}
+
+ErrorEstimate error_of(const Scene& scene, const std::vector<LightLedger>& ledgers) {
+  ErrorEstimate all;
+  for (const LightLedger& entry : ledgers)
+    add(all, entry.error, static_cast<double>(scene.sources[static_cast<std::size_t>(entry.light)].intensity));
+  return all;
+}
+
+std::optional<Trial> trial_of(const RenderedFrame& frame, double milliseconds) {
+  const ErrorEstimate error = error_of(frame.scene(), read_ledgers(frame));
+  if (!(error.landed > 0.0)) return {};
+  return Trial{.grid = frame.settings().grid,
+               .map = frame.settings().map,
+               .map_error = error.relative(error.map),
+               .grid_error = error.relative(error.grid),
+               .missing = error.relative(error.missing),
+               .milliseconds = milliseconds};
+}
+
+std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand& demand,
+                                       const std::function<void(const std::string&)>& progress) {
+  std::vector<Trial> trials;
+  for (const auto& [grid, map] : {std::pair(kPilotSide, kPilotSide), std::pair(2 * kPilotSide, kPilotSide), std::pair(kPilotSide, 2 * kPilotSide)}) {
+    progress("measuring what accuracy costs here: " + std::to_string(trials.size() + 1) + " of 3");
+    const std::optional<Trial> trial = try_sizes(request, grid, map);
+    if (!trial) {
+      if (demand.error && load_scene(request)->effects().active("caustics"))
+        throw Error(ExitCode::WrongUsage, "--target-error: the error of this caustic cannot be told, as none of its "
+                                          "light lands, or as points that see all around; choose --grid and --map");
+      return {};
+    }
+    trials.push_back(*trial);
+  }
+  return CostModel(trials[0], trials[1], trials[2]);
+}
+
+double parse_target_error(const std::string& text) {
+  const std::string number = !text.empty() && text.back() == '%' ? text.substr(0, text.size() - 1) : text;
+  return parse_real("--target-error", number, 0.001, 100.0) / 100.0;
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,53 @@
+#include "app/shell/run_program.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+#include "app/shell/interrupt.hpp"
+#include "app/shell/terminal.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+int fail(ExitCode code, const std::string& line) {
+  // An interruption ends with the signal's own code, whatever it broke off.
+  if (const ExitCode signal = interruption(); signal != ExitCode::Done) {
+    complain("interrupted; no incomplete file is left");
+    return static_cast<int>(signal);
+  }
+  complain(line);
+  return static_cast<int>(code);
+}
+
+int guarded(const Arguments& arguments, ExitCode (*work)(const Arguments&)) {
+  try {
+    return static_cast<int>(work(arguments));
+  } catch (const Error& error) {
+    return fail(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::WrongUsage,
+                "out of memory: choose a smaller -r, --grid or --map, or a smaller scene");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::InternalError, std::string("internal error: ") + error.what());
+  } catch (...) {
+    return fail(ExitCode::InternalError, "internal error of an unknown kind");
+  }
+}
+
+}  // namespace
+
+int run_program(int count, char** values, ExitCode (*work)(const Arguments& arguments)) {
+  watch_for_interruption();
+  const int code = guarded(Arguments(values + std::min(count, 1), values + count), work);
+  // Standard output may be a full disk or a closed pipe; then what was printed did not arrive.
+  const bool answered = code == static_cast<int>(ExitCode::Done) || code == static_cast<int>(ExitCode::AnswerIsNo);
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && answered) {
+    complain("standard output cannot be written");
+    return static_cast<int>(ExitCode::CannotWrite);
+  }
+  return code;
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,10 @@
+// What every program here does around its work: signals, and one line and an exit code for whatever is thrown.
+#pragma once
+#include "app/shell/command.hpp"
+
+namespace caustics::app {
+
+// Calls `work` with the arguments; gives what main returns.
+int run_program(int count, char** values, ExitCode (*work)(const Arguments& arguments));
+
+}  // namespace caustics::app

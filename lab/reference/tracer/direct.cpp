@@ -1,0 +1,111 @@
+#include "lab/reference/tracer/direct.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/scene/exact.hpp"
+#include "lab/reference/closed_forms.hpp"
+#include "lab/reference/tracer/emission.hpp"
+#include "lab/reference/tracer/work.hpp"
+
+namespace caustics::tracer {
+
+namespace {
+
+// One light as the shadow rays need it.
+class Lamp {
+ public:
+  Lamp(const World& world, int source)
+      : world_(world),
+        lit_(world.lit_by(source)),
+        light_(world.scene().sources[static_cast<std::size_t>(source)]),
+        points_(world.scene(), light_),
+        falloff_(light_),
+        casters_shadow_(world.throws_caustic(source)),
+        color_(glm::dvec3(light_.color) * static_cast<double>(light_.intensity)) {}
+
+  glm::dvec3 at(const Seen& seen, std::uint64_t pixel) const {
+    if (!points_.has_size()) return color_ * from(seen, points_.point(0.5, 0.5, 0.5));
+    Numbers numbers(0x5ad0e5, pixel);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < kShadowRays * kShadowRays; ++i) {
+      const int column = i % kShadowRays, row = i / kShadowRays;
+      const double u = (column + numbers.next()) / kShadowRays;
+      const double v = (row + numbers.next()) / kShadowRays;
+      sum += from(seen, points_.point(u, v, numbers.next()));
+    }
+    return color_ * sum / static_cast<double>(kShadowRays * kShadowRays);
+  }
+
+ private:
+  // Relative to the intensity.
+  glm::dvec3 from(const Seen& seen, const LightPoint& point) const {
+    const bool directional = light_.type == LightType::Directional;
+    const glm::dvec3 way = seen.position - point.position;
+    const double distance = directional ? world_.size() * 1.01 : exact::length(way);
+    if (!(distance > 0.0)) return glm::dvec3(0.0);
+    const glm::dvec3 travel = directional ? point.direction : way / distance;
+    const double facing = -exact::dot(seen.normal, travel);
+    if (!(facing > 0.0) || !(exact::dot(seen.plane, travel) < 0.0)) return glm::dvec3(0.0);
+    double reaching = facing;
+    if (!directional) {
+      const double s = distance / static_cast<double>(light_.range);
+      reaching *= falloff_.at(travel, point.direction) / (distance * distance) *
+                  std::clamp(1.0 - (s * s) * (s * s), 0.0, 1.0);
+    }
+    if (!(reaching > 0.0)) return glm::dvec3(0.0);
+    const Ray back{seen.position, -travel};
+    if (lit_.receivers.blocked(back, world_.nearest(), distance)) return glm::dvec3(0.0);
+    if (casters_shadow_ && lit_.casters.blocked(back, world_.nearest(), distance)) return glm::dvec3(0.0);
+    return reaching * through_panes(back, distance);
+  }
+
+  // Both faces and all reflections between them: (1 - r) / (1 + r), times transmission and colour
+  // (passes/panes/panes.md).
+  glm::dvec3 through_panes(const Ray& back, double distance) const {
+    glm::dvec3 left(1.0);
+    double from = world_.nearest();
+    for (int i = 0; i < 64; ++i) {
+      const auto hit = world_.panes().nearest(back, from, distance);
+      if (!hit) break;
+      const Material& m = world_.scene().materials[static_cast<std::size_t>(
+          world_.scene().meshes[static_cast<std::size_t>(hit->mesh)].material)];
+      const double r =
+          fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior)).mean();
+      left *= glm::dvec3(glm::vec3(m.base_color)) * (static_cast<double>(m.transmission) * (1.0 - r) / (1.0 + r));
+      from = std::max(hit->distance, from) * (1.0 + 1e-6) + world_.nearest();
+    }
+    return left;
+  }
+
+  const World& world_;
+  const LitSet& lit_;
+  const Light& light_;
+  LightShapePoints points_;
+  Falloff falloff_;
+  bool casters_shadow_;
+  glm::dvec3 color_;
+};
+
+}  // namespace
+
+std::vector<float> direct_light(const World& world, const Film& film, int threads) {
+  std::vector<Lamp> lamps;
+  lamps.reserve(world.scene().sources.size());
+  for (int i = 0; i < static_cast<int>(world.scene().sources.size()); ++i) lamps.emplace_back(world, i);
+  std::vector<float> result(3 * film.pixels());
+  const auto width = static_cast<std::size_t>(film.width());
+  in_pieces(film.height(), threads, [&](int row) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t pixel = static_cast<std::size_t>(row) * width + x;
+      const Seen& seen = film.seen(pixel);
+      if (seen.mesh < 0 || seen.caster) continue;
+      glm::dvec3 sum(0.0);
+      for (const Lamp& lamp : lamps) sum += lamp.at(seen, pixel);
+      for (int c = 0; c < 3; ++c) result[3 * pixel + static_cast<std::size_t>(c)] = static_cast<float>(sum[c]);
+    }
+  });
+  return result;
+}
+
+}  // namespace caustics::tracer

@@ -1,0 +1,71 @@
+#include "lab/reference/tracer/work.hpp"
+
+#include <optional>
+
+#if CAUSTICS_HAS_TBB
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace caustics::tracer {
+
+#if CAUSTICS_HAS_TBB
+
+namespace {
+
+// The thread sanitizer cannot see into a oneTBB that was built without it, and is told what happens before what.
+#if defined(__SANITIZE_THREAD__)
+#define CAUSTICS_THREAD_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define CAUSTICS_THREAD_SANITIZER 1
+#endif
+#endif
+#if CAUSTICS_THREAD_SANITIZER
+extern "C" void __tsan_acquire(void*);
+extern "C" void __tsan_release(void*);
+void happens_before(void* tag) { __tsan_release(tag); }
+void happens_after(void* tag) { __tsan_acquire(tag); }
+#else
+void happens_before(void*) {}
+void happens_after(void*) {}
+#endif
+
+}  // namespace
+
+void in_pieces(int pieces, int threads, const std::function<void(int)>& work) {
+  char started = 0, ended = 0;
+  const auto run = [&] {
+    oneapi::tbb::parallel_for(
+        0, pieces,
+        [&](int piece) {
+          happens_after(&started);
+          {
+            const PlainFloats plain;
+            work(piece);
+          }
+          happens_before(&ended);
+        },
+        oneapi::tbb::simple_partitioner());
+    happens_after(&ended);
+  };
+  happens_before(&started);
+  // As many threads as were wished, even where the machine has fewer cores.
+  std::optional<oneapi::tbb::global_control> control;
+  if (threads > 0)
+    control.emplace(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
+  arena.execute(run);
+}
+
+#else
+
+void in_pieces(int pieces, int, const std::function<void(int)>& work) {
+  const PlainFloats plain;
+  for (int piece = 0; piece < pieces; ++piece) work(piece);
+}
+
+#endif
+
+}  // namespace caustics::tracer

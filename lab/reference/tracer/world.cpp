@@ -1,0 +1,116 @@
+#include "lab/reference/tracer/world.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/renderer/scene_on_device.hpp"
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics::tracer {
+
+namespace {
+
+constexpr const char* kNotTraced[] = {"medium", "textured casters", "normal-mapped casters",
+                                      "cut-out casters", "water waves"};
+
+// Never a picture that silently lacks something.
+void refuse_what_is_not_traced(const Scene& scene, const Effects& effects) {
+  for (const char* name : kNotTraced) {
+    const Effect& effect = effects.find(name);
+    if (effect.active)
+      throw Error(ExitCode::BadInput, "the reference does not trace " + effect.name + " (" +
+                                          effect.reason + "); docs/reference.md lists what it does");
+  }
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Material& m = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
+    const Role role = effects.surfaces[i].role;
+    if (role == Role::Receiver && m.alpha_mode == AlphaMode::Mask && m.base_color_texture.present())
+      throw Error(ExitCode::BadInput, "the reference does not trace alpha masks: material '" + m.name +
+                                          "' has one; docs/reference.md lists what it does");
+    if (role == Role::ThinPane &&
+        (m.base_color_texture.present() || m.transmission_texture.present()))
+      throw Error(ExitCode::BadInput, "the reference does not trace textured panes: material '" + m.name +
+                                          "' is one; docs/reference.md lists what it does");
+  }
+}
+
+Optics optics_of(const Material& material, const SurfaceRole& surface) {
+  Optics o{.role = surface.role, .solid = surface.two_interfaces};
+  if (surface.role == Role::Mirror) {
+    o.color = glm::dvec3(metal_reflectance(material));
+    return o;
+  }
+  o.ior = static_cast<double>(material.ior);
+  o.spread = static_cast<double>(main_dispersion(material));
+  o.color = glm::dvec3(glm::vec3(material.base_color));
+  if (surface.role == Role::Refractor) o.absorption = glm::dvec3(absorption_of(material));
+  return o;
+}
+
+std::vector<int> meshes_with(const std::vector<Optics>& optics, int without, bool (*wanted)(Role)) {
+  std::vector<int> meshes;
+  for (int m = 0; m < static_cast<int>(optics.size()); ++m)
+    if (m != without && wanted(optics[static_cast<std::size_t>(m)].role)) meshes.push_back(m);
+  return meshes;
+}
+
+bool is_receiver(Role role) { return role == Role::Receiver; }
+bool is_pane(Role role) { return role == Role::ThinPane; }
+bool throws_light(Role role) { return is_caster(role); }
+
+}  // namespace
+
+World::World(const Scene& scene, const Effects& effects, const std::vector<ExactShape>& exact)
+    : scene_(scene), effects_(effects), exact_(exact), panes_(scene, {}) {
+  refuse_what_is_not_traced(scene, effects);
+  judge(scene, effects);
+  Bounds everything = bounds_of(scene);
+  for (const Light& light : scene.sources)
+    if (light.type != LightType::Directional) everything.add(light.position);
+  for (const Camera& camera : scene.cameras) everything.add(camera.position);
+  size_ = everything.empty() ? 1.0 : std::max(2.0 * everything.radius(), 1e-6);
+  nearest_ = 2e-6 * size_;
+  panes_ = RaySet(scene, meshes_with(optics_, -1, is_pane));
+  sets_.push_back(set_without(-1));
+  std::map<int, std::size_t> by_emitter{{-1, 0}};
+  for (const Light& light : scene.sources) {
+    const auto [found, fresh] = by_emitter.try_emplace(light.emitter, sets_.size());
+    if (fresh) sets_.push_back(set_without(light.emitter));
+    set_of_.push_back(found->second);
+  }
+  throws_.resize(scene.sources.size());
+  for (const Expectation& e : effects.expectations) {
+    const int source = scene.lights[static_cast<std::size_t>(e.light)].source;
+    if (e.expected) throws_[static_cast<std::size_t>(source)] = true;
+  }
+}
+
+void World::judge(const Scene& scene, const Effects& effects) {
+  std::map<std::pair<int, int>, int> bodies;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Mesh& mesh = scene.meshes[i];
+    Optics o = optics_of(scene.materials[static_cast<std::size_t>(mesh.material)], effects.surfaces[i]);
+    o.body = bodies.try_emplace({mesh.object, mesh.material}, static_cast<int>(bodies.size())).first->second;
+    optics_.push_back(o);
+  }
+}
+
+LitSet World::set_without(int emitter) const {
+  std::vector<int> casters = meshes_with(optics_, emitter, throws_light);
+  Bounds bounds;
+  for (const int m : casters) bounds.add(bounds_of(scene_.meshes[static_cast<std::size_t>(m)]));
+  for (const ExactShape& shape : exact_)
+    if (std::find(casters.begin(), casters.end(), shape.mesh) != casters.end()) bounds.add(shape.bounds());
+  return {RaySet(scene_, casters, exact_), RaySet(scene_, meshes_with(optics_, emitter, is_receiver), exact_),
+          std::move(casters), bounds};
+}
+
+glm::dvec3 facing_normal(const glm::dvec3& normal, const glm::dvec3& direction, bool flip) {
+  const glm::dvec3 oriented = flip ? -normal : normal;
+  const double along = exact::dot(oriented, direction);
+  if (along < -1e-4) return oriented;
+  return exact::normalise(oriented - direction * (along + 1e-3), -direction);
+}
+
+}  // namespace caustics::tracer

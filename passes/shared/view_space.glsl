@@ -1,0 +1,79 @@
+// Frames as pipeline/scene/view.hpp defines them: from_scene, window and depth are a ViewUniforms. Needs
+// cube_atlas.glsl.
+
+// View coordinates of a scene-space point: x, y across, z along the view, metres.
+Vec3 view_coordinates(mat4 from_scene, Vec3 p) {
+  Vec4 q = transform_point(from_scene, p);
+  return Vec3(q.x, q.y, q.z);
+}
+
+// The face of a cube view that sees q; of other frames the only one.
+Int view_face(Vec3 q, vec4 depth) {
+  Int face = Int(4);
+  if (depth.z > 1.5f) face = cube_face(q);
+  return face;
+}
+
+// View coordinates, or a direction in view axes, as a face sees them: its z is along the face.
+Vec3 in_face(Vec3 q, Int face, vec4 depth) {
+  Vec3 turned = q;
+  if (depth.z > 1.5f) turned = cube_turned(q, face);
+  return turned;
+}
+
+// What window coordinates are divided by: z in a perspective view, z of its own face in a cube, else 1.
+Float view_w(Vec3 q, vec4 depth) {
+  Float w = Float(1.0f);
+  if (depth.z > 0.5f) w = q.z;
+  if (depth.z > 1.5f) w = max_of(max_of(abs(q.x), abs(q.y)), abs(q.z));
+  return w;
+}
+
+// Where window coordinate 0 of a face lies in the map.
+Vec2 face_offset(Int face, vec4 window, vec4 depth) {
+  Vec2 offset = Vec2(Float(window.z), Float(window.w));
+  if (depth.z > 1.5f) {
+    Vec2 middle = cube_middle(face);
+    offset = Vec2(middle.x * window.z, middle.y * window.w);
+  }
+  return offset;
+}
+
+// Map coordinates (u, v) of view coordinates on a given face; (-1, -1) behind it.
+Vec2 face_uv(Vec3 q, Int face, vec4 window, vec4 depth) {
+  Vec3 t = cube_turned(q, face);
+  Bool front = t.z > 0.0f;
+  Float safe = sel(front, t.z, Float(1.0f));
+  Vec2 offset = face_offset(face, window, depth);
+  return sel(front, Vec2(t.x / safe * window.x + offset.x, t.y / safe * window.y + offset.y),
+             Vec2(Float(-1.0f), Float(-1.0f)));
+}
+
+// Map coordinates (u, v) of view coordinates; (-1, -1) behind a perspective view's origin.
+Vec2 view_uv(Vec3 q, vec4 window, vec4 depth) {
+  Vec2 uv = Vec2(Float(0.0f), Float(0.0f));
+  if (depth.z > 1.5f) {
+    uv = face_uv(q, cube_face(q), window, depth);
+  } else {
+    Float w = view_w(q, depth);
+    Bool front = w > 0.0f;
+    Float safe = sel(front, w, Float(1.0f));
+    uv = sel(front, Vec2(q.x / safe * window.x + window.z, q.y / safe * window.y + window.w),
+             Vec2(Float(-1.0f), Float(-1.0f)));
+  }
+  return uv;
+}
+
+// Clip coordinates of view coordinates, window depth 0 (near) to 1 (far). Of a cube: in the tile of the face
+// that is drawn, depth.w; what reaches over its border is for outside_tile.
+Vec4 view_clip(Vec3 q, vec4 window, vec4 depth) {
+  Int face = floor_to_int(Float(depth.w));
+  Vec3 t = in_face(q, face, depth);
+  Vec2 offset = face_offset(face, window, depth);
+  Float w = Float(1.0f);
+  if (depth.z > 0.5f) w = t.z;
+  Float range = Float(depth.y - depth.x);
+  Float z = (t.z - depth.x) / range;
+  if (depth.z > 0.5f) z = z * depth.y;
+  return Vec4(2.0f * (t.x * window.x + offset.x * w) - w, 2.0f * (t.y * window.y + offset.y * w) - w, z, w);
+}

@@ -1,0 +1,230 @@
+#include "pipeline/effects/effects.hpp"
+
+#include "pipeline/gpu/error.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace caustics;
+
+namespace {
+
+Mesh box(const char* name, int material, glm::vec3 lower, glm::vec3 upper) {
+  Mesh mesh;
+  mesh.name = name;
+  mesh.material = material;
+  mesh.closedness = 1.0f;
+  mesh.lower = lower;
+  mesh.upper = upper;
+  return mesh;
+}
+
+Material solid_glass() {
+  Material glass;
+  glass.name = "glass";
+  glass.metallic = 0.0f;
+  glass.roughness = 0.0f;
+  glass.transmission = 1.0f;
+  glass.thickness = 1.0f;
+  return glass;
+}
+
+// A glass box from (-1, 1, -1) to (1, 2, 1) over a floor, under a light that shines down.
+Scene glass_over_floor(const Material& glass = solid_glass()) {
+  Scene scene;
+  Material floor;
+  floor.name = "floor";
+  floor.metallic = 0.0f;
+  scene.materials = {glass, floor};
+  scene.meshes = {box("block", 0, {-1, 1, -1}, {1, 2, 1}), box("floor", 1, {-5, 0, -5}, {5, 0, 5})};
+  Light sun;
+  sun.name = "sun";
+  sun.direction = {0, -1, 0};
+  scene.lights = {sun};
+  return scene;
+}
+
+Effects judged(const Scene& scene, const Settings& settings = {}) {
+  return effects_of(scene, settings);
+}
+
+bool mentions(const std::string& text, const char* part) {
+  INFO(text << " should mention " << part);
+  CHECK(text.find(part) != std::string::npos);
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("solid glass refracts through two interfaces and throws a caustic") {
+  const Effects effects = judged(glass_over_floor());
+  CHECK(effects.surfaces[0].role == Role::Refractor);
+  CHECK(effects.surfaces[0].two_interfaces);
+  CHECK(effects.surfaces[0].reason ==
+        "material 'glass': transmission 1.0, IOR 1.5, closed mesh: light enters and leaves");
+  CHECK(effects.surfaces[1].role == Role::Receiver);
+  REQUIRE(effects.expectations.size() == 1);
+  CHECK(effects.expectations[0].expected);
+  for (const char* name :
+       {"light", "receivers", "caustics", "exit surface", "seen casters"}) {
+    CHECK(effects.active(name));
+  }
+  // The floor is flat and behind everything: it shadows nothing.
+  for (const char* name : {"occluders", "thin panes", "mirrors", "dispersion", "rough glass"}) {
+    CHECK_FALSE(effects.active(name));
+  }
+  CHECK_THROWS_AS(effects.find("no such effect"), Error);
+}
+
+TEST_CASE("glass without a volume is a thin pane unless it is assumed solid") {
+  Material thin = solid_glass();
+  thin.thickness = 0.0f;
+  const Effects effects = judged(glass_over_floor(thin));
+  CHECK(effects.surfaces[0].role == Role::ThinPane);
+  CHECK_FALSE(effects.active("caustics"));
+  CHECK_FALSE(effects.expectations[0].expected);
+  mentions(effects.expectations[0].reason,
+           "thin wall (no KHR_materials_volume thickness): bends nothing; --assume-solid");
+  mentions(effects.find("thin panes").reason, "1 thin pane");
+  Settings settings;
+  settings.assume_solid = true;
+  CHECK(judged(glass_over_floor(thin), settings).surfaces[0].role == Role::Refractor);
+}
+
+TEST_CASE("materials that look like glass but throw no caustic say why") {
+  Material rough = solid_glass();
+  rough.roughness = 0.25f;
+  CHECK(judged(glass_over_floor(rough)).surfaces[0].role == Role::Receiver);
+  mentions(judged(glass_over_floor(rough)).expectations[0].reason, "roughness 0.25 is above 0.2");
+  mentions(judged(glass_over_floor(rough)).find("rough glass").reason, "1 surface");
+
+  Material opaque_index = solid_glass();
+  opaque_index.ior = 0.0f;
+  mentions(judged(glass_over_floor(opaque_index)).expectations[0].reason, "never refracts");
+
+  Material milky = solid_glass();
+  milky.transmission = 0.4f;
+  mentions(judged(glass_over_floor(milky)).expectations[0].reason, "transmission 0.4 is below 0.5");
+
+  Material half_metal = solid_glass();
+  half_metal.metallic = 0.6f;
+  half_metal.roughness = 0.21f;
+  mentions(judged(glass_over_floor(half_metal)).surfaces[0].reason, "transmission 0.4 beside");
+
+  Material blended = solid_glass();
+  blended.transmission = 0.0f;
+  blended.alpha_mode = AlphaMode::Blend;
+  mentions(judged(glass_over_floor(blended)).expectations[0].reason, "coverage, not glass");
+}
+
+TEST_CASE("the limits of roughness and metal are in the role that they name") {
+  Material glass = solid_glass();
+  glass.roughness = 0.2f;
+  CHECK(judged(glass_over_floor(glass)).surfaces[0].role == Role::Refractor);
+  Material metal;
+  metal.metallic = 0.5f;
+  metal.roughness = 0.2f;
+  const Effects effects = judged(glass_over_floor(metal));
+  CHECK(effects.surfaces[0].role == Role::Mirror);
+  CHECK(effects.expectations[0].expected);
+  mentions(effects.expectations[0].reason, "mirrored onto what stands around");
+  CHECK(effects.active("caustics"));
+  CHECK(effects.active("mirrors"));
+  CHECK(effects.active("seen casters"));
+  CHECK_FALSE(effects.active("exit surface"));
+  metal.roughness = 0.21f;
+  CHECK(judged(glass_over_floor(metal)).surfaces[0].role == Role::Receiver);
+  CHECK(judged(glass_over_floor(metal)).expectations.empty());
+}
+
+TEST_CASE("holes decide on the number of interfaces") {
+  Scene scene = glass_over_floor();
+  scene.meshes[0].closedness = 0.99f;
+  CHECK(judged(scene).surfaces[0].two_interfaces);
+  mentions(judged(scene).surfaces[0].reason, "nearly closed mesh (holes of 1.0% of its area)");
+  scene.meshes[0].closedness = 0.5f;
+  CHECK_FALSE(judged(scene).surfaces[0].two_interfaces);
+  mentions(judged(scene).surfaces[0].reason, "one interface, as a water surface");
+  CHECK_FALSE(judged(scene).active("exit surface"));
+  Settings settings;
+  settings.interfaces = Interfaces::Two;
+  CHECK(judged(scene, settings).surfaces[0].two_interfaces);
+}
+
+TEST_CASE("IOR 1 lets the light through without a focus") {
+  Material air = solid_glass();
+  air.ior = 1.0f;
+  const Effects effects = judged(glass_over_floor(air));
+  CHECK(effects.expectations[0].expected);
+  CHECK(effects.active("caustics"));
+  mentions(effects.expectations[0].reason, "without a focus");
+}
+
+TEST_CASE("a light that cannot reach the glass or what lies behind it") {
+  Scene scene = glass_over_floor();
+  const auto reason = [&] {
+    const Effects effects = judged(scene);
+    CHECK_FALSE(effects.expectations[0].expected);
+    CHECK_FALSE(effects.active("caustics"));
+    return effects.expectations[0].reason;
+  };
+  scene.lights[0].direction = {0, 1, 0};
+  mentions(reason(), "no receiver lies behind it");
+  scene.lights[0].direction = {0, -1, 0};
+  scene.lights[0].intensity = 0.0f;
+  mentions(reason(), "is 0");
+  CHECK_FALSE(judged(scene).active("light"));
+  scene.lights[0].intensity = 1.0f;
+  scene.lights[0].color = glm::vec3(0.0f);
+  mentions(reason(), "is 0");
+
+  Light spot;
+  spot.type = LightType::Spot;
+  spot.position = {0, 10, 0};
+  spot.direction = {0, -1, 0};
+  spot.outer_cone = 0.3f;
+  scene.lights = {spot};
+  CHECK(judged(scene).expectations[0].expected);
+  scene.lights[0].direction = {1, 0, 0};
+  mentions(reason(), "cone misses it");
+  scene.lights[0].direction = {0, 1, 0};
+  scene.lights[0].outer_cone = 1.5f;
+  mentions(reason(), "cone misses it");
+  scene.lights[0].direction = {0, -1, 0};
+  scene.lights[0].range = 3.0f;
+  mentions(reason(), "beyond the light's range of 3.0 m");
+
+  scene.lights[0].range = 100.0f;
+  scene.meshes.pop_back();
+  mentions(reason(), "no diffuse receiver");
+}
+
+TEST_CASE("an empty scene calls for nothing") {
+  const Effects effects = judged(Scene{});
+  CHECK(effects.surfaces.empty());
+  CHECK(effects.expectations.empty());
+  for (const Effect& effect : effects.list) {
+    CHECK_FALSE(effect.active);
+    CHECK_FALSE(effect.reason.empty());
+  }
+}
+
+TEST_CASE("caustics have one channel unless a caster tints them") {
+  CHECK(!judged(glass_over_floor()).active("coloured caustics"));
+  Material amber = solid_glass();
+  amber.attenuation_color = {0.9f, 0.6f, 0.2f};
+  CHECK(!judged(glass_over_floor(amber)).active("coloured caustics"));  // at no finite distance
+  amber.attenuation_distance = 0.5f;
+  const Effects tinted = judged(glass_over_floor(amber));
+  CHECK(tinted.active("coloured caustics"));
+  CHECK(mentions(tinted.find("coloured caustics").reason, "absorbs its colours unequally"));
+  Material smoke = solid_glass();
+  smoke.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
+  CHECK(!judged(glass_over_floor(smoke)).active("coloured caustics"));
+  smoke.base_color.x = 0.6f;
+  CHECK(judged(glass_over_floor(smoke)).active("coloured caustics"));
+  Material flint = solid_glass();
+  flint.dispersion = 0.5f;
+  CHECK(judged(glass_over_floor(flint)).active("coloured caustics"));
+  Settings one;
+  one.wavelengths = 1;
+  CHECK(!judged(glass_over_floor(flint), one).active("coloured caustics"));
+}

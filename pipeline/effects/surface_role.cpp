@@ -1,0 +1,123 @@
+#include "pipeline/effects/surface_role.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace caustics {
+
+std::string number_text(double value, int digits) {
+  char buffer[32];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+  std::string result(buffer, end);
+  return result.find_first_not_of("-0123456789") == std::string::npos ? result + ".0" : result;
+}
+
+std::string quoted_name(const std::string& kind, const std::string& name, std::size_t index) {
+  return kind + " " + (name.empty() ? std::to_string(index) : "'" + name + "'");
+}
+
+namespace {
+
+// A material that lets less than this share of the light through is drawn as a diffuse surface.
+// Transmission and diffuse reflection are not mixed, so the larger share decides.
+constexpr float kMostlyTransmissive = 0.5f;
+
+Judgement diffuse(const std::string& material, const std::string& why) {
+  return {{Role::Receiver, false, material + ": " + why}, false, false, {}};
+}
+
+// Looks like something that throws caustics, but is drawn as a diffuse surface.
+Judgement diffuse_instead(const std::string& material, const std::string& why) {
+  return {{Role::Receiver, false, material + ": " + why + "; drawn as a diffuse surface"},
+          true,
+          false,
+          why};
+}
+
+struct InterfaceChoice {
+  bool two = false;
+  std::string reason;
+};
+
+InterfaceChoice interfaces_of(const Mesh& mesh, const Settings& settings) {
+  if (settings.interfaces == Interfaces::One) {
+    return {false, "one interface as asked for: light bends where it enters only"};
+  }
+  if (settings.interfaces == Interfaces::Two) {
+    return {true, "two interfaces as asked for: light enters and leaves"};
+  }
+  const double holes = 1.0 - static_cast<double>(mesh.closedness);
+  if (holes <= 0.0) return {true, "closed mesh: light enters and leaves"};
+  const std::string share =
+      " (holes of " + number_text(std::max(holes * 100.0, 0.001)) + "% of its area)";
+  if (!mesh.closed()) {
+    return {false, "open mesh" + share + ": one interface, as a water surface"};
+  }
+  return {true, "nearly closed mesh" + share +
+                    ": taken as closed, light enters and leaves; rays through the holes may be "
+                    "lost"};
+}
+
+Judgement judge_glass(const Mesh& mesh, const Material& material, const std::string& name,
+                      const Settings& settings) {
+  const std::string glass = name + ": transmission " + number_text(material.transmission);
+  if (material.ior == 0.0f) {
+    return diffuse_instead(name, "ior 0 never refracts (all light is reflected)");
+  }
+  if (!(material.thickness > 0.0f) && !settings.assume_solid) {
+    const std::string why =
+        "thin wall (no KHR_materials_volume thickness): bends nothing; --assume-solid makes it "
+        "solid";
+    return {{Role::ThinPane, false, glass + ", " + why}, true, false, why};
+  }
+  if (material.roughness > settings.glass_roughness) {
+    Judgement rough = diffuse_instead(
+        name, "roughness " + number_text(material.roughness) + " is above " +
+                  number_text(settings.glass_roughness) + ": scatters light, throws no caustic");
+    rough.rough = true;
+    return rough;
+  }
+  const InterfaceChoice interfaces = interfaces_of(mesh, settings);
+  std::string reason = glass + ", IOR " + number_text(material.ior);
+  if (material.ior == 1.0f) reason += " (bends nothing)";
+  if (material.ior < 1.0f) reason += " (thinner than its surroundings, as a bubble)";
+  if (!(material.thickness > 0.0f)) reason += ", --assume-solid";
+  if (material.alpha_mode == AlphaMode::Blend) reason += ", alphaMode BLEND ignored";
+  return {{Role::Refractor, interfaces.two, reason + ", " + interfaces.reason}, true, false, {}};
+}
+
+}  // namespace
+
+Judgement judge(const Mesh& mesh, const Material& material, const Settings& settings) {
+  const std::string name =
+      quoted_name("material", material.name, static_cast<std::size_t>(mesh.material));
+  if (material.unlit) {
+    return diffuse(name, "unlit: shows its colour as it is, and casts a shadow");
+  }
+  if (material.metallic >= settings.mirror_metallic &&
+      material.roughness <= settings.mirror_roughness) {
+    return {{Role::Mirror, false,
+             name + ": metallic " + number_text(material.metallic) + ", roughness " +
+                 number_text(material.roughness) + ": a mirror"},
+            true,
+            false,
+            {}};
+  }
+  // Metal lets nothing through, so only the other part transmits (KHR_materials_transmission).
+  const float transmissive = material.transmission * (1.0f - material.metallic);
+  if (transmissive >= kMostlyTransmissive) return judge_glass(mesh, material, name, settings);
+  if (transmissive > 0.0f) {
+    return diffuse_instead(name, "transmission " + number_text(transmissive) +
+                                     (material.metallic > 0 ? " beside the metal" : "") +
+                                     " is below 0.5: more diffuse than clear");
+  }
+  if (material.alpha_mode == AlphaMode::Blend) {
+    return diffuse_instead(name,
+                           "alphaMode BLEND is coverage, not glass; KHR_materials_transmission and "
+                           "KHR_materials_volume make glass");
+  }
+  return diffuse(name, "diffuse");
+}
+
+}  // namespace caustics

@@ -1,0 +1,86 @@
+#include "pipeline/measure/landing_images.hpp"
+
+#include <algorithm>
+
+#include "pipeline/plan/frame_plan.hpp"
+
+namespace caustics {
+
+double share_of_points(const Image& cell_flux, int x, int y) {
+  if (cell_flux.values.empty()) return 1.0;
+  double share = 1.0;
+  for (int dy = 0; dy < 2; ++dy)
+    for (int dx = 0; dx < 2; ++dx)
+      if (x >= dx && y >= dy) share -= 0.25 * static_cast<double>(cell_flux.at(x - dx, y - dy, 3));
+  return share;
+}
+
+namespace {
+
+void copy_texel(Image& to, const Image& from, std::size_t texel) {
+  const auto channels = static_cast<std::size_t>(to.channels());
+  std::copy_n(from.values.begin() + static_cast<std::ptrdiff_t>(texel * channels), channels,
+              to.values.begin() + static_cast<std::ptrdiff_t>(texel * channels));
+}
+
+// Where the farther landing has a status, its values; cells of both, which never overlap.
+void merge_far(BranchImages& images, const BranchImages& far) {
+  for (std::size_t i = 0; 4 * i < images.landing.values.size(); ++i) {
+    if (far.landing.values[4 * i + 3] != 0.0f) {
+      copy_texel(images.landing, far.landing, i);
+      copy_texel(images.flux, far.flux, i);
+      copy_texel(images.fresnel, far.fresnel, i);
+      copy_texel(images.absorbed, far.absorbed, i);
+    }
+    if (!far.cell_flux.values.empty() && far.cell_flux.values[4 * i + 3] != 0.0f)
+      copy_texel(images.cell_flux, far.cell_flux, i);
+  }
+}
+
+}  // namespace
+
+std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
+                                        const std::function<bool(const std::string&)>& has,
+                                        const std::function<Image(const std::string&)>& read) {
+  std::vector<BranchImages> result;
+  for (const Branch& branch : branches) {
+    const auto own = [&](const char* name) { return read(branch_texture(name, light, branch)); };
+    const auto if_any = [&](const char* name) {
+      return has(branch_texture(name, light, branch)) ? own(name) : Image{};
+    };
+    result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel),
+                      own(kLandingAbsorbed), if_any(kCellFlux), if_any(kLandingMedium)});
+    if (!has(branch_texture(far_texture(kLanding), light, branch))) continue;
+    const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
+    const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
+    merge_far(result.back(), {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
+                              cells ? far(kCellFlux) : Image{}, Image{}});
+  }
+  return result;
+}
+
+std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
+                                    const std::function<bool(const std::string&)>& has,
+                                    const std::function<Image(const std::string&)>& read) {
+  std::vector<CellImages> result;
+  for (const Branch& branch : branches) {
+    const auto own = [&](const std::string& name) {
+      const std::string full = branch_texture(name, light, branch);
+      return has(full) ? read(full) : Image{};
+    };
+    CellImages cells{own(kCellNear), own(kCellFar)};
+    const Image far_flux = own(far_texture(kCellFlux));
+    if (!far_flux.values.empty()) {
+      const Image near = own(far_texture(kCellNear)), far = own(far_texture(kCellFar));
+      for (std::size_t i = 0; i < far_flux.values.size(); ++i)
+        if (far_flux.values[i - i % 4 + 3] != 0.0f) {
+          cells.near.values[i] = near.values[i];
+          cells.far.values[i] = far.values[i];
+        }
+    }
+    result.push_back(std::move(cells));
+  }
+  return result;
+}
+
+}  // namespace caustics

@@ -1,0 +1,63 @@
+// The flux ledger: where the light that entered a caster grid went.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/gpu/image.hpp"
+#include "pipeline/measure/landing_images.hpp"
+#include "pipeline/settings/settings.hpp"
+#include "pipeline/scene/view.hpp"
+
+namespace caustics {
+
+// How a grid vertex ended; `landing`'s alpha channel holds the number.
+enum class LandingStatus : std::uint8_t {
+  Empty,            // no caster in this texel
+  Landed,
+  Missed,           // leaves the scene: no receiver on its way
+  Outside,          // leaves the receiver or the caustic map
+  TotalReflection,  // cannot leave the caster at its second surface
+  Absorbed,         // less than a millionth is left
+  NotConverged,     // the estimator did not close in on a receiver
+};
+inline constexpr int kLandingStatuses = 7;
+std::string_view name_of(LandingStatus status);
+
+using FluxRgb = std::array<double, 3>;
+
+// One light's ledger, per colour channel. Flux is relative to the light's own intensity: square
+// metres (lumen per lux) for directional lights, steradians (lumen per candela) for the others.
+struct Ledger {
+  FluxRgb entered{};             // onto the casters
+  FluxRgb fresnel{};             // reflected at the surfaces
+  FluxRgb absorbed{};            // in the material, and what ended as Absorbed
+  FluxRgb total_reflection{};
+  FluxRgb medium{};              // absorbed and scattered by the medium, before and after the casters
+  FluxRgb missed{};
+  FluxRgb outside{};
+  FluxRgb not_converged{};
+  FluxRgb kernel_edge{};         // parts of splats beyond the map's edge
+  FluxRgb in_map{};              // the sum over the caustic map
+  FluxRgb rounding{};            // splatted less in_map: what the map's single-precision sums lost (gained: negative)
+  // The most that rounding can take of sums in single precision: n 2^-24 of a texel's flux where n splats may have
+  // touched it (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 4.2), over all texels. 0 where
+  // splats are not counted: lights that see all around.
+  FluxRgb rounding_bound{};
+  // |entered - everything else| / entered, the largest of the channels; 0 for an empty grid. `rounding` counts as
+  // booked as far as its bound allows; what it has beyond that is a residual.
+  double residual() const;
+  std::array<std::uint64_t, kLandingStatuses> vertices{};  // by LandingStatus
+};
+
+// Adds another ledger, each of its fluxes times `share`: the samples of one light to the light's own.
+void add(Ledger& sum, const Ledger& other, double share);
+
+// Adds up, in double precision and texel order, what the landing passes of all branches and the caustic map
+// hold; `cells` by branch. `far_map`: that of the farthest receivers, where there is one.
+Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
+                   const Image& caustic_map, const Image& far_map, const View& caustic_view,
+                   const Settings& settings);
+
+}  // namespace caustics

@@ -1,0 +1,35 @@
+// What became of one light's flux on each caster: why a caustic that was to be expected is not there.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "pipeline/measure/ledger.hpp"
+
+namespace caustics {
+
+struct Outcome {
+  int light = 0;  // index into Scene::lights, or of what the caller groups them by
+  int mesh = 0;   // the caster
+  // Flux onto the caster, mean of the channels, relative to the light's intensity as in the ledger.
+  double entered = 0.0;
+  // The part of it whose way ended so, by LandingStatus; of Landed, what is left of it where it lands.
+  std::array<double, kLandingStatuses> ended{};
+
+  double share(LandingStatus status) const {
+    return entered > 0.0 ? ended[static_cast<std::size_t>(status)] / entered : 0.0;
+  }
+};
+
+// One for each mesh of `mesh_of_row` (by the row of caster_normal's fourth channel), in that order. Where a
+// light's way ends otherwise than on a receiver, all that is left of its flux there is booked.
+std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& branches, const Image& caster_normal,
+                                 const std::vector<int>& mesh_of_row);
+
+// Adds `share` of another's flux on the same caster.
+void add(Outcome& sum, const Outcome& other, double share);
+
+// Why (nearly) nothing of the flux landed: less than a thousandth. Empty where more did.
+std::string why_no_caustic(const Outcome& outcome);
+
+}  // namespace caustics

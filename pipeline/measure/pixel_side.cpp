@@ -1,0 +1,82 @@
+#include "pipeline/measure/pixel_side.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace caustics {
+
+namespace {
+
+using Place = std::optional<glm::dvec3>;
+
+Place place_at(const Image& position, int x, int y) {
+  if (x < 0 || y < 0 || x >= position.width() || y >= position.height() || position.at(x, y, 3) == 0.0f) return {};
+  return glm::dvec3(position.at(x, y, 0), position.at(x, y, 1), position.at(x, y, 2));
+}
+
+// The step to the nearer of the neighbours along (dx, dy) and against it: the other may show something else.
+Place step_at(const Image& position, const glm::dvec3& here, int x, int y, int dx, int dy) {
+  const Place ahead = place_at(position, x + dx, y + dy), behind = place_at(position, x - dx, y - dy);
+  if (!ahead && !behind) return {};
+  if (!behind || (ahead && glm::distance(*ahead, here) <= glm::distance(*behind, here))) return *ahead - here;
+  return here - *behind;
+}
+
+// Texels of a map of so many a side, of a cube those of this face; none behind a light.
+std::optional<glm::dvec2> texel_of(const glm::dvec3& p, const View& view, int map, int face) {
+  glm::dvec3 q = view.coordinates(p);
+  if (view.cube) {
+    q = turned_to_face(q, face);
+    return q.z > 0.0 ? std::optional(view.cube->texel({q.x / q.z, q.y / q.z}, face)) : std::nullopt;
+  }
+  if (view.perspective && !(q.z > 0.0)) return {};
+  return (view.window(q) - view.window_lower) / (view.window_upper - view.window_lower) * static_cast<double>(map);
+}
+
+double light_at(const Image& map, const glm::dvec2& texel) {
+  const double x = std::floor(texel.x), y = std::floor(texel.y);
+  if (!(x >= 0.0 && y >= 0.0 && x < map.width() && y < map.height())) return 0.0;
+  double light = 0.0;
+  for (int c = 0; c < std::min(map.channels(), 3); ++c)
+    light += static_cast<double>(map.at(static_cast<int>(x), static_cast<int>(y), c));
+  return light;
+}
+
+// Square texels of a pixel's parallelogram; none where that cannot be told.
+std::optional<double> area_at(const Image& position, const glm::dvec3& here, const glm::dvec2& texel, const View& view,
+                              int map, int face, int x, int y) {
+  const Place across = step_at(position, here, x, y, 1, 0), upward = step_at(position, here, x, y, 0, 1);
+  if (!across || !upward) return {};
+  const auto right = texel_of(here + *across, view, map, face),
+             above = texel_of(here + *upward, view, map, face);
+  if (!right || !above) return {};
+  const glm::dvec2 a = *right - texel, b = *above - texel;
+  const double area = std::fabs(a.x * b.y - a.y * b.x);
+  // No pixel is taken to be wider than the map.
+  return area <= static_cast<double>(map) * static_cast<double>(map) ? std::optional(area) : std::nullopt;
+}
+
+}  // namespace
+
+double pixel_side(const Image& view_position, const Image& caustic_map, const View& caustic) {
+  const int map = caustic_map.width();
+  double sides = 0.0, weights = 0.0;
+  for (int y = 0; y < view_position.height(); ++y)
+    for (int x = 0; x < view_position.width(); ++x) {
+      const Place here = place_at(view_position, x, y);
+      if (!here) continue;
+      const int face = caustic.cube ? face_of(caustic.coordinates(*here)) : 0;
+      const std::optional<glm::dvec2> texel = texel_of(*here, caustic, map, face);
+      const double light = texel ? light_at(caustic_map, *texel) : 0.0;
+      if (!(light > 0.0)) continue;
+      const std::optional<double> area = area_at(view_position, *here, *texel, caustic, map, face, x, y);
+      if (!area) continue;
+      // The light in the pixel is in proportion to the light in the texel and to its area.
+      sides += light * *area * std::sqrt(*area);
+      weights += light * *area;
+    }
+  return weights > 0.0 ? sides / weights : 0.0;
+}
+
+}  // namespace caustics

@@ -1,0 +1,327 @@
+#include "pipeline/renderer/light_pilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "pipeline/views/all_around.hpp"
+#include "pipeline/effects/backdrop.hpp"
+#include "pipeline/views/cascades.hpp"
+#include "pipeline/views/cone_range.hpp"
+#include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/views/landing_window.hpp"
+#include "pipeline/measure/ledger.hpp"
+#include "pipeline/renderer/run_plan.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
+#include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics {
+
+namespace {
+
+// A perspective view sees at most this far to the side: tan 72 degrees.
+constexpr double kWidestTangent = 3.0;
+// A window that nothing lies beside.
+constexpr double kEverywhere = 1e12;
+// Of the share that may fall outside of a map, where the map has a cascade.
+constexpr double kCascadedShare = 0.25;
+// What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the ledger's
+// kernel_edge has it.
+constexpr double kWidestMargin = 1.0;
+// The coarse run that looks for landings.
+constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
+
+// Extent of something in window coordinates and along z.
+struct Extents {
+  glm::dvec2 lower{std::numeric_limits<double>::infinity()};
+  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -std::numeric_limits<double>::infinity();
+  bool empty() const { return lower.x > upper.x; }
+  void add(const glm::dvec2& window, double z) {
+    lower = glm::min(lower, window);
+    upper = glm::max(upper, window);
+    nearest = std::min(nearest, z);
+    farthest = std::max(farthest, z);
+  }
+  void add(const Extents& other) {
+    lower = glm::min(lower, other.lower);
+    upper = glm::max(upper, other.upper);
+    nearest = std::min(nearest, other.nearest);
+    farthest = std::max(farthest, other.farthest);
+  }
+};
+
+void add_point(Extents& extents, const View& axes, const glm::dvec3& p, double closest) {
+  glm::dvec3 q = axes.coordinates(p);
+  // What lies beside or behind a point light is seen at the widest angle.
+  if (axes.perspective && q.z < closest) q.z = closest;
+  glm::dvec2 w = axes.window(q);
+  if (axes.perspective)
+    w = glm::clamp(w, glm::dvec2(-kWidestTangent), glm::dvec2(kWidestTangent));
+  extents.add(w, q.z);
+}
+
+Extents extents_of(const Mesh& mesh, const View& axes, double closest) {
+  Extents extents;
+  for (const Vertex& v : mesh.vertices) add_point(extents, axes, glm::dvec3(v.position), closest);
+  return extents;
+}
+
+// `reach`: how far from the light anything lies. Coordinates are rounded to some ulps of it, and what is
+// flat across the light has no depth of its own to spare.
+void set_depth(View& view, double nearest, double farthest, double reach) {
+  const double slack = std::max(1e-3 * (farthest - nearest), 4e-6 * std::fabs(reach));
+  view.near = nearest - slack;
+  view.far = farthest + slack;
+  if (view.perspective) view.near = std::max(view.near, view.far * 1e-4);
+}
+
+struct LightExtents {
+  View axes;
+  Extents casters, receivers, occluders, panes, everything;
+};
+
+// What of the casters a spot light's cone can light, so that a narrow cone gets the whole grid.
+void cut_to_cone(Extents& casters, const View& axes, const Light& light) {
+  if (light.type != LightType::Spot || casters.empty()) return;
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::optional<glm::dvec2> cone = cone_range(axes, axis, light.direction, static_cast<double>(light.outer_cone));
+    if (!cone || cone->x >= casters.upper[axis] || cone->y <= casters.lower[axis]) continue;
+    casters.lower[axis] = std::max(casters.lower[axis], cone->x);
+    casters.upper[axis] = std::min(casters.upper[axis], cone->y);
+  }
+}
+
+LightExtents measure(const Scene& scene, const Effects& effects, const Light& light) {
+  LightExtents result;
+  const Bounds bounds = bounds_of(scene);
+  Bounds casters;
+  const auto shines = [&](std::size_t mesh) { return light.emitter == static_cast<int>(mesh); };
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    if (is_caster(effects.surfaces[i].role) && !shines(i)) casters.add(bounds_of(scene.meshes[i]));
+  const double radius = std::max(bounds.radius(), 1e-9);
+  double closest = 0.0;
+  if (light.type == LightType::Directional) {
+    result.axes = view_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
+  } else {
+    glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
+    // What an emitter turns away from it does not light.
+    if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
+      target = light.position + light.direction * radius;
+    result.axes = view_along(light.position,
+                              exact::normalise(target - light.position, light.direction));
+    result.axes.perspective = true;
+    closest = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
+  }
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (shines(i)) continue;
+    const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
+    result.everything.add(extents);
+    if (is_caster(effects.surfaces[i].role)) {
+      result.casters.add(extents);
+    } else if (effects.surfaces[i].role == Role::ThinPane) {
+      result.panes.add(extents);
+    } else {
+      result.receivers.add(extents);
+      if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
+    }
+  }
+  cut_to_cone(result.casters, result.axes, light);
+  return result;
+}
+
+// The frames before anything is known of the landings: the receiver map sees everything.
+LightViews widest_views(const LightExtents& extents, const Effects& effects, int grid) {
+  LightViews views{extents.axes, extents.axes, extents.axes, extents.axes, extents.axes,
+                     0.0,          extents.axes, {}};
+  const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
+  const double reach = extents.everything.farthest;
+  if (!shadow.empty()) {
+    set_window(views.shadow, {shadow.lower, shadow.upper}, 0.01);
+    set_depth(views.shadow, extents.everything.nearest, reach, reach);
+  }
+  if (!extents.panes.empty()) {
+    set_window(views.panes, {extents.panes.lower, extents.panes.upper}, 0.01);
+    set_depth(views.panes, extents.everything.nearest, reach, reach);
+  }
+  if (extents.casters.empty()) return views;
+  set_window(views.caster, {extents.casters.lower, extents.casters.upper}, 4.0 / grid);
+  set_depth(views.caster, extents.everything.nearest, extents.casters.farthest, reach);
+  Extents all = extents.casters;
+  if (!extents.receivers.empty()) all.add(extents.receivers);
+  set_window(views.receiver, {all.lower, all.upper}, 0.01);
+  set_depth(views.receiver, all.nearest, all.farthest, reach);
+  views.casters_nearest = extents.casters.nearest;
+  views.column = views.caster;
+  if (!effects.active("mirrors") && !effects.active("reflections")) {
+    views.column.window_lower = glm::dvec2(-kEverywhere);
+    views.column.window_upper = glm::dvec2(kEverywhere);
+  }
+  views.caustic = views.receiver;
+  return views;
+}
+
+void add_landings(const Image& landing, const Image& flux, const View& view,
+                  std::vector<WeightedPoint>& points) {
+  // What x and y are made of before they are rounded; how far back a parallel light stands is no part of them.
+  const double origin = view.perspective ? exact::length(view.origin)
+                                          : std::max(std::fabs(exact::dot(view.right, view.origin)),
+                                                     std::fabs(exact::dot(view.up, view.origin)));
+  for (int y = 0; y < landing.height(); ++y)
+    for (int x = 0; x < landing.width(); ++x) {
+      if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
+      const glm::dvec3 p{landing.at(x, y, 0), landing.at(x, y, 1), landing.at(x, y, 2)};
+      const glm::dvec3 q = view.coordinates(p);
+      const double w = view.perspective ? q.z : 1.0;
+      points.push_back({.window = view.window(q),
+                        .weight = static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1),
+                                                                flux.at(x, y, 2)})),
+                        .rounding = w > 0.0 ? 0x1p-24 * (exact::length(p) + origin) / w : 0.0});
+    }
+}
+
+// Draws the caustic view in to the landings, and the receiver view to them and the casters.
+// `flat`: the receivers are one plane.
+void fit_to_landings(LightViews& views, const std::vector<WeightedPoint>& points, const Settings& settings,
+                     double margin, bool flat) {
+  views.cascade.reset();
+  if (points.empty()) return;
+  const LandedFlux landed(points);
+  const double shortest = landed.shortest_side(settings.map);
+  set_window(views.caustic, landed.window(0.25 * settings.outside_share), margin, shortest);
+  if (can_have_cascades(settings)) views.cascade = cascade_view(views.caustic, landed, margin, shortest);
+  // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map would have
+  // to be as wide, and on receivers that are not flat its texels tell where light lands.
+  if (views.cascade && flat)
+    set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin, shortest);
+  views.receiver.window_lower =
+      glm::min(views.caustic.window_lower, views.caster.window_lower);
+  views.receiver.window_upper =
+      glm::max(views.caustic.window_upper, views.caster.window_upper);
+}
+
+}  // namespace
+
+// Runs the passes that lead to the landings on small maps.
+class LandingScout {
+ public:
+  LandingScout(const SceneOnDevice& scene, const Settings& settings, const Registry& registry)
+      : scene_(scene), registry_(registry), settings_(settings) {
+    settings_.grid = std::min(settings.grid, kCoarseGrid);
+    settings_.map = std::min(settings.map, kCoarseMap);
+    settings_.iterations = std::max(settings.iterations, kCoarseIterations);
+    settings_.estimator = Estimator::Secant;
+  }
+
+  // Plans for what the scene calls for now. Earlier textures are used again where they fit.
+  void plan(const Effects& effects) {
+    effects_ = &effects;
+    FramePlan plan = make_plan(scene_.scene(), effects, settings_, registry_,
+                               {.textures = {kLanding, kLandingFlux}});
+    if (plan.textures != plan_.textures) targets_.reset();
+    plan_ = std::move(plan);
+  }
+
+  bool finds_anything(int light) const {
+    return plan_.find(branch_texture(kLanding, light, effects_->branches.front())) >= 0;
+  }
+
+  void run(const std::vector<LightViews>& views) {
+    if (!targets_) targets_ = std::make_unique<FrameTargets>(plan_, scene_.device());
+    run_plan(plan_, registry_, scene_, *targets_,
+             {.settings = &settings_, .effects = effects_, .views = &views, .camera = {}});
+  }
+
+  std::vector<WeightedPoint> found(int light, const View& view) const {
+    std::vector<WeightedPoint> points;
+    for (const Branch& branch : effects_->branches) {
+      const auto image = [&](const char* name) {
+        return scene_.device().read_back((*targets_)[plan_.find(branch_texture(name, light, branch))]);
+      };
+      add_landings(image(kLanding), image(kLandingFlux), view, points);
+    }
+    return points;
+  }
+
+ private:
+  const SceneOnDevice& scene_;
+  const Effects* effects_ = nullptr;
+  const Registry& registry_;
+  Settings settings_;
+  FramePlan plan_;
+  std::unique_ptr<FrameTargets> targets_;
+};
+
+LightFitter::LightFitter(const SceneOnDevice& scene, const Settings& settings,
+                         const Registry& registry)
+    : scene_(scene), settings_(settings), registry_(registry) {}
+
+LightFitter::~LightFitter() = default;
+
+std::vector<LightViews> LightFitter::fit(const Effects& effects) {
+  std::vector<LightViews> views;
+  const auto all_around = [&](std::size_t light) { return !effects.all_around[light].empty(); };
+  for (const Light& light : scene_.scene().lights) {
+    if (all_around(views.size())) {
+      views.push_back(views_all_around(scene_.scene(), effects, settings_, light));
+      continue;
+    }
+    views.push_back(widest_views(measure(scene_.scene(), effects, light), effects, settings_.grid));
+  }
+  if (settings_.shared_views) {
+    for (LightViews& f : views) {
+      f.caustic.window_lower = f.receiver.window_lower = f.caster.window_lower;
+      f.caustic.window_upper = f.receiver.window_upper = f.caster.window_upper;
+    }
+    return views;
+  }
+  if (!scout_) scout_ = std::make_unique<LandingScout>(scene_, settings_, registry_);
+  LandingScout& scout = *scout_;
+  scout.plan(effects);
+  const bool flat = receivers_are_one_plane(scene_.scene(), effects);
+  const double kernel_texels = splat_kernel(settings_).radius + 2.0;
+  // First with everything in view, then again with the maps drawn in, for finer receivers.
+  for (const double margin : {0.5, std::min(0.03 + 2.0 * kernel_texels / settings_.map, kWidestMargin)}) {
+    const auto fitted = [&](int i) {
+      return scout.finds_anything(i) && !all_around(static_cast<std::size_t>(i));
+    };
+    bool any = false;
+    for (int i = 0; i < static_cast<int>(views.size()); ++i) any |= fitted(i);
+    if (!any) break;
+    scout.run(views);
+    for (int i = 0; i < static_cast<int>(views.size()); ++i) {
+      if (!fitted(i)) continue;
+      LightViews& f = views[static_cast<std::size_t>(i)];
+      fit_to_landings(f, scout.found(i, f.caustic), settings_, margin, flat);
+    }
+  }
+  return views;
+}
+
+std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,
+                                          const Settings& settings, const Registry& registry) {
+  return LightFitter(scene, settings, registry).fit(effects);
+}
+
+float exposure_of(const Scene& scene, const Settings& settings) {
+  const glm::vec3 horizon = scene.environment.horizon;
+  const double sky =
+      exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
+  const double white = std::max(light_level(scene), sky) / exact::kPi;
+  double exposure = white > 0.0 ? 0.45 / white : 1.0;
+  const double ev = settings.exposure ? static_cast<double>(*settings.exposure) : 0.0;
+  // 2^ev by whole steps and a series for the rest.
+  double whole = std::floor(ev);
+  const double rest = (ev - whole) * 0.69314718055994530942;
+  double power = 1.0;
+  for (int n = 16; n >= 1; --n) power = 1.0 + power * rest / n;
+  for (; whole > 0.5; whole -= 1.0) power *= 2.0;
+  for (; whole < -0.5; whole += 1.0) power *= 0.5;
+  exposure *= power;
+  return static_cast<float>(std::clamp(exposure, 1e-30, 1e30));
+}
+
+}  // namespace caustics

@@ -1,0 +1,39 @@
+// Where the maps of a light look, and how bright a picture is made.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "pipeline/renderer/scene_on_device.hpp"
+
+namespace caustics {
+
+// Finds the views of every light (by Scene::lights), fitted to the casters and to where their light
+// lands. Finds the latter by running the passes that lead to `landing` coarsely on the scene's device,
+// which should be the software device whatever backend renders, so that every backend sees the same
+// frames. Its textures are kept from one call to the next, for scenes that move; what a call returns
+// does not depend on earlier ones. All that it is made from must outlive it.
+class LightFitter {
+ public:
+  LightFitter(const SceneOnDevice& scene, const Settings& settings, const Registry& registry);
+  ~LightFitter();
+  LightFitter(const LightFitter&) = delete;
+  LightFitter& operator=(const LightFitter&) = delete;
+  // Of the scene as it is now.
+  std::vector<LightViews> fit(const Effects& effects);
+
+ private:
+  const SceneOnDevice& scene_;
+  const Settings& settings_;
+  const Registry& registry_;
+  std::unique_ptr<class LandingScout> scout_;
+};
+
+// The same for a scene that stands still.
+std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,
+                                          const Settings& settings, const Registry& registry);
+
+// The factor from nit to display white: `settings.exposure` EV above or below the automatic one,
+// under which a white diffuse surface in the light that reaches the scene (light_level) shows at 0.45 of display white (linear), so that caustics have room above.
+float exposure_of(const Scene& scene, const Settings& settings);
+
+}  // namespace caustics

@@ -1,0 +1,116 @@
+#include "pipeline/renderer/parity.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "pipeline/gpu/error.hpp"
+
+namespace caustics {
+
+bool PassCounts::equal() const {
+  return reference.vertices == tested.vertices && reference.primitives == tested.primitives &&
+         (!counts_samples || reference.samples_passed == tested.samples_passed);
+}
+
+namespace {
+
+std::vector<int> attachments_of(const PlannedPass& planned) {
+  std::vector<int> attachments = planned.writes;
+  if (planned.depth >= 0) attachments.push_back(planned.depth);
+  return attachments;
+}
+
+// The value of an attachment that is cleared and then not drawn to.
+std::array<float, 4> background(const PassDefinition& definition, std::size_t attachment) {
+  if (attachment < definition.writes.size()) return definition.writes[attachment].clear;
+  return {definition.depth->clear, 0.0f, 0.0f, 0.0f};
+}
+
+class Comparison {
+ public:
+  Comparison(const FramePlan& plan, const Registry& registry, const SceneOnDevice& reference,
+             const SceneOnDevice& tested, const FrameInputs& inputs)
+      : plan_(plan),
+        registry_(registry),
+        reference_(reference),
+        tested_(tested),
+        inputs_(inputs),
+        reference_targets_(plan, reference.device()),
+        fed_targets_(plan, tested.device()),
+        contents_(plan.textures.size()) {}
+
+  // Runs one pass on both devices, the tested one on the reference's inputs.
+  void run(const PlannedPass& planned, const ParityWatch& watch, FrameParity& out) {
+    const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
+    const std::vector<int> attachments = attachments_of(planned);
+    const PassRun tested_run =
+        prepare_pass(plan_, planned, registry_, tested_, fed_targets_, inputs_);
+    const PassRun reference_run =
+        prepare_pass(plan_, planned, registry_, reference_, reference_targets_, inputs_);
+    out.counts.push_back({planned.label, pass.definition.count_samples,
+                          reference_.device().run(reference_run),
+                          tested_.device().run(tested_run)});
+    for (std::size_t i = 0; i < attachments.size(); ++i) {
+      const PlannedTexture& texture = plan_.textures[static_cast<std::size_t>(attachments[i])];
+      std::optional<Image>& content = contents_[static_cast<std::size_t>(attachments[i])];
+      content = reference_.device().read_back(reference_targets_[attachments[i]]);
+      const Image found = tested_.device().read_back(fed_targets_[attachments[i]]);
+      out.isolated.push_back({planned.label, texture.name,
+                              difference(*content, found, {}, background(pass.definition, i))});
+      if (watch) watch(out.isolated.back(), *content, found);
+      fed_targets_.replace(attachments[i], *content);
+    }
+  }
+
+  // Runs the whole plan on the tested device by itself, and compares what is there at the end.
+  void run_whole_frame(const AfterPass& after, FrameParity& out) {
+    const FrameTargets targets(plan_, tested_.device());
+    run_plan(plan_, registry_, tested_, targets, inputs_, after);
+    // Backwards: a texture that several passes draw into is reported with the last of them.
+    for (auto planned = plan_.passes.rbegin(); planned != plan_.passes.rend(); ++planned)
+      for (const int index : attachments_of(*planned)) {
+        std::optional<Image>& content = contents_[static_cast<std::size_t>(index)];
+        if (!content) continue;
+        const Image found = tested_.device().read_back(targets[index]);
+        out.whole_frame.push_back({planned->label,
+                                   plan_.textures[static_cast<std::size_t>(index)].name,
+                                   difference(*content, found)});
+        content.reset();
+      }
+    std::reverse(out.whole_frame.begin(), out.whole_frame.end());
+  }
+
+ private:
+  const FramePlan& plan_;
+  const Registry& registry_;
+  const SceneOnDevice& reference_;
+  const SceneOnDevice& tested_;
+  const FrameInputs& inputs_;
+  FrameTargets reference_targets_;
+  FrameTargets fed_targets_;  // on the tested device, holding what the reference drew
+  std::vector<std::optional<Image>> contents_;  // of the reference's textures, once drawn
+};
+
+}  // namespace
+
+FrameParity compare_devices(const FramePlan& plan, const Registry& registry,
+                            const SceneOnDevice& reference, const SceneOnDevice& tested,
+                            const FrameInputs& inputs, const ParityWatch& watch,
+                            const AfterPass& after) {
+  FrameParity out;
+  Comparison comparison(plan, registry, reference, tested, inputs);
+  const std::size_t total = 2 * plan.passes.size();
+  for (const PlannedPass& planned : plan.passes) {
+    comparison.run(planned, watch, out);
+    if (after && !after(planned, out.counts.back().tested, out.counts.size(), total))
+      throw Error(ExitCode::Interrupted, "interrupted after pass '" + planned.label + "'");
+  }
+  comparison.run_whole_frame(
+      [&](const PlannedPass& planned, const PassResult& result, std::size_t done, std::size_t) {
+        return !after || after(planned, result, plan.passes.size() + done, total);
+      },
+      out);
+  return out;
+}
+
+}  // namespace caustics

@@ -1,0 +1,211 @@
+#include "pipeline/renderer/run_plan.hpp"
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/views/all_around.hpp"
+
+namespace caustics {
+
+FrameTargets::FrameTargets(const FramePlan& plan, Device& device) : device_(device) {
+  for (const PlannedTexture& texture : plan.textures)
+    textures_.push_back(texture.external ? OwnedTexture{}
+                                         : OwnedTexture(device, device.create_texture(texture.format, texture.width,
+                                                                                      texture.height)));
+}
+
+void FrameTargets::replace(int index, const Image& image) {
+  textures_[static_cast<std::size_t>(index)] = OwnedTexture(device_, device_.upload(image));
+}
+
+namespace {
+
+bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
+  switch (draws) {
+    case DrawSet::Receivers:
+      return role.role == Role::Receiver;
+    case DrawSet::Casters:
+      return is_caster(role.role);
+    case DrawSet::SolidCasters:
+      return role.role == Role::Refractor && role.two_interfaces;
+    case DrawSet::ThinPanes:
+      return role.role == Role::ThinPane;
+    case DrawSet::FullScreen:
+    case DrawSet::GridVertices:
+    case DrawSet::GridCells:
+    case DrawSet::GridCellQuads:
+    case DrawSet::Beams:
+      return false;
+  }
+  return false;
+}
+
+class PassRunner {
+ public:
+  PassRunner(const FramePlan& plan, const Registry& registry, const SceneOnDevice& scene,
+             const FrameTargets& targets, const FrameInputs& inputs)
+      : plan_(plan), registry_(registry), scene_(scene), targets_(targets), inputs_(inputs),
+        surroundings_(widened(inputs.camera, 3.0)) {}
+
+  PassRun prepare(const PlannedPass& planned) const {
+    const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
+    PassRun run{.definition = &pass.definition, .keep = planned.keep};
+    for (const int texture : planned.writes) run.colors.push_back(targets_[texture]);
+    if (planned.depth >= 0) run.depth = targets_[planned.depth];
+    PassContext context = frame_context(planned);
+    switch (pass.draws) {
+      case DrawSet::FullScreen:
+        run.draws.push_back(draw(pass, planned, context, MeshId::None, 3));
+        break;
+      case DrawSet::GridVertices:
+        run.draws.push_back(draw(pass, planned, context, MeshId::None,
+                                 inputs_.settings->grid * inputs_.settings->grid));
+        break;
+      case DrawSet::GridCells:
+        if (const int cells = inputs_.settings->grid - 1; cells > 0)
+          run.draws.push_back(draw(pass, planned, context, MeshId::None, cells * cells));
+        break;
+      case DrawSet::GridCellQuads:
+        if (const int cells = inputs_.settings->grid - 1; cells > 0)
+          run.draws.push_back(draw(pass, planned, context, MeshId::None, 6 * cells * cells));
+        break;
+      case DrawSet::Beams: {
+        const int beams = beams_a_side(*inputs_.settings);
+        run.draws.push_back(draw(pass, planned, context, MeshId::None, 6 * beams * beams));
+        break;
+      }
+      case DrawSet::Receivers:
+      case DrawSet::Casters:
+      case DrawSet::SolidCasters:
+      case DrawSet::ThinPanes:
+        add_mesh_draws(pass, planned, context, run);
+        break;
+    }
+    return run;
+  }
+
+ private:
+  PassContext frame_context(const PlannedPass& planned) const {
+    PassContext context{.scene = &scene_.scene(),
+                        .settings = inputs_.settings,
+                        .effects = inputs_.effects,
+                        .camera = &inputs_.camera,
+                        .surroundings = &surroundings_,
+                        .width = planned.width,
+                        .height = planned.height,
+                        .exposure = inputs_.exposure};
+    if (planned.light >= 0) {
+      const auto light = static_cast<std::size_t>(planned.light);
+      context.light = &scene_.scene().lights[light];
+      context.views = &(*inputs_.views)[light];
+    }
+    if (planned.water >= 0) {
+      context.water = &scene_.scene().waters[static_cast<std::size_t>(planned.water)];
+      context.water_step = context.water->last_step;
+    }
+    if (planned.branch >= 0)
+      context.branch = &inputs_.effects->branches[static_cast<std::size_t>(planned.branch)];
+    return context;
+  }
+
+  void add_mesh_draws(const Pass& pass, const PlannedPass& planned, PassContext& context,
+                      PassRun& run) const {
+    const Scene& scene = scene_.scene();
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+      if (!draws_mesh(pass.draws, inputs_.effects->surfaces[i])) continue;
+      if (context.light && context.light->emitter == static_cast<int>(i)) continue;
+      context.mesh = &scene.meshes[i];
+      context.mesh_index = static_cast<int>(i);
+      context.material = &scene.materials[static_cast<std::size_t>(context.mesh->material)];
+      context.material_row = scene_.material_row(context.mesh_index);
+      add_mesh_draw(pass, planned, context, run);
+    }
+  }
+
+  // Once, or once for each face of a cube that may see it.
+  void add_mesh_draw(const Pass& pass, const PlannedPass& planned, PassContext& context,
+                     PassRun& run) const {
+    const MeshId mesh = scene_.mesh(context.mesh_index);
+    const LightViews* views = context.views;
+    const bool light_all_around = views && views->caster.cube;
+    if (!light_all_around && !pass.all_around) {
+      run.draws.push_back(draw(pass, planned, context, mesh, 0));
+      return;
+    }
+    LightViews faced;
+    for (int face = 0; face < 6; ++face) {
+      context.face = face;
+      if (light_all_around) {
+        faced = facing(*views, face);
+        context.views = &faced;
+      }
+      const bool seen = light_all_around
+                            ? face_sees(faced.caster, face, *context.mesh) ||
+                                  face_sees(faced.caustic, face, *context.mesh)
+                            : face_sees(pass.all_around(context), face, *context.mesh);
+      if (seen) run.draws.push_back(draw(pass, planned, context, mesh, 0));
+    }
+    context.views = views;
+  }
+
+  // The views of a light that sees all around, as one of their faces is drawn.
+  static LightViews facing(LightViews views, int face) {
+    for (View LightViews::*view : {&LightViews::caster, &LightViews::receiver, &LightViews::caustic,
+                                      &LightViews::shadow, &LightViews::panes})
+      (views.*view).face = face;
+    return views;
+  }
+
+  Draw draw(const Pass& pass, const PlannedPass& planned, const PassContext& context, MeshId mesh,
+            int vertex_count) const {
+    Draw result{.mesh = mesh, .vertex_count = vertex_count, .uniforms = pass.uniforms(context)};
+    for (std::size_t i = 0; i < planned.reads.size(); ++i)
+      result.textures.push_back(
+          bound(planned.reads[i], pass.definition.reads[i].name, context.material));
+    return result;
+  }
+
+  TextureId bound(int texture, const std::string& name, const Material* material) const {
+    if (texture == PlannedPass::kNothing) return TextureId::None;
+    if (texture == PlannedPass::kMaterial) return material_texture(name, *material);
+    const PlannedTexture& planned = plan_.textures[static_cast<std::size_t>(texture)];
+    return planned.external ? scene_.external(planned.name) : targets_[texture];
+  }
+
+  TextureId material_texture(const std::string& name, const Material& material) const {
+    if (name == "base_color") return scene_.image(material.base_color_texture.image);
+    if (name == "normal_texture") return scene_.image(material.normal_texture.image);
+    if (name == "transmission_texture") return scene_.image(material.transmission_texture.image);
+    if (name == "emissive") return scene_.image(material.emissive_texture.image);
+    throw Error(ExitCode::InternalError, "no material has a texture '" + name + "'");
+  }
+
+  const FramePlan& plan_;
+  const Registry& registry_;
+  const SceneOnDevice& scene_;
+  const FrameTargets& targets_;
+  const FrameInputs& inputs_;
+  View surroundings_;
+};
+
+}  // namespace
+
+PassRun prepare_pass(const FramePlan& plan, const PlannedPass& pass, const Registry& registry,
+                     const SceneOnDevice& scene, const FrameTargets& targets,
+                     const FrameInputs& inputs) {
+  return PassRunner(plan, registry, scene, targets, inputs).prepare(pass);
+}
+
+std::vector<PassReport> run_plan(const FramePlan& plan, const Registry& registry,
+                                 const SceneOnDevice& scene, const FrameTargets& targets,
+                                 const FrameInputs& inputs, const AfterPass& after) {
+  const PassRunner runner(plan, registry, scene, targets, inputs);
+  std::vector<PassReport> reports;
+  for (const PlannedPass& planned : plan.passes) {
+    const PassResult result = scene.device().run(runner.prepare(planned));
+    reports.push_back({planned.label, result});
+    if (after && !after(planned, result, reports.size(), plan.passes.size()))
+      throw Error(ExitCode::Interrupted, "interrupted after pass '" + planned.label + "'");
+  }
+  return reports;
+}
+
+}  // namespace caustics

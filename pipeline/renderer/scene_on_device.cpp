@@ -1,0 +1,126 @@
+#include "pipeline/renderer/scene_on_device.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+#include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics {
+
+namespace {
+
+// Casters that get a row each in kCasterMaterials: as many as any device's textures are high.
+constexpr std::ptrdiff_t kMostOwnRows = 4096;
+
+MeshData mesh_data(const Mesh& mesh) {
+  MeshData data;
+  data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}};
+  data.vertices.reserve(mesh.vertices.size() * 12);
+  for (const Vertex& v : mesh.vertices) {
+    for (int i = 0; i < 3; ++i) data.vertices.push_back(v.position[i]);
+    for (int i = 0; i < 3; ++i) data.vertices.push_back(v.normal[i]);
+    for (int i = 0; i < 4; ++i) data.vertices.push_back(v.tangent[i]);
+    for (int i = 0; i < 2; ++i) data.vertices.push_back(v.uv[i]);
+  }
+  data.indices = mesh.indices;
+  return data;
+}
+
+}  // namespace
+
+glm::vec3 absorption_of(const Material& material) {
+  glm::vec3 absorption{0.0f};
+  const double distance = static_cast<double>(material.attenuation_distance);
+  if (!std::isfinite(distance)) return absorption;
+  for (int i = 0; i < 3; ++i) {
+    const double color = static_cast<double>(material.attenuation_color[i]);
+    const double per_distance = color > 0.0 ? -exact::log(color) : 1e9;
+    absorption[i] =
+        static_cast<float>(std::min(per_distance / std::max(distance, 1e-12), 1e30));
+  }
+  return absorption;
+}
+
+float main_dispersion(const Material& material) {
+  return (material.ior - 1.0f) * material.dispersion / 20.0f;
+}
+
+glm::vec3 metal_reflectance(const Material& material) {
+  return glm::vec3(0.04f) * (1.0f - material.metallic) +
+         glm::vec3(material.base_color) * material.metallic;
+}
+
+SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
+    : scene_(scene), device_(device) {
+  // Each has its owner before the list may fail to grow.
+  for (const Mesh& mesh : scene.meshes) meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(mesh))));
+  for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.upload(image)));
+  upload_caster_materials(effects);
+  for (std::size_t i = 0; i < scene.waters.size(); ++i)
+    externals_[water_texture(kWaterBefore, i)] = {device, device.upload(scene.waters[i].before)};
+  if (scene.environment.image)
+    externals_[kEnvironment] = {device, device.upload(*scene.environment.image)};
+}
+
+void SceneOnDevice::renew_waters(bool with_state) {
+  for (std::size_t i = 0; i < scene_.waters.size(); ++i) {
+    const auto mesh = static_cast<std::size_t>(scene_.waters[i].mesh);
+    meshes_[mesh] = {device_, device_.create_mesh(mesh_data(scene_.meshes[mesh]))};
+    if (!with_state) continue;
+    externals_[water_texture(kWaterBefore, i)] = {device_, device_.upload(scene_.waters[i].before)};
+  }
+}
+
+void SceneOnDevice::update(const std::vector<int>& meshes) {
+  for (const int mesh : meshes) {
+    const auto i = static_cast<std::size_t>(mesh);
+    device_.update(meshes_[i].id(), mesh_data(scene_.meshes[i]));
+  }
+}
+
+TextureId SceneOnDevice::image(int index) const {
+  return index < 0 ? TextureId::None : images_[static_cast<std::size_t>(index)].id();
+}
+
+TextureId SceneOnDevice::external(const std::string& name) const {
+  const auto found = externals_.find(name);
+  return found == externals_.end() ? TextureId::None : found->second.id();
+}
+
+void SceneOnDevice::upload_caster_materials(const Effects& effects) {
+  // A row for each caster, so that a grid vertex tells which one it lies on; where there are too many for
+  // that, a row for each distinct triple of material, number of interfaces and role.
+  const auto casters = std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
+                                     [](const SurfaceRole& s) { return is_caster(s.role); });
+  std::map<std::tuple<int, int, bool, Role>, int> row_of;
+  for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+    const SurfaceRole& role = effects.surfaces[i];
+    int row = 0;
+    if (is_caster(role.role))
+      row = row_of.try_emplace({casters <= kMostOwnRows ? static_cast<int>(i) : 0, scene_.meshes[i].material,
+                                role.two_interfaces, role.role},
+                               static_cast<int>(row_of.size()))
+                .first->second;
+    rows_.push_back(row);
+  }
+  Image table(Format::RGBA32F, 3, std::max(1, static_cast<int>(row_of.size())));
+  for (const auto& [key, row] : row_of) {
+    const auto& [own, index, two_interfaces, role] = key;
+    const Material& material = scene_.materials[static_cast<std::size_t>(index)];
+    const bool mirror = role == Role::Mirror;
+    const glm::vec3 absorption = mirror ? glm::vec3(0.0f) : absorption_of(material);
+    const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
+    const float texels[3][4] = {
+        {material.ior, main_dispersion(material), 0.0f, mirror ? 1.0f : 0.0f},
+        {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
+        {color.x, color.y, color.z, 0.0f}};
+    for (int x = 0; x < 3; ++x)
+      for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
+  }
+  externals_[kCasterMaterials] = {device_, device_.upload(table)};
+}
+
+}  // namespace caustics

@@ -1,0 +1,58 @@
+#include "pipeline/renderer/water_simulation.hpp"
+
+#include "pipeline/gpu/error.hpp"
+
+namespace caustics {
+
+namespace {
+constexpr std::int64_t kStepsABreath = 256;
+}
+
+const Pass& water_pass(const Registry& registry) {
+  for (const Pass& pass : registry)
+    if (pass.each == Each::Water) return pass;
+  throw Error(ExitCode::InternalError, "the registry has no pass that moves water");
+}
+
+WaterSimulation::WaterSimulation(const Water& water, Device& device, const Pass& pass)
+    : water_(water), device_(device), pass_(pass) {
+  rest();
+}
+
+void WaterSimulation::rest() {
+  for (OwnedTexture& texture : textures_)
+    texture = {device_, device_.upload(Image(Format::RG32F, water_.columns, water_.rows))};
+  steps_ = 0;
+}
+
+void WaterSimulation::set_state(const Image& state) {
+  textures_[current_] = {device_, device_.upload(state)};
+}
+
+void WaterSimulation::make_step() {
+  const PassContext context{.water = &water_, .water_step = steps_};
+  const PassRun run{.definition = &pass_.definition,
+                    .colors = {textures_[1 - current_].id()},
+                    .keep = {false},
+                    .draws = {{.vertex_count = 3,
+                               .uniforms = pass_.uniforms(context),
+                               .textures = {textures_[current_].id()}}}};
+  const PassResult result = device_.run(run);
+  current_ = 1 - current_;
+  ++steps_;
+  work_.vertices += result.vertices;
+  work_.primitives += result.primitives;
+  work_.fragments += result.fragments;
+  work_.milliseconds += result.milliseconds;
+}
+
+void WaterSimulation::advance_to(double seconds, const Breath& breath) {
+  const std::int64_t wanted = water_.steps_until(seconds);
+  if (wanted < steps_) rest();
+  while (steps_ < wanted) {
+    if (breath && steps_ % kStepsABreath == 0) breath();
+    make_step();
+  }
+}
+
+}  // namespace caustics

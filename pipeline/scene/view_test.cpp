@@ -1,0 +1,35 @@
+#include "pipeline/scene/view.hpp"
+
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+
+using namespace caustics;
+
+TEST_CASE("frame: axes are orthonormal and right-handed for every direction of view") {
+  for (int i = 0; i < 200; ++i) {
+    const double a = 0.7 * i, b = 0.31 * i;
+    const glm::dvec3 forward{std::cos(a) * std::cos(b), std::sin(b), std::sin(a) * std::cos(b)};
+    const View f = view_along({1.0, 2.0, 3.0}, forward);
+    CHECK(glm::length(f.right) == Approx(1.0));
+    CHECK(glm::length(f.up) == Approx(1.0));
+    CHECK(std::fabs(glm::dot(f.right, f.up)) < 1e-12);
+    CHECK(glm::length(glm::cross(f.right, f.up) + f.forward) < 1e-12);  // looks along -(right x up)
+  }
+}
+
+TEST_CASE("frame: from above, up is -z and right is +x, as on a map") {
+  const View f = view_along({0.0, 5.0, 0.0}, {0.0, -1.0, 0.0});
+  CHECK(f.right == glm::dvec3(1.0, 0.0, 0.0));
+  CHECK(f.up == glm::dvec3(0.0, 0.0, -1.0));
+}
+
+TEST_CASE("frame: packed uniforms map the window's corners to 0 and 1") {
+  View f = view_along({0.0, 5.0, 0.0}, {0.0, -1.0, 0.0});
+  f.window_lower = {-1.0, -2.0};
+  f.window_upper = {3.0, 2.0};
+  const ViewUniforms u = pack(f);
+  CHECK(-1.0f * u.window.x + u.window.z == Approx(0.0f).margin(1e-6));
+  CHECK(3.0f * u.window.x + u.window.z == Approx(1.0f));
+  CHECK(2.0f * u.window.y + u.window.w == Approx(1.0f));
+}

@@ -1,0 +1,20 @@
+// The kernel by which one landing is spread over the caustic map.
+#pragma once
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+// Lengths in texels. A Gaussian of standard deviation sigma is cut at `radius` = 3 sigma along each
+// axis and divided by the mass inside, so that a splat that lies wholly in the map deposits exactly
+// its flux. Point splats have radius 0.
+struct SplatKernel {
+  double radius = 0.0;
+  double sharpness = 0.0;   // 1 / (sigma sqrt 2)
+  double mass = 1.0;        // erf(radius * sharpness): along one axis, before the division
+  double point_size = 1.0;  // pixels: covers every texel that the kernel touches
+  // The share of the kernel between `from` and `to`, offsets from its centre along one axis.
+  double share(double from, double to) const;
+};
+SplatKernel splat_kernel(const Settings& settings);
+
+}  // namespace caustics

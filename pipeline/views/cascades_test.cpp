@@ -1,0 +1,66 @@
+#include "pipeline/views/cascades.hpp"
+
+#include "tests/support/catch.hpp"
+
+using namespace caustics;
+
+namespace {
+
+// n x n points over a square around the origin, `weight` in all.
+void add_square(std::vector<WeightedPoint>& points, int n, double side, double weight) {
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x)
+      points.push_back({side * ((glm::dvec2(x, y) + 0.5) / double(n) - 0.5), weight / (n * n)});
+}
+
+View square_view(double side) {
+  View view;
+  view.window_lower = glm::dvec2(-0.5 * side);
+  view.window_upper = glm::dvec2(0.5 * side);
+  return view;
+}
+
+}  // namespace
+
+TEST_CASE("cascades: light that fills its map evenly has none") {
+  std::vector<WeightedPoint> points;
+  add_square(points, 40, 1.0, 1.0);
+  CHECK_FALSE(cascade_view(square_view(1.0), LandedFlux(points), 0.0));
+}
+
+TEST_CASE("cascades: a bright spot in a faint halo has one around the spot") {
+  std::vector<WeightedPoint> points;
+  add_square(points, 40, 10.0, 0.05);
+  add_square(points, 40, 1.0, 0.95);
+  const std::optional<View> cascade = cascade_view(square_view(10.0), LandedFlux(points), 0.0);
+  REQUIRE(cascade);
+  CHECK(cascade->window_upper.x - cascade->window_lower.x == Approx(1.0).epsilon(0.25));
+  CHECK(cascade->window_lower.y == Approx(-cascade->window_upper.y));
+}
+
+TEST_CASE("landed flux: a window leaves out the share that it may at each end") {
+  std::vector<WeightedPoint> points;
+  points.reserve(100);
+  for (int i = 0; i < 100; ++i) points.push_back({{double(i * i), 0.0}, 1.0});
+  const LandedFlux landed(points);
+  // Summed from either end, the tenth point reaches a tenth of the flux.
+  const Window window = landed.window(0.1);
+  CHECK(window.lower.x == 81.0);
+  CHECK(window.upper.x == 8100.0);
+  CHECK(landed.share_in(window) == Approx(0.82));
+}
+
+TEST_CASE("cascades: the effect tells which lights have one") {
+  Effects effects;
+  const Settings settings;
+  add_cascades(settings, effects);
+  CHECK_FALSE(effects.active("cascades"));
+  LightViews with, without;
+  with.caustic = without.caustic = square_view(4.0);
+  with.cascade = square_view(1.0);
+  judge_cascades({without, with}, settings, effects);
+  CHECK(effects.active("cascades"));
+  CHECK(effects.cascades == std::vector<std::string>{"", "most of its light falls on 1/16 of its map's area"});
+  judge_cascades({without, without}, settings, effects);
+  CHECK_FALSE(effects.active("cascades"));
+}
