@@ -30,10 +30,45 @@ function(caustics_expand_includes file result)
   set(${result} "${content}" PARENT_SCOPE)
 endfunction()
 
+# The consteval functions that hold C++'s layout against std140's: of the uniform block, and of the structs of uniform
+# types (`int`, `vec3`, ...) that it is made of. Conditions (#ifdef) stay as they are.
+function(caustics_uniform_checks text result)
+  set(checks "")
+  string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+  string(REPLACE ";" "$" text "${text}")  # a list's separator to CMake
+  string(REGEX MATCH "UNIFORMS_BEGIN(.*)UNIFORMS_END" block "${text}")
+  caustics_layout_check(UniformBlock "${CMAKE_MATCH_1}" checks)
+  string(REGEX MATCHALL "struct [A-Za-z0-9]+ {[^}]*}" structs "${text}")
+  foreach(struct IN LISTS structs)
+    if(NOT struct MATCHES "(Float|Int|Bool|Vec[234]) [a-z]")
+      string(REGEX MATCH "struct ([A-Za-z0-9]+) {(.*)}" struct "${struct}")
+      caustics_layout_check("${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" checks)
+    endif()
+  endforeach()
+  set(${result} "${checks}" PARENT_SCOPE)
+endfunction()
+
+function(caustics_layout_check type members result)
+  string(REGEX REPLACE "([A-Za-z0-9]+) ([a-z0-9_]+)[$]"
+    "  check.member(\"\\1\", sizeof(Fragment::\\1), offsetof(Fragment::${type}, \\2))$" members "${members}")
+  string(REGEX REPLACE "Fragment::(int|float|i?vec[234]|mat4)\\)" "\\1)" members "${members}")
+  string(REPLACE "$" ";" members "${members}")
+  set(${result} "${${result}}
+consteval bool ${type}_follows_std140() {
+  Std140Check check;
+${members}
+  return check.sound(sizeof(Fragment::${type}));
+}
+static_assert(${type}_follows_std140(), \"C++ and std140 place a member of ${type} differently\");
+" PARENT_SCOPE)
+endfunction()
+
 function(caustics_add_shader target shader)
   cmake_parse_arguments(ARG "" "TEXT" "DEFINES" ${ARGN})
   set(SHADER ${shader})
   set(TEXT ${ARG_TEXT})
+  caustics_expand_includes(pipeline/shader/constants.glsl constants)
+  caustics_expand_includes(pipeline/shader/view.glsl view)
   caustics_expand_includes(pipeline/shader/functions.glsl functions)
   caustics_expand_includes(${TEXT} body)
   set(EXPANDED "")
@@ -41,7 +76,8 @@ function(caustics_add_shader target shader)
     string(REPLACE "=" " " line ${define})
     string(APPEND EXPANDED "#define ${line}\n")
   endforeach()
-  string(APPEND EXPANDED "${functions}\n${body}")
+  caustics_uniform_checks("${view}${body}" UNIFORM_CHECKS)
+  string(APPEND EXPANDED "${constants}\n${view}\n${functions}\n${body}")
   # One string literal may hold 64 KiB in every compiler; adjacent ones are joined.
   string(REPLACE "\n// ---- " ")caustics_shader\"\nR\"caustics_shader(\n// ---- " EXPANDED "${EXPANDED}")
   set(DECLARATIONS "")

@@ -1,15 +1,17 @@
 // The smallest whole pass: copies a texture times a factor. A model for new passes, and a test pass.
 #pragma once
-#include <glm/glm.hpp>
-
 #include "pipeline/gpu/pass_definition.hpp"
+#include "pipeline/shader/std140.hpp"
 
-namespace caustics {
+namespace caustics::std140 {
 
-struct CopyUniforms {
-  using vec4 = glm::vec4;
+struct Copy {
 #include "passes/template/copy_uniforms.glsl"
 };
+
+}  // namespace caustics::std140
+
+namespace caustics {
 
 PassDefinition copy_pass();
 

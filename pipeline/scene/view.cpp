@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/shader/constants.hpp"
 
 namespace caustics {
 
@@ -48,6 +49,17 @@ ViewUniforms pack(const View& view) {
                               static_cast<float>(-view.window_lower.x / size.x),
                               static_cast<float>(-view.window_lower.y / size.y));
   return uniforms;
+}
+
+std140::View shader_view(const View& view) {
+  const ViewUniforms packed = pack(view);
+  return {.from_scene = packed.from_scene,
+          .scale = glm::vec2(packed.window.x, packed.window.y),
+          .offset = glm::vec2(packed.window.z, packed.window.w),
+          .near = packed.depth.x,
+          .far = packed.depth.y,
+          .kind = view.cube ? VIEW_CUBE : view.perspective ? VIEW_PERSPECTIVE : VIEW_PARALLEL,
+          .face = view.face};
 }
 
 View widened(const View& view, double factor) {

@@ -14,6 +14,7 @@
 
 #include "pipeline/scene/cube_atlas.hpp"
 #include "pipeline/scene/scene.hpp"
+#include "pipeline/shader/std140.hpp"
 
 namespace caustics {
 
@@ -44,6 +45,8 @@ struct ViewUniforms {
   glm::vec4 depth{0.0f};  // near, far, 1 in a perspective view (2: a cube), face that is drawn
 };
 ViewUniforms pack(const View& view);
+// The same as one struct (pipeline/shader/view.glsl).
+std140::View shader_view(const View& view);
 
 // The same view through a window `factor` times as wide and high.
 View widened(const View& view, double factor);

@@ -7,10 +7,12 @@
 #define Vec3 vec3
 #define Vec4 vec4
 #define Texture sampler2D
+#define IN(T) in T
 #define OUT(T) out T
 #define INOUT(T) inout T
 #define TRACE(label, value)
 #define any_lane(condition) (condition)
+#define CONSTANT(name, value) const int name = value;
 
 #define UNIFORMS_BEGIN layout(std140, binding = 0) uniform UniformBlock {
 #define UNIFORMS_END } u;

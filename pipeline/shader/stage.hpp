@@ -15,6 +15,7 @@
 #endif
 
 #include "pipeline/shader/kernel.hpp"
+#include "pipeline/shader/std140_check.hpp"
 
 #if defined(__FAST_MATH__)
 #error "caustics promises exact arithmetic: build without -ffast-math"
@@ -161,6 +162,8 @@ struct FragmentStage {
 
 }  // namespace caustics::CAUSTICS_LANE_NAMESPACE
 
+#define CONSTANT(name, value) static constexpr int name = value;
+#define IN(T) const T&
 #define OUT(T) T&
 #define INOUT(T) T&
 #define UNIFORMS_BEGIN struct UniformBlock {

@@ -80,17 +80,19 @@ struct Vec4Of {
 #undef NEG4
 
 // Uniforms: the same on every lane.
-using vec2 = Vec2Of<float>;
-using vec3 = Vec3Of<float>;
-using vec4 = Vec4Of<float>;
-struct ivec4 {
+// Aligned as std140 aligns them (std140.hpp).
+using vec2 __attribute__((aligned(8))) = Vec2Of<float>;
+using vec3 __attribute__((aligned(16))) = Vec3Of<float>;
+using vec4 __attribute__((aligned(16))) = Vec4Of<float>;
+struct IVec4 {
   int x{}, y{}, z{}, w{};
 };
-// Four columns, as std140 lays them out.
-struct mat4 {
-  vec4 columns[4];
-  const vec4& operator[](int i) const { return columns[i]; }
+using ivec4 __attribute__((aligned(16))) = IVec4;
+struct Mat4 {
+  Vec4Of<float> columns[4];
+  const Vec4Of<float>& operator[](int i) const { return columns[i]; }
 };
+using mat4 __attribute__((aligned(16))) = Mat4;
 
 using Vec2 = Vec2Of<Float>;
 using Vec3 = Vec3Of<Float>;

@@ -8,8 +8,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAY = {
     'pipeline/gpu': set(),
     'pipeline/shader': {'pipeline/gpu'},
-    'pipeline/scene': {'pipeline/gpu'},
-    'pipeline/settings': {'pipeline/scene', 'pipeline/gpu'},
+    'pipeline/scene': {'pipeline/shader', 'pipeline/gpu'},
+    'pipeline/settings': {'pipeline/scene', 'pipeline/shader', 'pipeline/gpu'},
     'pipeline/effects': {'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
     'pipeline/views': {'pipeline/effects', 'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
     'pipeline/plan': {'pipeline/views', 'pipeline/effects', 'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},

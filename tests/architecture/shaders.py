@@ -14,7 +14,7 @@ def expanded(path):
 
 
 def complaints(text_path, defines):
-    body = expanded('pipeline/shader/functions.glsl') + expanded(text_path)
+    body = ''.join(expanded(f'pipeline/shader/{name}.glsl') for name in ('constants', 'view', 'functions')) + expanded(text_path)
     prelude = expanded('pipeline/shader/prelude.glsl')
     if not (prelude + body).isascii():
         yield f'{text_path}: GLSL is ASCII, and a character here is not'

@@ -1,0 +1,24 @@
+// Names for the numbers that shaders and C++ exchange. pipeline/shader/constants.hpp has them for C++.
+
+// How a view sees: parallel rays, rays from a point through a window, or rays from a point all around.
+CONSTANT(VIEW_PARALLEL, 0)
+CONSTANT(VIEW_PERSPECTIVE, 1)
+CONSTANT(VIEW_CUBE, 2)
+
+// The face of a view that is not a cube: its z is the view's own.
+CONSTANT(FACE_FORWARD, 4)
+
+// How a grid vertex's light ended; the texture `landing` holds it in w.
+CONSTANT(STATUS_EMPTY, 0)
+CONSTANT(STATUS_LANDED, 1)
+CONSTANT(STATUS_MISSED, 2)
+CONSTANT(STATUS_OUTSIDE, 3)
+CONSTANT(STATUS_TOTAL_REFLECTION, 4)
+CONSTANT(STATUS_ABSORBED, 5)
+CONSTANT(STATUS_NOT_CONVERGED, 6)
+
+// What finds where a ray meets a surface that a view has seen.
+CONSTANT(ESTIMATOR_PAPER, 0)
+CONSTANT(ESTIMATOR_SECANT, 1)
+CONSTANT(ESTIMATOR_NEWTON, 2)
+CONSTANT(ESTIMATOR_IMPOSTOR, 3)
