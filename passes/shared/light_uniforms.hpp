@@ -5,6 +5,7 @@
 
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/scene.hpp"
+#include "pipeline/shader/std140.hpp"
 
 namespace caustics {
 
@@ -34,6 +35,19 @@ inline LightCone light_cone(const Light& light) {
   const double scale = 1.0 / std::max({outer - inner, 1e-3 * outer, 1e-30});
   cone.scale_offset = glm::vec4(static_cast<float>(scale), static_cast<float>(outer * scale), 0.0f, 0.0f);
   return cone;
+}
+
+namespace std140 {
+#include "passes/shared/light_cone.glsl"
+}  // namespace std140
+
+// The same as one struct.
+inline std140::LightCone shader_cone(const Light& light) {
+  const LightCone cone = light_cone(light);
+  return {.axis = glm::vec3(cone.axis),
+          .scale = cone.scale_offset.x,
+          .offset = cone.scale_offset.y,
+          .lambertian = cone.scale_offset.z != 0.0f ? 1 : 0};
 }
 
 }  // namespace caustics
