@@ -7,12 +7,3 @@ Bool cut_out(Vec2 uv) {
   if (u.alpha.z > 0.5f) opacity = opacity * fetch_nearest(base_color, u1 - floor(u1), v1 - floor(v1)).w;
   return opacity < u.alpha.y;
 }
-
-// The same with the mask as one argument. Expects the texture base_color.
-Bool cut_out(IN(AlphaMask) mask, Vec2 uv) {
-  Float u1 = mask.uv.row0.x * uv.x + mask.uv.row0.y * uv.y + mask.uv.row0.z;
-  Float v1 = mask.uv.row1.x * uv.x + mask.uv.row1.y * uv.y + mask.uv.row1.z;
-  Float opacity = Float(mask.opacity);
-  if (mask.textured != 0) opacity = opacity * fetch_nearest(base_color, u1 - floor(u1), v1 - floor(v1)).w;
-  return opacity < mask.cutoff;
-}

@@ -13,16 +13,3 @@ Float cone_falloff(Vec3 direction) {
   }
   return falloff;
 }
-
-// The same with the cone as one argument (light_cone.glsl).
-Float cone_falloff(IN(LightCone) cone, Vec3 direction) {
-  Float falloff = Float(1.0f);
-  if (cone.lambertian != 0) {
-    falloff = clamp_to(dot3(direction, Vec3(cone.axis)), 0.0f, 1.0f);
-  } else if (cone.scale != 0.0f) {
-    Vec3 off = direction - Vec3(cone.axis);
-    Float ramp = clamp_to(Float(cone.offset) - dot3(off, off) * (0.5f * cone.scale), 0.0f, 1.0f);
-    falloff = ramp * ramp;
-  }
-  return falloff;
-}
