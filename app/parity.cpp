@@ -58,7 +58,7 @@ bool parse(const Arguments& arguments, ParityRequest& request) {
 std::string pass_name(const FramePlan& plan, const std::string& label) {
   for (const PlannedPass& pass : plan.passes)
     if (pass.label == label)
-      return pass_registry()[static_cast<std::size_t>(pass.pass)].definition.name;
+      return pass.definition.name;
   return label;
 }
 

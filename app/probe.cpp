@@ -60,9 +60,7 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const ProbeRequest& 
   const std::vector<int> samples = samples_of(frame.scene(), request.light);
   const int light = samples[static_cast<std::size_t>(request.sample)];
   for (const PlannedPass& pass : frame.plan().passes) {
-    const PassDefinition& definition =
-        pass_registry()[static_cast<std::size_t>(pass.pass)].definition;
-    if (definition.writes.front().name == kLanding && pass.light == light) return pass;
+    if (pass.definition.writes.front().name == kLanding && pass.light == light) return pass;
   }
   throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
                                         " throws no caustic here; 'caustics plan' says why");

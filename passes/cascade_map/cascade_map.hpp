@@ -13,9 +13,5 @@ struct CascadeMapUniforms {
 
 // cascade_map.md says what these passes are for, what they read and write, and what can go wrong.
 Pass cascade_cells_pass();
-Pass cascade_map_pass();
-// The same into one channel, where nothing tints the caustics.
-Pass cascade_cells_grey_pass();
-Pass cascade_map_grey_pass();
 
 }  // namespace caustics

@@ -12,7 +12,5 @@ struct CausticCellsUniforms {
 
 // caustic_cells.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caustic_cells_pass();
-// The same into one channel, where nothing tints the caustics.
-Pass caustic_cells_grey_pass();
 
 }  // namespace caustics

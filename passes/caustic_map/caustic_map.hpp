@@ -17,7 +17,5 @@ CausticMapUniforms caustic_map_uniforms(const PassContext& context, const View& 
 
 // caustic_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caustic_map_pass();
-// The same into one channel, where nothing tints the caustics.
-Pass caustic_map_grey_pass();
 
 }  // namespace caustics

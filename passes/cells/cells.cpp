@@ -36,34 +36,25 @@ CellsUniforms cells_uniforms(const PassContext& context) {
 
 Pass cells_pass() {
   return {
-      .definition =
-          {
-              .name = "cells",
-              .purpose = "joins neighbouring landings to cells where one sheet of light spans them",
-              .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
-                        {.name = "landing_flux", .meaning = "how much of it is left"},
-                        {.name = "caster_normal", .meaning = "which caster each grid vertex lies on"},
-                        {.name = "receiver_position", .meaning = "what lies between the landings"}},
-              .writes = {{.name = kCellNear,
-                          .format = Format::RGBA32F,
-                          .meaning = "places in the caustic map, texels, of the landings of grid vertices "
-                                     "(x, y) in xy and (x + 1, y) in zw"},
-                         {.name = kCellFar,
-                          .format = Format::RGBA32F,
-                          .meaning = "likewise of (x, y + 1) and (x + 1, y + 1)"},
-                         {.name = kCellFlux,
-                          .format = Format::RGBA32F,
-                          .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
-                                     "cell, else 0"}},
-              .shader = &cells_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.cells.active) return {};
-        return "neighbouring landings are joined to cells";
-      },
-      .each = Each::Branch,
-      .draws = DrawSet::FullScreen,
-      .extent = Extent::Grid,
+      .name = "cells",
+      .purpose = "joins neighbouring landings to cells where one sheet of light spans them",
+      .reason = "neighbouring landings are joined to cells",
+      .when = {&Effects::caustics, &Effects::cells},
+      .drawn_for = {kBranch, kBranchFar},
+      .only_lights_with_caustics = true,
+      .size = grid_size,
+      .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
+                {.name = "landing_flux", .meaning = "how much of it is left"},
+                {.name = "caster_normal", .meaning = "which caster each grid vertex lies on"},
+                {.name = "receiver_position", .meaning = "what lies between the landings"}},
+      .writes = {{.name = kCellNear,
+                  .meaning = "places in the caustic map, texels, of the landings of grid vertices "
+                             "(x, y) in xy and (x + 1, y) in zw"},
+                 {.name = kCellFar, .meaning = "likewise of (x, y + 1) and (x + 1, y + 1)"},
+                 {.name = kCellFlux,
+                  .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
+                             "cell, else 0"}},
+      .shaders = {{&cells_shader}},
       .uniforms = [](const PassContext& context) { return uniform_bytes(cells_uniforms(context)); },
   };
 }

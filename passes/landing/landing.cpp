@@ -69,85 +69,66 @@ LandingUniforms landing_uniforms(const PassContext& context) {
                  settings.weights == Weights::Paper ? 1 : 0,
                  context.effects->exit_surface.active ? 1 : 0},
       .variant = {branch.reflected ? 1 : 0, settings.thickness == Thickness::Wyman ? 1 : 0,
-                  context.effects->textured_casters.active ? 1 : 0, 0},
+                  context.effects->textured_casters.active ? 1 : 0, context.farthest() ? 1 : 0},
   };
 }
 
 Pass landing_pass() {
   return {
-      .definition =
-          {
-              .name = "landing",
-              .purpose = "bends each grid vertex's light through the caster and finds where it lands",
-              .reads = {{.name = "caster_position", .meaning = "grid vertices"},
-                        {.name = "caster_normal", .meaning = "their normals and materials"},
-                        {.name = "caster_exit_position",
-                         .meaning = "the second surface",
-                         .optional = true},
-                        {.name = "caster_exit_normal",
-                         .meaning = "its normals",
-                         .optional = true},
-                        {.name = "receiver_position", .meaning = "what the light can land on"},
-                        {.name = "caster_materials",
-                         .meaning = "row a material: index of refraction n_d, n_F - n_C, 1 for a mirror; "
-                                    "absorption per metre, 1 for a solid; base colour"},
-                        {.name = "caster_tint",
-                         .meaning = "the grid vertices' colours, where textures give them",
-                         .optional = true},
-                        {.name = "impostor_position",
-                         .meaning = "what lies around the casters, for the estimator impostor",
-                         .optional = true},
-                        {.name = kLandedBefore,
-                         .meaning = "the status after an earlier search, which this one goes on from",
-                         .optional = true}},
-              .writes = {{.name = "landing",
-                          .format = Format::RGBA32F,
-                          .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
-                         {.name = "landing_flux",
-                          .format = Format::RGBA32F,
-                          .meaning = "rgb: flux that is left, relative to the light's intensity (square "
-                                     "metres, or steradians); w: gap left by the estimator, metres"},
-                         {.name = "landing_fresnel",
-                          .format = Format::RGBA32F,
-                          .meaning = "rgb: flux reflected at the surfaces; w: flux that entered the cell"},
-                         {.name = "landing_absorbed",
-                          .format = Format::RGBA32F,
-                          .meaning = "rgb: flux absorbed in the material; w: path inside, metres"}},
-              .shader = &landing_shader,
+      .name = "landing",
+      .purpose = "bends each grid vertex's light through the caster and finds where it lands",
+      .reason = "each grid vertex's light is bent and followed to a receiver",
+      .when = {&Effects::caustics},
+      .drawn_for = {kBranch, kBranchFar},
+      .only_lights_with_caustics = true,
+      .size = grid_size,
+      .reads = {{.name = "caster_position", .meaning = "grid vertices"},
+                {.name = "caster_normal", .meaning = "their normals and materials"},
+                {.name = "caster_exit_position", .meaning = "the second surface", .optional = true},
+                {.name = "caster_exit_normal", .meaning = "its normals", .optional = true},
+                {.name = "receiver_position", .meaning = "what the light can land on"},
+                {.name = "caster_materials",
+                 .meaning = "row a material: index of refraction n_d, n_F - n_C, 1 for a mirror; "
+                            "absorption per metre, 1 for a solid; base colour"},
+                {.name = "caster_tint",
+                 .meaning = "the grid vertices' colours, where textures give them",
+                 .optional = true},
+                {.name = "impostor_position",
+                 .meaning = "what lies around the casters, for the estimator impostor",
+                 .optional = true},
+                {.name = "landed_before",
+                 .meaning = "what has landed on the nearest receivers already, and is not followed again",
+                 .texture = kLanding,
+                 .only_for = kBranchFar.label}},
+      .writes = {{.name = kLanding,
+                  .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
+                 {.name = kLandingFlux,
+                  .meaning = "rgb: flux that is left, relative to the light's intensity (square "
+                             "metres, or steradians); w: gap left by the estimator, metres"},
+                 {.name = kLandingFresnel,
+                  .meaning = "rgb: flux reflected at the surfaces; w: flux that entered the cell"},
+                 {.name = kLandingAbsorbed,
+                  .meaning = "rgb: flux absorbed in the material; w: path inside, metres"},
+                 {.name = kLandingMedium,
+                  .meaning = "rgb: flux that the medium takes before the caster and after it",
+                  .only_with = with<&Effects::medium>},
+                 {.name = "landing_start",
+                  .meaning = "xyz: where the light leaves the caster, metres, scene space; w: how far "
+                             "it goes from there through the medium, metres",
+                  .only_with = with<&Effects::medium>},
+                 {.name = "landing_way",
+                  .meaning = "xyz: its direction, unit; w: 1 where light leaves, else 0",
+                  .only_with = with<&Effects::medium>},
+                 {.name = "landing_start_flux",
+                  .meaning = "rgb: its flux where it leaves",
+                  .only_with = with<&Effects::medium>}},
+      .shaders = {{&landing_shader}, {&landing_in_medium_shader, with<&Effects::medium>}},
+      .uniforms =
+          [](const PassContext& context) {
+            const UniformBytes bytes = uniform_bytes(landing_uniforms(context));
+            return context.effects->medium.active ? with_medium(bytes, *context.scene) : bytes;
           },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.caustics.active || effects.medium.active) return {};
-        return "each grid vertex's light is bent and followed to a receiver";
-      },
-      .each = Each::Branch,
-      .draws = DrawSet::FullScreen,
-      .extent = Extent::Grid,
-      .uniforms = [](const PassContext& context) { return uniform_bytes(landing_uniforms(context)); },
   };
-}
-
-Pass landing_in_medium_pass() {
-  Pass pass = landing_pass();
-  PassDefinition& definition = pass.definition;
-  definition.name = "landing_in_medium";
-  definition.purpose += ", through a medium";
-  definition.shader = &landing_in_medium_shader;
-  definition.writes.push_back({.name = kLandingMedium,
-                               .meaning = "rgb: flux that the medium takes before the caster and after it"});
-  definition.writes.push_back({.name = "landing_start",
-                               .meaning = "xyz: where the light leaves the caster, metres, scene space; w: how far "
-                                          "it goes from there through the medium, metres"});
-  definition.writes.push_back({.name = "landing_way",
-                               .meaning = "xyz: its direction, unit; w: 1 where light leaves, else 0"});
-  definition.writes.push_back({.name = "landing_start_flux", .meaning = "rgb: its flux where it leaves"});
-  pass.called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.caustics.active || !effects.medium.active) return {};
-    return "each grid vertex's light is bent and followed through the medium to a receiver";
-  };
-  pass.uniforms = [](const PassContext& context) {
-    return with_medium(uniform_bytes(landing_uniforms(context)), *context.scene);
-  };
-  return pass;
 }
 
 }  // namespace caustics

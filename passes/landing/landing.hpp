@@ -20,7 +20,5 @@ LandingUniforms landing_uniforms(const PassContext& context);
 
 // landing.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass landing_pass();
-// The same where a medium lies before and behind the caster, with what light shafts are drawn from.
-Pass landing_in_medium_pass();
 
 }  // namespace caustics

@@ -7,7 +7,7 @@ TEXTURE(1, shadow_depth)
 #include "passes/panes/pane_surface.glsl"
 
 #ifndef VERTEX_STAGE
-OUTPUT(0, Vec4, pane_transmittance_rgb)
+OUTPUT(0, Vec4, pane_transmittance)
 #include "passes/shared/outside_tile.glsl"
 
 // Is an opaque surface nearer to the light? Two of its map's texels' extents may lie between.
@@ -23,6 +23,6 @@ Bool in_shadow() {
 void main() {
   if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.uses.z));
   discard_if(cut_out(surface_uv) || in_shadow());
-  pane_transmittance_rgb = Vec4(pane_transmittance(ray_direction()), Float(1.0f));
+  pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
 }
 #endif

@@ -27,7 +27,7 @@ Bool hidden() {
 void main() {
   discard_if(cut_out(surface_uv) || hidden());
   Vec3 d = ray_direction();
-  Vec3 color = pane_transmittance(d);
+  Vec3 color = let_through(d);
   if (u.forward.w > 0.5f) {
     // Both faces together mirror 2 r / (1 + r).
     Float r = face_reflectance(d);
