@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/backend.hpp"
-#include "pipeline/plan/settings.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
 
@@ -20,6 +20,9 @@ struct FrameRequest {
 // -r, --camera, --grid and so on, and -D; they write into `request`, which must outlive the parser.
 // `several`: see add_backend_options.
 void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several = nullptr);
+
+// --animation and --time alone.
+void add_moment_options(Parser& parser, FrameRequest& request);
 
 // Throws Error (WrongUsage) when no scene was named or a size is beyond its limits.
 void check_request(const FrameRequest& request, const std::string& command);

@@ -5,13 +5,13 @@
 #include "app/interrupt.hpp"
 #include "app/terminal.hpp"
 #include "pipeline/plan/framing.hpp"
-#include "pipeline/plan/nearest.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/far_lights.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/scene/load_environment.hpp"
 #include "pipeline/scene/load_gltf.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

@@ -7,7 +7,7 @@
 #include "app/image_layers.hpp"
 #include "app/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

@@ -7,7 +7,7 @@
 #include "app/image_file.hpp"
 #include "app/terminal.hpp"
 #include "app/video_file.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 
@@ -84,14 +84,9 @@ std::vector<std::string> parse_layers(const std::string& list) {
   return layers;
 }
 
-std::string layer_help() {
-  std::string text;
-  for (const Layer& layer : kLayers) {
-    std::string line = "  " + std::string(layer.name);
-    line.resize(12, ' ');
-    text += line + layer.meaning + "\n";
-  }
-  return text;
+void list_layers(Parser& parser) {
+  for (const Layer& layer : kLayers)
+    parser.list("Layers for --aov, of the first surface that is hit", layer.name, {layer.meaning});
 }
 
 void check_outputs(const OutputRequest& request) {

@@ -4,7 +4,7 @@
 
 #include "app/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

@@ -5,6 +5,7 @@
 
 #include "app/light_groups.hpp"
 #include "app/version.hpp"
+#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -79,37 +80,16 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
 
 }  // namespace
 
-Json settings_json(const Settings& s) {
-  return {{"width", s.width},
-          {"height", s.height},
-          {"grid", s.grid},
-          {"map", s.map},
-          {"shadow", s.shadow},
-          {"light.samples", s.light_samples},
-          {"emissive.lights", s.emissive_lights ? "on" : "off"},
-          {"shafts", s.shafts},
-          {"medium.steps", s.medium_steps},
-          {"iterations", s.iterations},
-          {"estimator", name_of(s.estimator)},
-          {"thickness", name_of(s.thickness)},
-          {"splat", name_of(s.splat)},
-          {"splat.sigma", s.gaussian_sigma},
-          {"interfaces", name_of(s.interfaces)},
-          {"weights", name_of(s.weights)},
-          {"wavelengths", s.wavelengths},
-          {"reflections", s.reflections ? "yes" : "no"},
-          {"frames", s.shared_frames ? "shared" : "fitted"},
-          {"cube", s.cube == Cube::Auto ? "auto" : s.cube == Cube::On ? "on" : "off"},
-          {"cascades", s.cascades ? "auto" : "off"},
-          {"pixel_means", s.pixel_means ? "auto" : "off"},
-          {"hidden_receivers", s.hidden_receivers ? "auto" : "off"},
-          {"outside_share", s.outside_share},
-          {"assume_solid", s.assume_solid ? "yes" : "no"},
-          {"exposure", s.exposure ? Json(*s.exposure) : Json("auto")},
-          {"camera", s.camera},
-          {"mirror.metallic", s.mirror_metallic},
-          {"mirror.roughness", s.mirror_roughness},
-          {"glass.roughness", s.glass_roughness}};
+Json settings_json(const Settings& settings) {
+  Json json = Json::object();
+  for (const Setting& row : all_settings()) {
+    const std::string value = row.get(settings);
+    // As numbers where they are; "auto" is none.
+    const bool text = !row.is_number() || value == row.unset;
+    json[std::string(row.name)] = text ? Json(value) : row.kind == Setting::Kind::Count ? Json(std::stoi(value))
+                                                                                        : Json(std::stod(value));
+  }
+  return json;
 }
 
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,

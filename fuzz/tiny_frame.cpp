@@ -6,6 +6,7 @@
 #include "fuzz/fuzzed_scene.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/plan/cascades.hpp"
+#include "pipeline/plan/check_settings.hpp"
 #include "pipeline/plan/error_estimate.hpp"
 #include "pipeline/plan/framing.hpp"
 #include "pipeline/plan/ledger.hpp"

@@ -13,7 +13,7 @@
 #include "app/stats.hpp"
 #include "app/terminal.hpp"
 #include "app/version.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 
@@ -38,9 +38,9 @@ bool parse(const Arguments& arguments, PaperRequest& request) {
                 "  caustics paper -o paper\n"
                 "  caustics paper -o paper --row 9 --row 10\n");
   parser.group("Output");
-  parser.option("-o,--output", "DIR", "folder of the report; made where it is missing (default paper)",
+  parser.option("-o,--output", "DIR", {"folder of the report; made where it is missing", "", "paper"},
                 [&](const std::string& folder) { request.folder = folder; });
-  parser.repeated("--row", "ID", "this row only; may stand several times (default all)",
+  parser.repeated("--row", "ID", {"this row only; may stand several times", "", "all"},
                   [&](const std::string& id) { request.rows.push_back(id); });
   return parser.parse(arguments);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pipeline/plan/check_settings.hpp"
 #include "pipeline/plan/surface_role.hpp"
 #include "pipeline/scene/exact.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "pipeline/plan/landing_window.hpp"
 #include "pipeline/plan/pass.hpp"
-#include "pipeline/plan/settings.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

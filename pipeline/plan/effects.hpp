@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/plan/settings.hpp"
 #include "pipeline/scene/frame.hpp"
 #include "pipeline/scene/scene.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

@@ -7,8 +7,8 @@
 
 #include "pipeline/gpu/image.hpp"
 #include "pipeline/plan/landing_images.hpp"
-#include "pipeline/plan/settings.hpp"
 #include "pipeline/scene/frame.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

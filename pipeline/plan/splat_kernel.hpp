@@ -1,6 +1,6 @@
 // The kernel by which one landing is spread over the caustic map.
 #pragma once
-#include "pipeline/plan/settings.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

@@ -2,7 +2,7 @@
 # bits cost (price.sh). Built when they are asked for.
 find_package(CLI11 REQUIRED)
 set(frame_sources "")
-foreach(file backend frame frame_options interrupt judged_scene parser run_program terminal)
+foreach(file backend frame frame_options help_page interrupt judged_scene parser run_program setting_options terminal)
   list(APPEND frame_sources app/${file}.cpp)
 endforeach()
 add_library(caustics_frame STATIC EXCLUDE_FROM_ALL ${frame_sources})

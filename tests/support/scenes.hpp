@@ -1,6 +1,6 @@
 // Whole scenes in memory, shared by the end-to-end tests.
 #pragma once
-#include "pipeline/plan/settings.hpp"
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace caustics::test {

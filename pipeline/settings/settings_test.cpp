@@ -1,7 +1,7 @@
-#include "pipeline/plan/settings.hpp"
+#include "pipeline/settings/settings.hpp"
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/nearest.hpp"
+#include "pipeline/settings/nearest.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace caustics;

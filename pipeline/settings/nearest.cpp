@@ -1,4 +1,4 @@
-#include "pipeline/plan/nearest.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 #include <algorithm>
 #include <numeric>

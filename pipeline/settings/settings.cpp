@@ -1,0 +1,224 @@
+#include "pipeline/settings/settings.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "pipeline/settings/setting.hpp"
+
+namespace caustics {
+
+namespace {
+
+using Part = Setting::Part;
+using Range = Setting::Range;
+using S = Settings;
+using enum Setting::Part;
+
+// A value and what the command line calls it.
+template <class T>
+struct Named {
+  std::string_view name;
+  T value;
+};
+
+constexpr Named<Estimator> kEstimators[] = {{"paper", Estimator::Paper},
+                                            {"secant", Estimator::Secant},
+                                            {"newton", Estimator::Newton},
+                                            {"impostor", Estimator::Impostor}};
+constexpr Named<Thickness> kThicknesses[] = {{"map", Thickness::Map}, {"wyman", Thickness::Wyman}};
+constexpr Named<Splat> kSplats[] = {
+    {"point", Splat::Point}, {"gaussian", Splat::Gaussian}, {"cell", Splat::Cell}};
+constexpr Named<Weights> kWeights[] = {{"physical", Weights::Physical}, {"paper", Weights::Paper}};
+constexpr Named<Interfaces> kInterfaces[] = {
+    {"auto", Interfaces::Auto}, {"1", Interfaces::One}, {"2", Interfaces::Two}};
+constexpr Named<bool> kFrames[] = {{"fitted", false}, {"shared", true}};
+constexpr Named<Cube> kCubes[] = {{"auto", Cube::Auto}, {"on", Cube::On}, {"off", Cube::Off}};
+constexpr Named<bool> kNoYes[] = {{"no", false}, {"yes", true}};
+constexpr Named<bool> kOffOn[] = {{"off", false}, {"on", true}};
+constexpr Named<bool> kAutoOff[] = {{"auto", true}, {"off", false}};
+
+// Empty where the value has no name.
+template <class T, std::size_t N>
+std::string_view name_in(const Named<T> (&named)[N], T value) {
+  for (const Named<T>& each : named)
+    if (each.value == value) return each.name;
+  return {};
+}
+
+template <const auto& named>
+std::vector<std::string_view> names_of() {
+  std::vector<std::string_view> names;
+  for (const auto& each : named) names.push_back(each.name);
+  return names;
+}
+
+template <auto member, const auto& named>
+std::string get_choice(const Settings& settings) {
+  return std::string(name_in(named, settings.*member));
+}
+
+template <auto member, const auto& named>
+bool set_choice(const Setting&, Settings& settings, std::string_view text) {
+  for (const auto& each : named)
+    if (each.name == text) return settings.*member = each.value, true;
+  return false;
+}
+
+template <auto member>
+std::string get_number(const Settings& settings) {
+  return number_text(settings.*member);
+}
+
+template <auto member>
+bool set_number(const Setting& row, Settings& settings, std::string_view text) {
+  return read_number(row.numbers, text, settings.*member);
+}
+
+constexpr std::string_view kNone = "auto";  // of a number that is found by itself
+
+template <auto member>
+std::string get_optional(const Settings& settings) {
+  return settings.*member ? number_text(*(settings.*member)) : std::string(kNone);
+}
+
+template <auto member>
+bool set_optional(const Setting& row, Settings& settings, std::string_view text) {
+  if (text == kNone) return (settings.*member).reset(), true;
+  typename std::remove_reference_t<decltype(settings.*member)>::value_type value{};
+  if (!read_number(row.numbers, text, value)) return false;
+  settings.*member = value;
+  return true;
+}
+
+template <auto member>
+constexpr Setting number(std::string_view name, Part part, Range range, std::string_view meaning) {
+  constexpr bool count = std::is_same_v<decltype(member), int Settings::*>;
+  return {.name = name,
+          .kind = count ? Setting::Kind::Count : Setting::Kind::Real,
+          .part = part,
+          .numbers = range,
+          .takes = {},
+          .unset = {},
+          .meaning = meaning,
+          .choices = nullptr,
+          .get = get_number<member>,
+          .set = set_number<member>};
+}
+
+template <auto member>
+constexpr Setting optional_number(std::string_view name, Part part, Range range, std::string_view meaning) {
+  return {.name = name,
+          .kind = Setting::Kind::Real,
+          .part = part,
+          .numbers = range,
+          .takes = {},
+          .unset = kNone,
+          .meaning = meaning,
+          .choices = nullptr,
+          .get = get_optional<member>,
+          .set = set_optional<member>};
+}
+
+template <auto member, const auto& named>
+constexpr Setting choice(std::string_view name, Part part, std::string_view meaning) {
+  const bool yes_no = static_cast<const void*>(&named) == static_cast<const void*>(&kNoYes);
+  return {.name = name,
+          .kind = yes_no ? Setting::Kind::YesNo : Setting::Kind::Choice,
+          .part = part,
+          .numbers = {},
+          .takes = {},
+          .unset = {},
+          .meaning = meaning,
+          .choices = names_of<named>,
+          .get = get_choice<member, named>,
+          .set = set_choice<member, named>};
+}
+
+template <auto member>
+constexpr Setting text(std::string_view name, Part part, std::string_view takes, std::string_view unset,
+                       std::string_view meaning) {
+  return {.name = name,
+          .kind = Setting::Kind::Text,
+          .part = part,
+          .numbers = {},
+          .takes = takes,
+          .unset = unset,
+          .meaning = meaning,
+          .choices = nullptr,
+          .get = [](const Settings& settings) { return settings.*member; },
+          .set = [](const Setting&, Settings& settings, std::string_view value) {
+            return settings.*member = value, true;
+          }};
+}
+
+constexpr Setting kTable[] = {
+    number<&S::width>("width", View, {1, 16384, "pixels"}, "width of the picture"),
+    number<&S::height>("height", View, {1, 16384, "pixels"}, "height of the picture"),
+    number<&S::grid>("grid", Maps, {1, 8192}, "grid vertices a side: rays from the light"),
+    number<&S::map>("map", Maps, {1, 8192, "texels"}, "side of the caustic map and of the receiver map"),
+    number<&S::shadow>("shadow", Maps, {1, 8192, "texels"}, "side of the shadow map"),
+    number<&S::light_samples>("light.samples", Maps, {1, 256}, "points by which a light with a size is drawn"),
+    choice<&S::emissive_lights, kOffOn>("emissive.lights", Light, "whether meshes that shine light the scene"),
+    number<&S::shafts>("shafts", Maps, {1, 1024},
+                       "beams a side by which light shafts are drawn; no more than the grid has vertices"),
+    number<&S::medium_steps>("medium.steps", Maps, {1, 1024}, "steps of each camera ray through a medium"),
+    number<&S::iterations>("iterations", Maps, {1, 1000}, "steps of the estimator at each surface"),
+    choice<&S::estimator, kEstimators>("estimator", Maps, "what finds where a ray lands"),
+    choice<&S::thickness, kThicknesses>("thickness", Maps,
+                                        "what tells a ray's way inside a solid caster: the map of its back, or "
+                                        "Wyman's (2005) mean of two thicknesses"),
+    choice<&S::splat, kSplats>("splat", Maps,
+                               "how landings become light in the map: one by one, or as cells of four"),
+    number<&S::gaussian_sigma>("splat.sigma", Maps, {0.1, 4.0, "texels"},
+                               "standard deviation of the Gaussian, and of what cells leave to splats"),
+    choice<&S::interfaces, kInterfaces>("interfaces", Light,
+                                        "surfaces that bend light; auto: 2 where the mesh encloses a volume, else 1"),
+    choice<&S::weights, kWeights>("weights", Maps, "flux of a ray: physical, or the paper's equation 6"),
+    number<&S::wavelengths>("wavelengths", Light, {.least = 8, .most = 64, .also = {1, 3}},
+                            "samples of the spectrum where glass disperses (KHR_materials_dispersion): 1 bends "
+                            "all colours alike, 3 are red, green and blue at the C, d and F lines, 8 and more "
+                            "have the colours of the CIE 1931 observer"),
+    choice<&S::reflections, kNoYes>("reflections", Light,
+                                    "whether light that glass and water mirror throws caustics too"),
+    choice<&S::shared_frames, kFrames>("frames", Maps,
+                                       "windows of the maps: fitted to each, or all that of the caster map"),
+    choice<&S::cube, kCubes>("cube", Maps,
+                             "which lights see all around, by a cube's six faces: those among their casters, "
+                             "all that have a position, or none"),
+    choice<&S::cascades, kAutoOff>("cascades", Maps, "a finer second map for a caustic that is small in its map"),
+    choice<&S::pixel_means, kAutoOff>("pixel_means", Maps,
+                                      "the mean of a caustic over each pixel that is wider than the map's texels"),
+    choice<&S::hidden_receivers, kAutoOff>("hidden_receivers", Maps,
+                                           "light onto receivers that others hide from the light's own view"),
+    number<&S::outside_share>("outside_share", Maps, {0.0, 0.5},
+                              "share of the landed flux that may fall outside the fitted caustic map"),
+    choice<&S::assume_solid, kNoYes>("assume_solid", Light,
+                                     "whether glass without KHR_materials_volume is solid instead of a thin wall"),
+    optional_number<&S::exposure>("exposure", Picture, {-40, 40, "EV"},
+                                  "brightness of PNG pictures beside the automatic one"),
+    text<&S::camera>("camera", View, "a name or a number", "the first", "a camera of the scene"),
+    number<&S::mirror_metallic>("mirror.metallic", Light, {0, 1}, "metal is a mirror where it is at least so metallic"),
+    number<&S::mirror_roughness>("mirror.roughness", Light, {0, 1}, "rougher metal is no mirror"),
+    number<&S::glass_roughness>("glass.roughness", Light, {0, 1}, "rougher glass throws no caustic"),
+};
+
+}  // namespace
+
+std::span<const Setting> all_settings() { return kTable; }
+
+int vertices_per_beam(const Settings& settings) {
+  return (settings.grid + settings.shafts - 1) / settings.shafts;
+}
+
+int beams_a_side(const Settings& settings) {
+  const int vertices = vertices_per_beam(settings);
+  return (settings.grid + vertices - 1) / vertices;
+}
+
+std::string_view name_of(Estimator estimator) { return name_in(kEstimators, estimator); }
+std::string_view name_of(Thickness thickness) { return name_in(kThicknesses, thickness); }
+std::string_view name_of(Splat splat) { return name_in(kSplats, splat); }
+std::string_view name_of(Interfaces interfaces) { return name_in(kInterfaces, interfaces); }
+
+}  // namespace caustics

@@ -1,0 +1,66 @@
+// How a frame is rendered. What each setting is called and means, and what values it may have, stands in
+// settings.cpp's table (setting.hpp).
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace caustics {
+
+enum class Estimator : std::uint8_t { Paper, Secant, Newton, Impostor };
+enum class Splat : std::uint8_t { Point, Gaussian, Cell };
+enum class Weights : std::uint8_t { Physical, Paper };
+enum class Thickness : std::uint8_t { Map, Wyman };
+enum class Cube : std::uint8_t { Auto, On, Off };
+enum class Interfaces : std::uint8_t { Auto, One, Two };
+
+// The defaults are the values here, and are written nowhere else.
+struct Settings {
+  int width = 1280, height = 720;
+  int grid = 512;
+  int map = 512;
+  int shadow = 2048;
+  int light_samples = 16;
+  bool emissive_lights = false;
+  int shafts = 128;
+  int medium_steps = 32;
+  int iterations = 5;
+  Estimator estimator = Estimator::Secant;
+  Thickness thickness = Thickness::Map;
+  Splat splat = Splat::Cell;
+  float gaussian_sigma = 0.7f;
+  Interfaces interfaces = Interfaces::Auto;
+  Weights weights = Weights::Physical;
+  int wavelengths = 3;
+  bool reflections = false;
+  bool shared_frames = false;
+  Cube cube = Cube::Auto;
+  bool cascades = true;
+  bool pixel_means = true;
+  bool hidden_receivers = true;
+  double outside_share = 4e-3;
+  bool assume_solid = false;
+  std::optional<float> exposure;  // none: automatic
+  std::string camera;             // empty: the first
+  float mirror_metallic = 0.5f, mirror_roughness = 0.2f;
+  float glass_roughness = 0.2f;
+};
+
+// Sets one `-D key=value`. Throws Error (WrongUsage) naming the key, its range and the nearest key.
+void set_option(Settings& settings, std::string_view key, std::string_view value);
+// Throws Error (WrongUsage) for the first setting that is out of its range. What must hold between settings is
+// check's (pipeline/plan/check_settings.hpp).
+void check_ranges(const Settings& settings);
+
+// Grid vertices a side that one beam of light stands for, and beams a side.
+int vertices_per_beam(const Settings& settings);
+int beams_a_side(const Settings& settings);
+
+// As set_option takes them.
+std::string_view name_of(Estimator estimator);
+std::string_view name_of(Thickness thickness);
+std::string_view name_of(Splat splat);
+std::string_view name_of(Interfaces interfaces);
+
+}  // namespace caustics
