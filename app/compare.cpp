@@ -162,7 +162,7 @@ void add_options(Parser& parser, CompareRequest& request) {
   Tolerance& tolerance = request.comparison.tolerance;
   parser.positional("A", "an image, or a folder of render --dump", request.comparison.a);
   parser.positional("B", "what it is compared with", request.comparison.b);
-  parser.group("Allowed difference; either bound suffices");
+  parser.group("Allowed difference, either bound suffices");
   parser.option(
       "--tolerance", "T", {"allowed: |A-B| up to T, in the images' unit", "0..", "0"},
       [&](const std::string& value) { tolerance.absolute = parse_bound("--tolerance", value); });

@@ -59,13 +59,14 @@ std::string names_cell(const HelpEntry& entry) {
   return before + code(last + (entry.value.empty() ? "" : " " + entry.value));
 }
 
+// Its heading stands in the first cell.
 std::string table(const HelpGroup& group) {
   const auto has = [&](std::string About::*part) {
     return std::any_of(group.entries.begin(), group.entries.end(),
                        [&](const HelpEntry& e) { return !(e.about.*part).empty(); });
   };
   const bool range = has(&About::range), by_default = has(&About::by_default);
-  std::string text = "\n## " + group.heading + "\n\n| |";
+  std::string text = "\n| " + group.heading + " |";
   text += std::string(range ? " range |" : "") + (by_default ? " default |" : "") + " meaning |\n|---|";
   text += std::string(range ? "---|" : "") + (by_default ? "---|" : "") + "---|\n";
   for (const HelpEntry& entry : group.entries) {
@@ -114,7 +115,7 @@ std::string HelpPage::text() const {
 }
 
 std::string HelpPage::markdown() const {
-  std::string text = "# caustics " + command + "\n\n" + purpose + "\n";
+  std::string text = purpose + "\n";
   for (const HelpGroup& group : groups) text += table(group);
   for (const HelpGroup& list : lists) text += table(list);
   return text;

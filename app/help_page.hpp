@@ -34,7 +34,7 @@ struct HelpPage {
   static void add(std::vector<HelpGroup>& groups, const std::string& heading, HelpEntry entry);
 
   std::string text() const;
-  // A section for each group and list, with a table.
+  // The purpose, and a table for each group and list, with blank lines between.
   std::string markdown() const;
 };
 

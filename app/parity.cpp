@@ -40,7 +40,7 @@ bool parse(const Arguments& arguments, ParityRequest& request) {
                 "  caustics parity scene.glb --dump differences --json\n");
   parser.positionals("SCENE", "glTF 2.0 files (default: the sample scenes)", request.scenes);
   parser.flag("--json", request.json, "the report as JSON");
-  parser.option("--dump", "DIR", {"of one scene, for each attachment that differs: .software.exr, .gl.exr, .mask.exr, and manifest.json", "", "not written"},
+  parser.option("--dump", "DIR", {"of one scene, for each attachment that differs: .software.exr, .gl.exr, .mask.exr, and manifest.json", "", "none"},
                 [&](const std::string& folder) { request.dump = folder; });
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;

@@ -96,9 +96,9 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
                   [&](const std::string& file) { request.outputs.files.emplace_back(file); });
   parser.option("--aov", "LIST", {"layers of EXR files, listed below, with commas between", "", "beauty"},
                 [&](const std::string& list) { request.outputs.layers = parse_layers(list); });
-  parser.option("--stats", "F.json", {"times, counters and flux ledgers", "", "not written"},
+  parser.option("--stats", "F.json", {"times, counters and flux ledgers", "", "none"},
                 [&](const std::string& file) { request.stats = file; });
-  parser.option("--dump", "DIR", {"every attachment of every pass, as EXR", "", "not written"},
+  parser.option("--dump", "DIR", {"every attachment of every pass, as EXR", "", "none"},
                 [&](const std::string& folder) { request.dump = folder; });
   add_frame_row_options(parser, request);
   parser.flag("--quiet", request.quiet, "say nothing but errors");

@@ -48,8 +48,8 @@ void SettingOptions::add_resolution() {
     settings.width = size.first;
     settings.height = size.second;
   });
-  own_.emplace_back(width.name, "-r");
-  own_.emplace_back(height.name, "-r");
+  own_.push_back(width.name);
+  own_.push_back(height.name);
 }
 
 void SettingOptions::add(std::string_view name) {
@@ -61,20 +61,25 @@ void SettingOptions::add(std::string_view name) {
     parser_.option(option, placeholder(row), about(row, settings_),
                    [name, &settings = settings_](const std::string& value) { set_option(settings, name, value); });
   }
-  own_.emplace_back(name, option);
+  own_.push_back(name);
 }
 
 void SettingOptions::add_any(const std::vector<Setting::Part>& parts, const std::string& why_not) {
-  parser_.repeated("-D", "KEY=VALUE", {"a setting, listed below; may stand several times"},
+  std::string own;
+  for (const Setting& row : all_settings()) {
+    const auto same = [&](std::string_view name) { return name == row.name; };
+    if (!has(parts, row)) continue;
+    if (std::none_of(own_.begin(), own_.end(), same)) {
+      parser_.list("Settings for -D", std::string(row.name), about(row, settings_));
+    } else {
+      own += (own.empty() ? "" : ", ") + std::string(row.name);
+    }
+  }
+  parser_.repeated("-D", "KEY=VALUE",
+                   {"a setting: one of those listed below, or " + own + " as above; may stand several times"},
                    [&settings = settings_, parts, why_not](const std::string& value) {
                      assign(settings, value, parts, why_not);
                    });
-  for (const Setting& row : all_settings()) {
-    if (!has(parts, row)) continue;
-    const auto own = std::find_if(own_.begin(), own_.end(), [&](const auto& each) { return each.first == row.name; });
-    parser_.list("Settings for -D", std::string(row.name),
-                 own == own_.end() ? about(row, settings_) : About{"the option " + own->second});
-  }
 }
 
 Settings small_settings() {

@@ -15,13 +15,14 @@ class SettingOptions {
   void add_resolution();
   // The setting's name as an option: --grid N; a flag where it is yes or no.
   void add(std::string_view name);
-  // -D KEY=VALUE, with a list of the keys. It refuses those that have no part here, for this reason.
+  // -D KEY=VALUE, after the others, with a list of the keys. It refuses those that have no part here, for this
+  // reason.
   void add_any(const std::vector<Setting::Part>& parts, const std::string& why_not = "");
 
  private:
   Parser& parser_;
   Settings& settings_;
-  std::vector<std::pair<std::string_view, std::string>> own_;  // settings and their options
+  std::vector<std::string_view> own_;  // settings that have options of their own
 };
 
 // What `digest` and `parity` begin with: small frames.
