@@ -28,7 +28,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
   for (const char* name : {"grid", "map", "iterations", "estimator", "splat", "interfaces", "wavelengths", "weights",
                            "assume_solid"})
     options.add(name);
-  options.add_any({Setting::Part::View, Setting::Part::Picture, Setting::Part::Light, Setting::Part::Maps});
+  options.add_any(all_parts());
   parser.group("Running");
   add_backend_options(parser, request.backend, several);
 }

@@ -39,7 +39,7 @@ void add_physics(Parser& parser, SettingOptions& options, ReferenceRequest& requ
                    "sphere|cylinder|waves"},
                   [&](const std::string& value) { request.exact.add(value); });
   options.add("assume_solid");
-  options.add_any({Setting::Part::View, Setting::Part::Light},
+  options.add_any(traced_parts(),
                   "means nothing to the reference, which has no maps and no picture to show");
 }
 
@@ -58,6 +58,8 @@ void add_effort(Parser& parser, ReferenceRequest& request) {
 }
 
 }  // namespace
+
+std::vector<Setting::Part> traced_parts() { return {Setting::Part::View, Setting::Part::Light}; }
 
 bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   Parser parser("reference", kReferencePurpose, kReferenceExamples);

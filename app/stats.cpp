@@ -5,7 +5,6 @@
 
 #include "app/light_groups.hpp"
 #include "app/version.hpp"
-#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -80,9 +79,10 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
 
 }  // namespace
 
-Json settings_json(const Settings& settings) {
+Json settings_json(const Settings& settings, const std::vector<Setting::Part>& parts) {
   Json json = Json::object();
   for (const Setting& row : all_settings()) {
+    if (std::find(parts.begin(), parts.end(), row.part) == parts.end()) continue;
     const std::string value = row.get(settings);
     // As numbers where they are; "auto" is none.
     const bool text = !row.is_number() || value == row.unset;

@@ -75,6 +75,10 @@ std::string Setting::shown(const Settings& settings) const {
   return value.empty() ? std::string(unset) : value;
 }
 
+std::vector<Setting::Part> all_parts() {
+  return {Setting::Part::View, Setting::Part::Picture, Setting::Part::Light, Setting::Part::Maps};
+}
+
 const Setting& setting(std::string_view name) {
   const auto rows = all_settings();
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Setting& row) { return row.name == name; });

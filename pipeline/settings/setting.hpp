@@ -29,15 +29,15 @@ struct Setting {
   std::string_view name;  // the key of -D
   Kind kind;
   Part part;
-  Range numbers;                // of a Count or Real
-  std::string_view takes;       // of a Text: what it may be
-  std::string_view unset;       // what it is when there is no value: "auto"
-  std::string_view meaning;     // a phrase in plain text
-  std::vector<std::string_view> (*choices)();  // of a Choice or YesNo
+  std::string_view meaning;  // a phrase in plain text
   // The value as text, which `set` reads back as the same.
   std::string (*get)(const Settings& settings);
   // False, and nothing is changed, where the text is no value within the range.
   bool (*set)(const Setting& row, Settings& settings, std::string_view text);
+  Range numbers = {};                                    // of a Count or Real
+  std::vector<std::string_view> (*choices)() = nullptr;  // of a Choice or YesNo
+  std::string_view takes = {};                           // of a Text: what it may be
+  std::string_view unset = {};                           // what it is when there is no value: "auto"
 
   // "1..16384 pixels", "point|gaussian|cell".
   std::string range() const;
@@ -48,6 +48,7 @@ struct Setting {
 };
 
 std::span<const Setting> all_settings();
+std::vector<Setting::Part> all_parts();
 // Throws Error (WrongUsage) naming the nearest of an unknown one.
 const Setting& setting(std::string_view name);
 

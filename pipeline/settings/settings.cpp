@@ -75,6 +75,16 @@ bool set_number(const Setting& row, Settings& settings, std::string_view text) {
   return read_number(row.numbers, text, settings.*member);
 }
 
+template <auto member>
+std::string get_text(const Settings& settings) {
+  return settings.*member;
+}
+
+template <auto member>
+bool set_text(const Setting&, Settings& settings, std::string_view text) {
+  return settings.*member = text, true;
+}
+
 constexpr std::string_view kNone = "auto";  // of a number that is found by itself
 
 template <auto member>
@@ -93,63 +103,36 @@ bool set_optional(const Setting& row, Settings& settings, std::string_view text)
 
 template <auto member>
 constexpr Setting number(std::string_view name, Part part, Range range, std::string_view meaning) {
-  constexpr bool count = std::is_same_v<decltype(member), int Settings::*>;
-  return {.name = name,
-          .kind = count ? Setting::Kind::Count : Setting::Kind::Real,
-          .part = part,
-          .numbers = range,
-          .takes = {},
-          .unset = {},
-          .meaning = meaning,
-          .choices = nullptr,
-          .get = get_number<member>,
-          .set = set_number<member>};
+  const auto kind = std::is_same_v<decltype(member), int S::*> ? Setting::Kind::Count : Setting::Kind::Real;
+  Setting row{name, kind, part, meaning, get_number<member>, set_number<member>};
+  row.numbers = range;
+  return row;
 }
 
 template <auto member>
 constexpr Setting optional_number(std::string_view name, Part part, Range range, std::string_view meaning) {
-  return {.name = name,
-          .kind = Setting::Kind::Real,
-          .part = part,
-          .numbers = range,
-          .takes = {},
-          .unset = kNone,
-          .meaning = meaning,
-          .choices = nullptr,
-          .get = get_optional<member>,
-          .set = set_optional<member>};
+  Setting row{name, Setting::Kind::Real, part, meaning, get_optional<member>, set_optional<member>};
+  row.numbers = range;
+  row.unset = kNone;
+  return row;
 }
 
 template <auto member, const auto& named>
 constexpr Setting choice(std::string_view name, Part part, std::string_view meaning) {
   const bool yes_no = static_cast<const void*>(&named) == static_cast<const void*>(&kNoYes);
-  return {.name = name,
-          .kind = yes_no ? Setting::Kind::YesNo : Setting::Kind::Choice,
-          .part = part,
-          .numbers = {},
-          .takes = {},
-          .unset = {},
-          .meaning = meaning,
-          .choices = names_of<named>,
-          .get = get_choice<member, named>,
-          .set = set_choice<member, named>};
+  const auto kind = yes_no ? Setting::Kind::YesNo : Setting::Kind::Choice;
+  Setting row{name, kind, part, meaning, get_choice<member, named>, set_choice<member, named>};
+  row.choices = names_of<named>;
+  return row;
 }
 
 template <auto member>
 constexpr Setting text(std::string_view name, Part part, std::string_view takes, std::string_view unset,
                        std::string_view meaning) {
-  return {.name = name,
-          .kind = Setting::Kind::Text,
-          .part = part,
-          .numbers = {},
-          .takes = takes,
-          .unset = unset,
-          .meaning = meaning,
-          .choices = nullptr,
-          .get = [](const Settings& settings) { return settings.*member; },
-          .set = [](const Setting&, Settings& settings, std::string_view value) {
-            return settings.*member = value, true;
-          }};
+  Setting row{name, Setting::Kind::Text, part, meaning, get_text<member>, set_text<member>};
+  row.takes = takes;
+  row.unset = unset;
+  return row;
 }
 
 constexpr Setting kTable[] = {
