@@ -10,7 +10,8 @@ void add_moment_options(Parser& parser, FrameRequest& request) {
   parser.option("--animation", "NAME|N",
                 {"the file's animation, or none: the scene at rest", "", "the first"},
                 [&](const std::string& value) { request.animation = value; });
-  parser.number("--time", "S", {"the moment of the animation in seconds", "", "0"}, kSeconds, request.seconds);
+  parser.number("--time", "S", {"the moment of the animation in seconds", "", "0"}, kSeconds,
+                request.seconds);
 }
 
 void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several) {
@@ -25,8 +26,8 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
                 [&](const std::string& value) { request.environment = value; });
   add_moment_options(parser, request);
   parser.group("Method");
-  for (const char* name : {"grid", "map", "iterations", "estimator", "splat", "interfaces", "wavelengths", "weights",
-                           "assume_solid"})
+  for (const char* name : {"grid", "map", "iterations", "estimator", "splat", "interfaces", "wavelengths",
+                           "weights", "assume_solid"})
     options.add(name);
   options.add_any(all_parts());
   parser.group("Running");
@@ -35,8 +36,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
 
 void check_request(const FrameRequest& request, const std::string& command) {
   if (request.scene.empty()) {
-    throw Error(ExitCode::WrongUsage,
-                "no scene given; see 'caustics " + command + " --help' for examples");
+    throw Error(ExitCode::WrongUsage, "no scene given; see 'caustics " + command + " --help' for examples");
   }
   check(request.settings);
 }

@@ -98,7 +98,8 @@ std::string wrapped(const std::string& words, std::size_t indent, std::size_t fi
 }
 
 void HelpPage::add(std::vector<HelpGroup>& groups, const std::string& heading, HelpEntry entry) {
-  auto found = std::find_if(groups.begin(), groups.end(), [&](const HelpGroup& g) { return g.heading == heading; });
+  auto found =
+      std::find_if(groups.begin(), groups.end(), [&](const HelpGroup& g) { return g.heading == heading; });
   if (found == groups.end()) found = groups.insert(groups.end(), {heading, {}});
   found->entries.push_back(std::move(entry));
 }
@@ -108,7 +109,8 @@ std::string HelpPage::text() const {
   for (const HelpEntry& entry : positionals) text += " [" + entry.names + "]";
   text += "\n";
   if (!positionals.empty()) text += section({"Arguments", positionals}, kOptionColumn);
-  text += section({"Help", {{"-h,--help", "", {"this text; --help-markdown: its tables as Markdown"}}}}, kOptionColumn);
+  text += section({"Help", {{"-h,--help", "", {"this text; --help-markdown: its tables as Markdown"}}}},
+                  kOptionColumn);
   for (const HelpGroup& group : groups) text += section(group, kOptionColumn);
   for (const HelpGroup& list : lists) text += section(list, column_of(list));
   return text + (footer.empty() ? "" : "\n" + footer + "\n");

@@ -38,8 +38,8 @@ struct HelpPage {
   std::string markdown() const;
 };
 
-// Words in lines of at most 110 columns; all lines but the first begin with `indent` blanks, and `first` columns of
-// that one are taken.
+// Words in lines of at most 110 columns; all lines but the first begin with `indent` blanks, and `first`
+// columns of that one are taken.
 std::string wrapped(const std::string& words, std::size_t indent, std::size_t first);
 
 }  // namespace caustics::app

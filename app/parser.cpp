@@ -19,7 +19,8 @@ std::string in_quotes(const std::string& text) { return "'" + one_line(text).sub
 std::string plain(double value) {
   const std::string text = significant(value, 6);
   const std::size_t e = text.find('e');
-  return e == std::string::npos ? text : text.substr(0, e + 1) + std::to_string(std::stoi(text.substr(e + 1)));
+  return e == std::string::npos ? text
+                                : text.substr(0, e + 1) + std::to_string(std::stoi(text.substr(e + 1)));
 }
 
 // "least..most", or one number where they are equal.
@@ -78,12 +79,12 @@ void Parser::option(const std::string& names, const std::string& value, const Ab
   say(names, value, about);
 }
 
-void Parser::repeated(const std::string& names, const std::string& value, const About& about, const Use& use) {
-  app_->add_option_function<std::vector<std::string>>(
-          names,
-          [use](const std::vector<std::string>& values) {
-            for (const std::string& each : values) use(each);
-          })
+void Parser::repeated(const std::string& names, const std::string& value, const About& about,
+                      const Use& use) {
+  app_->add_option_function<std::vector<std::string>>(names,
+                                                      [use](const std::vector<std::string>& values) {
+                                                        for (const std::string& each : values) use(each);
+                                                      })
       ->type_name(value)
       ->expected(1, 1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -96,7 +97,8 @@ void Parser::positional(const std::string& name, const std::string& meaning, std
   page_.positionals.push_back({name, "FILE", {meaning}});
 }
 
-void Parser::positionals(const std::string& name, const std::string& meaning, std::vector<std::string>& target) {
+void Parser::positionals(const std::string& name, const std::string& meaning,
+                         std::vector<std::string>& target) {
   app_->add_option(name, target)->type_name("FILE ...");
   page_.positionals.push_back({name, "FILE ...", {meaning}});
 }
@@ -136,7 +138,9 @@ bool Parser::parse(const Arguments& arguments) {
   return true;
 }
 
-std::string text_of(Limits<int> bounds) { return span(std::to_string(bounds.least), std::to_string(bounds.most)); }
+std::string text_of(Limits<int> bounds) {
+  return span(std::to_string(bounds.least), std::to_string(bounds.most));
+}
 std::string text_of(Limits<double> bounds) { return span(plain(bounds.least), plain(bounds.most)); }
 
 int parse_number(const std::string& option, const std::string& text, Limits<int> bounds) {

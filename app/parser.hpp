@@ -1,5 +1,5 @@
-// One sub-command's options, on top of CLI11: what is parsed and what the help says come from the same calls, and a
-// misspelt option names the one that was probably meant.
+// One sub-command's options, on top of CLI11: what is parsed and what the help says come from the same calls,
+// and a misspelt option names the one that was probably meant.
 #pragma once
 #include <functional>
 #include <memory>
@@ -52,7 +52,8 @@ class Parser {
   void repeated(const std::string& names, const std::string& value, const About& about, const Use& use);
   // An option that is a number within bounds. Its default is what `target` holds, unless it is said.
   template <class T, class Target>
-  void number(const std::string& name, const std::string& value, About about, Limits<T> bounds, Target& target);
+  void number(const std::string& name, const std::string& value, About about, Limits<T> bounds,
+              Target& target);
   void positional(const std::string& name, const std::string& meaning, std::string& target);
   void positionals(const std::string& name, const std::string& meaning, std::vector<std::string>& target);
   // Options added from here on are listed under this heading.

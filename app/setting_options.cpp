@@ -56,10 +56,12 @@ void SettingOptions::add(std::string_view name) {
   const Setting& row = setting(name);
   const std::string option = option_name(name);
   if (row.kind == Setting::Kind::YesNo) {
-    parser_.flag(option, std::string(row.meaning), [&row, &settings = settings_] { row.set(row, settings, row.choices().back()); });
+    parser_.flag(option, std::string(row.meaning),
+                 [&row, &settings = settings_] { row.set(row, settings, row.choices().back()); });
   } else {
-    parser_.option(option, placeholder(row), about(row, settings_),
-                   [name, &settings = settings_](const std::string& value) { set_option(settings, name, value); });
+    parser_.option(
+        option, placeholder(row), about(row, settings_),
+        [name, &settings = settings_](const std::string& value) { set_option(settings, name, value); });
   }
   own_.push_back(name);
 }

@@ -1,5 +1,6 @@
-// Settings on the command line: options of their own, and -D for all. What the help says of them is the table's
-// (pipeline/settings/setting.hpp); the defaults are what the settings hold when the options are added.
+// Settings on the command line: options of their own, and -D for all. What the help says of them is the
+// table's (pipeline/settings/setting.hpp); the defaults are what the settings hold when the options are
+// added.
 #pragma once
 #include "app/parser.hpp"
 #include "pipeline/settings/setting.hpp"
@@ -15,8 +16,8 @@ class SettingOptions {
   void add_resolution();
   // The setting's name as an option: --grid N; a flag where it is yes or no.
   void add(std::string_view name);
-  // -D KEY=VALUE, after the others, with a list of the keys. It refuses those that have no part here, for this
-  // reason.
+  // -D KEY=VALUE, after the others, with a list of the keys. It refuses those that have no part here, for
+  // this reason.
   void add_any(const std::vector<Setting::Part>& parts, const std::string& why_not = "");
 
  private:

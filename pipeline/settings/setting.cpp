@@ -58,9 +58,15 @@ std::string number_text(int value) { return shortest(value); }
 std::string number_text(float value) { return shortest(value); }
 std::string number_text(double value) { return shortest(value); }
 
-bool read_number(const Setting::Range& range, std::string_view text, int& result) { return read(range, text, result); }
-bool read_number(const Setting::Range& range, std::string_view text, float& result) { return read(range, text, result); }
-bool read_number(const Setting::Range& range, std::string_view text, double& result) { return read(range, text, result); }
+bool read_number(const Setting::Range& range, std::string_view text, int& result) {
+  return read(range, text, result);
+}
+bool read_number(const Setting::Range& range, std::string_view text, float& result) {
+  return read(range, text, result);
+}
+bool read_number(const Setting::Range& range, std::string_view text, double& result) {
+  return read(range, text, result);
+}
 
 std::string Setting::range() const {
   if (is_number()) return number_range(*this);
@@ -81,7 +87,8 @@ std::vector<Setting::Part> all_parts() {
 
 const Setting& setting(std::string_view name) {
   const auto rows = all_settings();
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Setting& row) { return row.name == name; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const Setting& row) { return row.name == name; });
   if (found != rows.end()) return *found;
   std::vector<std::string> names;
   for (const Setting& row : rows) names.emplace_back(row.name);

@@ -141,27 +141,30 @@ constexpr Setting kTable[] = {
     number<&S::grid>("grid", Maps, {1, 8192}, "grid vertices a side: rays from the light"),
     number<&S::map>("map", Maps, {1, 8192, "texels"}, "side of the caustic map and of the receiver map"),
     number<&S::shadow>("shadow", Maps, {1, 8192, "texels"}, "side of the shadow map"),
-    number<&S::light_samples>("light.samples", Maps, {1, 256}, "points by which a light with a size is drawn"),
+    number<&S::light_samples>("light.samples", Maps, {1, 256},
+                              "points by which a light with a size is drawn"),
     choice<&S::emissive_lights, kOffOn>("emissive.lights", Light, "meshes that shine light the scene"),
     number<&S::shafts>("shafts", Maps, {1, 1024},
                        "beams a side by which light shafts are drawn; no more than the grid has vertices"),
     number<&S::medium_steps>("medium.steps", Maps, {1, 1024}, "steps of each camera ray through a medium"),
     number<&S::iterations>("iterations", Maps, {1, 1000}, "steps of the estimator at each surface"),
     choice<&S::estimator, kEstimators>("estimator", Maps, "what finds where a ray lands"),
-    choice<&S::thickness, kThicknesses>("thickness", Maps,
-                                        "what tells a ray's way inside a solid caster: the map of its back, or "
-                                        "Wyman's (2005) mean of two thicknesses"),
+    choice<&S::thickness, kThicknesses>(
+        "thickness", Maps,
+        "what tells a ray's way inside a solid caster: the map of its back, or "
+        "Wyman's (2005) mean of two thicknesses"),
     choice<&S::splat, kSplats>("splat", Maps,
                                "how landings become light in the map: one by one, or as cells of four"),
     number<&S::gaussian_sigma>("splat.sigma", Maps, {0.1, 4.0, "texels"},
                                "standard deviation of the Gaussian, and of what cells leave to splats"),
-    choice<&S::interfaces, kInterfaces>("interfaces", Light,
-                                        "surfaces that bend light; auto: 2 where the mesh encloses a volume, else 1"),
+    choice<&S::interfaces, kInterfaces>(
+        "interfaces", Light, "surfaces that bend light; auto: 2 where the mesh encloses a volume, else 1"),
     choice<&S::weights, kWeights>("weights", Maps, "flux of a ray: physical, or the paper's equation 6"),
-    number<&S::wavelengths>("wavelengths", Light, {.least = 8, .most = 64, .also = {1, 3}},
-                            "samples of the spectrum where glass disperses (KHR_materials_dispersion): 1 bends "
-                            "all colours alike, 3 are red, green and blue at the C, d and F lines, 8 and more "
-                            "have the colours of the CIE 1931 observer"),
+    number<&S::wavelengths>(
+        "wavelengths", Light, {.least = 8, .most = 64, .also = {1, 3}},
+        "samples of the spectrum where glass disperses (KHR_materials_dispersion): 1 bends "
+        "all colours alike, 3 are red, green and blue at the C, d and F lines, 8 and more "
+        "have the colours of the CIE 1931 observer"),
     choice<&S::reflections, kNoYes>("reflections", Light,
                                     "light that glass and water mirror throws caustics too"),
     choice<&S::shared_frames, kFrames>("frames", Maps,
@@ -169,9 +172,10 @@ constexpr Setting kTable[] = {
     choice<&S::cube, kCubes>("cube", Maps,
                              "which lights see all around, by a cube's six faces: those among their casters, "
                              "all that have a position, or none"),
-    choice<&S::cascades, kAutoOff>("cascades", Maps, "a finer second map for a caustic that is small in its map"),
-    choice<&S::pixel_means, kAutoOff>("pixel_means", Maps,
-                                      "the mean of a caustic over each pixel that is wider than the map's texels"),
+    choice<&S::cascades, kAutoOff>("cascades", Maps,
+                                   "a finer second map for a caustic that is small in its map"),
+    choice<&S::pixel_means, kAutoOff>(
+        "pixel_means", Maps, "the mean of a caustic over each pixel that is wider than the map's texels"),
     choice<&S::hidden_receivers, kAutoOff>("hidden_receivers", Maps,
                                            "light onto receivers that others hide from the light's own view"),
     number<&S::outside_share>("outside_share", Maps, {0.0, 0.5},
@@ -181,7 +185,8 @@ constexpr Setting kTable[] = {
     optional_number<&S::exposure>("exposure", Picture, {-40, 40, "EV"},
                                   "brightness of PNG pictures beside the automatic one"),
     text<&S::camera>("camera", View, "a name or a number", "the first", "a camera of the scene"),
-    number<&S::mirror_metallic>("mirror.metallic", Light, {0, 1}, "metal is a mirror where it is at least so metallic"),
+    number<&S::mirror_metallic>("mirror.metallic", Light, {0, 1},
+                                "metal is a mirror where it is at least so metallic"),
     number<&S::mirror_roughness>("mirror.roughness", Light, {0, 1}, "rougher metal is no mirror"),
     number<&S::glass_roughness>("glass.roughness", Light, {0, 1}, "rougher glass throws no caustic"),
 };

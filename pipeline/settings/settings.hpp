@@ -49,8 +49,8 @@ struct Settings {
 
 // Sets one `-D key=value`. Throws Error (WrongUsage) naming the key, its range and the nearest key.
 void set_option(Settings& settings, std::string_view key, std::string_view value);
-// Throws Error (WrongUsage) for the first setting that is out of its range. What must hold between settings is
-// check's (pipeline/plan/check_settings.hpp).
+// Throws Error (WrongUsage) for the first setting that is out of its range. What must hold between settings
+// is check's (pipeline/plan/check_settings.hpp).
 void check_ranges(const Settings& settings);
 
 // Grid vertices a side that one beam of light stands for, and beams a side.

@@ -33,8 +33,9 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 // A value of a setting that is not its default.
 std::string another(const Setting& row) {
   if (row.kind == Setting::Kind::Text) return "another";
-  if (row.is_number()) return row.get(Settings{}) == number_text(row.numbers.most) ? number_text(row.numbers.least)
-                                                                                : number_text(row.numbers.most);
+  if (row.is_number())
+    return row.get(Settings{}) == number_text(row.numbers.most) ? number_text(row.numbers.least)
+                                                                : number_text(row.numbers.most);
   const auto names = row.choices();
   return std::string(names.front() == row.get(Settings{}) ? names.back() : names.front());
 }
@@ -79,11 +80,21 @@ TEST_CASE("settings: what was set is what is got, and nothing else changes") {
 
 TEST_CASE("settings: keys reach the members that they are named after") {
   Settings settings;
-  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"width", "1"}, {"grid", "8192"}, {"light.samples", "256"}, {"emissive.lights", "on"},
-           {"estimator", "paper"}, {"splat", "point"}, {"splat.sigma", "1.25"}, {"interfaces", "2"},
-           {"weights", "paper"}, {"frames", "shared"}, {"exposure", "-1.5"}, {"assume_solid", "yes"},
-           {"cascades", "off"}, {"camera", "eye"}})
+  for (const auto& [key, value] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"width", "1"},
+                                                                  {"grid", "8192"},
+                                                                  {"light.samples", "256"},
+                                                                  {"emissive.lights", "on"},
+                                                                  {"estimator", "paper"},
+                                                                  {"splat", "point"},
+                                                                  {"splat.sigma", "1.25"},
+                                                                  {"interfaces", "2"},
+                                                                  {"weights", "paper"},
+                                                                  {"frames", "shared"},
+                                                                  {"exposure", "-1.5"},
+                                                                  {"assume_solid", "yes"},
+                                                                  {"cascades", "off"},
+                                                                  {"camera", "eye"}})
     set_option(settings, key, value);
   CHECK(settings.width == 1);
   CHECK(settings.grid == 8192);
@@ -108,7 +119,8 @@ TEST_CASE("settings: what is out of range is refused with the range") {
     if (row.kind == Setting::Kind::Text) continue;
     for (const std::string& value : {std::string(), std::string("nan"), number_text(row.numbers.most + 1.0),
                                      number_text(row.numbers.least - 100.0), std::string("Auto")}) {
-      if (row.kind == Setting::Kind::Choice && row.range().find(value) != std::string::npos && !value.empty()) continue;
+      if (row.kind == Setting::Kind::Choice && row.range().find(value) != std::string::npos && !value.empty())
+        continue;
       INFO(row.name << "=" << value);
       CHECK(holds(refusal(row.name, value), row.range()));
     }
@@ -117,7 +129,8 @@ TEST_CASE("settings: what is out of range is refused with the range") {
     INFO(value);
     CHECK(holds(refusal("grid", value), "1..8192"));
   }
-  for (const char* value : {"inf", "0.05", "4.1", "1,5"}) CHECK(holds(refusal("splat.sigma", value), "0.1..4 texels"));
+  for (const char* value : {"inf", "0.05", "4.1", "1,5"})
+    CHECK(holds(refusal("splat.sigma", value), "0.1..4 texels"));
   for (const char* value : {"0", "2", "4", "7", "65"})
     CHECK(holds(refusal("wavelengths", value), "1, 3 or 8..64, default 3"));
   CHECK(refusal("weights", "Paper") == "weights cannot be 'Paper': physical|paper, default physical");
