@@ -15,8 +15,7 @@ namespace {
 
 constexpr Command kCommands[] = {
     {"render", "render a scene to a picture (the default: caustics SCENE)", run_render},
-    {"plan", "what a scene holds, which passes run, and which caustics to expect",
-     run_plan_command},
+    {"plan", "what a scene holds, which passes run, and which caustics to expect", run_plan_command},
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
@@ -30,13 +29,16 @@ constexpr Command kCommands[] = {
 constexpr std::pair<ExitCode, const char*> kExitCodes[] = {
     {ExitCode::Done, "done"},
     {ExitCode::AnswerIsNo,
-     "the answer is no: compare or parity found a difference, a figure is above --fail-above, a row of paper does not "
+     "the answer is no: compare or parity found a difference, a figure is above --fail-above, a row of paper "
+     "does not "
      "hold"},
-    {ExitCode::WrongUsage, "wrong usage: unknown word, value out of range, sizes or scene beyond this machine's memory"},
+    {ExitCode::WrongUsage,
+     "wrong usage: unknown word, value out of range, sizes or scene beyond this machine's memory"},
     {ExitCode::BadInput, "input unreadable or unsupported"},
     {ExitCode::CannotWrite, "an output cannot be written"},
     {ExitCode::BackendUnavailable,
-     "no such backend here: no driver, too old a driver, no such device, no Embree; the line names the way on"},
+     "no such backend here: no driver, too old a driver, no such device, no Embree; the line names the way "
+     "on"},
     {ExitCode::TargetMissed,
      "the error or the time that was asked for was missed (render, reference); the picture is written"},
     {ExitCode::NumericFault,
@@ -47,17 +49,20 @@ constexpr std::pair<ExitCode, const char*> kExitCodes[] = {
 };
 
 HelpPage program_help() {
-  HelpPage page{.command = "COMMAND",
-                .purpose = "caustics renders the light patterns that glass and water throw onto other surfaces.",
-                .examples = "  caustics scene.glb                              writes scene.png, 1280x720\n"
-                            "  caustics render scene.glb -o out.exr -r 640x360\n"
-                            "  caustics plan scene.glb                         why is there a caustic, or none?\n"
-                            "  caustics render --help                          examples, and every option\n",
-                .positionals = {},
-                .groups = {{"Options", {{"--version", "", {"version and build"}}}}},
-                .lists = {{"Commands", {}}, {"Exit codes", {}}},
-                .footer = {}};
-  for (const Command& command : kCommands) page.lists[0].entries.push_back({command.name, "", {command.summary}});
+  HelpPage page{
+      .command = "COMMAND",
+      .purpose = "caustics renders the light patterns that glass and water throw onto other surfaces.",
+      .examples =
+          "  caustics scene.glb                              writes scene.png, 1280x720\n"
+          "  caustics render scene.glb -o out.exr -r 640x360\n"
+          "  caustics plan scene.glb                         why is there a caustic, or none?\n"
+          "  caustics render --help                          examples, and every option\n",
+      .positionals = {},
+      .groups = {{"Options", {{"--version", "", {"version and build"}}}}},
+      .lists = {{"Commands", {}}, {"Exit codes", {}}},
+      .footer = {}};
+  for (const Command& command : kCommands)
+    page.lists[0].entries.push_back({command.name, "", {command.summary}});
   for (const auto& [code, meaning] : kExitCodes)
     page.lists[1].entries.push_back({std::to_string(static_cast<int>(code)), "", {meaning}});
   return page;
@@ -96,8 +101,7 @@ ExitCode dispatch(const Arguments& arguments) {
     std::vector<std::string> names;
     for (const Command& command : kCommands) names.emplace_back(command.name);
     throw Error(ExitCode::WrongUsage, "no command or file '" + one_line(first) +
-                                          "'; the nearest command is '" +
-                                          nearest_name(first, names) + "'");
+                                          "'; the nearest command is '" + nearest_name(first, names) + "'");
   }
   return run_render(arguments);
 }
@@ -106,4 +110,6 @@ ExitCode dispatch(const Arguments& arguments) {
 
 }  // namespace caustics::app
 
-int main(int count, char** values) { return caustics::app::run_program(count, values, caustics::app::dispatch); }
+int main(int count, char** values) {
+  return caustics::app::run_program(count, values, caustics::app::dispatch);
+}

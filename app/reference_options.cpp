@@ -29,8 +29,8 @@ tracer::Physics parse_physics(const std::string& name) {
 void add_physics(Parser& parser, SettingOptions& options, ReferenceRequest& request) {
   parser.group("Light");
   parser.option("--physics", "NAME",
-                {"single: light goes in, out, and lands, as render has it; full: it meets every surface", "single|full",
-                 "single"},
+                {"single: light goes in, out, and lands, as render has it; full: it meets every surface",
+                 "single|full", "single"},
                 [&](const std::string& value) { request.trace.physics = parse_physics(value); });
   options.add("interfaces");
   options.add("wavelengths");
@@ -39,14 +39,14 @@ void add_physics(Parser& parser, SettingOptions& options, ReferenceRequest& requ
                    "sphere|cylinder|waves"},
                   [&](const std::string& value) { request.exact.add(value); });
   options.add("assume_solid");
-  options.add_any(traced_parts(),
-                  "means nothing to the reference, which has no maps and no picture to show");
+  options.add_any(traced_parts(), "means nothing to the reference, which has no maps and no picture to show");
 }
 
 void add_effort(Parser& parser, ReferenceRequest& request) {
   parser.group("Effort (whatever comes first ends the run)");
   parser.number("--rays", "N", {"N x N rays a batch for each light"}, kRays, request.trace.side);
-  parser.number("--batches", "N", {"so many batches in all", "", std::to_string(kUsualBatches) + " without the others"},
+  parser.number("--batches", "N",
+                {"so many batches in all", "", std::to_string(kUsualBatches) + " without the others"},
                 kBatches, request.batches);
   parser.number("--seconds", "S", {"no batch is begun after so long", "", "none"}, kSeconds, request.seconds);
   parser.option("--error", "P%",
@@ -66,7 +66,8 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   std::string scene;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("Output");
-  parser.option("-o,--output", "FILE.exr", {"where the layers go", ".exr", "SCENE.reference.exr in the current folder"},
+  parser.option("-o,--output", "FILE.exr",
+                {"where the layers go", ".exr", "SCENE.reference.exr in the current folder"},
                 [&](const std::string& file) { request.output = file; });
   parser.option("--aov", "LIST", {"layers, listed below, with commas between", "", "all"},
                 [&](const std::string& list) { request.layers = parse_reference_layers(list); });

@@ -28,12 +28,9 @@ double median(std::vector<double> values) {
 }
 
 Json objects_json(const DeviceObjects& objects) {
-  return {{"programs", objects.programs},
-          {"buffers", objects.buffers},
-          {"textures", objects.textures},
-          {"vertex_layouts", objects.vertex_layouts},
-          {"framebuffers", objects.framebuffers},
-          {"read_backs", objects.read_backs}};
+  return {{"programs", objects.programs},         {"buffers", objects.buffers},
+          {"textures", objects.textures},         {"vertex_layouts", objects.vertex_layouts},
+          {"framebuffers", objects.framebuffers}, {"read_backs", objects.read_backs}};
 }
 
 // A steady loop makes nothing after its first frame, and reads back what it writes to files alone.
@@ -86,8 +83,9 @@ Json settings_json(const Settings& settings, const std::vector<Setting::Part>& p
     const std::string value = row.get(settings);
     // As numbers where they are; "auto" is none.
     const bool text = !row.is_number() || value == row.unset;
-    json[std::string(row.name)] = text ? Json(value) : row.kind == Setting::Kind::Count ? Json(std::stoi(value))
-                                                                                        : Json(std::stod(value));
+    json[std::string(row.name)] = text                               ? Json(value)
+                                  : row.kind == Setting::Kind::Count ? Json(std::stoi(value))
+                                                                     : Json(std::stod(value));
   }
   return json;
 }

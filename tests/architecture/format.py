@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The sources are as .clang-format has them, and no line of code is wider than 110 columns. Other versions of
-clang-format than 14 lay code out differently: without that one the test is skipped (exit code 77), once the widths are
-checked. `format.py --fix` formats the sources."""
+"""The sources are as .clang-format has them, and no line of code is wider than 110 columns. Other versions
+of clang-format than 14 lay code out differently: without that one the test is skipped (exit code 77), once
+the widths are checked. `format.py --fix` formats the sources."""
 import pathlib
 import re
 import shutil
@@ -35,7 +35,8 @@ def formatter():
     found = 'no clang-format here'
     for name in ('clang-format-14', 'clang-format'):
         if program := shutil.which(name):
-            found = subprocess.run([program, '--version'], text=True, capture_output=True).stdout.strip()
+            version = subprocess.run([program, '--version'], text=True, capture_output=True)
+            found = version.stdout.strip()
             if re.search(r'version 14\.', found):
                 return program, ''
     return None, found
@@ -43,7 +44,8 @@ def formatter():
 
 def unformatted(program):
     """Each source that the formatter would change, with the first place."""
-    result = subprocess.run([program, '--dry-run', '-Werror', *files(SOURCES)], text=True, capture_output=True, cwd=ROOT)
+    result = subprocess.run([program, '--dry-run', '-Werror', *files(SOURCES)], cwd=ROOT, text=True,
+                            capture_output=True)
     places = {}
     for line in result.stderr.splitlines():
         if match := re.match(r'(.+?):(\d+):\d+: error: ', line):
@@ -56,7 +58,9 @@ def unformatted(program):
 def main():
     program, cause = formatter()
     if sys.argv[1:] == ['--fix']:
-        return subprocess.run([program, '-i', *files(SOURCES)], cwd=ROOT).returncode if program else sys.exit(cause)
+        if not program:
+            sys.exit(f'needs clang-format 14; {cause}')
+        return subprocess.run([program, '-i', *files(SOURCES)], cwd=ROOT).returncode
     wrong = list(too_wide()) + (unformatted(program) if program else [])
     if wrong:
         print('\n'.join(wrong) + '\nto format the sources: python3 tests/architecture/format.py --fix')
@@ -64,8 +68,9 @@ def main():
     if not program:
         print(f'skipped: needs clang-format 14; {cause}')
         return 77
-    print(f'{len(files(SOURCES))} sources are formatted, no line of {len(files(CODE))} files is wider than {WIDTH}')
-    return 1 if len(files(SOURCES)) < 100 else 0
+    count = len(files(SOURCES))
+    print(f'{count} sources are formatted, no line of {len(files(CODE))} files is wider than {WIDTH}')
+    return 1 if count < 100 else 0
 
 
 if __name__ == '__main__':

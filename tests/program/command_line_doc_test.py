@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The tables in docs/command_line.md are those of `caustics COMMAND --help-markdown`. Each stands between a line
-`<!-- caustics COMMAND: HEADING; ... -->`, which names the tables (or `purpose`), and `<!-- end -->`. With --update they
-are written anew."""
+"""The tables in docs/command_line.md are those of `caustics COMMAND --help-markdown`. Each stands between a
+line `<!-- caustics COMMAND: HEADING; ... -->`, which names the tables (or `purpose`), and `<!-- end -->`.
+With --update they are written anew."""
 
 import os
 import pathlib
@@ -18,16 +18,16 @@ BLOCK = re.compile(r"<!-- caustics ?(\w*): ([^\n]*) -->\n(.*?)<!-- end -->\n", r
 def help_of(command):
     """What the help says, by heading; its first paragraph is `purpose`."""
     arguments = [command] if command else []
-    text = subprocess.run([PROGRAM, *arguments, "--help-markdown"], text=True, capture_output=True, check=True).stdout
-    purpose, *tables = text.rstrip("\n").split("\n\n")
+    result = subprocess.run([PROGRAM, *arguments, "--help-markdown"], text=True, capture_output=True, check=True)
+    purpose, *tables = result.stdout.rstrip("\n").split("\n\n")
     return {"purpose": purpose} | {re.match(r"\| (.*?) \|", table)[1]: table for table in tables}
 
 
 def block(match):
     command, headings, _ = match.groups()
     said = help_of(command)
-    wanted = [said[heading] for heading in headings.split("; ")]
-    return f"<!-- caustics{' ' * bool(command)}{command}: {headings} -->\n" + "\n\n".join(wanted) + "\n\n<!-- end -->\n"
+    wanted = "\n\n".join(said[heading] for heading in headings.split("; "))
+    return f"<!-- caustics{' ' * bool(command)}{command}: {headings} -->\n{wanted}\n\n<!-- end -->\n"
 
 
 def update():
@@ -43,7 +43,8 @@ class CommandLineDoc(unittest.TestCase):
         page = PAGE.read_text()
         if BLOCK.sub(block, page) != page:
             self.fail("docs/command_line.md is not what the program says of itself; to write its tables anew: "
-                      "CAUSTICS_PROGRAM=build/release/caustics python3 tests/program/command_line_doc_test.py --update")
+                      "CAUSTICS_PROGRAM=build/release/caustics "
+                      "python3 tests/program/command_line_doc_test.py --update")
 
     def test_every_command_option_and_setting_is_on_the_page(self):
         page = PAGE.read_text()
