@@ -18,7 +18,8 @@ BLOCK = re.compile(r"<!-- caustics ?(\w*): ([^\n]*) -->\n(.*?)<!-- end -->\n", r
 def help_of(command):
     """What the help says, by heading; its first paragraph is `purpose`."""
     arguments = [command] if command else []
-    result = subprocess.run([PROGRAM, *arguments, "--help-markdown"], text=True, capture_output=True, check=True)
+    result = subprocess.run([PROGRAM, *arguments, "--help-markdown"], check=True, text=True,
+                            capture_output=True)
     purpose, *tables = result.stdout.rstrip("\n").split("\n\n")
     return {"purpose": purpose} | {re.match(r"\| (.*?) \|", table)[1]: table for table in tables}
 
@@ -42,7 +43,7 @@ class CommandLineDoc(unittest.TestCase):
     def test_tables_are_what_the_program_says(self):
         page = PAGE.read_text()
         if BLOCK.sub(block, page) != page:
-            self.fail("docs/command_line.md is not what the program says of itself; to write its tables anew: "
+            self.fail("docs/command_line.md is not what the program says; to write its tables anew: "
                       "CAUSTICS_PROGRAM=build/release/caustics "
                       "python3 tests/program/command_line_doc_test.py --update")
 
