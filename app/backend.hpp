@@ -19,6 +19,8 @@ struct BackendRequest {
 // The options; they write into `request`, which must outlive the parser. With `several`, --backend may
 // stand several times or be `both`, and goes there, each backend once.
 void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several = nullptr);
+// --threads alone.
+void add_threads_option(Parser& parser, int& threads);
 
 // Throws Error (BackendUnavailable) where there is no such device.
 std::unique_ptr<Device> make_device(const BackendRequest& request);

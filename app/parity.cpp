@@ -9,6 +9,7 @@
 #include "app/shell/progress.hpp"
 #include "app/sample_scenes.hpp"
 #include "app/output/stats.hpp"
+#include "app/shell/setting_options.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
 #include "gl_backend/gl_device.hpp"
@@ -28,21 +29,18 @@ struct ParityRequest {
 };
 
 bool parse(const Arguments& arguments, ParityRequest& request) {
+  request.frame.settings = small_settings();
   Parser parser("parity",
                 "Draws every pass on the software device and on OpenGL, from the same inputs, and then\n"
                 "the whole frame, and compares every attachment. Exit code 1 when something differs by\n"
                 "more than is allowed for this driver (docs/parity.md).\n"
-                "Sizes are small here unless given: -r 320x180, --grid 128, --map 128, shadow 512.",
+                "Sizes are small unless given: " + differing(request.frame.settings) + ".",
                 "  caustics parity                       the sample scenes\n"
                 "  caustics parity scene.glb -r 1280x720 --grid 512 --map 512\n"
                 "  caustics parity scene.glb --dump differences --json\n");
-  request.frame.settings.width = 320;
-  request.frame.settings.height = 180;
-  request.frame.settings.grid = request.frame.settings.map = 128;
-  request.frame.settings.shadow = 512;
   parser.positionals("SCENE", "glTF 2.0 files (default: the sample scenes)", request.scenes);
-  parser.flag("--json", request.json, "print the report as JSON");
-  parser.option("--dump", "DIR", "for what differs: both images and a mask, as EXR, one scene only",
+  parser.flag("--json", request.json, "the report as JSON");
+  parser.option("--dump", "DIR", {"of one scene, for each attachment that differs: .software.exr, .gl.exr, .mask.exr, and manifest.json", "", "none"},
                 [&](const std::string& folder) { request.dump = folder; });
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;

@@ -65,6 +65,9 @@ add_test(NAME architecture.headers_compile_alone
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/headers.py ${CMAKE_CXX_COMPILER})
 add_test(NAME architecture.shaders_are_glsl
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shaders.py)
+add_test(NAME architecture.format
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/format.py)
+set_tests_properties(architecture.format PROPERTIES SKIP_RETURN_CODE 77)
 if(CAUSTICS_BUILD_APP)
   include(${PROJECT_SOURCE_DIR}/tests/program/room.cmake OPTIONAL)
 endif()

@@ -72,9 +72,4 @@ std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand
   return CostModel(trials[0], trials[1], trials[2]);
 }
 
-double parse_target_error(const std::string& text) {
-  const std::string number = !text.empty() && text.back() == '%' ? text.substr(0, text.size() - 1) : text;
-  return parse_real("--target-error", number, 0.001, 100.0) / 100.0;
-}
-
 }  // namespace caustics::app

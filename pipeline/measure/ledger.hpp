@@ -7,8 +7,8 @@
 
 #include "pipeline/gpu/image.hpp"
 #include "pipeline/measure/landing_images.hpp"
-#include "pipeline/settings/settings.hpp"
 #include "pipeline/scene/view.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
