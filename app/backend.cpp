@@ -1,8 +1,9 @@
 #include "app/backend.hpp"
 
 #include <algorithm>
+#include <set>
 
-#include "gl_backend/gl_device.hpp"
+#include "app/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "raster/software_device.hpp"
 
@@ -42,14 +43,27 @@ void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Ba
                 [&](const std::string& value) {
                   request.gl_device = parse_integer("--gl-device", value, 0, 1023);
                 });
+  parser.flag("--gl-debug", request.debug, "an OpenGL debug context: errors name the faulty call");
   parser.option("-t,--threads", "N", "threads, 1..1024 (default one a core); changes no bit",
                 [&](const std::string& value) {
                   request.threads = parse_integer("--threads", value, 1, 1024);
                 });
 }
 
+std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request) {
+  std::unique_ptr<GlDevice> device = caustics::make_gl_device({.device = request.gl_device,
+                                                               .measure = request.measure,
+                                                               .debug = request.debug,
+                                                               .compiling = request.compiling});
+  static std::set<std::string> told;  // a study makes many devices
+  if (!device->passed_over().empty() && told.insert(device->passed_over()).second) {
+    complain("OpenGL runs on " + device->description() + ", because others cannot be used: " + device->passed_over());
+  }
+  return device;
+}
+
 std::unique_ptr<Device> make_device(const BackendRequest& request) {
-  if (request.backend == Backend::OpenGl) return make_gl_device({.device = request.gl_device});
+  if (request.backend == Backend::OpenGl) return make_gl_device(request);
   return make_software_device({.threads = request.threads});
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("gl: textures of fewer channels and depth textures read as (r, g, 0, 1
 }
 
 TEST_CASE("gl: a steady loop makes nothing new") {
-  const auto device = gl_or_skip({.timed = false});
+  const auto device = gl_or_skip({});
   if (!device) return;
   const TextureId target = device->create_texture(Format::RGBA32F, 4, 4);
   FetchRun fetch(target, TextureId::None, TextureId::None, {{1, 1, 1, 1}, {2, 2, 2, 2}});
@@ -252,7 +252,7 @@ TEST_CASE("gl: every listed device either works or says why not, and two live si
     INFO(info.platform << ": " << info.reason);
     CHECK(info.reason.empty() == !info.renderer.empty());
     if (!info.reason.empty()) continue;
-    const auto second = make_gl_device({.device = info.index, .debug = false});
+    const auto second = make_gl_device({.device = info.index});
     CHECK(second->renderer() == info.renderer);
     const TextureId other = second->upload(numbered(Format::R32F, 2, 2));
     CHECK(first->read_back(kept).values == image.values);

@@ -1,0 +1,40 @@
+// caustics_shader_texts FOLDER: writes what the OpenGL Device hands to the driver, <shader>.vert and <shader>.frag of
+// every registered pass, for compilers that need no driver (tests/architecture/shaders.py).
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "gl_backend/gl_text.hpp"
+#include "passes/registry.hpp"
+
+namespace caustics {
+
+namespace {
+
+bool write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text << std::flush;
+  if (!out) std::fprintf(stderr, "caustics_shader_texts: cannot write %s\n", file.c_str());
+  return bool(out);
+}
+
+bool write_texts(const std::filesystem::path& folder) {
+  bool written = true;
+  for (const Pass& pass : pass_registry()) {
+    const Shader& shader = *pass.definition.shader;
+    const std::string name(shader.name);
+    written = write_text(folder / (name + ".vert"), gl::gl_text(shader, gl::Stage::Vertex)) &&
+              write_text(folder / (name + ".frag"), gl::gl_text(shader, gl::Stage::Fragment)) && written;
+  }
+  return written;
+}
+
+}  // namespace
+
+}  // namespace caustics
+
+int main(int count, char** words) {
+  if (count == 2) return caustics::write_texts(words[1]) ? 0 : 1;
+  std::fprintf(stderr, "usage: caustics_shader_texts FOLDER\n");
+  return 2;
+}
