@@ -1,11 +1,13 @@
 // caustics_shader_texts FOLDER: writes what the OpenGL Device hands to the driver, <shader>.vert and <shader>.frag of
-// every registered pass, for compilers that need no driver (tests/architecture/shaders.py).
+// every registered pass and of the template, for compilers that need no driver (tests/architecture/shaders.py).
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "gl_backend/gl_text.hpp"
 #include "passes/registry.hpp"
+#include "passes/template/copy.hpp"
 
 namespace caustics {
 
@@ -18,15 +20,16 @@ bool write_text(const std::filesystem::path& file, const std::string& text) {
   return bool(out);
 }
 
-bool write_texts(const std::filesystem::path& folder) {
-  bool written = true;
-  for (const Pass& pass : pass_registry()) {
-    const Shader& shader = *pass.definition.shader;
-    const std::string name(shader.name);
-    written = write_text(folder / (name + ".vert"), gl::gl_text(shader, gl::Stage::Vertex)) &&
-              write_text(folder / (name + ".frag"), gl::gl_text(shader, gl::Stage::Fragment)) && written;
-  }
-  return written;
+bool write_texts(const std::filesystem::path& folder, const Shader& shader) {
+  const std::string name(shader.name);
+  return write_text(folder / (name + ".vert"), gl::gl_text(shader, gl::Stage::Vertex)) &&
+         write_text(folder / (name + ".frag"), gl::gl_text(shader, gl::Stage::Fragment));
+}
+
+bool write_all(const std::filesystem::path& folder) {
+  return write_texts(folder, *copy_pass().shader) &&
+         std::all_of(pass_registry().begin(), pass_registry().end(),
+                     [&](const Pass& pass) { return write_texts(folder, *pass.definition.shader); });
 }
 
 }  // namespace
@@ -34,7 +37,7 @@ bool write_texts(const std::filesystem::path& folder) {
 }  // namespace caustics
 
 int main(int count, char** words) {
-  if (count == 2) return caustics::write_texts(words[1]) ? 0 : 1;
+  if (count == 2) return caustics::write_all(words[1]) ? 0 : 1;
   std::fprintf(stderr, "usage: caustics_shader_texts FOLDER\n");
   return 2;
 }
