@@ -57,7 +57,8 @@ std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request) {
                                                                .compiling = request.compiling});
   static std::set<std::string> told;  // a study makes many devices
   if (!device->passed_over().empty() && told.insert(device->passed_over()).second) {
-    complain("OpenGL runs on " + device->description() + ", because others cannot be used: " + device->passed_over());
+    complain("OpenGL runs on " + device->description() + ", because others cannot be used: " +
+             device->passed_over());
   }
   return device;
 }

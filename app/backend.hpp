@@ -28,8 +28,8 @@ void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Ba
 
 // Throws Error (BackendUnavailable) where there is no such device.
 std::unique_ptr<Device> make_device(const BackendRequest& request);
-// The OpenGL device of a request, whatever its backend. Says on stderr, once, which devices could not be used before it,
-// and why.
+// The OpenGL device of a request, whatever its backend. Says on stderr, once, which devices could not be used
+// before it, and why.
 std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request);
 
 }  // namespace caustics::app

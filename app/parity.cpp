@@ -105,7 +105,9 @@ class ParityCommand {
  private:
   BackendRequest measuring(BackendRequest request) {
     request.measure = request.debug = true;
-    request.compiling = [this](std::string_view shader) { progress_.show("compiling " + std::string(shader)); };
+    request.compiling = [this](std::string_view shader) {
+      progress_.show("compiling shader " + std::string(shader));
+    };
     return request;
   }
 

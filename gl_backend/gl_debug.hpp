@@ -4,8 +4,8 @@
 
 namespace caustics::gl {
 
-// Notices faults in the current context, which must outlive it. With `messages` it also collects the driver's debug
-// messages of type error or of high severity, which then come while the faulty call runs.
+// Notices faults in the current context, which must outlive it. With `messages` it also collects the driver's
+// debug messages of type error or of high severity, which then come while the faulty call runs.
 class DebugLog {
  public:
   explicit DebugLog(bool messages);

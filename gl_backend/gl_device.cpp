@@ -379,7 +379,8 @@ std::unique_ptr<GlDevice> make_gl_device(const GlOptions& options) {
     try {
       return std::make_unique<gl::OpenGlDevice>(candidate, options, reasons);
     } catch (const Error& error) {
-      reasons += (reasons.empty() ? "" : "; ") + ("device " + std::to_string(i)) + ", " + candidate.name + ": " + error.what();
+      if (!reasons.empty()) reasons += "; ";
+      reasons += "device " + std::to_string(i) + ", " + candidate.name + ": " + error.what();
     }
   }
   gl::refuse("no OpenGL 4.5 core context (" + reasons + ")");

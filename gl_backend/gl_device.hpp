@@ -20,14 +20,14 @@ namespace caustics {
 struct GlOptions {
   // One of list_gl_devices(), by index; -1 takes the first that works.
   int device = -1;
-  // Measure each run: PassResult::milliseconds, samples_passed, and fragments where the driver counts them. The
-  // device then waits for the end of each run. Without it they are 0, and no run waits.
+  // Measure each run: PassResult::milliseconds, samples_passed, and fragments where the driver counts
+  // them. The device then waits for the end of each run. Without it they are 0, and no run waits.
   bool measure = false;
   // Ask for a debug context, whose messages name the faulty call in an Error. Without it faults are
   // still noticed, with less to read.
   bool debug = false;
-  // Called before a shader is compiled, with its name: by the first run() that needs it. Drivers may put most of the
-  // work off until that run draws.
+  // Called before a shader is compiled, with its name: by the first run() that needs it. Drivers may put
+  // most of the work off until that run draws.
   std::function<void(std::string_view shader)> compiling = {};
 };
 

@@ -196,7 +196,7 @@ class Rewriter {
     const std::size_t first = find(";", open + 1, close), second = find(";", first + 1, close);
     copy_to(open);
     statements(first, type);
-    if (second < close) condition(first + 1, second);
+    if (second < close) condition(next(first), second);
     copy_to(close);
   }
 

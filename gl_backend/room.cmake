@@ -1,11 +1,12 @@
-# The OpenGL Device needs libepoxy, which finds EGL and OpenGL at run time. Without it the room is a stub, but for the
-# texts that it would hand to OpenGL.
+# The OpenGL Device needs libepoxy, which finds EGL and OpenGL at run time. Without it the room is a stub, but for
+# the texts that it would hand to OpenGL.
 find_package(PkgConfig QUIET)
 if(PkgConfig_FOUND)
   pkg_check_modules(EPOXY QUIET IMPORTED_TARGET epoxy)
 endif()
 caustics_expand_includes(pipeline/shader/prelude.glsl PRELUDE)
-configure_file(${PROJECT_SOURCE_DIR}/gl_backend/prelude.cpp.in ${PROJECT_BINARY_DIR}/gl_backend/prelude.cpp @ONLY)
+configure_file(${PROJECT_SOURCE_DIR}/gl_backend/prelude.cpp.in
+  ${PROJECT_BINARY_DIR}/gl_backend/prelude.cpp @ONLY)
 get_target_property(gl_sources caustics_gl_backend SOURCES)
 if(TARGET PkgConfig::EPOXY)
   list(FILTER gl_sources EXCLUDE REGEX "without_gl\\.cpp$")

@@ -99,7 +99,7 @@ std::uint64_t bytes_of(const RenderedFrame& frame) {
 Rendered render_setting(FrameRequest request, int repeat,
                         const std::function<void(const std::string&)>& say) {
   request.backend.measure = repeat > 0;
-  request.backend.compiling = [&](std::string_view shader) { say("compiling " + std::string(shader)); };
+  request.backend.compiling = [&](std::string_view shader) { say("compiling shader " + std::string(shader)); };
   say("finding where the light goes");
   RenderedFrame frame(request, load_scene(request), {{"picture", "aov_caustic"}});
   Rendered result;

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What the OpenGL Device hands to the driver is GLSL 4.50 in both stages, and every float operation in it is precise.
+"""What the OpenGL Device hands to the driver is GLSL 4.50, and every float operation in it is precise.
 
     shaders.py caustics_shader_texts    the program that writes the texts
 
-glslangValidator, which follows the specification to the letter, compiles them to SPIR-V. There a precise operation bears
-the decoration NoContraction."""
+glslangValidator, which follows the specification to the letter, compiles them to SPIR-V. There a precise
+operation bears the decoration NoContraction."""
 import pathlib
 import struct
 import subprocess
@@ -48,7 +48,8 @@ def examine(file):
     result = subprocess.run(['glslangValidator', '-G', '-g', '--aml', '--amb', '-o', binary, file], text=True,
                             capture_output=True)
     if result.returncode:
-        return [f'{file.name}: ' + ' | '.join(l for l in result.stdout.splitlines() if l.startswith('ERROR'))], 0
+        errors = [line for line in result.stdout.splitlines() if line.startswith('ERROR')]
+        return [f'{file.name}: ' + ' | '.join(errors)], 0
     operations, unmarked = float_operations(binary.read_bytes())
     shader_text = text.partition('\n#line 1\n')[2].splitlines()
     return [f'{file.name}: a float operation here is not precise; give its value a variable: '
@@ -62,7 +63,7 @@ def main():
         examined = [examine(file) for file in files]
     wrong = [line for lines, _ in examined for line in lines]
     operations = sum(count for _, count in examined)
-    print('\n'.join(wrong) or f'{len(files)} texts are GLSL 4.50; of {operations} float operations 0 are not precise')
+    print('\n'.join(wrong) or f'{len(files)} texts are GLSL 4.50; all of {operations} float operations are precise')
     return 1 if wrong or len(files) < 20 or operations < 1000 else 0
 
 

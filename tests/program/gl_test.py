@@ -91,7 +91,8 @@ class Talk(GlTest):
     def test_compiling_shaders_shows_progress_on_a_terminal(self):
         controller, terminal = pty.openpty()
         cold = dict(os.environ, MESA_SHADER_CACHE_DISABLE="true")
-        with subprocess.Popen([PROGRAM, "ball.glb", *SMALL, "--backend", "gl"], cwd=self.folder, env=cold, stderr=terminal) as run:
+        command = [PROGRAM, "ball.glb", *SMALL, "--backend", "gl"]
+        with subprocess.Popen(command, cwd=self.folder, env=cold, stderr=terminal) as run:
             os.close(terminal)
             shown = b""
             try:
