@@ -40,7 +40,7 @@ std::size_t length_of_word(std::string_view text) {
 
 std::size_t length_of_first(std::string_view text, Kind kind) {
   const auto through = [&](std::string_view end) {
-    const std::size_t found = text.find(end, 1);
+    const std::size_t found = text.find(end, kind == Kind::Directive ? 1 : 2);
     return found == text.npos ? text.size() : found + end.size();
   };
   if (kind == Kind::Word) return length_of_word(text);
@@ -59,8 +59,7 @@ std::vector<Token> tokens_of(std::string_view text) {
   return tokens;
 }
 
-// Types whose variables may be precise; structs come to it as they are met. The first are the common
-// subset's.
+// Types whose variables may be precise; structs are added as they are met.
 const std::set<std::string_view> kTypes = {"Float", "Int",   "Bool",  "Vec2", "Vec3", "Vec4",
                                            "float", "int",   "bool",  "vec2", "vec3", "vec4",
                                            "ivec2", "ivec3", "ivec4", "mat4"};
