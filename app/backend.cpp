@@ -1,8 +1,9 @@
 #include "app/backend.hpp"
 
 #include <algorithm>
+#include <set>
 
-#include "gl_backend/gl_device.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "raster/software_device.hpp"
 
@@ -42,6 +43,7 @@ void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Ba
   parser.number("--gl-device", "N",
                 {"the OpenGL device, as 'caustics doctor' numbers them", "", "the first that works"},
                 Limits<int>{0, 1023}, request.gl_device);
+  parser.flag("--gl-debug", request.debug, "an OpenGL debug context: errors name the faulty call");
   add_threads_option(parser, request.threads);
 }
 
@@ -50,8 +52,21 @@ void add_threads_option(Parser& parser, int& threads) {
                 Limits<int>{1, 1024}, threads);
 }
 
+std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request) {
+  std::unique_ptr<GlDevice> device = caustics::make_gl_device({.device = request.gl_device,
+                                                               .measure = request.measure,
+                                                               .debug = request.debug,
+                                                               .compiling = request.compiling});
+  static std::set<std::string> told;  // a study makes many devices
+  if (!device->passed_over().empty() && told.insert(device->passed_over()).second) {
+    complain("OpenGL runs on " + device->description() + ", because others cannot be used: " +
+             device->passed_over());
+  }
+  return device;
+}
+
 std::unique_ptr<Device> make_device(const BackendRequest& request) {
-  if (request.backend == Backend::OpenGl) return make_gl_device({.device = request.gl_device});
+  if (request.backend == Backend::OpenGl) return make_gl_device(request);
   return make_software_device({.threads = request.threads});
 }
 

@@ -64,7 +64,8 @@ class ParityCommand {
  public:
   explicit ParityCommand(const ParityRequest& request)
       : request_(request),
-        gl_(make_gl_device({.device = request.frame.backend.gl_device})),
+        progress_(request.json),
+        gl_(make_gl_device(measuring(request.frame.backend))),
         driver_(gl_driver_name(gl_->renderer(), gl_->version())),
         book_(driver_, parity_allowances()) {}
 
@@ -75,14 +76,13 @@ class ParityCommand {
     check_request(request, "parity");
     const RenderedFrame frame(request, load_scene(request), {});
     const SceneOnDevice on_gl(frame.scene(), frame.effects(), *gl_);
-    Progress progress(request_.json);
     const FrameParity parity = compare_devices(
         frame.plan(), pass_registry(), frame.on_device(), on_gl, frame.inputs(),
         [&](const AttachmentParity& found, const Image& reference, const Image& tested) {
           if (dump) dump->add(found, reference, tested);
         },
         [&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
-          progress.show(frame.scene().file + ": pass " + std::to_string(done) + " of " +
+          progress_.show(frame.scene().file + ": pass " + std::to_string(done) + " of " +
                         std::to_string(of) + ": " + pass.label);
           return interruption() == ExitCode::Done;
         });
@@ -102,7 +102,16 @@ class ParityCommand {
   std::vector<Allowance> unused() const { return book_.unused(); }
 
  private:
+  BackendRequest measuring(BackendRequest request) {
+    request.measure = request.debug = true;
+    request.compiling = [this](std::string_view shader) {
+      progress_.show("compiling shader " + std::string(shader));
+    };
+    return request;
+  }
+
   const ParityRequest& request_;
+  Progress progress_;
   std::unique_ptr<GlDevice> gl_;
   std::string driver_;
   AllowanceBook book_;
@@ -138,10 +147,12 @@ ExitCode run_parity(const Arguments& arguments) {
   nlohmann::ordered_json reports = nlohmann::ordered_json::array();
   bool passes = true;
   for (const std::string& scene : request.scenes) {
+    const bool names_devices = !request.json && request.scenes.size() > 1 && reports.empty();
     const ParityReport report = command.compare(scene, dump ? &*dump : nullptr);
     passes = passes && report.passes();
     reports.push_back(parity_json(report));
     if (request.json) continue;
+    if (names_devices) std::printf("software: %s; gl: %s\n", report.reference.c_str(), report.tested.c_str());
     if (request.scenes.size() == 1 || !report.passes()) std::printf("%s\n", parity_text(report).c_str());
     std::printf("%s\n", verdict_line(report).c_str());
   }

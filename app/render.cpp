@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "app/shell/atomic_file.hpp"
 #include "app/output/dump.hpp"
@@ -15,6 +16,7 @@
 #include "app/shell/on_demand.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
+#include "passes/registry.hpp"
 
 namespace caustics::app {
 
@@ -116,6 +118,7 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
+  request.frame.backend.measure = !request.stats.empty();
   check_request(request.frame, "render");
   request.timed = request.frame.seconds.has_value();
   if (request.outputs.files.empty()) {
@@ -137,6 +140,13 @@ PlanGoal goal_of(const RenderRequest& request) {
   goal.textures.emplace_back("beauty");
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);
   return goal;
+}
+
+std::set<std::string> shaders_of(const FramePlan& plan) {
+  std::set<std::string> names;
+  for (const PlannedPass& pass : plan.passes)
+    names.emplace(pass_registry()[static_cast<std::size_t>(pass.pass)].definition.shader->name);
+  return names;
 }
 
 // A picture with a hole in it is not written: the fault is named instead.
@@ -206,6 +216,7 @@ class Renderer {
       : request_(std::move(request)), progress_(request_.quiet), todo_(frames_to_draw(request_)) {
     if (request_.frames && !todo_.empty())
       request_.frame.seconds = request_.seconds(todo_.front());
+    request_.frame.backend.compiling = [this](std::string_view shader) { show_compiling(shader); };
   }
 
   ExitCode render() {
@@ -253,7 +264,20 @@ class Renderer {
     choosing_ = watch.milliseconds();
   }
 
+  // How many shaders there are is known once there is a frame.
+  void show_compiling(std::string_view shader) {
+    compiled_.emplace(shader);
+    std::string text = "compiling shaders " + std::to_string(compiled_.size());
+    if (frame_) {
+      std::set<std::string> all = shaders_of(frame_->plan());
+      all.insert(compiled_.begin(), compiled_.end());
+      text += " of " + std::to_string(all.size());
+    }
+    progress_.show(text + ": " + std::string(shader));
+  }
+
   void prepare() {
+    compiled_.clear();  // what was tried before had devices of its own
     progress_.show("loading " + request_.frame.scene.filename().string());
     std::unique_ptr<LoadedScene> loaded = load_scene(request_.frame);
     if (!request_.frames && request_.films()) {
@@ -297,6 +321,7 @@ class Renderer {
                      ": " + pass.label);
       return true;
     });
+    frame_->device().finish();
     frame_times_.push_back(watch.milliseconds());
     timing_.passes += frame_times_.back();
     if (frame_times_.size() == 1) first_made_ = frame_->device().made();
@@ -363,6 +388,7 @@ class Renderer {
   double choosing_ = 0.0;
   bool met_ = true;
   std::optional<RenderedFrame> frame_;
+  std::set<std::string> compiled_;  // shaders, by the frame's device
   std::optional<Dump> dump_;
   std::vector<PassReport> reports_;  // of the last frame
   std::vector<double> frame_times_;

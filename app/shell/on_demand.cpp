@@ -11,6 +11,7 @@ namespace caustics::app {
 std::optional<Trial> try_sizes(FrameRequest request, int grid, int map) {
   request.settings.grid = grid;
   request.settings.map = map;
+  request.backend.measure = true;
   PlanGoal goal{ledger_textures()};
   goal.textures.emplace_back("picture");
   RenderedFrame frame(request, load_scene(request), goal);

@@ -373,7 +373,9 @@ class StudyRun {
     std::fprintf(stderr, "%s: %zu rows", one_line((request_.folder / "report.html").string()).c_str(),
                  study_.rows.size());
     if (reused_ > 0) std::fprintf(stderr, ", %zu of them from before", reused_);
-    std::fprintf(stderr, ", in %s\n", duration_text(total_.milliseconds()).c_str());
+    std::string devices;
+    for (const std::string& device : devices_) devices += (devices.empty() ? "" : " and ") + one_line(device);
+    std::fprintf(stderr, ", in %s on %s\n", duration_text(total_.milliseconds()).c_str(), devices.c_str());
   }
 
   StudyRequest request_;

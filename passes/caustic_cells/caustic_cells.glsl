@@ -11,6 +11,7 @@ VARYING_FLAT(4, Vec4, far)
 VARYING_FLAT(8, Vec3, flux)
 
 #ifdef VERTEX_STAGE
+#include "passes/shared/splat.glsl"
 
 // One square point over the texels that the cell touches: its corners are corners of texels.
 void main() {
@@ -30,8 +31,7 @@ void main() {
   Float x = max_of(min_of(left, float(u.grid.y) - side), Float(0.0f)) * 2.0f + side;
   Float y = max_of(min_of(bottom, float(u.grid.y) - side), Float(0.0f)) * 2.0f + side;
   Vec4 at = Vec4(x / float(u.grid.y) - 1.0f, y / float(u.grid.y) - 1.0f, Float(0.5f), Float(1.0f));
-  // Outside the volume: not drawn.
-  set_position(sel(carried.w > 0.0f, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
+  set_position(splat_position(at, carried.w > 0.0f));
   set_point_size(side);
 }
 #else

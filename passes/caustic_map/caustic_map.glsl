@@ -11,6 +11,7 @@ VARYING_FLAT(3, Vec2, centre)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/splat.glsl"
 #include "passes/shared/view_space.glsl"
 
 // Quarters of a grid vertex's flux that the cells around it have not taken.
@@ -49,9 +50,9 @@ void main() {
     centre = Vec2(clamp_to(floor(centre.x) + 0.5f, 0.5f, last), clamp_to(floor(centre.y) + 0.5f, 0.5f, last));
     uv = centre * (1.0f / float(u.grid.y));
   }
-  // The middle of the depth range: a splat is never clipped by depth. Outside the volume: not drawn.
+  // The middle of the depth range: a splat is never clipped by depth.
   Vec4 at = Vec4(2.0f * uv.x - 1.0f, 2.0f * uv.y - 1.0f, Float(0.5f), Float(1.0f));
-  set_position(sel(drawn, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
+  set_position(splat_position(at, drawn));
   set_point_size(Float(u.kernel.w));
 }
 #else

@@ -35,8 +35,10 @@ void main() {
 // glTF's alpha mask: is the base colour's alpha below the cutoff here? Nearest texel, repeated.
 Bool cut_out_here() {
   Float opacity = Float(u.alpha.x);
-  if (u.alpha.z > 0.5f)
-    opacity = opacity * fetch_nearest(base_color, color_uv.x - floor(color_uv.x), color_uv.y - floor(color_uv.y)).w;
+  if (u.alpha.z > 0.5f) {
+    Vec4 texel = fetch_nearest(base_color, color_uv.x - floor(color_uv.x), color_uv.y - floor(color_uv.y));
+    opacity = opacity * texel.w;
+  }
   return opacity < u.alpha.y;
 }
 
