@@ -65,6 +65,8 @@ add_test(NAME architecture.headers_compile_alone
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/headers.py ${CMAKE_CXX_COMPILER})
 add_test(NAME architecture.shaders_are_glsl
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shaders.py)
+add_test(NAME architecture.shader_functions
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shader_functions.py)
 if(CAUSTICS_BUILD_APP)
   include(${PROJECT_SOURCE_DIR}/tests/program/room.cmake OPTIONAL)
 endif()

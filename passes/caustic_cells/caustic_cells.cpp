@@ -35,8 +35,8 @@ Pass caustic_cells_pass(bool coloured) {
       .extent = Extent::Map,
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(CausticCellsUniforms{
-                .grid = {context.settings->grid - 1, context.settings->map, 0, 0}});
+            return uniform_bytes(std140::CausticCells{
+                .cells_a_side = context.settings->grid - 1, .map_side = context.settings->map});
           },
       .owner = Each::Light,
   };

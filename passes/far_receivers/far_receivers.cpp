@@ -67,8 +67,8 @@ Pass far_landing_pass() {
   for (TextureRead& read : pass.definition.reads)
     if (read.name == kLandedBefore) read = {.name = kLanding, .meaning = "what has landed already"};
   pass.uniforms = [](const PassContext& context) {
-    LandingUniforms uniforms = landing_uniforms(context);
-    uniforms.variant.w = 1;
+    std140::Landing uniforms = landing_uniforms(context);
+    uniforms.only_unconverged = 1;
     return uniform_bytes(uniforms);
   };
   return pass;

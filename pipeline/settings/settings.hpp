@@ -6,10 +6,17 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/shader/constants.hpp"
+
 namespace caustics {
 
 // What finds where a ray meets a height map (docs: passes/landing/landing.md).
-enum class Estimator : std::uint8_t { Paper, Secant, Newton, Impostor };
+enum class Estimator : std::uint8_t {
+  Paper = ESTIMATOR_PAPER,
+  Secant = ESTIMATOR_SECANT,
+  Newton = ESTIMATOR_NEWTON,
+  Impostor = ESTIMATOR_IMPOSTOR
+};
 // How a landing becomes light in the caustic map.
 enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
