@@ -31,12 +31,12 @@ UniformBytes glass_uniforms(const PassContext& context) {
       .eye = context.camera->origin,
       .iterations = 12,
       .forward = context.camera->forward,
-      .has_caster_tint = context.effects->active("textured casters"),
+      .has_caster_tint = context.effects->textured_casters.active,
   });
 }
 
 std::optional<std::string> seen(const Effects& effects) {
-  if (!effects.active("seen casters")) return {};
+  if (!effects.seen_casters.active) return {};
   return "the camera may see a refractive object";
 }
 
@@ -81,7 +81,7 @@ Pass view_exit_map_pass() {
                .cull = Cull::Front,
                .shader = &caster_exit_map_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("exit surface") || detailed_exits(effects)) return {};
+            if (!effects.exit_surface.active || detailed_exits(effects)) return {};
             return seen(effects);
           },
           .draws = DrawSet::SolidCasters,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "passes/medium/medium_uniforms.hpp"
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 
 namespace caustics {
 
@@ -29,7 +29,7 @@ std140::Landing landing_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
   const Branch& branch = *context.branch;
-  const bool impostors = settings.estimator == Estimator::Impostor && context.effects->active("distance impostors");
+  const bool impostors = settings.estimator == Estimator::Impostor && context.effects->distance_impostors.active;
   const CubeAtlas tiles = views.caster.cube.value_or(CubeAtlas{});
   const Bounds receivers = receivers_box(context);
   const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
@@ -54,10 +54,10 @@ std140::Landing landing_uniforms(const PassContext& context) {
       .estimator = static_cast<int>(settings.estimator),
       .paper_weights = settings.weights == Weights::Paper,
       .is_reflection = branch.reflected,
-      .has_mirrors = context.effects->active("mirrors"),
-      .has_exit_maps = context.effects->active("exit surface"),
+      .has_mirrors = context.effects->mirrors.active,
+      .has_exit_maps = context.effects->exit_surface.active,
       .wyman_thickness = settings.thickness == Thickness::Wyman,
-      .has_caster_tint = context.effects->active("textured casters"),
+      .has_caster_tint = context.effects->textured_casters.active,
       .only_unconverged = 0,
       .impostor = impostors ? shader_view(with_atlas(context.effects->impostors, settings.map)) : std140::View{},
   };
@@ -106,7 +106,7 @@ Pass landing_pass() {
               .shader = &landing_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics") || effects.active("medium")) return {};
+        if (!effects.caustics.active || effects.medium.active) return {};
         return "each grid vertex's light is bent and followed to a receiver";
       },
       .each = Each::Branch,
@@ -131,7 +131,7 @@ Pass landing_in_medium_pass() {
                                .meaning = "xyz: its direction, unit; w: 1 where light leaves, else 0"});
   definition.writes.push_back({.name = "landing_start_flux", .meaning = "rgb: its flux where it leaves"});
   pass.called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.active("caustics") || !effects.active("medium")) return {};
+    if (!effects.caustics.active || !effects.medium.active) return {};
     return "each grid vertex's light is bent and followed through the medium to a receiver";
   };
   pass.uniforms = [](const PassContext& context) {

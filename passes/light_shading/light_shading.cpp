@@ -41,7 +41,7 @@ UniformBytes uniforms(const PassContext& context) {
   const ViewUniforms panes = pack(views.panes), column = pack(views.column);
   const LightCone cone = light_cone(light);
   const bool directional = light.type == LightType::Directional;
-  const bool caustics = context.effects->active("caustics") && throws_caustic(context);
+  const bool caustics = context.effects->caustics.active && throws_caustic(context);
   const double texels =
       static_cast<double>(context.settings->map) * static_cast<double>(context.settings->map);
   glm::vec2 reach{0.0f};
@@ -55,7 +55,7 @@ UniformBytes uniforms(const PassContext& context) {
                      static_cast<float>((splat_kernel(*context.settings).radius + kBorder) / context.settings->map),
                      1.0f, 0.0f};
   // Not of lights that see all around.
-  if (caustics && context.effects->active("hidden receivers") && !views.caustic.cube) cascade_texel.w = 1.0f;
+  if (caustics && context.effects->hidden_receivers.active && !views.caustic.cube) cascade_texel.w = 1.0f;
   return uniform_bytes(LightShadingUniforms{
       .from_scene = shadow.from_scene,
       .caster_window = caster.window,
@@ -77,11 +77,11 @@ UniformBytes uniforms(const PassContext& context) {
       .column = column.window,
       .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(views.casters_nearest)),
       .caustic_texel = {static_cast<float>(views.caustic.window_area() / texels), reach.x, reach.y,
-                        context.effects->active("coloured caustics") ? 0.0f : 1.0f},
+                        context.effects->coloured_caustics.active ? 0.0f : 1.0f},
       .cascade_window = cascade.window,
       .cascade_texel = cascade_texel,
-      .uses = {context.effects->active("occluders") ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
-               caustics ? 1.0f : 0.0f, context.effects->active("thin panes") ? 1.0f : 0.0f},
+      .uses = {context.effects->occluders.active ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
+               caustics ? 1.0f : 0.0f, context.effects->thin_panes.active ? 1.0f : 0.0f},
       .footprint = {context.settings->pixel_means ? kMostSamples : 0.0f, 0.0f, 0.0f, 0.0f},
   });
 }
@@ -133,7 +133,7 @@ Pass in_medium(Pass pass, std::optional<std::string> (*called_for_by)(const Effe
 Pass light_shading_pass() {
   return {.definition = definition("view", "light_shading", "direct", "caustic"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light") || effects.active("medium")) return {};
+            if (!effects.light.active || effects.medium.active) return {};
             return "the light shines on what the camera sees";
           },
           .each = Each::Light,
@@ -145,8 +145,8 @@ Pass light_shading_pass() {
 Pass wide_shading_pass() {
   return {.definition = definition("wide", "wide_shading", "wide_direct", "wide_caustic"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light") || !effects.active("seen casters")) return {};
-            if (effects.active("medium")) return {};
+            if (!effects.light.active || !effects.seen_casters.active) return {};
+            if (effects.medium.active) return {};
             return "the light shines on what glass shows";
           },
           .each = Each::Light,
@@ -157,14 +157,14 @@ Pass wide_shading_pass() {
 
 Pass light_shading_in_medium_pass() {
   return in_medium(light_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.active("light") || !effects.active("medium")) return {};
+    if (!effects.light.active || !effects.medium.active) return {};
     return "the light shines through the medium on what the camera sees";
   });
 }
 
 Pass wide_shading_in_medium_pass() {
   return in_medium(wide_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.active("light") || !effects.active("seen casters") || !effects.active("medium")) return {};
+    if (!effects.light.active || !effects.seen_casters.active || !effects.medium.active) return {};
     return "the light shines through the medium on what glass shows";
   });
 }

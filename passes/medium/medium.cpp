@@ -31,7 +31,7 @@ UniformBytes light_uniforms(const PassContext& context) {
   const ViewUniforms caster = pack(views.caster), shadow = pack(views.shadow), panes = pack(views.panes);
   const LightCone cone = light_cone(light);
   const bool directional = light.type == LightType::Directional;
-  const auto used = [&](const char* effect) { return context.effects->active(effect) ? 1.0f : 0.0f; };
+  const auto used = [&](Effect Effects::*effect) { return (context.effects->*effect).active ? 1.0f : 0.0f; };
   const UniformBytes own = uniform_bytes(LightHazeUniforms{
       .light_from_scene = shadow.from_scene,
       .caster_window = caster.window,
@@ -46,7 +46,7 @@ UniformBytes light_uniforms(const PassContext& context) {
       .cone = cone.scale_offset,
       .intensity = glm::vec4(light.color * light.intensity,
                              !directional && std::isfinite(light.range) ? light.range : 0.0f),
-      .uses = {used("occluders"), throws_caustic(context) ? used("caustics") : 0.0f, used("thin panes"), 0.0f},
+      .uses = {used(&Effects::occluders), throws_caustic(context) ? used(&Effects::caustics) : 0.0f, used(&Effects::thin_panes), 0.0f},
       .steps = {context.settings->medium_steps, 0, 0, 0},
   });
   UniformBytes bytes = view_uniforms(context);
@@ -75,7 +75,7 @@ Pass view_medium_pass() {
                                       "the medium and leaves it or ends"}},
                .shader = &view_medium_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("medium")) return {};
+            if (!effects.medium.active) return {};
             return "a medium lies between the camera and what it sees";
           },
           .extent = Extent::Picture,
@@ -97,7 +97,7 @@ Pass light_haze_pass() {
                            .blend = kAccumulate}},
                .shader = &light_haze_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("scattering")) return {};
+            if (!effects.scattering.active) return {};
             return "the medium scatters the light";
           },
           .each = Each::Light,
@@ -116,7 +116,7 @@ Pass haze_pass() {
                                      .mask = kColor}},
                          .shader = &haze_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("scattering")) return {};
+            if (!effects.scattering.active) return {};
             return "the camera sees the scattered light";
           },
           .extent = Extent::Picture,

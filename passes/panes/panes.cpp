@@ -46,7 +46,7 @@ UniformBytes light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const ViewUniforms shadow = pack(views.shadow);
   PaneUniforms u = pane_uniforms(views.panes, context.light->position, context);
-  u.uses.y = context.effects->active("occluders") ? 1.0f : 0.0f;
+  u.uses.y = context.effects->occluders.active ? 1.0f : 0.0f;
   u.shadow_window = shadow.window;
   u.shadow_range = shadow.depth;
   return uniform_bytes(u);
@@ -80,7 +80,7 @@ PassDefinition view_definition(const char* name, const char* purpose, BlendState
 }
 
 std::optional<std::string> seen(const Effects& effects) {
-  if (!effects.active("thin panes")) return {};
+  if (!effects.thin_panes.active) return {};
   return "the camera may look through a thin pane";
 }
 
@@ -100,7 +100,7 @@ Pass pane_light_pass() {
                            .blend = kMultiply}},
                .shader = &pane_light_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light") || !effects.active("thin panes")) return {};
+            if (!effects.light.active || !effects.thin_panes.active) return {};
             return "thin panes tint the light that passes them";
           },
           .each = Each::Light,
