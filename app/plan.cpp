@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/plan_report.hpp"
+#include "app/shell/interrupt.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 

@@ -9,15 +9,17 @@ extern const Shader cascade_cells_shader;
 
 namespace {
 
-CascadeMapUniforms cells_uniforms(const PassContext& context) {
+std140::CascadeMap cells_uniforms(const PassContext& context) {
   const View& map = context.views->caustic;
   const View& cascade = *context.views->cascade;
   const double texels = context.settings->map;
   const glm::dvec2 size = map.window_upper - map.window_lower;
   const glm::dvec2 part = cascade.window_upper - cascade.window_lower;
   const glm::dvec2 offset = (map.window_lower - cascade.window_lower) / part * texels;
-  return {.from_map = glm::vec4(glm::vec2(size / part), glm::vec2(offset)),
-          .grid = {context.settings->grid - 1, context.settings->map, 0, 0}};
+  return {.scale = size / part,
+          .offset = offset,
+          .cells_a_side = context.settings->grid - 1,
+          .map_side = context.settings->map};
 }
 
 }  // namespace

@@ -9,13 +9,8 @@ extern const Shader caster_map_shader;
 extern const Shader detailed_casters_shader;
 extern const Shader tinted_casters_shader;
 
-CasterMapUniforms caster_map_uniforms(const View& view, int material_row) {
-  const ViewUniforms f = pack(view);
-  return {.from_scene = f.from_scene,
-          .window = f.window,
-          .depth = f.depth,
-          .material = {static_cast<float>(material_row),
-                       view.cube ? static_cast<float>(view.cube->side) : 0.0f, 0.0f, 0.0f}};
+std140::CasterMap caster_map_uniforms(const View& view, int material_row) {
+  return {.view = shader_view(view), .material_row = material_row, .map_side = view.cube ? view.cube->side : 0};
 }
 
 namespace {

@@ -7,17 +7,17 @@ namespace caustics {
 
 extern const Shader caustic_map_shader;
 
-CausticMapUniforms caustic_map_uniforms(const PassContext& context, const View& map) {
-  const ViewUniforms view = pack(map);
+std140::CausticMap caustic_map_uniforms(const PassContext& context, const View& map) {
   const SplatKernel kernel = splat_kernel(*context.settings);
   return {
-      .from_scene = view.from_scene,
-      .window = view.window,
-      .depth = view.depth,
-      .kernel = {static_cast<float>(kernel.radius), static_cast<float>(kernel.sharpness),
-                 static_cast<float>(1.0 / kernel.mass), static_cast<float>(kernel.point_size)},
-      .grid = {context.settings->grid, context.settings->map,
-               context.settings->splat == Splat::Cell ? 1 : 0, 0},
+      .map = shader_view(map),
+      .grid_side = context.settings->grid,
+      .map_side = context.settings->map,
+      .has_cells = context.settings->splat == Splat::Cell,
+      .radius = static_cast<float>(kernel.radius),
+      .sharpness = static_cast<float>(kernel.sharpness),
+      .inverse_mass = static_cast<float>(1.0 / kernel.mass),
+      .point_size = static_cast<float>(kernel.point_size),
   };
 }
 

@@ -8,27 +8,24 @@ extern const Shader cells_shader;
 
 namespace {
 
-CellsUniforms cells_uniforms(const PassContext& context) {
-  const ViewUniforms receiver = pack(context.views->receiver);
-  const ViewUniforms caustic = pack(context.views->caustic);
+std140::Cells cells_uniforms(const PassContext& context) {
   const CellLimits limits;
-  glm::vec4 tile{0.0f};
-  if (const auto& cube = context.views->caustic.cube)
-    tile = {cube->tile_width(), cube->tile_height(), 0.0f, 0.0f};
-  glm::vec4 grid_tile{0.0f};
-  if (const auto& cube = context.views->caster.cube) grid_tile = {cube->tile_width(), cube->guard, 0.0f, 0.0f};
+  const CubeAtlas tiles = context.views->caustic.cube.value_or(CubeAtlas{});
+  const CubeAtlas grid = context.views->caster.cube.value_or(CubeAtlas{});
   const int map = context.settings->map;
   return {
-      .from_scene = caustic.from_scene,
-      .receiver_window = receiver.window,
-      .receiver_depth = receiver.depth,
-      .caustic_window = caustic.window,
-      .caustic_depth = caustic.depth,
-      .limits = {limits.jump, limits.smallest_jump,
-                 std::min(limits.largest_share * static_cast<float>(map), limits.largest), limits.gap},
-      .tile = tile,
-      .grid_tile = grid_tile,
-      .grid = {context.settings->grid, map, 0, 0},
+      .receiver = shader_view(context.views->receiver),
+      .caustic = shader_view(context.views->caustic),
+      .jump = limits.jump,
+      .smallest_jump = limits.smallest_jump,
+      .largest = std::min(limits.largest_share * static_cast<float>(map), limits.largest),
+      .gap = limits.gap,
+      .tile_width = static_cast<float>(tiles.tile_width()),
+      .tile_height = static_cast<float>(tiles.tile_height()),
+      .grid_tile = static_cast<float>(grid.tile_width()),
+      .grid_guard = static_cast<float>(grid.guard),
+      .grid_side = context.settings->grid,
+      .map_side = map,
   };
 }
 

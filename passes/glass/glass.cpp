@@ -1,10 +1,16 @@
 #include "passes/glass/glass.hpp"
 
-#include <glm/glm.hpp>
-
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 #include "pipeline/effects/textured_casters.hpp"
+
+namespace caustics::std140 {
+
+struct Glass {
+#include "passes/glass/glass_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
@@ -14,29 +20,18 @@ extern const Shader glass_shader;
 
 namespace {
 
-struct GlassUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-  using ivec4 = glm::ivec4;
-#include "passes/glass/glass_uniforms.glsl"
-};
-
 UniformBytes glass_uniforms(const PassContext& context) {
   const SkyUniforms sky = sky_uniforms(context.scene->environment);
-  const bool tinted = context.effects->textured_casters.active;
-  const ViewUniforms view = pack(*context.camera), wide = pack(*context.surroundings);
-  return uniform_bytes(GlassUniforms{
+  return uniform_bytes(std140::Glass{
       .sky_zenith = sky.zenith,
       .sky_horizon = sky.horizon,
       .sky_ground = sky.ground,
-      .from_scene = view.from_scene,
-      .window = view.window,
-      .depth = view.depth,
-      .wide_window = wide.window,
-      .wide_depth = wide.depth,
-      .eye = glm::vec4(glm::vec3(context.camera->origin), context.camera->perspective ? 1.0f : 0.0f),
-      .forward = glm::vec4(glm::vec3(context.camera->forward), 0.0f),
-      .method = {12, tinted ? 1 : 0, 0, 0},
+      .view = shader_view(*context.camera),
+      .surroundings = shader_view(*context.surroundings),
+      .eye = context.camera->origin,
+      .iterations = 12,
+      .forward = context.camera->forward,
+      .has_caster_tint = context.effects->textured_casters.active,
   });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "passes/medium/medium_uniforms.hpp"
-#include "passes/shared/light_uniforms.hpp"
 #include "pipeline/scene/cube_view.hpp"
 
 namespace caustics {
@@ -26,50 +25,41 @@ Bounds receivers_box(const PassContext& context) {
 
 }  // namespace
 
-LandingUniforms landing_uniforms(const PassContext& context) {
+std140::Landing landing_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
   const Branch& branch = *context.branch;
-  const ViewUniforms caster = pack(views.caster);
-  const ViewUniforms receiver = pack(views.receiver);
-  const ViewUniforms caustic = pack(views.caustic);
-  const bool around = settings.estimator == Estimator::Impostor && context.effects->distance_impostors.active;
-  const ViewUniforms impostors =
-      around ? pack(with_atlas(context.effects->impostors, settings.map)) : ViewUniforms{};
-  glm::vec4 tile{0.0f};
-  if (const auto& cube = views.caster.cube)
-    tile = {cube->tile_width(), cube->tile_height(), cube->guard, 1.0f};
-  const LightCone cone = light_cone(*context.light);
+  const bool impostors = settings.estimator == Estimator::Impostor && context.effects->distance_impostors.active;
+  const CubeAtlas tiles = views.caster.cube.value_or(CubeAtlas{});
   const Bounds receivers = receivers_box(context);
   const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
   return {
-      .from_scene = caster.from_scene,
-      .caster_window = caster.window,
-      .caster_depth = caster.depth,
-      .receiver_window = receiver.window,
-      .receiver_depth = receiver.depth,
-      .caustic_window = caustic.window,
-      .caustic_depth = caustic.depth,
-      .light = glm::vec4(glm::vec3(views.caster.perspective ? context.light->position
-                                                             : views.caster.forward),
-                         0.0f),
-      .cone_axis = cone.axis,
-      .cone = cone.scale_offset,
-      .cell = {static_cast<float>(views.caster.window_area() / cells), kExitTolerance,
-               kLandingTolerance, context.effects->mirrors.active ? 1.0f : 0.0f},
-      .receivers_lower = glm::vec4(receivers.lower, 0.0),
-      .receivers_upper = glm::vec4(receivers.upper, 0.0),
-      .tile = tile,
-      .branch = glm::vec4(branch.color, static_cast<float>(branch.bend)),
-      .impostor_from_scene = impostors.from_scene,
-      .impostor_window = impostors.window,
-      .impostor_depth = impostors.depth,
-      .impostor_centre = glm::vec4(glm::vec3(context.effects->impostors.origin), 0.0f),
-      .method = {settings.iterations, static_cast<int>(settings.estimator),
-                 settings.weights == Weights::Paper ? 1 : 0,
-                 context.effects->exit_surface.active ? 1 : 0},
-      .variant = {branch.reflected ? 1 : 0, settings.thickness == Thickness::Wyman ? 1 : 0,
-                  context.effects->textured_casters.active ? 1 : 0, context.farthest() ? 1 : 0},
+      .caster = shader_view(views.caster),
+      .receiver = shader_view(views.receiver),
+      .caustic = shader_view(views.caustic),
+      .cone = shader_cone(*context.light),
+      .light = glm::vec3(views.caster.perspective ? context.light->position : views.caster.forward),
+      .cell_area = static_cast<float>(views.caster.window_area() / cells),
+      .channel_share = branch.color,
+      .bend = static_cast<float>(branch.bend),
+      .receivers_lower = receivers.lower,
+      .exit_tolerance = kExitTolerance,
+      .receivers_upper = receivers.upper,
+      .landing_tolerance = kLandingTolerance,
+      .impostor_centre = context.effects->impostors.origin,
+      .tile_width = static_cast<float>(tiles.tile_width()),
+      .tile_height = static_cast<float>(tiles.tile_height()),
+      .tile_guard = static_cast<float>(tiles.guard),
+      .iterations = settings.iterations,
+      .estimator = static_cast<int>(settings.estimator),
+      .paper_weights = settings.weights == Weights::Paper,
+      .is_reflection = branch.reflected,
+      .has_mirrors = context.effects->mirrors.active,
+      .has_exit_maps = context.effects->exit_surface.active,
+      .wyman_thickness = settings.thickness == Thickness::Wyman,
+      .has_caster_tint = context.effects->textured_casters.active,
+      .only_unconverged = context.farthest(),
+      .impostor = impostors ? shader_view(with_atlas(context.effects->impostors, settings.map)) : std140::View{},
   };
 }
 

@@ -4,24 +4,13 @@ namespace caustics {
 
 extern const Shader receiver_map_shader;
 
-ReceiverMapUniforms receiver_map_uniforms(const View& view, const Material& material,
-                                          const LightViews* views) {
-  const ViewUniforms f = pack(view);
-  const glm::mat3& uv = material.base_color_texture.uv_transform;
-  const ViewUniforms column = views ? pack(views->column) : f;
-  const float nearest = views ? static_cast<float>(views->casters_nearest) : -1e30f;
-  const bool masked = material.alpha_mode == AlphaMode::Mask;
+std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& material, const LightViews* views) {
   return {
-      .from_scene = f.from_scene,
-      .window = f.window,
-      .depth = f.depth,
-      .alpha = {material.base_color.a, masked ? material.alpha_cutoff : 0.0f,
-                masked && material.base_color_texture.present() ? 1.0f : 0.0f,
-                view.cube ? static_cast<float>(view.cube->side) : 0.0f},
-      .uv_row0 = {uv[0][0], uv[1][0], uv[2][0], 0.0f},
-      .uv_row1 = {uv[0][1], uv[1][1], uv[2][1], 0.0f},
-      .column = column.window,
-      .column_depth = glm::vec4(glm::vec3(column.depth), nearest),
+      .view = shader_view(view),
+      .column = shader_view(views ? views->column : view),
+      .casters_nearest = views ? static_cast<float>(views->casters_nearest) : -1e30f,
+      .map_side = view.cube ? view.cube->side : 0,
+      .mask = std140::alpha_mask(material),
   };
 }
 

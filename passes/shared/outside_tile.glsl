@@ -8,3 +8,13 @@ Bool outside_tile(vec4 window, vec4 depth, float side) {
   return abs(frag_x() - middle.x * half_width) > half_width ||
          abs(frag_y() - middle.y * half_height) > half_height;
 }
+
+// Below, the same with the view as one argument.
+Bool outside_tile(IN(View) view, int side) {
+  // Half a tile in texels, to a quarter: rounding of the uniforms moves it by less.
+  Float half_width = floor(Float((4.0f * float(side)) * view.offset.x + 0.5f)) * 0.25f;
+  Float half_height = floor(Float((4.0f * float(side)) * view.offset.y + 0.5f)) * 0.25f;
+  Vec2 middle = cube_middle(Int(view.face));
+  return abs(frag_x() - middle.x * half_width) > half_width ||
+         abs(frag_y() - middle.y * half_height) > half_height;
+}

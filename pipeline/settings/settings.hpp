@@ -6,9 +6,16 @@
 #include <string>
 #include <string_view>
 
+#include "pipeline/shader/constants.hpp"
+
 namespace caustics {
 
-enum class Estimator : std::uint8_t { Paper, Secant, Newton, Impostor };
+enum class Estimator : std::uint8_t {
+  Paper = ESTIMATOR_PAPER,
+  Secant = ESTIMATOR_SECANT,
+  Newton = ESTIMATOR_NEWTON,
+  Impostor = ESTIMATOR_IMPOSTOR
+};
 enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 enum class Thickness : std::uint8_t { Map, Wyman };
