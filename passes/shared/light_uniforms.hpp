@@ -1,6 +1,7 @@
-// What shaders get of a light besides its frames (passes/shared/light_intensity.glsl).
+// What shaders get of a light besides its views (passes/shared/light.glsl, light_cone.glsl).
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 
 #include "pipeline/scene/exact.hpp"
@@ -9,9 +10,9 @@
 
 namespace caustics {
 
-// A spot light's cone: falloff = clamp(offset - (1 - cos(angle)) scale, 0, 1)^2 (KHR_lights_punctual, inner and outer
-// cone angles), scale and offset in x and y; scale 0 for lights without a cone. Where z is 1 the falloff is a Lambertian
-// emitter's cosine instead.
+// A spot light's cone: falloff = clamp(offset - (1 - cos(angle)) scale, 0, 1)^2 (KHR_lights_punctual, inner
+// and outer cone angles), scale and offset in x and y; scale 0 for lights without a cone. Where z is 1 the
+// falloff is a Lambertian emitter's cosine instead.
 struct LightCone {
   glm::vec4 axis{0.0f};
   glm::vec4 scale_offset{0.0f};
@@ -39,6 +40,7 @@ inline LightCone light_cone(const Light& light) {
 
 namespace std140 {
 #include "passes/shared/light_cone.glsl"
+#include "passes/shared/light.glsl"
 }  // namespace std140
 
 // The same as one struct.
@@ -48,6 +50,17 @@ inline std140::LightCone shader_cone(const Light& light) {
           .scale = cone.scale_offset.x,
           .offset = cone.scale_offset.y,
           .lambertian = cone.scale_offset.z != 0.0f ? 1 : 0};
+}
+
+// `direction`: the way a directional light shines, as its views have it.
+inline std140::Light shader_light(const Light& light, const glm::dvec3& direction) {
+  const bool directional = light.type == LightType::Directional;
+  return {.position = glm::vec3(light.position),
+          .has_position = directional ? 0 : 1,
+          .direction = glm::vec3(direction),
+          .range = !directional && std::isfinite(light.range) ? light.range : 0.0f,
+          .intensity = light.color * light.intensity,
+          .cone = shader_cone(light)};
 }
 
 }  // namespace caustics

@@ -166,7 +166,7 @@ struct FragmentStage {
 #define IN(T) const T&
 #define OUT(T) T&
 #define INOUT(T) T&
-#define UNIFORMS_BEGIN struct UniformBlock {
+#define UNIFORMS_BEGIN struct alignas(16) UniformBlock {
 #define UNIFORMS_END                                                             \
   }                                                                              \
   ;                                                                              \
