@@ -2,10 +2,8 @@
 #pragma once
 #include <memory>
 
-#include "app/judged_scene.hpp"
-#include "pipeline/renderer/light_pilot.hpp"
-#include "pipeline/renderer/run_plan.hpp"
-#include "pipeline/renderer/moving_water.hpp"
+#include "app/loaded_scene.hpp"
+#include "pipeline/renderer/frame_renderer.hpp"
 
 namespace caustics::app {
 
@@ -17,61 +15,42 @@ void check_memory(const FramePlan& plan, const Effects& effects);
 // The same of so many bytes; `advice`: what to lower.
 void check_memory(std::uint64_t needed, const std::string& advice);
 
-// The views of every light, fitted on a software device of its own. Leaves waters at rest.
-std::vector<LightViews> fit_views(JudgedScene& judged, const FrameRequest& request);
+// The views of every light are fitted on it, whatever device draws.
+std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend);
 
 // A frame on the device, ready to run; one after the other where the scene moves. Everything it refers
 // to it owns.
 class RenderedFrame {
  public:
-  RenderedFrame(const FrameRequest& request, std::unique_ptr<JudgedScene> judged,
-                const PlanGoal& goal);
+  RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded, const PlanGoal& goal);
 
+  // Stops after a pass when `after` says so, or on an interruption.
   std::vector<PassReport> run(const AfterPass& after = {});
-  bool has(const std::string& texture) const { return plan_.find(texture) >= 0; }
-  // The texels of a texture of the plan, by its full name or its index.
-  Image read(const std::string& texture) const;
-  Image read(int texture) const;
-  // A pass of the plan with everything bound to it.
-  PassRun prepare(const PlannedPass& pass) const;
-
   // The scene at that moment of its animation, ready to run; the device and what is on it are kept. The
   // images are those of a frame made for that moment alone.
   void move_to(double seconds);
 
-  const Scene& scene() const { return judged_->scene(); }
-  const Effects& effects() const { return judged_->effects(); }
-  bool moves() const { return judged_->moves() || water_ != nullptr; }
-  const Settings& settings() const { return settings_; }
-  const FramePlan& plan() const { return plan_; }
-  const std::vector<LightViews>& views() const { return views_; }
-  const FrameInputs& inputs() const { return inputs_; }
-  const SceneOnDevice& on_device() const { return *on_device_; }
+  bool moves() const { return loaded_->moves() || renderer_->has_waters(); }
+  bool has(const std::string& texture) const { return renderer_->has(texture); }
+  template <class NameOrIndex>
+  Image read(const NameOrIndex& texture) const {
+    return renderer_->read(texture);
+  }
+  PassRun prepare(const PlannedPass& pass) const { return renderer_->prepare(pass); }
+
+  const Scene& scene() const { return loaded_->scene(); }
+  const Effects& effects() const { return renderer_->effects(); }
+  const Settings& settings() const { return renderer_->settings(); }
+  const FramePlan& plan() const { return renderer_->plan(); }
+  const std::vector<LightViews>& views() const { return renderer_->views(); }
+  const FrameInputs& inputs() const { return renderer_->inputs(); }
+  const SceneOnDevice& on_device() const { return renderer_->on_device(); }
   Device& device() const { return *device_; }
 
  private:
-  void plan_frame();
-  void make_fitter(const BackendRequest& backend);
-  void fit();
-  void move_animation(double seconds);
-  void show_waters(double seconds);
-
-  Settings settings_;
-  std::unique_ptr<JudgedScene> judged_;
-  PlanGoal goal_;
-  FramePlan plan_;
-  std::unique_ptr<Device> device_;
-  std::unique_ptr<SceneOnDevice> on_device_;
-  // Only where another device than the software device draws.
-  std::unique_ptr<Device> fitting_device_;
-  std::unique_ptr<SceneOnDevice> fitting_scene_;
-  std::unique_ptr<LightFitter> fitter_;
-  std::unique_ptr<MovingWater> water_;  // where the scene has any
-  WaterReport water_report_;           // of what was shown last
-  std::optional<double> shown_;         // the moment of the waters
-  std::vector<LightViews> views_;
-  std::unique_ptr<FrameTargets> targets_;
-  FrameInputs inputs_;
+  std::unique_ptr<LoadedScene> loaded_;
+  std::unique_ptr<Device> device_, pilot_device_;
+  std::unique_ptr<FrameRenderer> renderer_;
 };
 
 }  // namespace caustics::app

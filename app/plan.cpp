@@ -40,20 +40,20 @@ ExitCode run_plan_command(const Arguments& arguments) {
   if (!parser.parse(arguments)) return ExitCode::Done;
   request.scene = scene;
   check_request(request, "plan");
-  std::unique_ptr<JudgedScene> loaded = load_scene(request);
-  const JudgedScene* judged = loaded.get();
-  if (judged->effects().active("caustics")) loaded->judge_cascades(fit_views(*loaded, request));
+  std::unique_ptr<LoadedScene> loaded = load_scene(request);
+  const LoadedScene* shown = loaded.get();
   // What `render` runs for a PNG picture.
-  const FramePlan plan =
-      make_plan(judged->scene(), judged->effects(), request.settings, pass_registry(), {{"picture"}});
+  const std::unique_ptr<Device> pilot = make_pilot_device(request.backend);
+  const PlannedFrame frame =
+      plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot, {{"picture"}}, stop_if_interrupted);
   std::optional<RenderedFrame> coarse;
   std::vector<LightLedger> ledgers;
-  if (judged->effects().active("caustics")) {
+  if (frame.effects.caustics.active) {
     coarse.emplace(coarse_request(request), std::move(loaded), PlanGoal{ledger_textures()});
     coarse->run();
     ledgers = read_ledgers(*coarse);
   }
-  const PlanReport report{*judged, request.settings, plan, ledgers};
+  const PlanReport report{*shown, frame.effects, request.settings, frame.plan, ledgers};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));
   std::fputs(text.c_str(), stdout);
   return ExitCode::Done;

@@ -116,13 +116,13 @@ Json passes_json(const FramePlan& plan) {
 }  // namespace
 
 std::string plan_json(const PlanReport& report) {
-  const Scene& scene = report.judged.scene();
-  const Effects& effects = report.judged.effects();
+  const Scene& scene = report.loaded.scene();
+  const Effects& effects = report.effects;
   Json document = {{"format", 1},
                    {"program", version_line()},
                    {"scene", scene_json(scene)},
                    {"settings", settings_json(report.settings)},
-                   {"camera", report.judged.camera().name},
+                   {"camera", report.loaded.camera().name},
                    {"surfaces", surfaces_json(scene, effects)},
                    {"lights", lights_json(scene)},
                    {"expectations", Json::array()},
@@ -132,9 +132,9 @@ std::string plan_json(const PlanReport& report) {
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
                    {"notes", scene.notes}};
-  if (report.judged.moves()) {
-    document["animation"] = {{"seconds", report.judged.duration()},
-                             {"meshes", report.judged.moving_meshes()}};
+  if (report.loaded.moves()) {
+    document["animation"] = {{"seconds", report.loaded.duration()},
+                             {"meshes", report.loaded.moving_meshes()}};
   }
   for (const Expectation& e : known_expectations(scene, effects, report.ledgers)) {
     document["expectations"].push_back(
@@ -143,8 +143,9 @@ std::string plan_json(const PlanReport& report) {
   for (const LightLedger& ledger : report.ledgers) {
     document["leaves_share"].push_back({{"light", ledger.light}, {"share", ledger.leaves()}});
   }
-  for (const Effect& e : effects.list) {
-    document["effects"].push_back({{"name", e.name}, {"active", e.active}, {"reason", e.reason}});
+  for (const NamedEffect& named : named_effects()) {
+    const Effect& e = effects.*named.effect;
+    document["effects"].push_back({{"name", named.name}, {"active", e.active}, {"reason", e.reason}});
   }
   for (const SkippedPass& pass : report.plan.skipped) {
     document["skipped"].push_back({{"pass", pass.name}, {"reason", pass.reason}});

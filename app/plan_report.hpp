@@ -7,7 +7,8 @@
 namespace caustics::app {
 
 struct PlanReport {
-  const JudgedScene& judged;
+  const LoadedScene& loaded;
+  const Effects& effects;
   const Settings& settings;
   const FramePlan& plan;
   std::vector<LightLedger> ledgers;  // of a coarse run; empty where nothing throws a caustic

@@ -41,8 +41,8 @@ class TextReport {
   }
 
  private:
-  const Scene& of() const { return report_.judged.scene(); }
-  const Effects& judged() const { return report_.judged.effects(); }
+  const Scene& of() const { return report_.loaded.scene(); }
+  const Effects& called_for() const { return report_.effects; }
 
   void heading(const std::string& title) {
     text_ += (text_.empty() ? "" : "\n") + (colour_ ? "\033[1m" + title + "\033[0m" : title) + "\n";
@@ -62,15 +62,15 @@ class TextReport {
     table.row({"meshes", grouped(of().meshes.size()) + ", " + grouped(triangles) + " triangles"});
     table.row({"size", significant(size.x, 3) + " x " + significant(size.y, 3) + " x " +
                            significant(size.z, 3) + " m"});
-    table.row({"camera", one_line(report_.judged.camera().name)});
-    if (report_.judged.moves()) table.row({"moves", movement()});
+    table.row({"camera", one_line(report_.loaded.camera().name)});
+    if (report_.loaded.moves()) table.row({"moves", movement()});
     text_ += table.text();
   }
 
   // "for 2.5 s, then again; 3 meshes".
   std::string movement() const {
-    const std::size_t meshes = report_.judged.moving_meshes().size();
-    return "for " + significant(report_.judged.duration(), 4) + " s, then again; " +
+    const std::size_t meshes = report_.loaded.moving_meshes().size();
+    return "for " + significant(report_.loaded.duration(), 4) + " s, then again; " +
            (meshes == 0 ? "no meshes" : grouped(meshes) + (meshes == 1 ? " mesh" : " meshes"));
   }
 
@@ -80,9 +80,9 @@ class TextReport {
       std::size_t first, count;
     };
     std::vector<Group> groups;
-    for (std::size_t i = 0; i < judged().surfaces.size(); ++i) {
+    for (std::size_t i = 0; i < called_for().surfaces.size(); ++i) {
       const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-        return judged().surfaces[group.first].reason == judged().surfaces[i].reason;
+        return called_for().surfaces[group.first].reason == called_for().surfaces[i].reason;
       });
       same == groups.end() ? groups.push_back({i, 1}) : void(++same->count);
     }
@@ -92,8 +92,8 @@ class TextReport {
       const std::string more =
           group.count == 1 ? "" : " and " + std::to_string(group.count - 1) + " more";
       table.row({mesh_label(of(), static_cast<int>(group.first)) + more,
-                 std::string(caustics::name_of(judged().surfaces[group.first].role)),
-                 one_line(judged().surfaces[group.first].reason)});
+                 std::string(caustics::name_of(called_for().surfaces[group.first].role)),
+                 one_line(called_for().surfaces[group.first].reason)});
     }
     text_ += table.text();
   }
@@ -113,12 +113,12 @@ class TextReport {
   void expectations() {
     heading("caustics to expect");
     Table table;
-    for (const Expectation& e : known_expectations(of(), judged(), report_.ledgers)) {
+    for (const Expectation& e : known_expectations(of(), called_for(), report_.ledgers)) {
       table.row({yes_no(e.expected),
                  "light " + light_label(of(), e.light) + " through " + mesh_label(of(), e.mesh),
                  e.reason});
     }
-    if (judged().expectations.empty()) {
+    if (called_for().expectations.empty()) {
       table.row({yes_no(false), "nothing in the scene bends or mirrors light"});
     }
     text_ += table.text();
@@ -131,8 +131,9 @@ class TextReport {
   void effects() {
     heading("effects");
     Table table;
-    for (const Effect& effect : judged().list) {
-      table.row({yes_no(effect.active), effect.name, one_line(effect.reason)});
+    for (const NamedEffect& named : named_effects()) {
+      const Effect& effect = called_for().*named.effect;
+      table.row({yes_no(effect.active), std::string(named.name), one_line(effect.reason)});
     }
     text_ += table.text();
   }

@@ -116,9 +116,9 @@ void print_probe(const RenderedFrame& frame, const ProbeRequest& request,
 ExitCode run_probe(const Arguments& arguments) {
   ProbeRequest request;
   if (!parse(arguments, request)) return ExitCode::Done;
-  std::unique_ptr<JudgedScene> judged = load_scene(request.frame);
-  check_light(judged->scene(), request);
-  RenderedFrame frame(request.frame, std::move(judged), {{kLanding}});
+  std::unique_ptr<LoadedScene> loaded = load_scene(request.frame);
+  check_light(loaded->scene(), request);
+  RenderedFrame frame(request.frame, std::move(loaded), {{kLanding}});
   const PlannedPass& landing = find_landing(frame, request);
   frame.run();
   const ProbedTexel probed = probe_texel(frame, landing, request.x, request.y);

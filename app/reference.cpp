@@ -7,7 +7,7 @@
 #include "app/shell/atomic_file.hpp"
 #include "app/frame.hpp"
 #include "app/shell/interrupt.hpp"
-#include "app/judged_scene.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/shell/progress.hpp"
 #include "app/reference_layers.hpp"
 #include "app/reference_options.hpp"
@@ -45,15 +45,16 @@ class ReferenceRun {
  private:
   void prepare() {
     progress_.show("loading " + request_.frame.scene.filename().string());
-    judged_ = load_scene(request_.frame);
-    request_.trace.exact = exact_shapes(judged_->scene(), request_.exact);
+    loaded_ = load_scene(request_.frame);
+    effects_ = effects_of(loaded_->scene(), request_.frame.settings);
+    request_.trace.exact = exact_shapes(loaded_->scene(), request_.exact);
     progress_.show("what the camera sees");
     check_memory(static_cast<std::uint64_t>(request_.trace.width) * static_cast<std::uint64_t>(request_.trace.height) *
                      kBytesPerPixel, "-r");
-    tracer_ = std::make_unique<tracer::Tracer>(judged_->scene(), judged_->effects(), judged_->camera(),
+    tracer_ = std::make_unique<tracer::Tracer>(loaded_->scene(), effects_, loaded_->camera(),
                                                request_.trace);
     stop_if_interrupted();
-    text_ = tracer::request_text(judged_->scene(), judged_->effects(), judged_->camera(), request_.trace);
+    text_ = tracer::request_text(loaded_->scene(), effects_, loaded_->camera(), request_.trace);
     if (request_.resume) restore();
     timing_.prepare = total_.milliseconds();
   }
@@ -161,9 +162,9 @@ class ReferenceRun {
     write_reference_layers(request_.output, request_.layers, *tracer_, request_.trace.threads);
     timing_.total = total_.milliseconds();
     if (!request_.stats.empty())
-      write_atomically(request_.stats, reference_stats(request_, judged_->scene(), *tracer_, timing_));
+      write_atomically(request_.stats, reference_stats(request_, loaded_->scene(), *tracer_, timing_));
     progress_.clear();
-    if (!request_.quiet) print_reference(request_, judged_->scene(), judged_->effects(), *tracer_, timing_);
+    if (!request_.quiet) print_reference(request_, loaded_->scene(), effects_, *tracer_, timing_);
     if (!reached_)
       complain("the error is " + percent(tracer_->relative_error()) + ", not the " +
                percent(*request_.error) + " asked for; the picture is written, --resume goes on");
@@ -173,7 +174,8 @@ class ReferenceRun {
   Progress progress_;
   Stopwatch total_, watch_;
   ReferenceTiming timing_;
-  std::unique_ptr<JudgedScene> judged_;
+  std::unique_ptr<LoadedScene> loaded_;
+  Effects effects_;
   std::unique_ptr<tracer::Tracer> tracer_;
   std::string text_;  // of the request
   double saved_ = 0.0, error_ = 0.0;

@@ -181,7 +181,7 @@ std::vector<int> frames_to_draw(const RenderRequest& request) {
 }
 
 // A film of no given frames shows the whole animation once.
-FrameRange whole_animation(const JudgedScene& scene, double rate) {
+FrameRange whole_animation(const LoadedScene& scene, double rate) {
   if (!(scene.duration() > 0.0)) {
     throw Error(ExitCode::WrongUsage,
                 "nothing moves in the scene, so a film has no length: say --frames A..B");
@@ -250,15 +250,15 @@ class Renderer {
 
   void prepare() {
     progress_.show("loading " + request_.frame.scene.filename().string());
-    std::unique_ptr<JudgedScene> judged = load_scene(request_.frame);
+    std::unique_ptr<LoadedScene> loaded = load_scene(request_.frame);
     if (!request_.frames && request_.films()) {
-      request_.frames = whole_animation(*judged, request_.rate);
+      request_.frames = whole_animation(*loaded, request_.rate);
       todo_ = frames_to_draw(request_);
     }
-    if (!judged->moves() && !judged->effects().active("water waves")) say_that_nothing_moves();
+    if (!loaded->moves() && loaded->scene().waters.empty()) say_that_nothing_moves();
     timing_.load = total_.milliseconds();
     progress_.show("finding where the light goes");
-    frame_.emplace(request_.frame, std::move(judged), goal_of(request_));
+    frame_.emplace(request_.frame, std::move(loaded), goal_of(request_));
     timing_.prepare = total_.milliseconds() - timing_.load;
     if (!request_.dump.empty()) dump_.emplace(request_.dump);
     const Settings& size = request_.frame.settings;

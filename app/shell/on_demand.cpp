@@ -62,7 +62,7 @@ std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand
     progress("measuring what accuracy costs here: " + std::to_string(trials.size() + 1) + " of 3");
     const std::optional<Trial> trial = try_sizes(request, grid, map);
     if (!trial) {
-      if (demand.error && load_scene(request)->effects().active("caustics"))
+      if (demand.error && effects_of(load_scene(request)->scene(), request.settings).caustics.active)
         throw Error(ExitCode::WrongUsage, "--target-error: the error of this caustic cannot be told, as none of its "
                                           "light lands, or as points that see all around; choose --grid and --map");
       return {};

@@ -22,7 +22,7 @@ Pass beams_pass() {
               .shader = &beams_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("light shafts")) return {};
+        if (!effects.light_shafts.active) return {};
         return "the casters' light is seen as beams";
       },
       .each = Each::Branch,

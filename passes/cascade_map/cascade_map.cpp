@@ -10,12 +10,11 @@ extern const Shader cascade_cells_shader;
 namespace {
 
 bool has_cascade(const Effects& effects, int light) {
-  const auto i = static_cast<std::size_t>(light);
-  return i < effects.cascades.size() && !effects.cascades[i].empty();
+  return !effects.lights[static_cast<std::size_t>(light)].cascade.empty();
 }
 
 std::optional<std::string> called_for(const Effects& effects, bool coloured) {
-  if (!effects.active("cascades") || effects.active("coloured caustics") != coloured) return {};
+  if (!effects.cascades.active || effects.coloured_caustics.active != coloured) return {};
   return "most of the light falls on little of its map";
 }
 std::optional<std::string> called_for_coloured(const Effects& e) { return called_for(e, true); }
@@ -24,7 +23,7 @@ std::optional<std::string> called_for_grey(const Effects& e) { return called_for
 // Cells only where landings are joined to them.
 template <std::optional<std::string> (*called_for)(const Effects&)>
 std::optional<std::string> with_cells(const Effects& effects) {
-  if (!effects.active("cells")) return {};
+  if (!effects.cells.active) return {};
   return called_for(effects);
 }
 

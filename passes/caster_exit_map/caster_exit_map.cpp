@@ -28,7 +28,7 @@ Pass caster_exit_map_pass() {
               .shader = &caster_exit_map_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics") || !effects.active("exit surface") || detailed_exits(effects)) return {};
+        if (!effects.caustics.active || !effects.exit_surface.active || detailed_exits(effects)) return {};
         return "light leaves solid casters through a second surface";
       },
       .each = Each::Light,

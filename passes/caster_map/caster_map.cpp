@@ -36,7 +36,7 @@ Pass caster_map_pass() {
               .shader = &caster_map_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics") || caster_detail(effects) != CasterDetail::None) return {};
+        if (!effects.caustics.active || caster_detail(effects) != CasterDetail::None) return {};
         return "each texel that a caster covers becomes a grid vertex";
       },
       .each = Each::Light,

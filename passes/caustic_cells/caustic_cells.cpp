@@ -10,7 +10,7 @@ namespace {
 
 // The flux is gathered where there is any, in as many channels as it has.
 std::optional<std::string> called_for(const Effects& effects, bool coloured) {
-  if (!effects.active("cells") || effects.active("coloured caustics") != coloured) return {};
+  if (!effects.cells.active || effects.coloured_caustics.active != coloured) return {};
   return "the cells' flux is gathered for the camera";
 }
 std::optional<std::string> called_for_coloured(const Effects& e) { return called_for(e, true); }

@@ -58,7 +58,7 @@ Pass cells_pass() {
               .shader = &cells_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("cells")) return {};
+        if (!effects.cells.active) return {};
         return "neighbouring landings are joined to cells";
       },
       .each = Each::Branch,

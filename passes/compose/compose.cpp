@@ -61,7 +61,7 @@ PassDefinition definition(const std::string& name, const std::string& view,
 Pass compose_pass() {
   return {.definition = definition("compose", "view", "", "scene_color"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("seen casters")) return {};
+            if (!effects.seen_casters.active) return {};
             return "glass shows the scene behind it";
           },
           .extent = Extent::Picture,
@@ -71,7 +71,7 @@ Pass compose_pass() {
 Pass compose_beauty_pass() {
   return {.definition = definition("compose_beauty", "view", "", "beauty"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (effects.active("seen casters")) return {};
+            if (effects.seen_casters.active) return {};
             return "no glass stands before the scene";
           },
           .extent = Extent::Picture,
@@ -81,7 +81,7 @@ Pass compose_beauty_pass() {
 Pass wide_compose_pass() {
   return {.definition = definition("wide_compose", "wide", "wide_", "wide_color"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("seen casters")) return {};
+            if (!effects.seen_casters.active) return {};
             return "glass shows what lies beyond the picture's edges";
           },
           .extent = Extent::Wide,

@@ -13,21 +13,21 @@ namespace caustics {
 namespace {
 
 std::optional<std::string> called_for(const Effects& effects) {
-  if (!effects.active("hidden receivers")) return {};
+  if (!effects.hidden_receivers.active) return {};
   return "light lands where other receivers hide it from the light's own view";
 }
 
 std::optional<std::string> called_for_cells(const Effects& effects) {
-  return effects.active("cells") ? called_for(effects) : std::nullopt;
+  return effects.cells.active ? called_for(effects) : std::nullopt;
 }
 
 template <std::optional<std::string> (*called_for)(const Effects&), bool coloured>
 std::optional<std::string> called_for_in(const Effects& effects) {
-  return effects.active("coloured caustics") == coloured ? called_for(effects) : std::nullopt;
+  return effects.coloured_caustics.active == coloured ? called_for(effects) : std::nullopt;
 }
 
 bool has_window(const Effects& effects, int light) {
-  return effects.all_around[static_cast<std::size_t>(light)].empty();
+  return effects.lights[static_cast<std::size_t>(light)].all_around.empty();
 }
 
 // The textures of which there is one for the nearest receivers and one for the farthest.

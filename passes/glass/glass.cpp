@@ -23,7 +23,7 @@ struct GlassUniforms {
 
 UniformBytes glass_uniforms(const PassContext& context) {
   const SkyUniforms sky = sky_uniforms(context.scene->environment);
-  const bool tinted = context.effects->active("textured casters");
+  const bool tinted = context.effects->textured_casters.active;
   const ViewUniforms view = pack(*context.camera), wide = pack(*context.surroundings);
   return uniform_bytes(GlassUniforms{
       .sky_zenith = sky.zenith,
@@ -41,7 +41,7 @@ UniformBytes glass_uniforms(const PassContext& context) {
 }
 
 std::optional<std::string> seen(const Effects& effects) {
-  if (!effects.active("seen casters")) return {};
+  if (!effects.seen_casters.active) return {};
   return "the camera may see a refractive object";
 }
 
@@ -86,7 +86,7 @@ Pass view_exit_map_pass() {
                .cull = Cull::Front,
                .shader = &caster_exit_map_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("exit surface") || detailed_exits(effects)) return {};
+            if (!effects.exit_surface.active || detailed_exits(effects)) return {};
             return seen(effects);
           },
           .draws = DrawSet::SolidCasters,

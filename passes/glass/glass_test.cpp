@@ -56,7 +56,7 @@ struct Bench {
     const View wide = widened(view, 3.0);
     const Pass pass = glass_pass();
     Effects effects;
-    effects.list.push_back({"textured casters", pixel_tint.has_value(), {}});
+    effects.textured_casters.active = pixel_tint.has_value();
     return run_pass(pass.definition,
                     {.width = 8,
                      .height = 8,

@@ -1,7 +1,7 @@
 #include "passes/impostor_map/impostor_map.hpp"
 
 #include "passes/receiver_map/receiver_map.hpp"
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 
 namespace caustics {
 
@@ -36,7 +36,7 @@ Pass impostor_map_pass() {
               .shader = &impostor_map_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("distance impostors")) return {};
+        if (!effects.distance_impostors.active) return {};
         return "landings are looked up around the casters";
       },
       .draws = DrawSet::Receivers,

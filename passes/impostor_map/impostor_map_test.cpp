@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "passes/receiver_map/receiver_map.hpp"
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/cube_map.hpp"
 #include "tests/support/render_scene.hpp"

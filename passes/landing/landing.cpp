@@ -4,7 +4,7 @@
 
 #include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 
 namespace caustics {
 
@@ -33,7 +33,7 @@ LandingUniforms landing_uniforms(const PassContext& context) {
   const ViewUniforms caster = pack(views.caster);
   const ViewUniforms receiver = pack(views.receiver);
   const ViewUniforms caustic = pack(views.caustic);
-  const bool around = settings.estimator == Estimator::Impostor && context.effects->active("distance impostors");
+  const bool around = settings.estimator == Estimator::Impostor && context.effects->distance_impostors.active;
   const ViewUniforms impostors =
       around ? pack(with_atlas(context.effects->impostors, settings.map)) : ViewUniforms{};
   glm::vec4 tile{0.0f};
@@ -56,7 +56,7 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .cone_axis = cone.axis,
       .cone = cone.scale_offset,
       .cell = {static_cast<float>(views.caster.window_area() / cells), kExitTolerance,
-               kLandingTolerance, context.effects->active("mirrors") ? 1.0f : 0.0f},
+               kLandingTolerance, context.effects->mirrors.active ? 1.0f : 0.0f},
       .receivers_lower = glm::vec4(receivers.lower, 0.0),
       .receivers_upper = glm::vec4(receivers.upper, 0.0),
       .tile = tile,
@@ -67,9 +67,9 @@ LandingUniforms landing_uniforms(const PassContext& context) {
       .impostor_centre = glm::vec4(glm::vec3(context.effects->impostors.origin), 0.0f),
       .method = {settings.iterations, static_cast<int>(settings.estimator),
                  settings.weights == Weights::Paper ? 1 : 0,
-                 context.effects->active("exit surface") ? 1 : 0},
+                 context.effects->exit_surface.active ? 1 : 0},
       .variant = {branch.reflected ? 1 : 0, settings.thickness == Thickness::Wyman ? 1 : 0,
-                  context.effects->active("textured casters") ? 1 : 0, 0},
+                  context.effects->textured_casters.active ? 1 : 0, 0},
   };
 }
 
@@ -116,7 +116,7 @@ Pass landing_pass() {
               .shader = &landing_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics") || effects.active("medium")) return {};
+        if (!effects.caustics.active || effects.medium.active) return {};
         return "each grid vertex's light is bent and followed to a receiver";
       },
       .each = Each::Branch,
@@ -141,7 +141,7 @@ Pass landing_in_medium_pass() {
                                .meaning = "xyz: its direction, unit; w: 1 where light leaves, else 0"});
   definition.writes.push_back({.name = "landing_start_flux", .meaning = "rgb: its flux where it leaves"});
   pass.called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.active("caustics") || !effects.active("medium")) return {};
+    if (!effects.caustics.active || !effects.medium.active) return {};
     return "each grid vertex's light is bent and followed through the medium to a receiver";
   };
   pass.uniforms = [](const PassContext& context) {

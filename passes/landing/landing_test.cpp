@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "pipeline/measure/ledger.hpp"
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/cube_map.hpp"
 #include "tests/support/run_pass.hpp"

@@ -44,7 +44,7 @@ glm::vec2 tile_reach(const View& view) {
 UniformBytes uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
-  const bool caustics = context.effects->active("caustics") && throws_caustic(context);
+  const bool caustics = context.effects->caustics.active && throws_caustic(context);
   const bool cascade = views.cascade && caustics;
   const View cascade_view = views.cascade.value_or(View{});
   const double texels = static_cast<double>(settings.map) * static_cast<double>(settings.map);
@@ -58,13 +58,13 @@ UniformBytes uniforms(const PassContext& context) {
       .pane_view = shader_view(views.panes),
       .column = shader_view(views.column),
       .casters_nearest = static_cast<float>(views.casters_nearest),
-      .has_shadow_map = context.effects->active("occluders") ? 1 : 0,
-      .has_panes = context.effects->active("thin panes") ? 1 : 0,
+      .has_shadow_map = context.effects->occluders.active ? 1 : 0,
+      .has_panes = context.effects->thin_panes.active ? 1 : 0,
       .has_caustic = caustics ? 1 : 0,
       .has_cascade = cascade ? 1 : 0,
       // Not of lights that see all around.
-      .receivers_are_layered = caustics && context.effects->active("hidden receivers") && !views.caustic.cube ? 1 : 0,
-      .caustic_is_grey = context.effects->active("coloured caustics") ? 0 : 1,
+      .receivers_are_layered = caustics && context.effects->hidden_receivers.active && !views.caustic.cube ? 1 : 0,
+      .caustic_is_grey = context.effects->coloured_caustics.active ? 0 : 1,
       .caustic_texel_area = static_cast<float>(views.caustic.window_area() / texels),
       .cascade_texel_area = cascade ? static_cast<float>(cascade_view.window_area() / texels) : 0.0f,
       .cascade_border =
@@ -121,7 +121,7 @@ Pass in_medium(Pass pass, std::optional<std::string> (*called_for_by)(const Effe
 Pass light_shading_pass() {
   return {.definition = definition("view", "light_shading", "direct", "caustic"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light") || effects.active("medium")) return {};
+            if (!effects.light.active || effects.medium.active) return {};
             return "the light shines on what the camera sees";
           },
           .each = Each::Light,
@@ -133,8 +133,8 @@ Pass light_shading_pass() {
 Pass wide_shading_pass() {
   return {.definition = definition("wide", "wide_shading", "wide_direct", "wide_caustic"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light") || !effects.active("seen casters")) return {};
-            if (effects.active("medium")) return {};
+            if (!effects.light.active || !effects.seen_casters.active) return {};
+            if (effects.medium.active) return {};
             return "the light shines on what glass shows";
           },
           .each = Each::Light,
@@ -145,14 +145,14 @@ Pass wide_shading_pass() {
 
 Pass light_shading_in_medium_pass() {
   return in_medium(light_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.active("light") || !effects.active("medium")) return {};
+    if (!effects.light.active || !effects.medium.active) return {};
     return "the light shines through the medium on what the camera sees";
   });
 }
 
 Pass wide_shading_in_medium_pass() {
   return in_medium(wide_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.active("light") || !effects.active("seen casters") || !effects.active("medium")) return {};
+    if (!effects.light.active || !effects.seen_casters.active || !effects.medium.active) return {};
     return "the light shines through the medium on what glass shows";
   });
 }

@@ -34,10 +34,11 @@ struct Bench {
     settings.map = 8;
     settings.pixel_means = pixel_means;
     Effects effects;
-    effects.list = {{"occluders", occluders, ""}, {"caustics", caustics, ""},
-                    {"coloured caustics", caustic_map.channels() > 1, ""},
-                    {"thin panes", !panes.values.empty(), ""},
-                    {"hidden receivers", !far_receiver.values.empty(), ""}};
+    effects.occluders.active = occluders;
+    effects.caustics.active = caustics;
+    effects.coloured_caustics.active = caustic_map.channels() > 1;
+    effects.thin_panes.active = !panes.values.empty();
+    effects.hidden_receivers.active = !far_receiver.values.empty();
     if (caustics) effects.expectations = {{0, 0, true, ""}};
     View view = down(4.0, 10.0, 20.0);
     if (light.type != LightType::Directional) {

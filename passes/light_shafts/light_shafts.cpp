@@ -42,7 +42,7 @@ Pass light_shafts_pass() {
               .shader = &light_shafts_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("light shafts")) return {};
+        if (!effects.light_shafts.active) return {};
         return "the medium scatters the casters' light";
       },
       .each = Each::Branch,

@@ -47,9 +47,9 @@ UniformBytes light_uniforms(const PassContext& context) {
       .shadow_view = shader_view(views.shadow),
       .caster_view = shader_view(views.caster),
       .pane_view = shader_view(views.panes),
-      .has_shadow_map = context.effects->active("occluders") ? 1 : 0,
-      .has_caustic = throws_caustic(context) && context.effects->active("caustics") ? 1 : 0,
-      .has_panes = context.effects->active("thin panes") ? 1 : 0,
+      .has_shadow_map = context.effects->occluders.active ? 1 : 0,
+      .has_caustic = throws_caustic(context) && context.effects->caustics.active ? 1 : 0,
+      .has_panes = context.effects->thin_panes.active ? 1 : 0,
       .steps = context.settings->medium_steps,
   });
 }
@@ -75,7 +75,7 @@ Pass view_medium_pass() {
                                       "the medium and leaves it or ends"}},
                .shader = &view_medium_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("medium")) return {};
+            if (!effects.medium.active) return {};
             return "a medium lies between the camera and what it sees";
           },
           .extent = Extent::Picture,
@@ -97,7 +97,7 @@ Pass light_haze_pass() {
                            .blend = kAccumulate}},
                .shader = &light_haze_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("scattering")) return {};
+            if (!effects.scattering.active) return {};
             return "the medium scatters the light";
           },
           .each = Each::Light,
@@ -116,7 +116,7 @@ Pass haze_pass() {
                                      .mask = kColor}},
                          .shader = &haze_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("scattering")) return {};
+            if (!effects.scattering.active) return {};
             return "the camera sees the scattered light";
           },
           .extent = Extent::Picture,

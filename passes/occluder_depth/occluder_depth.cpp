@@ -22,7 +22,7 @@ Pass occluder_depth_pass() {
               .shader = &occluder_depth_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics") || !effects.active("occluders")) return {};
+        if (!effects.caustics.active || !effects.occluders.active) return {};
         return "opaque surfaces may stand between a light and a caster";
       },
       .each = Each::Light,

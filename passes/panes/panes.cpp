@@ -40,7 +40,7 @@ UniformBytes light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   std140::Pane u = pane_uniforms(views.panes, context.light->position, context);
   u.shadow_view = shader_view(views.shadow);
-  u.has_shadow_map = context.effects->active("occluders") ? 1 : 0;
+  u.has_shadow_map = context.effects->occluders.active ? 1 : 0;
   return uniform_bytes(u);
 }
 
@@ -72,7 +72,7 @@ PassDefinition view_definition(const char* name, const char* purpose, BlendState
 }
 
 std::optional<std::string> seen(const Effects& effects) {
-  if (!effects.active("thin panes")) return {};
+  if (!effects.thin_panes.active) return {};
   return "the camera may look through a thin pane";
 }
 
@@ -92,7 +92,7 @@ Pass pane_light_pass() {
                            .blend = kMultiply}},
                .shader = &pane_light_shader},
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("light") || !effects.active("thin panes")) return {};
+            if (!effects.light.active || !effects.thin_panes.active) return {};
             return "thin panes tint the light that passes them";
           },
           .each = Each::Light,

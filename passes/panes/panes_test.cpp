@@ -34,7 +34,7 @@ struct LightBench {
     LightViews views;
     views.panes = views.shadow = down(1.0, 10.0, 20.0);
     Effects effects;
-    effects.list = {{"occluders", true, ""}};
+    effects.occluders.active = true;
     const Scene scene;
     const Light light;
     const Pass pass = pane_light_pass();

@@ -44,7 +44,7 @@ Pass receiver_map_pass() {
               .shader = &receiver_map_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("caustics")) return {};
+        if (!effects.caustics.active) return {};
         return "the casters' light must know where it lands";
       },
       .each = Each::Light,

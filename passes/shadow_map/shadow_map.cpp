@@ -26,7 +26,7 @@ Pass shadow_map_pass() {
               .shader = &shadow_map_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("light") || !effects.active("occluders")) return {};
+        if (!effects.light.active || !effects.occluders.active) return {};
         return "opaque surfaces may shadow one another";
       },
       .each = Each::Light,

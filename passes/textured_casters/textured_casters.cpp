@@ -1,6 +1,6 @@
 #include "passes/textured_casters/textured_casters.hpp"
 
-#include "pipeline/renderer/scene_on_device.hpp"
+#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
@@ -140,7 +140,7 @@ TexturedCastersUniforms textured_casters_uniforms(const View& view, const Materi
 
 Pass detailed_caster_map_pass() {
   return {.definition = nearest("detailed_caster_map", "caster", false, true),
-          .called_for_by = [](const Effects& e) { return e.active("caustics") ? detailed(e) : std::nullopt; },
+          .called_for_by = [](const Effects& e) { return e.caustics.active ? detailed(e) : std::nullopt; },
           .each = Each::Light,
           .draws = DrawSet::Casters,
           .extent = Extent::Grid,
@@ -149,7 +149,7 @@ Pass detailed_caster_map_pass() {
 
 Pass tinted_caster_map_pass() {
   return {.definition = nearest("tinted_caster_map", "caster", true, true),
-          .called_for_by = [](const Effects& e) { return e.active("caustics") ? tinted(e) : std::nullopt; },
+          .called_for_by = [](const Effects& e) { return e.caustics.active ? tinted(e) : std::nullopt; },
           .each = Each::Light,
           .draws = DrawSet::Casters,
           .extent = Extent::Grid,
@@ -159,7 +159,7 @@ Pass tinted_caster_map_pass() {
 Pass detailed_exit_map_pass() {
   return {.definition = exits("detailed_exit_map", "caster_exit"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            return when(effects.active("caustics") && effects.active("exit surface") &&
+            return when(effects.caustics.active && effects.exit_surface.active &&
                             detailed_exits(effects),
                         "solid casters may have normal textures or holes");
           },
@@ -171,7 +171,7 @@ Pass detailed_exit_map_pass() {
 
 Pass detailed_view_casters_pass() {
   return {.definition = nearest("detailed_view_casters", "view_caster", false, false),
-          .called_for_by = [](const Effects& e) { return e.active("seen casters") ? detailed(e) : std::nullopt; },
+          .called_for_by = [](const Effects& e) { return e.seen_casters.active ? detailed(e) : std::nullopt; },
           .draws = DrawSet::Casters,
           .extent = Extent::Picture,
           .uniforms = view_uniforms};
@@ -179,7 +179,7 @@ Pass detailed_view_casters_pass() {
 
 Pass tinted_view_casters_pass() {
   return {.definition = nearest("tinted_view_casters", "view_caster", true, false),
-          .called_for_by = [](const Effects& e) { return e.active("seen casters") ? tinted(e) : std::nullopt; },
+          .called_for_by = [](const Effects& e) { return e.seen_casters.active ? tinted(e) : std::nullopt; },
           .draws = DrawSet::Casters,
           .extent = Extent::Picture,
           .uniforms = view_uniforms};
@@ -188,7 +188,7 @@ Pass tinted_view_casters_pass() {
 Pass detailed_view_exits_pass() {
   return {.definition = exits("detailed_view_exits", "view_exit"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            return when(effects.active("seen casters") && effects.active("exit surface") &&
+            return when(effects.seen_casters.active && effects.exit_surface.active &&
                             detailed_exits(effects),
                         "solid casters may have normal textures or holes");
           },

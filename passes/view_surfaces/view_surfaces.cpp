@@ -71,7 +71,7 @@ Pass wide_surfaces_pass() {
   return {.definition = definition("wide", "finds the opaque surfaces around the picture, which "
                                            "glass in it can show"),
           .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.active("seen casters")) return {};
+            if (!effects.seen_casters.active) return {};
             return "glass shows what lies beyond the picture's edges";
           },
           .each = Each::Frame,

@@ -66,7 +66,7 @@ Pass water_step_pass() {
               .shader = &water_step_shader,
           },
       .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.active("water waves")) return {};
+        if (!effects.water_waves.active) return {};
         return "waves run over the water";
       },
       .each = Each::Water,

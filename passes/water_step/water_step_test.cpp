@@ -210,6 +210,6 @@ TEST_CASE("water_step: a plop in the middle stays as symmetric as its square, to
 TEST_CASE("water_step: a frame without water has no such pass") {
   const Scene scene = sphere_scene(1.5f, 2);
   const Effects effects = effects_of(scene, small_settings(16, 16, 16));
-  CHECK_FALSE(effects.active("water waves"));
+  CHECK_FALSE(effects.water_waves.active);
   CHECK_FALSE(water_step_pass().called_for_by(effects).has_value());
 }

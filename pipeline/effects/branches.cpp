@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/renderer/scene_on_device.hpp"
 #include "pipeline/effects/spectrum.hpp"
 #include "pipeline/effects/surface_role.hpp"
+#include "pipeline/scene/material_optics.hpp"
 
 namespace caustics {
 
@@ -26,13 +26,13 @@ const Material* most_dispersive(const Scene& scene, const Effects& effects) {
 void add_dispersion(const Scene& scene, const Settings& settings, Effects& effects) {
   const Material* most = most_dispersive(scene, effects);
   const auto add = [&](bool active, const std::string& reason) {
-    effects.list.push_back({"dispersion", active, reason});
+    effects.dispersion = {active, reason};
   };
   if (!most) return add(false, "no refractor's index depends on the wavelength");
   const std::string what =
       quoted_name("material", most->name, static_cast<std::size_t>(most - scene.materials.data())) +
       " has dispersion " + number_text(most->dispersion);
-  if (!effects.active("caustics")) return add(false, what + ", but there is no caustic");
+  if (!effects.caustics.active) return add(false, what + ", but there is no caustic");
   if (settings.wavelengths == 1) return add(false, what + ", but one wavelength was asked for");
   add(true, what + ": " + std::to_string(settings.wavelengths) +
                 (settings.wavelengths == 3 ? " wavelengths, the C, d and F lines" : " wavelengths"));
@@ -40,20 +40,20 @@ void add_dispersion(const Scene& scene, const Settings& settings, Effects& effec
 
 void add_reflections(const Settings& settings, Effects& effects) {
   const auto add = [&](bool active, const std::string& reason) {
-    effects.list.push_back({"reflections", active, reason});
+    effects.reflections = {active, reason};
   };
   if (std::none_of(effects.surfaces.begin(), effects.surfaces.end(),
                    [](const SurfaceRole& s) { return s.role == Role::Refractor; }))
     return add(false, "no refractor in the scene");
   if (!settings.reflections) return add(false, "what refractors mirror is left out; -D reflections=yes");
   if (settings.weights == Weights::Paper) return add(false, "the paper's weights know no Fresnel share");
-  if (!effects.active("caustics")) return add(false, "there is no caustic");
+  if (!effects.caustics.active) return add(false, "there is no caustic");
   add(true, "what refractors mirror throws a caustic, as asked for");
 }
 
 std::vector<Branch> branches_of(const Settings& settings, const Effects& effects) {
   std::vector<Branch> branches;
-  if (effects.active("dispersion")) {
+  if (effects.dispersion.active) {
     for (const Wavelength& w :
          settings.wavelengths == 3 ? fraunhofer_lines() : spectrum(settings.wavelengths))
       branches.push_back({.name = number_text(w.nanometres, 4) + "nm",
@@ -62,7 +62,7 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
   } else {
     branches.push_back({});
   }
-  if (effects.active("reflections")) branches.push_back({.name = "reflected", .reflected = true});
+  if (effects.reflections.active) branches.push_back({.name = "reflected", .reflected = true});
   return branches;
 }
 

@@ -22,12 +22,12 @@ std::string tint_of(const Material& material, Role role) {
 
 void add_caustic_color(const Scene& scene, Effects& effects) {
   const auto add = [&](bool active, const std::string& reason) {
-    effects.list.push_back({"coloured caustics", active, reason});
+    effects.coloured_caustics = {active, reason};
   };
-  if (!effects.active("caustics")) return add(false, "there is no caustic");
-  if (effects.active("dispersion")) return add(true, "wavelengths land in different places");
+  if (!effects.caustics.active) return add(false, "there is no caustic");
+  if (effects.dispersion.active) return add(true, "wavelengths land in different places");
   if (!is_grey(scene.medium.extinction())) return add(true, "the medium takes its colours unequally");
-  if (effects.active("textured casters")) return add(true, "a texture tints them");
+  if (effects.textured_casters.active) return add(true, "a texture tints them");
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (!is_caster(effects.surfaces[i].role)) continue;
     const auto index = static_cast<std::size_t>(scene.meshes[i].material);

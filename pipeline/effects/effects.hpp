@@ -1,5 +1,6 @@
 // What a scene calls for: which surfaces bend light, which catch it, and which effects follow.
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,9 +28,8 @@ struct SurfaceRole {
   std::string reason;
 };
 
-// One effect, called for or not, and why.
+// One effect: does the frame call for it, and why or why not.
 struct Effect {
-  std::string name;
   bool active = false;
   std::string reason;
 };
@@ -52,48 +52,56 @@ struct Branch {
   glm::vec3 color{1.0f};   // its share of each channel; over the branches that are not reflected, all add up to 1
 };
 
-struct Effects {
-  std::vector<SurfaceRole> surfaces;  // by Scene::meshes
-  std::vector<Effect> list;
-  std::vector<Expectation> expectations;
-  std::vector<Branch> branches{Branch{}};  // at least one
-  // By Scene::lights: why the light is drawn onto a cube (effect "all around"); empty where it is not.
-  std::vector<std::string> all_around;
-  // By Scene::lights, once their frames are known: why a light has a cascade, empty where it has none.
-  std::vector<std::string> cascades;
-  View impostors;  // where "distance impostors" is active: the cube around the casters, without an atlas yet
-  // The effect of this name, which must be in the list.
-  const Effect& find(std::string_view name) const;
-  bool active(std::string_view name) const { return find(name).active; }
+// What is judged light by light. A reason is empty where the answer is no.
+struct LightEffects {
+  std::string all_around;  // why the light is drawn onto a cube
+  std::string cascade;     // why its caustic has a finer second map; known once a pilot has run
 };
 
-// Effects by name:
-//   "light"           any light
-//   "area lights"     a light with a size, drawn by more than one sample
-//   "receivers"       any diffuse surface
-//   "caustics"        a refractor or mirror that a light can reach
-//   "cells"           caustics whose landings are joined to cells (Splat::Cell)
-//   "exit surface"    a refractor with two interfaces
-//   "occluders"       diffuse surfaces that can shadow others or a caster
-//   "mirrors"         smooth metal, which reflects light and view
-//   "seen casters"    a refractor or mirror, in which the camera sees other things
-//   "textured casters"       a caster whose colour or transmission varies by a texture
-//   "normal-mapped casters"  a caster with a normal texture
-//   "cut-out casters"        a caster with holes by an alpha mask
-//   "thin panes"      a transmissive surface without a volume
-//   "emissive lights" a mesh that shines and lights the scene
-//   "dispersion"      a refractor whose index depends on the wavelength
-//   "reflections"     what refractors mirror, on request
-//   "coloured caustics"  a caster that tints them: the caustic map has three channels instead of one
-//   "water waves"     a mesh that `extras` make water
-//   "medium"          haze in the air, which takes light on its way
-//   "scattering"      and scatters it towards the camera
-//   "light shafts"    caustics in a medium that scatters
-//   "distance impostors" asked for by the estimator (Estimator::Impostor)
-//   "all around"      a light that stands among its casters, or is asked to see all around
-//   "cascades"        a light whose caustic is small in its map, once the lights' views are known
-//   "hidden receivers" caustics on receivers that are not one plane, so that one can hide another from a light
-//   "rough glass"     found and left to later; inactive, with the reason
+// Every effect is a member; named_effects() has their names for people. None depends on the order of the others' rows.
+struct Effects {
+  std::vector<SurfaceRole> surfaces;  // by Scene::meshes
+  std::vector<Expectation> expectations;
+  std::vector<Branch> branches{Branch{}};  // at least one
+  std::vector<LightEffects> lights;        // by Scene::lights
+  View impostors;  // where distance_impostors is active: the cube around the casters, without an atlas yet
+
+  Effect light;                  // any light
+  Effect area_lights;            // a light with a size, drawn by more than one sample
+  Effect receivers;              // any diffuse surface
+  Effect caustics;               // a refractor or mirror that a light can reach
+  Effect cells;                  // caustics whose landings are joined to cells (Splat::Cell)
+  Effect exit_surface;           // a refractor with two interfaces
+  Effect occluders;              // diffuse surfaces that can shadow others or a caster
+  Effect thin_panes;             // a transmissive surface without a volume
+  Effect mirrors;                // smooth metal, which reflects light and view
+  Effect seen_casters;           // a refractor or mirror, in which the camera sees other things
+  Effect textured_casters;       // a caster whose colour or transmission varies by a texture
+  Effect normal_mapped_casters;  // a caster with a normal texture
+  Effect cut_out_casters;        // a caster with holes by an alpha mask
+  Effect emissive_lights;        // a mesh that shines and lights the scene
+  Effect dispersion;             // a refractor whose index depends on the wavelength
+  Effect reflections;            // what refractors mirror, on request
+  Effect coloured_caustics;      // a caster that tints them: the caustic map has three channels instead of one
+  Effect water_waves;            // a mesh that `extras` make water
+  Effect medium;                 // haze in the air, which takes light on its way
+  Effect scattering;             // and scatters it towards the camera
+  Effect light_shafts;           // caustics in a medium that scatters
+  Effect distance_impostors;     // asked for by the estimator (Estimator::Impostor)
+  Effect all_around;             // a light that stands among its casters, or is asked to see all around
+  Effect cascades;               // a light whose caustic is small in its map, as a pilot has found
+  Effect hidden_receivers;       // caustics on receivers that are not one plane, so that one can hide another from a light
+  Effect rough_glass;            // found and left to later: never active
+};
+
+// Every effect with its name for people, in the order in which they are shown.
+struct NamedEffect {
+  std::string_view name;
+  Effect Effects::*effect;
+};
+std::span<const NamedEffect> named_effects();
+
+// Everything but what a pilot finds: cascades are inactive.
 Effects effects_of(const Scene& scene, const Settings& settings);
 
 }  // namespace caustics

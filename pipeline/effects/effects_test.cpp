@@ -63,15 +63,15 @@ TEST_CASE("solid glass refracts through two interfaces and throws a caustic") {
   CHECK(effects.surfaces[1].role == Role::Receiver);
   REQUIRE(effects.expectations.size() == 1);
   CHECK(effects.expectations[0].expected);
-  for (const char* name :
-       {"light", "receivers", "caustics", "exit surface", "seen casters"}) {
-    CHECK(effects.active(name));
+  for (const Effect& effect : {effects.light, effects.receivers, effects.caustics, effects.exit_surface,
+                               effects.seen_casters}) {
+    CHECK(effect.active);
   }
   // The floor is flat and behind everything: it shadows nothing.
-  for (const char* name : {"occluders", "thin panes", "mirrors", "dispersion", "rough glass"}) {
-    CHECK_FALSE(effects.active(name));
+  for (const Effect& effect : {effects.occluders, effects.thin_panes, effects.mirrors, effects.dispersion,
+                               effects.rough_glass}) {
+    CHECK_FALSE(effect.active);
   }
-  CHECK_THROWS_AS(effects.find("no such effect"), Error);
 }
 
 TEST_CASE("glass without a volume is a thin pane unless it is assumed solid") {
@@ -79,11 +79,11 @@ TEST_CASE("glass without a volume is a thin pane unless it is assumed solid") {
   thin.thickness = 0.0f;
   const Effects effects = judged(glass_over_floor(thin));
   CHECK(effects.surfaces[0].role == Role::ThinPane);
-  CHECK_FALSE(effects.active("caustics"));
+  CHECK_FALSE(effects.caustics.active);
   CHECK_FALSE(effects.expectations[0].expected);
   mentions(effects.expectations[0].reason,
            "thin wall (no KHR_materials_volume thickness): bends nothing; --assume-solid");
-  mentions(effects.find("thin panes").reason, "1 thin pane");
+  mentions(effects.thin_panes.reason, "1 thin pane");
   Settings settings;
   settings.assume_solid = true;
   CHECK(judged(glass_over_floor(thin), settings).surfaces[0].role == Role::Refractor);
@@ -94,7 +94,7 @@ TEST_CASE("materials that look like glass but throw no caustic say why") {
   rough.roughness = 0.25f;
   CHECK(judged(glass_over_floor(rough)).surfaces[0].role == Role::Receiver);
   mentions(judged(glass_over_floor(rough)).expectations[0].reason, "roughness 0.25 is above 0.2");
-  mentions(judged(glass_over_floor(rough)).find("rough glass").reason, "1 surface");
+  mentions(judged(glass_over_floor(rough)).rough_glass.reason, "1 surface");
 
   Material opaque_index = solid_glass();
   opaque_index.ior = 0.0f;
@@ -126,10 +126,10 @@ TEST_CASE("the limits of roughness and metal are in the role that they name") {
   CHECK(effects.surfaces[0].role == Role::Mirror);
   CHECK(effects.expectations[0].expected);
   mentions(effects.expectations[0].reason, "mirrored onto what stands around");
-  CHECK(effects.active("caustics"));
-  CHECK(effects.active("mirrors"));
-  CHECK(effects.active("seen casters"));
-  CHECK_FALSE(effects.active("exit surface"));
+  CHECK(effects.caustics.active);
+  CHECK(effects.mirrors.active);
+  CHECK(effects.seen_casters.active);
+  CHECK_FALSE(effects.exit_surface.active);
   metal.roughness = 0.21f;
   CHECK(judged(glass_over_floor(metal)).surfaces[0].role == Role::Receiver);
   CHECK(judged(glass_over_floor(metal)).expectations.empty());
@@ -143,7 +143,7 @@ TEST_CASE("holes decide on the number of interfaces") {
   scene.meshes[0].closedness = 0.5f;
   CHECK_FALSE(judged(scene).surfaces[0].two_interfaces);
   mentions(judged(scene).surfaces[0].reason, "one interface, as a water surface");
-  CHECK_FALSE(judged(scene).active("exit surface"));
+  CHECK_FALSE(judged(scene).exit_surface.active);
   Settings settings;
   settings.interfaces = Interfaces::Two;
   CHECK(judged(scene, settings).surfaces[0].two_interfaces);
@@ -154,7 +154,7 @@ TEST_CASE("IOR 1 lets the light through without a focus") {
   air.ior = 1.0f;
   const Effects effects = judged(glass_over_floor(air));
   CHECK(effects.expectations[0].expected);
-  CHECK(effects.active("caustics"));
+  CHECK(effects.caustics.active);
   mentions(effects.expectations[0].reason, "without a focus");
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("a light that cannot reach the glass or what lies behind it") {
   const auto reason = [&] {
     const Effects effects = judged(scene);
     CHECK_FALSE(effects.expectations[0].expected);
-    CHECK_FALSE(effects.active("caustics"));
+    CHECK_FALSE(effects.caustics.active);
     return effects.expectations[0].reason;
   };
   scene.lights[0].direction = {0, 1, 0};
@@ -171,7 +171,7 @@ TEST_CASE("a light that cannot reach the glass or what lies behind it") {
   scene.lights[0].direction = {0, -1, 0};
   scene.lights[0].intensity = 0.0f;
   mentions(reason(), "is 0");
-  CHECK_FALSE(judged(scene).active("light"));
+  CHECK_FALSE(judged(scene).light.active);
   scene.lights[0].intensity = 1.0f;
   scene.lights[0].color = glm::vec3(0.0f);
   mentions(reason(), "is 0");
@@ -201,30 +201,31 @@ TEST_CASE("an empty scene calls for nothing") {
   const Effects effects = judged(Scene{});
   CHECK(effects.surfaces.empty());
   CHECK(effects.expectations.empty());
-  for (const Effect& effect : effects.list) {
+  for (const NamedEffect& named : named_effects()) {
+    const Effect& effect = effects.*named.effect;
     CHECK_FALSE(effect.active);
     CHECK_FALSE(effect.reason.empty());
   }
 }
 
 TEST_CASE("caustics have one channel unless a caster tints them") {
-  CHECK(!judged(glass_over_floor()).active("coloured caustics"));
+  CHECK(!judged(glass_over_floor()).coloured_caustics.active);
   Material amber = solid_glass();
   amber.attenuation_color = {0.9f, 0.6f, 0.2f};
-  CHECK(!judged(glass_over_floor(amber)).active("coloured caustics"));  // at no finite distance
+  CHECK(!judged(glass_over_floor(amber)).coloured_caustics.active);  // at no finite distance
   amber.attenuation_distance = 0.5f;
   const Effects tinted = judged(glass_over_floor(amber));
-  CHECK(tinted.active("coloured caustics"));
-  CHECK(mentions(tinted.find("coloured caustics").reason, "absorbs its colours unequally"));
+  CHECK(tinted.coloured_caustics.active);
+  CHECK(mentions(tinted.coloured_caustics.reason, "absorbs its colours unequally"));
   Material smoke = solid_glass();
   smoke.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
-  CHECK(!judged(glass_over_floor(smoke)).active("coloured caustics"));
+  CHECK(!judged(glass_over_floor(smoke)).coloured_caustics.active);
   smoke.base_color.x = 0.6f;
-  CHECK(judged(glass_over_floor(smoke)).active("coloured caustics"));
+  CHECK(judged(glass_over_floor(smoke)).coloured_caustics.active);
   Material flint = solid_glass();
   flint.dispersion = 0.5f;
-  CHECK(judged(glass_over_floor(flint)).active("coloured caustics"));
+  CHECK(judged(glass_over_floor(flint)).coloured_caustics.active);
   Settings one;
   one.wavelengths = 1;
-  CHECK(!judged(glass_over_floor(flint), one).active("coloured caustics"));
+  CHECK(!judged(glass_over_floor(flint), one).coloured_caustics.active);
 }

@@ -23,21 +23,18 @@ std::string description(const Medium& medium) {
 
 void add_medium(const Scene& scene, Effects& effects) {
   const Medium& medium = scene.medium;
-  const auto add = [&](const char* name, bool active, const std::string& reason) {
-    effects.list.push_back({name, active, reason});
-  };
-  add("medium", medium.present(), medium.present() ? description(medium) : "the scene's air is clear");
-  const bool scatters = medium.scatters() && effects.active("light");
-  add("scattering", scatters,
+  effects.medium = {medium.present(), medium.present() ? description(medium) : "the scene's air is clear"};
+  const bool scatters = medium.scatters() && effects.light.active;
+  effects.scattering = {scatters,
       scatters              ? "the medium scatters light towards the camera"
       : medium.scatters()   ? "no light shines"
       : medium.present()    ? "the medium only absorbs"
-                            : "there is no medium");
-  const bool shafts = scatters && effects.active("caustics");
-  add("light shafts", shafts,
+                            : "there is no medium"};
+  const bool shafts = scatters && effects.caustics.active;
+  effects.light_shafts = {shafts,
       shafts     ? "the casters' light is seen on its way"
       : scatters ? "there is no caustic"
-                 : "nothing scatters");
+                 : "nothing scatters"};
 }
 
 }  // namespace caustics

@@ -4,7 +4,7 @@
 
 namespace caustics {
 
-// Adds "medium", "scattering" and "light shafts"; needs "light" and "caustics" in the list.
+// Judges medium, scattering and light_shafts, by light and caustics.
 void add_medium(const Scene& scene, Effects& effects);
 
 }  // namespace caustics

@@ -73,34 +73,33 @@ Use use_of(const Scene& scene, const Settings& settings, const Effects& effects,
   return use;
 }
 
-void add(Effects& effects, const char* name, const Use& use, const std::string& what) {
+Effect effect_of(const Use& use, const std::string& what) {
   const std::string others =
       use.meshes > 1 ? " and " + std::to_string(use.meshes - 1) + " more" : std::string{};
-  effects.list.push_back(
-      {name, use.meshes > 0, use.meshes > 0 ? use.first + others + ": " + what : "none in the scene"});
+  return {use.meshes > 0, use.meshes > 0 ? use.first + others + ": " + what : "none in the scene"};
 }
 
 }  // namespace
 
 CasterDetail caster_detail(const Effects& effects) {
-  if (effects.active("textured casters")) return CasterDetail::Colors;
+  if (effects.textured_casters.active) return CasterDetail::Colors;
   return detailed_exits(effects) ? CasterDetail::Normals : CasterDetail::None;
 }
 
 bool detailed_exits(const Effects& effects) {
-  return effects.active("normal-mapped casters") || effects.active("cut-out casters");
+  return effects.normal_mapped_casters.active || effects.cut_out_casters.active;
 }
 
 void add_textured_casters(const Scene& scene, const Settings& settings, Effects& effects) {
   const auto found = [&](auto has) { return use_of(scene, settings, effects, has); };
   const Use colors = found(colored);
-  add(effects, "textured casters", colors,
-      std::string("a texture tints what passes or is mirrored") +
+  effects.textured_casters = effect_of(
+      colors, std::string("a texture tints what passes or is mirrored") +
           (colors.partly_opaque ? "; what a transmission texture holds back counts as absorbed, and looks black"
                                 : ""));
   const Use normals = found(normal_mapped);
-  add(effects, "normal-mapped casters", normals, "a normal texture bends light" + normals.fineness);
-  add(effects, "cut-out casters", found(cut_out), "an alpha mask cuts holes, which let light straight through");
+  effects.normal_mapped_casters = effect_of(normals, "a normal texture bends light" + normals.fineness);
+  effects.cut_out_casters = effect_of(found(cut_out), "an alpha mask cuts holes, which let light straight through");
 }
 
 }  // namespace caustics

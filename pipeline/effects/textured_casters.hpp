@@ -14,7 +14,7 @@ CasterDetail caster_detail(const Effects& effects);
 // Whether the maps of the casters' back faces need normal textures or alpha masks: they hold no colour.
 bool detailed_exits(const Effects& effects);
 
-// Adds the effects "textured casters", "normal-mapped casters" and "cut-out casters" to the list.
+// Judges textured_casters, normal_mapped_casters and cut_out_casters.
 void add_textured_casters(const Scene& scene, const Settings& settings, Effects& effects);
 
 }  // namespace caustics

@@ -8,7 +8,8 @@ using namespace caustics::test;
 
 namespace {
 
-constexpr const char* kEffects[3] = {"textured casters", "normal-mapped casters", "cut-out casters"};
+constexpr Effect Effects::*kEffects[3] = {&Effects::textured_casters, &Effects::normal_mapped_casters,
+                                          &Effects::cut_out_casters};
 
 // A glass square of 2 x 2 m whose texture coordinates run from 0 to 1, over a floor; images of 64 x 64 texels.
 Scene glass_square() {
@@ -32,7 +33,7 @@ TEST_CASE("textured casters: factors alone, and textures of other surfaces, call
   scene.materials[0].base_color_texture.image = scene.materials[0].normal_texture.image = 0;
   scene.materials[0].alpha_mode = AlphaMode::Mask;
   const Effects effects = effects_of(scene, {});
-  for (const char* name : kEffects) CHECK_FALSE(effects.active(name));
+  for (Effect Effects::*effect : kEffects) CHECK_FALSE((effects.*effect).active);
   CHECK(caster_detail(effects) == CasterDetail::None);
   CHECK_FALSE(detailed_exits(effects));
 }
@@ -41,30 +42,30 @@ TEST_CASE("textured casters: each kind of texture calls for its effect and names
   Scene scene = glass_square();
   Material& m = scene.materials[1];
   m.transmission_texture.image = 0;
-  CHECK(effects_of(scene, {}).active("textured casters"));
-  CHECK(contains(effects_of(scene, {}).find("textured casters").reason, "counts as absorbed"));
+  CHECK(effects_of(scene, {}).textured_casters.active);
+  CHECK(contains(effects_of(scene, {}).textured_casters.reason, "counts as absorbed"));
   CHECK(caster_detail(effects_of(scene, {})) == CasterDetail::Colors);
   CHECK_FALSE(detailed_exits(effects_of(scene, {})));
   m.transmission_texture = {};
   m.normal_texture.image = 0;
-  CHECK(effects_of(scene, {}).active("normal-mapped casters"));
-  CHECK(contains(effects_of(scene, {}).find("normal-mapped casters").reason, "material 'glass'"));
+  CHECK(effects_of(scene, {}).normal_mapped_casters.active);
+  CHECK(contains(effects_of(scene, {}).normal_mapped_casters.reason, "material 'glass'"));
   CHECK(caster_detail(effects_of(scene, {})) == CasterDetail::Normals);
   CHECK(detailed_exits(effects_of(scene, {})));
   m.normal_scale = 0.0f;
-  CHECK_FALSE(effects_of(scene, {}).active("normal-mapped casters"));
+  CHECK_FALSE(effects_of(scene, {}).normal_mapped_casters.active);
 }
 
 TEST_CASE("textured casters: a mask cuts holes where a texture varies it or the factor is below the cutoff") {
   Scene scene = glass_square();
   Material& m = scene.materials[1];
   m.alpha_mode = AlphaMode::Mask;
-  CHECK_FALSE(effects_of(scene, {}).active("cut-out casters"));
+  CHECK_FALSE(effects_of(scene, {}).cut_out_casters.active);
   m.base_color.a = 0.4f;
-  CHECK(effects_of(scene, {}).active("cut-out casters"));
+  CHECK(effects_of(scene, {}).cut_out_casters.active);
   m.base_color.a = 1.0f;
   m.base_color_texture.image = 0;
-  CHECK(effects_of(scene, {}).active("cut-out casters"));
+  CHECK(effects_of(scene, {}).cut_out_casters.active);
 }
 
 TEST_CASE("textured casters: normals finer than the grid are told, with the ratio") {
@@ -73,9 +74,9 @@ TEST_CASE("textured casters: normals finer than the grid are told, with the rati
   scene.materials[1].normal_texture.image = 0;
   Settings settings;
   settings.grid = 256;
-  CHECK_FALSE(contains(effects_of(scene, settings).find("normal-mapped casters").reason, "finer"));
+  CHECK_FALSE(contains(effects_of(scene, settings).normal_mapped_casters.reason, "finer"));
   scene.materials[1].normal_texture.uv_transform[0][0] = 16.0f;
   scene.materials[1].normal_texture.uv_transform[1][1] = -16.0f;
-  CHECK(contains(effects_of(scene, settings).find("normal-mapped casters").reason,
+  CHECK(contains(effects_of(scene, settings).normal_mapped_casters.reason,
                  "finer than the grid, 4.0 or more to a grid vertex"));
 }

@@ -1,7 +1,6 @@
 #include "pipeline/effects/water_waves.hpp"
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/plan/pass.hpp"
 #include "pipeline/effects/surface_role.hpp"
 
 namespace caustics {
@@ -12,7 +11,7 @@ std::string water_text(const Water& water, std::size_t index) {
   const WaterSettings& s = water.settings;
   return quoted_name("water", water.name, index) + " has waves of " + number_text(s.speed) + " m/s on " +
          std::to_string(water.columns) + "x" + std::to_string(water.rows) + " cells, a plop every " +
-         number_text(s.interval) + " s; pass " + kWaterStep;
+         number_text(s.interval) + " s; pass water_step";
 }
 
 }  // namespace
@@ -29,8 +28,8 @@ void add_water_waves(const Scene& scene, Effects& effects) {
     }
     reason += (i == 0 ? "" : "; ") + water_text(water, i);
   }
-  effects.list.push_back({"water waves", !scene.waters.empty(),
-                          scene.waters.empty() ? "no mesh is water that moves" : reason});
+  effects.water_waves = {!scene.waters.empty(),
+                          scene.waters.empty() ? "no mesh is water that moves" : reason};
 }
 
 }  // namespace caustics

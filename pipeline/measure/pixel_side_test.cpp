@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 

@@ -174,7 +174,7 @@ class Planner {
   }
 
   bool hides_receivers(int light) const {
-    return effects_.active("hidden receivers") && effects_.all_around[static_cast<std::size_t>(light)].empty();
+    return effects_.hidden_receivers.active && effects_.lights[static_cast<std::size_t>(light)].all_around.empty();
   }
 
   // "[sun]", "[sun 656nm]", or nothing for the frame.

@@ -9,6 +9,7 @@
 #include "pipeline/gpu/pass_definition.hpp"
 #include "pipeline/effects/effects.hpp"
 #include "pipeline/scene/view.hpp"
+#include "pipeline/views/light_views.hpp"
 
 namespace caustics {
 
@@ -35,22 +36,6 @@ enum class DrawSet : std::uint8_t {
 // Receiver is the map's size, or twice as wide and high where receivers can hide others from the light: then its texels,
 // not planes, tell where light lands.
 enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Receiver, Shadow, Water, Beams };
-
-// The views of one light. All share origin and axes; only the windows and depth ranges differ. All of them are
-// cubes, or none is.
-struct LightViews {
-  View caster;    // on the casters: caster map, exit map
-  View receiver;  // from the casters to where their light lands: receiver map
-  View caustic;   // on where the light lands: caustic map
-  View shadow;    // on everything that can throw or catch a shadow
-  View panes;     // on the thin panes
-  // z of the casters' nearest point: what lies before it within the column's window stands between light and
-  // casters, and is no receiver of their light. Refracted light goes on forwards, so the column has everything
-  // in it; mirrored light comes back, so it is the casters' own.
-  double casters_nearest = 0.0;  // in cubes a distance
-  View column;
-  std::optional<View> cascade;  // a part of `caustic` that has a finer map of its own (pipeline/views/cascades.hpp)
-};
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
 struct PassContext {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "pipeline/views/all_around.hpp"
+#include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/backdrop.hpp"
 #include "pipeline/views/cascades.hpp"
 #include "pipeline/views/cone_range.hpp"
@@ -21,8 +22,6 @@ namespace caustics {
 
 namespace {
 
-// A perspective view sees at most this far to the side: tan 72 degrees.
-constexpr double kWidestTangent = 3.0;
 // A window that nothing lies beside.
 constexpr double kEverywhere = 1e12;
 // Of the share that may fall outside of a map, where the map has a cascade.
@@ -156,7 +155,7 @@ LightViews widest_views(const LightExtents& extents, const Effects& effects, int
   set_depth(views.receiver, all.nearest, all.farthest, reach);
   views.casters_nearest = extents.casters.nearest;
   views.column = views.caster;
-  if (!effects.active("mirrors") && !effects.active("reflections")) {
+  if (!effects.mirrors.active && !effects.reflections.active) {
     views.column.window_lower = glm::dvec2(-kEverywhere);
     views.column.window_upper = glm::dvec2(kEverywhere);
   }
@@ -255,15 +254,15 @@ class LandingScout {
   std::unique_ptr<FrameTargets> targets_;
 };
 
-LightFitter::LightFitter(const SceneOnDevice& scene, const Settings& settings,
+LightPilot::LightPilot(const SceneOnDevice& scene, const Settings& settings,
                          const Registry& registry)
     : scene_(scene), settings_(settings), registry_(registry) {}
 
-LightFitter::~LightFitter() = default;
+LightPilot::~LightPilot() = default;
 
-std::vector<LightViews> LightFitter::fit(const Effects& effects) {
+std::vector<LightViews> LightPilot::fit(const Effects& effects) {
   std::vector<LightViews> views;
-  const auto all_around = [&](std::size_t light) { return !effects.all_around[light].empty(); };
+  const auto all_around = [&](std::size_t light) { return !effects.lights[light].all_around.empty(); };
   for (const Light& light : scene_.scene().lights) {
     if (all_around(views.size())) {
       views.push_back(views_all_around(scene_.scene(), effects, settings_, light));
@@ -303,7 +302,7 @@ std::vector<LightViews> LightFitter::fit(const Effects& effects) {
 
 std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,
                                           const Settings& settings, const Registry& registry) {
-  return LightFitter(scene, settings, registry).fit(effects);
+  return LightPilot(scene, settings, registry).fit(effects);
 }
 
 float exposure_of(const Scene& scene, const Settings& settings) {

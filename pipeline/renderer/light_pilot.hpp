@@ -12,12 +12,13 @@ namespace caustics {
 // which should be the software device whatever backend renders, so that every backend sees the same
 // frames. Its textures are kept from one call to the next, for scenes that move; what a call returns
 // does not depend on earlier ones. All that it is made from must outlive it.
-class LightFitter {
+class LightPilot {
  public:
-  LightFitter(const SceneOnDevice& scene, const Settings& settings, const Registry& registry);
-  ~LightFitter();
-  LightFitter(const LightFitter&) = delete;
-  LightFitter& operator=(const LightFitter&) = delete;
+  LightPilot(const SceneOnDevice& scene, const Settings& settings, const Registry& registry);
+  ~LightPilot();
+  LightPilot(const LightPilot&) = delete;
+  LightPilot& operator=(const LightPilot&) = delete;
+  Device& device() const { return scene_.device(); }
   // Of the scene as it is now.
   std::vector<LightViews> fit(const Effects& effects);
 

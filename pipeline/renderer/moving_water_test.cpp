@@ -156,7 +156,7 @@ TEST_CASE("water: the plan has the effect, its steps before the frame, and the l
   const Scene scene = pool_scene(0.5, lively(40));
   const Settings settings = small_settings(16, 16, 16);
   const Effects effects = effects_of(scene, settings);
-  CHECK(effects.find("water waves").active);
+  CHECK(effects.water_waves.active);
   const FramePlan picture = make_plan(scene, effects, settings, pass_registry(), {{"picture"}});
   REQUIRE(picture.before.size() == 1);
   CHECK(picture.before[0].label == "water_step[pool]");

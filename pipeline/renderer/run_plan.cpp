@@ -1,7 +1,7 @@
 #include "pipeline/renderer/run_plan.hpp"
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 
 namespace caustics {
 

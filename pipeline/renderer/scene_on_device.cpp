@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics {
@@ -30,28 +31,6 @@ MeshData mesh_data(const Mesh& mesh) {
 }
 
 }  // namespace
-
-glm::vec3 absorption_of(const Material& material) {
-  glm::vec3 absorption{0.0f};
-  const double distance = static_cast<double>(material.attenuation_distance);
-  if (!std::isfinite(distance)) return absorption;
-  for (int i = 0; i < 3; ++i) {
-    const double color = static_cast<double>(material.attenuation_color[i]);
-    const double per_distance = color > 0.0 ? -exact::log(color) : 1e9;
-    absorption[i] =
-        static_cast<float>(std::min(per_distance / std::max(distance, 1e-12), 1e30));
-  }
-  return absorption;
-}
-
-float main_dispersion(const Material& material) {
-  return (material.ior - 1.0f) * material.dispersion / 20.0f;
-}
-
-glm::vec3 metal_reflectance(const Material& material) {
-  return glm::vec3(0.04f) * (1.0f - material.metallic) +
-         glm::vec3(material.base_color) * material.metallic;
-}
 
 SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
     : scene_(scene), device_(device) {

@@ -18,6 +18,10 @@
 
 namespace caustics {
 
+// A perspective view sees at most this far to the side: tan 71.6 degrees. The texels of a map as wide are as large as those of
+// a cube's tiles, so that wider views are better cubes.
+inline constexpr double kWidestTangent = 3.0;
+
 struct View {
   glm::dvec3 origin{0.0};  // scene space
   glm::dvec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  // orthonormal

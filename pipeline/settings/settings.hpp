@@ -15,7 +15,7 @@ enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 // What tells how far light goes inside a solid caster: its back's map, or Wyman's (2005) mean of two thicknesses.
 enum class Thickness : std::uint8_t { Map, Wyman };
-// Which lights with a position are drawn onto a cube instead of through a window (pipeline/views/all_around.hpp).
+// Which lights with a position are drawn onto a cube instead of through a window (pipeline/scene/cube_view.hpp).
 enum class Cube : std::uint8_t { Auto, On, Off };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 

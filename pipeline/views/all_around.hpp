@@ -1,50 +1,11 @@
-// What is seen in every direction instead of through a window: the surroundings of the casters, for distance
-// impostors, and those of a light that stands among its casters.
+// The views of a light that sees in every direction instead of through a window.
 #pragma once
-#include <algorithm>
-#include <limits>
-#include <string>
-
-#include "pipeline/plan/pass.hpp"
-#include "pipeline/scene/view.hpp"
+#include "pipeline/effects/effects.hpp"
+#include "pipeline/views/light_views.hpp"
 
 namespace caustics {
 
-// Distance of the nearest and the farthest point of the triangles that `counts(mesh index)` chooses, metres. Nearest
-// is above farthest where there are none.
-struct Distances {
-  double nearest, farthest;
-  bool empty() const { return nearest > farthest; }
-};
-template <class Counts>
-Distances distances_from(const glm::dvec3& point, const Scene& scene, Counts counts);
-Distances distances_from(const glm::dvec3& point, const Mesh& mesh);
-
-// A cube view around `origin`, its axes the scene's, for what lies between these distances; without an atlas yet.
-View cube_view(const glm::dvec3& origin, const Distances& distances);
-// The same with the tiles of a map of this size.
-View with_atlas(View view, int side, int guard = kLeastGuard);
-
-// Can a face of a cube view see a mesh? True where in doubt.
-bool face_sees(const View& view, int face, const Mesh& mesh);
-
-// The views of a light that sees all around.
 LightViews views_all_around(const Scene& scene, const Effects& effects, const Settings& settings,
-                              const Light& light);
-
-// Adds the effects "distance impostors" and "all around".
-void add_all_around(const Scene& scene, const Settings& settings, Effects& effects);
-
-template <class Counts>
-Distances distances_from(const glm::dvec3& point, const Scene& scene, Counts counts) {
-  Distances all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (!counts(i)) continue;
-    const Distances one = distances_from(point, scene.meshes[i]);
-    all.nearest = std::min(all.nearest, one.nearest);
-    all.farthest = std::max(all.farthest, one.farthest);
-  }
-  return all;
-}
+                            const Light& light);
 
 }  // namespace caustics

@@ -7,23 +7,18 @@
 #include <optional>
 #include <vector>
 
+#include "pipeline/effects/cascades.hpp"
 #include "pipeline/views/landing_window.hpp"
-#include "pipeline/plan/pass.hpp"
-#include "pipeline/settings/settings.hpp"
+#include "pipeline/views/light_views.hpp"
 
 namespace caustics {
-
-// Finer texels need more splats each, but not more cells; but of a coarse grid they would show each cell.
-bool can_have_cascades(const Settings& settings);
 
 // A caustic view narrowed to the window that makes the mean side of a texel, weighted by the flux on it, least;
 // nothing where that would not be less than half of what it is in the map around all.
 std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, double margin,
                                    double shortest = 1e-9);
 
-// The effect "cascades" before the lights' views are known: inactive.
-void add_cascades(const Settings& settings, Effects& effects);
-// And once they are, by light.
-void judge_cascades(const std::vector<LightViews>& views, const Settings& settings, Effects& effects);
+// What the lights' views tell the effects.
+std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views);
 
 }  // namespace caustics

@@ -51,16 +51,17 @@ TEST_CASE("landed flux: a window leaves out the share that it may at each end") 
 }
 
 TEST_CASE("cascades: the effect tells which lights have one") {
-  Effects effects;
   const Settings settings;
-  add_cascades(settings, effects);
-  CHECK_FALSE(effects.active("cascades"));
+  Effects effects;
+  effects.lights.resize(2);
   LightViews with, without;
   with.caustic = without.caustic = square_view(4.0);
   with.cascade = square_view(1.0);
-  judge_cascades({without, with}, settings, effects);
-  CHECK(effects.active("cascades"));
-  CHECK(effects.cascades == std::vector<std::string>{"", "most of its light falls on 1/16 of its map's area"});
-  judge_cascades({without, without}, settings, effects);
-  CHECK_FALSE(effects.active("cascades"));
+  const Effects one = with_findings(effects, settings, findings_of({without, with}));
+  CHECK(one.cascades.active);
+  CHECK(one.lights[0].cascade.empty());
+  CHECK(one.lights[1].cascade == "most of its light falls on 1/16 of its map's area");
+  const Effects none = with_findings(effects, settings, findings_of({without, without}));
+  CHECK_FALSE(none.cascades.active);
+  CHECK(none.cascades.reason == "no light's caustic is small in its map");
 }

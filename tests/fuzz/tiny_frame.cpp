@@ -5,16 +5,13 @@
 
 #include "tests/fuzz/fuzzed_scene.hpp"
 #include "passes/registry.hpp"
-#include "pipeline/views/cascades.hpp"
 #include "pipeline/measure/error_estimate.hpp"
-#include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/pixel_side.hpp"
-#include "pipeline/renderer/run_plan.hpp"
+#include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/light_samples.hpp"
-#include "pipeline/renderer/moving_water.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::fuzz {
@@ -38,63 +35,41 @@ class TinyFrame {
  public:
   TinyFrame(Scene scene, const Settings& settings, double seconds)
       : settings_(settings), scene_(std::move(scene)), device_(make_software_device({.threads = 1})) {
-    effects_ = effects_of(scene_, settings_);
-    on_device_ = std::make_unique<SceneOnDevice>(scene_, effects_, *device_);
-    const bool waves = effects_.active("water waves");
-    views_ = waves ? fit_moving_views(scene_, *device_, effects_, settings_, pass_registry())
-                    : fit_light_views(*on_device_, effects_, settings_, pass_registry());
-    judge_cascades(views_, settings_, effects_);
-    plan_ = make_plan(scene_, effects_, settings_, pass_registry());
-    targets_ = std::make_unique<FrameTargets>(plan_, *device_);
-    if (waves) show_waters(seconds);
+    renderer_ = std::make_unique<FrameRenderer>(scene_, settings_, pass_registry(), *device_,
+                                                FrameOptions{.seconds = seconds});
   }
 
-  void run() {
-    const FrameInputs inputs{.settings = &settings_,
-                             .effects = &effects_,
-                             .views = &views_,
-                             .camera = view_of(scene_.cameras.at(0), settings_.width, settings_.height, bounds_of(scene_)),
-                             .exposure = exposure_of(scene_, settings_)};
-    run_plan(plan_, pass_registry(), *on_device_, *targets_, inputs);
-  }
+  void run() { renderer_->run(); }
 
   // Every texture, in the order in which the passes have written them.
   void check_finite() const {
-    for (const PlannedPass& pass : plan_.passes)
+    for (const PlannedPass& pass : renderer_->plan().passes)
       for (const int texture : pass.writes) {
-        const std::size_t bad = count_non_finite(device_->read_back((*targets_)[texture]));
+        const std::size_t bad = count_non_finite(renderer_->read(texture));
         if (bad > 0)
-          finding(pass.label + ": " + plan_.textures[static_cast<std::size_t>(texture)].name + " has " +
+          finding(pass.label + ": " + renderer_->plan().textures[static_cast<std::size_t>(texture)].name + " has " +
                   std::to_string(bad) + " values that are not finite");
       }
   }
 
   void check_ledgers() const {
     for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light) {
-      const bool any = has(branch_texture(kLanding, light, effects_.branches.front()));
+      const bool any = has(branch_texture(kLanding, light, renderer_->effects().branches.front()));
       if (any && has(light_texture(kCausticMap, light))) check_ledger(light);
     }
   }
 
  private:
-  void show_waters(double seconds) {
-    water_ = std::make_unique<MovingWater>(scene_, *device_, pass_registry());
-    const bool with_state = std::any_of(plan_.passes.begin(), plan_.passes.end(),
-                                        [](const PlannedPass& pass) { return pass.water >= 0; });
-    water_->show(seconds, with_state);
-    on_device_->renew_waters(with_state);
-  }
-
-  bool has(const std::string& name) const { return plan_.find(name) >= 0; }
-  Image read(const std::string& name) const { return has(name) ? device_->read_back((*targets_)[plan_.find(name)]) : Image{}; }
+  bool has(const std::string& name) const { return renderer_->has(name); }
+  Image read(const std::string& name) const { return has(name) ? renderer_->read(name) : Image{}; }
 
   void check_ledger(int light) const {
     const auto is_there = [&](const std::string& name) { return has(name); };
     const auto get = [&](const std::string& name) { return read(name); };
-    const std::vector<BranchImages> branches = branch_images(light, effects_.branches, is_there, get);
+    const std::vector<BranchImages> branches = branch_images(light, renderer_->effects().branches, is_there, get);
     const Image map = read(light_texture(kCausticMap, light));
-    const LightViews& views = views_[static_cast<std::size_t>(light)];
-    const std::vector<CellImages> cells = cell_images(light, effects_.branches, is_there, get);
+    const LightViews& views = renderer_->views()[static_cast<std::size_t>(light)];
+    const std::vector<CellImages> cells = cell_images(light, renderer_->effects().branches, is_there, get);
     const Ledger ledger = make_ledger(branches, cells, map, read(light_texture(far_texture(kCausticMap), light)),
                                       views.caustic, settings_);
     if (!(ledger.residual() <= most_residual(ledger, views.caustic)))
@@ -109,12 +84,7 @@ class TinyFrame {
   Settings settings_;
   Scene scene_;
   std::unique_ptr<Device> device_;
-  Effects effects_;
-  std::unique_ptr<SceneOnDevice> on_device_;
-  std::vector<LightViews> views_;
-  FramePlan plan_;
-  std::unique_ptr<FrameTargets> targets_;
-  std::unique_ptr<MovingWater> water_;
+  std::unique_ptr<FrameRenderer> renderer_;
 };
 
 template <class T, std::size_t N>

@@ -3,8 +3,7 @@
 
 #include "passes/parity_allowances.hpp"
 #include "passes/registry.hpp"
-#include "pipeline/views/cascades.hpp"
-#include "pipeline/renderer/light_pilot.hpp"
+#include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/renderer/parity.hpp"
 #include "tests/parity/match.hpp"
 #include "tests/support/catch.hpp"
@@ -72,27 +71,12 @@ struct ReadyFrame {
   explicit ReadyFrame(Scene s = frame_scene()) : scene(std::move(s)) {}
   Scene scene;
   Settings settings = small_settings(96, 96, 75);
-  Effects effects = effects_of(scene, settings);
   std::unique_ptr<Device> software = make_software_device();
-  SceneOnDevice on_software{scene, effects, *software};
-  std::vector<LightViews> views =
-      fit_light_views(on_software, effects, settings, pass_registry());
-  FramePlan plan = with_cascades();
-  FrameInputs inputs{
-      .settings = &settings,
-      .effects = &effects,
-      .views = &views,
-      .camera = view_of(scene.cameras[0], settings.width, settings.height, bounds_of(scene)),
-      .exposure = exposure_of(scene, settings)};
-
-  FramePlan with_cascades() {
-    judge_cascades(views, settings, effects);
-    return make_plan(scene, effects, settings, pass_registry());
-  }
+  FrameRenderer renderer{scene, settings, pass_registry(), *software};
 
   FrameParity against(Device& device) const {
-    const SceneOnDevice on_device(scene, effects, device);
-    return compare_devices(plan, pass_registry(), on_software, on_device, inputs);
+    const SceneOnDevice on_device(scene, renderer.effects(), device);
+    return compare_devices(renderer.plan(), pass_registry(), renderer.on_device(), on_device, renderer.inputs());
   }
 };
 
@@ -128,10 +112,10 @@ std::size_t differing(const std::vector<AttachmentParity>& attachments) {
 }  // namespace
 
 TEST_CASE("parity: two software devices agree on every attachment of every pass") {
-  ReadyFrame view;
+  ReadyFrame frame;
   const auto scalar = make_software_device({.threads = 1, .lanes = Lanes::Scalar});
-  const FrameParity parity = view.against(*scalar);
-  CHECK(parity.counts.size() == view.plan.passes.size());
+  const FrameParity parity = frame.against(*scalar);
+  CHECK(parity.counts.size() == frame.renderer.plan().passes.size());
   CHECK(parity.isolated.size() > 50);
   CHECK(parity.whole_frame.size() > 50);
   CHECK(differing(parity.isolated) == 0);
@@ -140,9 +124,9 @@ TEST_CASE("parity: two software devices agree on every attachment of every pass"
 }
 
 TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wrong count") {
-  ReadyFrame view;
+  ReadyFrame frame;
   FlawedDevice flawed("caster_map");
-  const FrameParity parity = view.against(flawed);
+  const FrameParity parity = frame.against(flawed);
   // The pass runs for all three lights; what it read before and what later passes draw is the
   // reference's.
   CHECK(differing(parity.isolated) == 3);
@@ -160,9 +144,9 @@ TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wr
 }
 
 TEST_CASE("parity: two software devices agree on casters with textures") {
-  ReadyFrame view(textured_scene());
+  ReadyFrame frame(textured_scene());
   const auto scalar = make_software_device({.threads = 1, .lanes = Lanes::Scalar});
-  const FrameParity parity = view.against(*scalar);
+  const FrameParity parity = frame.against(*scalar);
   const auto tinted = [](const AttachmentParity& a) { return a.attachment.rfind("caster_tint", 0) == 0; };
   CHECK(std::count_if(parity.isolated.begin(), parity.isolated.end(), tinted) == 3);
   CHECK(differing(parity.isolated) == 0);
@@ -209,10 +193,10 @@ TEST_CASE(
     "parity: a frame loop on OpenGL makes nothing after its first frame and reads nothing back") {
   const auto gl = gl_or_skip();
   if (!gl) return;
-  ReadyFrame view;
-  const SceneOnDevice on_gl(view.scene, view.effects, *gl);
-  const FrameTargets targets(view.plan, *gl);
-  const auto draw = [&] { run_plan(view.plan, pass_registry(), on_gl, targets, view.inputs); };
+  ReadyFrame frame;
+  const SceneOnDevice on_gl(frame.scene, frame.renderer.effects(), *gl);
+  const FrameTargets targets(frame.renderer.plan(), *gl);
+  const auto draw = [&] { run_plan(frame.renderer.plan(), pass_registry(), on_gl, targets, frame.renderer.inputs()); };
   draw();
   const DeviceObjects first = gl->made();
   CHECK(first.programs > 10);

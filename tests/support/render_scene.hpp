@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "passes/registry.hpp"
-#include "pipeline/views/cascades.hpp"
+#include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/measure/error_estimate.hpp"
-#include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/pixel_side.hpp"
-#include "pipeline/renderer/run_plan.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::test {
@@ -24,35 +22,22 @@ struct Rendering {
   const Image& operator[](const std::string& name) const { return images.at(name); }
 };
 
-// `framer`: the device that fits the light views; none: the same one.
-inline Rendering render_on(Device& device, const Scene& scene, const Settings& settings,
-                           const std::vector<std::string>& textures, Device* framer = nullptr) {
-  Effects effects = effects_of(scene, settings);
-  const SceneOnDevice on_device(scene, effects, device);
+// Draws the renderer's frame and reads all of it back.
+inline Rendering rendering_of(FrameRenderer& renderer) {
   Rendering out;
-  out.branches = effects.branches;
-  if (framer) {
-    const SceneOnDevice on_framer(scene, effects, *framer);
-    out.views = fit_light_views(on_framer, effects, settings, pass_registry());
-  } else {
-    out.views = fit_light_views(on_device, effects, settings, pass_registry());
-  }
-  judge_cascades(out.views, settings, effects);
-  const FramePlan plan = make_plan(scene, effects, settings, pass_registry(), {textures});
-  const FrameTargets targets(plan, device);
-  const FrameInputs inputs{
-      .settings = &settings,
-      .effects = &effects,
-      .views = &out.views,
-      .camera = scene.cameras.empty() ? View{}
-                                    : view_of(scene.cameras[0], settings.width, settings.height,
-                                               bounds_of(scene)),
-      .exposure = exposure_of(scene, settings)};
-  out.passes = run_plan(plan, pass_registry(), on_device, targets, inputs);
-  for (std::size_t i = 0; i < plan.textures.size(); ++i)
-    if (!plan.textures[i].external)
-      out.images[plan.textures[i].name] = device.read_back(targets[static_cast<int>(i)]);
+  out.branches = renderer.effects().branches;
+  out.views = renderer.views();
+  out.passes = renderer.run();
+  for (const PlannedTexture& texture : renderer.plan().textures)
+    if (!texture.external) out.images[texture.name] = renderer.read(texture.name);
   return out;
+}
+
+// `framer`: the device that fits the light views; none: the same one.
+inline Rendering render_on(Device& device, Scene scene, const Settings& settings,
+                           const std::vector<std::string>& textures, Device* framer = nullptr) {
+  FrameRenderer renderer(scene, settings, pass_registry(), device, {.goal = {textures}, .pilot = framer});
+  return rendering_of(renderer);
 }
 
 inline Rendering render(const Scene& scene, const Settings& settings,

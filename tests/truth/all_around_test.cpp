@@ -94,7 +94,7 @@ std::vector<Mesh> spheres_around(double distance, double radius) {
 }
 
 bool sees_all_around(const Scene& scene, const Settings& settings) {
-  return effects_of(scene, settings).active("all around");
+  return effects_of(scene, settings).all_around.active;
 }
 
 }  // namespace

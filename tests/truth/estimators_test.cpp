@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "passes/landing/landing.hpp"
-#include "pipeline/views/all_around.hpp"
+#include "pipeline/scene/cube_view.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/cube_map.hpp"

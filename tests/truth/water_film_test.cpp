@@ -15,30 +15,14 @@ namespace {
 class Film {
  public:
   Film(Scene scene, const Settings& settings)
-      : scene_(std::move(scene)), settings_(settings), effects_(effects_of(scene_, settings_)),
-        views_(fit_moving_views(scene_, *device_, effects_, settings_, pass_registry())),
-        moving_(scene_, *device_, pass_registry()), on_device_(scene_, effects_, *device_) {}
+      : scene_(std::move(scene)), settings_(settings),
+        renderer_(scene_, settings_, pass_registry(), *device_,
+                  {.goal = {{"picture", "aov_caustic", "aov_direct", kCausticMap, kLanding, kLandingFlux,
+                             kLandingFresnel, kLandingAbsorbed, kCellFlux}}}) {}
 
   const Rendering& show(double seconds) {
-    moving_.show(seconds, false);
-    on_device_.renew_waters(false);
-    const FramePlan plan = make_plan(scene_, effects_, settings_, pass_registry(),
-                                     {{"picture", "aov_caustic", "aov_direct", kCausticMap, kLanding, kLandingFlux,
-                                       kLandingFresnel, kLandingAbsorbed, kCellFlux}});
-    const FrameTargets targets(plan, *device_);
-    const FrameInputs inputs{
-        .settings = &settings_,
-        .effects = &effects_,
-        .views = &views_,
-        .camera = view_of(scene_.cameras[0], settings_.width, settings_.height, bounds_of(scene_)),
-        .exposure = exposure_of(scene_, settings_)};
-    out_.views = views_;
-    out_.branches = effects_.branches;
-    out_.passes = run_plan(plan, pass_registry(), on_device_, targets, inputs);
-    out_.images.clear();
-    for (std::size_t i = 0; i < plan.textures.size(); ++i)
-      if (!plan.textures[i].external)
-        out_.images[plan.textures[i].name] = device_->read_back(targets[static_cast<int>(i)]);
+    renderer_.show_waters(seconds);
+    out_ = rendering_of(renderer_);
     return out_;
   }
 
@@ -49,10 +33,7 @@ class Film {
   Scene scene_;
   Settings settings_;
   std::unique_ptr<Device> device_ = make_software_device();
-  Effects effects_;
-  std::vector<LightViews> views_;
-  MovingWater moving_;
-  SceneOnDevice on_device_;
+  FrameRenderer renderer_;
   Rendering out_;
 };
 

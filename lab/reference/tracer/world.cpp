@@ -4,22 +4,25 @@
 #include <map>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/renderer/scene_on_device.hpp"
+#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics::tracer {
 
 namespace {
 
-constexpr const char* kNotTraced[] = {"medium", "textured casters", "normal-mapped casters",
-                                      "cut-out casters", "water waves"};
+constexpr NamedEffect kNotTraced[] = {{"medium", &Effects::medium},
+                                      {"textured casters", &Effects::textured_casters},
+                                      {"normal-mapped casters", &Effects::normal_mapped_casters},
+                                      {"cut-out casters", &Effects::cut_out_casters},
+                                      {"water waves", &Effects::water_waves}};
 
 // Never a picture that silently lacks something.
 void refuse_what_is_not_traced(const Scene& scene, const Effects& effects) {
-  for (const char* name : kNotTraced) {
-    const Effect& effect = effects.find(name);
+  for (const NamedEffect& named : kNotTraced) {
+    const Effect& effect = effects.*named.effect;
     if (effect.active)
-      throw Error(ExitCode::BadInput, "the reference does not trace " + effect.name + " (" +
+      throw Error(ExitCode::BadInput, "the reference does not trace " + std::string(named.name) + " (" +
                                           effect.reason + "); docs/reference.md lists what it does");
   }
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {

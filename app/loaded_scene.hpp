@@ -1,11 +1,8 @@
-// A scene as the sub-commands want it: loaded, completed, and judged for what it calls for; at any
-// moment of its animation.
+// A scene as the sub-commands want it: loaded and completed; at any moment of its animation.
 #pragma once
 #include <memory>
 
 #include "app/frame_options.hpp"
-#include "pipeline/views/cascades.hpp"
-#include "pipeline/effects/effects.hpp"
 #include "pipeline/scene/animated_scene.hpp"
 
 namespace caustics::app {
@@ -13,20 +10,15 @@ namespace caustics::app {
 // What a file leaves out (ground, light, camera, sky) and the automatic exposure are chosen once, from
 // the scene at 0 s with its moving meshes as large as all that they touch in the course of the
 // animation. So they do not depend on which moments are shown.
-class JudgedScene {
+class LoadedScene {
  public:
   // Stands at request.seconds, or 0 s. Throws Error: BadInput, or WrongUsage for an unknown camera or animation.
-  explicit JudgedScene(const FrameRequest& request);
-  JudgedScene(const JudgedScene&) = delete;
-  JudgedScene& operator=(const JudgedScene&) = delete;
+  explicit LoadedScene(const FrameRequest& request);
+  LoadedScene(const LoadedScene&) = delete;
+  LoadedScene& operator=(const LoadedScene&) = delete;
 
   const Scene& scene() const { return scene_; }
   Scene& scene() { return scene_; }  // for its waters to move
-  const Effects& effects() const { return effects_; }
-  // Which lights have a cascade, once their frames are known.
-  void judge_cascades(const std::vector<LightViews>& frames) {
-    caustics::judge_cascades(frames, settings_, effects_);
-  }
   const Camera& camera() const { return *camera_; }
   float exposure() const { return exposure_; }
 
@@ -39,7 +31,7 @@ class JudgedScene {
  private:
   void add_what_shines();
   void complete();
-  void judge();
+  void choose_camera();
 
   Settings settings_;
   AnimatedScene animation_;
@@ -51,10 +43,9 @@ class JudgedScene {
   std::vector<Camera> added_cameras_;
   std::vector<std::string> notes_;
   float exposure_ = 1.0f;
-  Effects effects_;
   const Camera* camera_ = nullptr;  // into scene_
 };
 
-std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request);
+std::unique_ptr<LoadedScene> load_scene(const FrameRequest& request);
 
 }  // namespace caustics::app

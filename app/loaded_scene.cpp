@@ -1,4 +1,4 @@
-#include "app/judged_scene.hpp"
+#include "app/loaded_scene.hpp"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ namespace caustics::app {
 namespace {
 
 // A camera by its name, or else by its number.
-const Camera& choose_camera(const Scene& scene, const std::string& wanted) {
+const Camera& camera_called(const Scene& scene, const std::string& wanted) {
   if (wanted.empty()) return scene.cameras.front();
   std::vector<std::string> names;
   for (const Camera& camera : scene.cameras) {
@@ -60,7 +60,7 @@ AnimatedScene load(const FrameRequest& request) {
 
 }  // namespace
 
-JudgedScene::JudgedScene(const FrameRequest& request)
+LoadedScene::LoadedScene(const FrameRequest& request)
     : settings_(request.settings), animation_(load(request)), moving_(animation_.moving_meshes()) {
   for (const int mesh : moving_) swept_.push_back(animation_.swept_bounds(mesh));
   scene_ = animation_.take();
@@ -70,16 +70,16 @@ JudgedScene::JudgedScene(const FrameRequest& request)
   if (moves()) {
     move_to(request.seconds.value_or(0.0));
   } else {
-    judge();
+    choose_camera();
   }
 }
 
-void JudgedScene::add_what_shines() {
+void LoadedScene::add_what_shines() {
   if (settings_.emissive_lights) add_emissive_lights(scene_);
   sample_area_lights(scene_, settings_.light_samples);
 }
 
-void JudgedScene::complete() {
+void LoadedScene::complete() {
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     Mesh& mesh = scene_.meshes[static_cast<std::size_t>(moving_[i])];
     mesh.lower = glm::vec3(swept_[i].lower);
@@ -97,12 +97,9 @@ void JudgedScene::complete() {
   exposure_ = exposure_of(scene_, settings_);
 }
 
-void JudgedScene::judge() {
-  effects_ = effects_of(scene_, settings_);
-  camera_ = &choose_camera(scene_, settings_.camera);
-}
+void LoadedScene::choose_camera() { camera_ = &camera_called(scene_, settings_.camera); }
 
-void JudgedScene::move_to(double seconds) {
+void LoadedScene::move_to(double seconds) {
   if (!moves()) return;
   animation_.move_to(seconds, scene_);
   if (added_lights_.empty()) {
@@ -113,11 +110,11 @@ void JudgedScene::move_to(double seconds) {
   }
   if (!added_cameras_.empty()) scene_.cameras = added_cameras_;
   scene_.notes = notes_;
-  judge();
+  choose_camera();
 }
 
-std::unique_ptr<JudgedScene> load_scene(const FrameRequest& request) {
-  return std::make_unique<JudgedScene>(request);
+std::unique_ptr<LoadedScene> load_scene(const FrameRequest& request) {
+  return std::make_unique<LoadedScene>(request);
 }
 
 }  // namespace caustics::app

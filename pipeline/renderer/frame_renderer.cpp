@@ -1,0 +1,113 @@
+#include "pipeline/renderer/frame_renderer.hpp"
+
+#include <algorithm>
+
+#include "pipeline/effects/cascades.hpp"
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/views/cascades.hpp"
+
+namespace caustics {
+
+namespace {
+
+// Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of moving water
+// hold whatever the waves do, so that maps and shadows do not crawl.
+PlannedFrame planned(Scene& scene, const Settings& settings, const Registry& registry, Effects effects,
+                     LightPilot& pilot, const PlanGoal& goal, const Breath& breath) {
+  PlannedFrame frame;
+  frame.views = effects.water_waves.active
+                    ? fit_moving_views(scene, pilot.device(), effects, settings, registry, breath)
+                    : pilot.fit(effects);
+  frame.effects = with_findings(std::move(effects), settings, findings_of(frame.views));
+  frame.plan = make_plan(scene, frame.effects, settings, registry, goal);
+  return frame;
+}
+
+View camera_view(const Scene& scene, const Camera* camera, const Settings& settings) {
+  if (!camera && !scene.cameras.empty()) camera = &scene.cameras.front();
+  return camera ? view_of(*camera, settings.width, settings.height, bounds_of(scene)) : View{};
+}
+
+}  // namespace
+
+PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
+                        const PlanGoal& goal, const Breath& breath) {
+  Effects effects = effects_of(scene, settings);
+  const SceneOnDevice on_device(scene, effects, device);
+  LightPilot pilot(on_device, settings, registry);
+  return planned(scene, settings, registry, std::move(effects), pilot, goal, breath);
+}
+
+FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
+                             FrameOptions options)
+    : scene_(scene), settings_(settings), registry_(registry), device_(device), options_(std::move(options)) {
+  const Effects effects = effects_of(scene_, settings_);
+  on_device_ = std::make_unique<SceneOnDevice>(scene_, effects, device_);
+  if (options_.pilot) on_pilot_ = std::make_unique<SceneOnDevice>(scene_, effects, *options_.pilot);
+  pilot_ = std::make_unique<LightPilot>(on_pilot_ ? *on_pilot_ : *on_device_, settings_, registry_);
+  inputs_.settings = &settings_;
+  inputs_.effects = &frame_.effects;
+  inputs_.views = &frame_.views;
+  inputs_.exposure = options_.exposure.value_or(exposure_of(scene_, settings_));
+  judge_and_plan();
+  if (effects.water_waves.active) water_ = std::make_unique<MovingWater>(scene_, device_, registry_);
+  make_targets();
+  show_waters(options_.seconds);
+}
+
+void FrameRenderer::judge_and_plan() {
+  if (options_.breath) options_.breath();
+  frame_ = planned(scene_, settings_, registry_, effects_of(scene_, settings_), *pilot_, options_.goal, options_.breath);
+  inputs_.camera = camera_view(scene_, options_.camera, settings_);
+  if (options_.breath) options_.breath();
+}
+
+void FrameRenderer::make_targets() {
+  targets_.reset();
+  if (options_.accept) options_.accept(frame_);
+  targets_ = std::make_unique<FrameTargets>(frame_.plan, device_);
+}
+
+void FrameRenderer::moved(const std::vector<int>& meshes, const Camera* camera) {
+  options_.camera = camera;
+  on_device_->update(meshes);
+  if (on_pilot_) on_pilot_->update(meshes);
+  const std::vector<PlannedTexture> before = std::move(frame_.plan.textures);
+  judge_and_plan();
+  shown_.reset();  // fitting leaves the waters at rest
+  // Other textures only where the moment calls for other effects.
+  if (frame_.plan.textures != before) make_targets();
+}
+
+void FrameRenderer::show_waters(double seconds) {
+  if (!water_ || shown_ == seconds) return;
+  const bool with_state = std::any_of(frame_.plan.passes.begin(), frame_.plan.passes.end(),
+                                      [](const PlannedPass& pass) { return pass.water >= 0; });
+  water_report_ = water_->show(seconds, with_state, options_.breath);
+  on_device_->renew_waters(with_state);
+  shown_ = seconds;
+}
+
+std::vector<PassReport> FrameRenderer::run(const AfterPass& after) {
+  std::vector<PassReport> reports = water_report_;
+  for (PassReport& report : run_plan(frame_.plan, registry_, *on_device_, *targets_, inputs_, after))
+    reports.push_back(std::move(report));
+  return reports;
+}
+
+Image FrameRenderer::read(int texture) const {
+  const PlannedTexture& planned = frame_.plan.textures[static_cast<std::size_t>(texture)];
+  return device_.read_back(planned.external ? on_device_->external(planned.name) : (*targets_)[texture]);
+}
+
+Image FrameRenderer::read(const std::string& texture) const {
+  const int index = frame_.plan.find(texture);
+  if (index < 0) throw Error(ExitCode::InternalError, "the frame has no texture '" + texture + "'");
+  return read(index);
+}
+
+PassRun FrameRenderer::prepare(const PlannedPass& pass) const {
+  return prepare_pass(frame_.plan, pass, registry_, *on_device_, *targets_, inputs_);
+}
+
+}  // namespace caustics
