@@ -122,8 +122,8 @@ CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(In
   return casters;
 }
 
-// The share of the direct light that opaque surfaces let through to a surface whose triangle has this normal.
-// They keep it from a triangle that the light meets on the other side than the shading normal's.
+// The share of the direct light that opaque surfaces let through. A triangle that faces away from the light,
+// unlike its shading normal, lies in shadow.
 Float lit_share(IN(TangentPlane) p, Vec3 triangle_normal, Vec3 normal, Vec3 travel) {
   Float lit = Float(1.0f);
   if (u.has_shadow_map != 0) {
@@ -134,15 +134,12 @@ Float lit_share(IN(TangentPlane) p, Vec3 triangle_normal, Vec3 normal, Vec3 trav
   return lit;
 }
 
-// What panes and the medium leave of the light's colour.
-Vec3 tint_at(Vec3 at, Vec3 position) {
-  Vec3 tint = Vec3(1.0f);
-  if (u.has_panes != 0) tint = through_panes(at);
 #ifdef HAZE
-  tint = tint * transmittance(Vec3(u.medium.extinction), light_way(u.medium, u.light, position));
-#endif
-  return tint;
+// What the medium leaves of the light's colour on its way to a surface.
+Vec3 through_medium(Vec3 position) {
+  return transmittance(Vec3(u.medium.extinction), light_way(u.medium, u.light, position));
 }
+#endif
 
 void main() {
   SurfacePoint surface = surface_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
@@ -157,7 +154,11 @@ void main() {
   if (u.has_caustic != 0) lit = lit * (1.0f - casters.shadowed);
   Float irradiance = light.facing * light.falloff * lit / light.distance_squared;
   irradiance = sel(surface.visible, irradiance, Float(0.0f));
-  Vec3 tint = tint_at(p.at, surface.position);
+  Vec3 tint = Vec3(1.0f);
+  if (u.has_panes != 0) tint = through_panes(p.at);
+#ifdef HAZE
+  tint = tint * through_medium(surface.position);
+#endif
   direct = Vec4(Vec3(u.light.intensity) * tint * irradiance, Float(0.0f));
 }
 #endif
