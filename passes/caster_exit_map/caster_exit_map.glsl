@@ -18,7 +18,7 @@ OUTPUT(1, Vec4, caster_exit_normal)
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.view.kind == VIEW_CUBE) discard_if(outside_tile(u.view, u.map_side));
+  discard_if(outside_tile(u.view, u.map_side));
   caster_exit_position = Vec4(surface_position, Float(1.0f));
   caster_exit_normal = Vec4(normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f)), Float(1.0f));
 }

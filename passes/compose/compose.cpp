@@ -3,7 +3,16 @@
 #include <glm/glm.hpp>
 
 #include "passes/compose/environment_irradiance.hpp"
+#include "passes/shared/camera_rays.hpp"
 #include "passes/shared/sky_uniforms.hpp"
+
+namespace caustics::std140 {
+
+struct Compose {
+#include "passes/compose/compose_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
@@ -11,38 +20,23 @@ extern const Shader compose_shader;
 
 namespace {
 
-struct ComposeUniforms {
-  using vec4 = glm::vec4;
-#include "passes/compose/compose_uniforms.glsl"
-};
-
 UniformBytes uniforms(const View& view, int width, int height, const PassContext& context) {
   const Environment& environment = context.scene->environment;
-  const SkyUniforms sky = sky_uniforms(environment);
-  const glm::dvec2 size = view.window_upper - view.window_lower;
   const std::array<glm::vec3, 9> ambient =
       environment.image ? environment_irradiance(*environment.image) : std::array<glm::vec3, 9>{};
-  ComposeUniforms u{
-      .sky_zenith = sky.zenith,
-      .sky_horizon = sky.horizon,
-      .sky_ground = sky.ground,
-      .right = glm::vec4(glm::vec3(view.right), 0.0f),
-      .up = glm::vec4(glm::vec3(view.up), 0.0f),
-      .forward = glm::vec4(glm::vec3(view.forward), view.perspective ? 1.0f : 0.0f),
-      .pixel = {static_cast<float>(size.x / width),
-                static_cast<float>(size.y / height),
-                static_cast<float>(view.window_lower.x), static_cast<float>(view.window_lower.y)},
-      .ambient_0 = glm::vec4(ambient[0], 0.0f),
-      .ambient_1 = glm::vec4(ambient[1], 0.0f),
-      .ambient_2 = glm::vec4(ambient[2], 0.0f),
-      .ambient_3 = glm::vec4(ambient[3], 0.0f),
-      .ambient_4 = glm::vec4(ambient[4], 0.0f),
-      .ambient_5 = glm::vec4(ambient[5], 0.0f),
-      .ambient_6 = glm::vec4(ambient[6], 0.0f),
-      .ambient_7 = glm::vec4(ambient[7], 0.0f),
-      .ambient_8 = glm::vec4(ambient[8], 0.0f),
-  };
-  return uniform_bytes(u);
+  return uniform_bytes(std140::Compose{
+      .sky = shader_sky(environment),
+      .camera = shader_camera_rays(view, width, height),
+      .ambient_0 = ambient[0],
+      .ambient_1 = ambient[1],
+      .ambient_2 = ambient[2],
+      .ambient_3 = ambient[3],
+      .ambient_4 = ambient[4],
+      .ambient_5 = ambient[5],
+      .ambient_6 = ambient[6],
+      .ambient_7 = ambient[7],
+      .ambient_8 = ambient[8],
+  });
 }
 
 // Without glass before it the shaded scene is the picture.

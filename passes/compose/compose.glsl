@@ -1,4 +1,6 @@
 // What the camera sees without the glass: diffuse surfaces under all their light, before the sky.
+#include "passes/shared/sky_model.glsl"
+#include "passes/shared/camera_rays.glsl"
 UNIFORMS_BEGIN
 #include "passes/compose/compose_uniforms.glsl"
 UNIFORMS_END
@@ -14,16 +16,17 @@ TEXTURE(6, environment)
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, scene_color)
-#include "passes/shared/sky.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/sky_radiance.glsl"
 
 // Irradiance from the environment. The gradient counts as two uniform hemispheres, for which a surface
 // leaning by n.y sees (1 + n.y) / 2 of the upper one; the upper one's mean under the cosine is a third of
 // the horizon's radiance and two thirds of the zenith's.
 Vec3 ambient_irradiance(Vec3 n) {
-  Vec3 above = (Vec3(u.sky_horizon) + Vec3(u.sky_zenith) * 2.0f) / Float(3.0f);
-  Vec3 below = Vec3(u.sky_ground);
+  Vec3 above = (Vec3(u.sky.horizon) + Vec3(u.sky.zenith) * 2.0f) / Float(3.0f);
+  Vec3 below = Vec3(u.sky.ground);
   Vec3 radiance = below + (above - below) * ((1.0f + n.y) * 0.5f);
-  if (u.sky_horizon.w > 0.5f) {
+  if (u.sky.has_image != 0) {
     radiance = Vec3(u.ambient_0) + Vec3(u.ambient_1) * n.y + Vec3(u.ambient_2) * n.z +
                Vec3(u.ambient_3) * n.x + Vec3(u.ambient_4) * (n.x * n.y) +
                Vec3(u.ambient_5) * (n.y * n.z) + Vec3(u.ambient_6) * (3.0f * n.z * n.z - 1.0f) +
@@ -33,10 +36,22 @@ Vec3 ambient_irradiance(Vec3 n) {
   return radiance * 3.14159265f;
 }
 
+// The way of the camera's ray through this pixel's middle.
+Vec3 ray_direction() {
+  Vec3 forward = Vec3(u.camera.forward);
+  Vec3 direction = forward;
+  if (u.camera.is_perspective != 0) {
+    Float x = frag_x() * u.camera.pixel.x + u.camera.corner.x;
+    Float y = frag_y() * u.camera.pixel.y + u.camera.corner.y;
+    direction = normalize_or(forward + Vec3(u.camera.right) * x + Vec3(u.camera.up) * y, forward);
+  }
+  return direction;
+}
+
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
-  Bool covered = texel_fetch(view_position, column, row).w != 0.0f;
+  Bool covered = is_covered(texel_fetch(view_position, column, row));
   Vec3 n = Vec3(texel_fetch(view_normal, column, row));
   Vec3 albedo = Vec3(texel_fetch(view_albedo, column, row));
   Vec3 emission = Vec3(texel_fetch(view_emission, column, row));
@@ -44,12 +59,6 @@ void main() {
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;
-
-  Vec3 ray = Vec3(u.forward);
-  if (u.forward.w > 0.5f)
-    ray = normalize_or(Vec3(u.forward) + Vec3(u.right) * (frag_x() * u.pixel.x + u.pixel.z) +
-                           Vec3(u.up) * (frag_y() * u.pixel.y + u.pixel.w),
-                       Vec3(u.forward));
-  scene_color = Vec4(sel(covered, surface, sky_radiance(ray)), Float(1.0f));
+  scene_color = Vec4(sel(covered, surface, sky_radiance(u.sky, ray_direction())), Float(1.0f));
 }
 #endif

@@ -1,19 +1,16 @@
 #include "passes/first_hit/first_hit.hpp"
 
-#include <glm/glm.hpp>
+namespace caustics::std140 {
+
+struct FirstHit {
+#include "passes/first_hit/first_hit_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
 extern const Shader first_hit_shader;
-
-namespace {
-
-struct FirstHitUniforms {
-  using mat4 = glm::mat4;
-#include "passes/first_hit/first_hit_uniforms.glsl"
-};
-
-}  // namespace
 
 Pass first_hit_pass() {
   return {
@@ -36,7 +33,7 @@ Pass first_hit_pass() {
       .shaders = {{&first_hit_shader}},
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(FirstHitUniforms{.from_scene = pack(*context.camera).from_scene});
+            return uniform_bytes(std140::FirstHit{.view = shader_view(*context.camera)});
           },
   };
 }

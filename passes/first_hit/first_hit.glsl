@@ -18,18 +18,20 @@ OUTPUT(2, Vec4, aov_position)
 OUTPUT(3, Vec4, aov_normal)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
+#include "passes/shared/position_texel.glsl"
 
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
   Vec4 surface = texel_fetch(view_position, column, row);
   Vec4 normal = texel_fetch(view_normal, column, row);
-  // What the frame lacks is one texel of zeros.
+  Float surface_z = normal.w;
+  // What the picture lacks is one texel of zeros.
   Vec4 caster = fetch_clamped(view_caster_position, column, row);
   Vec4 caster_normal = fetch_clamped(view_caster_normal, column, row);
-  Float z = view_coordinates(u.from_scene, Vec3(caster)).z;
-  Bool glass = caster.w != 0.0f && (surface.w == 0.0f || z < normal.w);
-  Vec3 toward = sel(caster.w < 0.0f, -Vec3(caster_normal), Vec3(caster_normal));
+  Float z = view_coordinates(u.view, Vec3(caster)).z;
+  Bool glass = is_covered(caster) && (!is_covered(surface) || z < surface_z);
+  Vec3 toward = sel(is_back_face(caster), -Vec3(caster_normal), Vec3(caster_normal));
   Vec4 nothing = Vec4(0.0f);
   aov_direct = sel(glass, nothing, fetch_clamped(direct, column, row));
   aov_caustic = sel(glass, nothing, fetch_clamped(caustic, column, row));

@@ -1,1 +1,1 @@
-mat4 from_scene;  // the camera's view
+View view;  // the camera's

@@ -21,11 +21,8 @@ extern const Shader glass_shader;
 namespace {
 
 UniformBytes glass_uniforms(const PassContext& context) {
-  const SkyUniforms sky = sky_uniforms(context.scene->environment);
   return uniform_bytes(std140::Glass{
-      .sky_zenith = sky.zenith,
-      .sky_horizon = sky.horizon,
-      .sky_ground = sky.ground,
+      .sky = shader_sky(context.scene->environment),
       .view = shader_view(*context.camera),
       .surroundings = shader_view(*context.surroundings),
       .eye = context.camera->origin,

@@ -1,5 +1,6 @@
 // Glass, water and metal as the camera sees them: what lies behind, bent at both surfaces and tinted on the
 // way, and what the first surface mirrors. glass.md explains.
+#include "passes/shared/sky_model.glsl"
 UNIFORMS_BEGIN
 #include "passes/glass/glass_uniforms.glsl"
 UNIFORMS_END
@@ -25,7 +26,7 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/refraction.glsl"
-#include "passes/shared/sky.glsl"
+#include "passes/shared/sky_radiance.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
 
@@ -48,7 +49,7 @@ Vec3 color_met(Texture colors, Texture positions, IN(View) view, IN(Ray) ray, Ve
 // Radiance along a ray that starts outside the glass: the surface it meets on the screen, else one in
 // the wider view around it, else the sky.
 Vec3 radiance_along(IN(Ray) ray) {
-  Vec3 color = sky_radiance(ray.direction);
+  Vec3 color = sky_radiance(u.sky, ray.direction);
   color = color_met(wide_color, wide_position, u.surroundings, ray, color);
   return color_met(scene_color, view_position, u.view, ray, color);
 }

@@ -1,4 +1,4 @@
-#include "passes/shared/sky_uniforms.glsl"
+Sky sky;
 View view;            // the camera's
 View surroundings;    // the same, three times as wide and high
 vec3 eye;             // the camera's position

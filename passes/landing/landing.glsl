@@ -1,10 +1,11 @@
 // Where each grid vertex's light lands: bend it at the caster, find the exit, bend it again, find the
 // receiver; and what happened to its flux on the way. landing.md explains.
 #include "passes/shared/light_cone.glsl"
+#include "passes/medium/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
 #include "passes/landing/landing_uniforms.glsl"
 #ifdef HAZE
-#include "passes/medium/medium_uniforms.glsl"
+Medium medium;
 #endif
 UNIFORMS_END
 TEXTURE(0, caster_position)
@@ -41,7 +42,7 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
 #ifdef HAZE
-#include "passes/medium/medium.glsl"
+#include "passes/medium/medium_optics.glsl"
 #endif
 
 // Enter the caster: a grid vertex, the light's flux on its cell, the first surface.
@@ -345,10 +346,20 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
 }
 
 #ifdef HAZE
+// How far light has come through the medium to p: from its position, which lies in the box, or from where it enters it.
+Float air_before(Vec3 p, Vec3 travel) {
+  Float way = Float(0.0f);
+  if (u.caster.kind == VIEW_PARALLEL) {
+    way = medium_exit(u.medium, ray_from(p, -travel));
+  } else {
+    way = length3(p - Vec3(u.light));
+  }
+  return way;
+}
+
 // What the air takes before the caster; then on the way from it to the landing, or out of the medium.
 void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing) end, INOUT(Account) account) {
-  bool positional = u.caster.kind != VIEW_PARALLEL;
-  Vec3 arriving = transmittance(Vec3(u.extinction), light_way(entry_point, light_direction, Vec3(u.light), positional));
+  Vec3 arriving = transmittance(Vec3(u.medium.extinction), air_before(entry_point, light_direction));
   Vec3 taken = Vec3(account.entered) - arriving * account.entered;
   account.mirrored = account.mirrored * arriving;
   account.absorbed = account.absorbed * arriving;
@@ -359,10 +370,10 @@ void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing)
     taken = Vec3(0.0f);
   }
   account.leaving = account.leaving * arriving;
-  Float way_out = medium_exit(exit.ray.start, exit.ray.direction);
+  Float way_out = medium_exit(u.medium, exit.ray);
   Bool meets = end.hit.inside && end.hit.covered && end.converged;
   account.air_way = sel(exit.sent, sel(meets, min_of(end.flight, way_out), way_out), Float(0.0f));
-  account.carried = account.leaving * transmittance(Vec3(u.extinction), account.air_way);
+  account.carried = account.leaving * transmittance(Vec3(u.medium.extinction), account.air_way);
   account.taken = taken + (account.leaving - account.carried);
 }
 #endif

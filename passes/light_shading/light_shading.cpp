@@ -1,11 +1,18 @@
 #include "passes/light_shading/light_shading.hpp"
 
-#include <cmath>
 #include <glm/glm.hpp>
 
 #include "passes/medium/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
+
+namespace caustics::std140 {
+
+struct LightShading {
+#include "passes/light_shading/light_shading_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
@@ -18,13 +25,7 @@ namespace {
 constexpr double kBorder = 1.0;
 // Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps. Pixels on one
 // surface share its texels, so there are hardly more samples in all than texels, however wide the pixels are.
-constexpr float kMostSamples = 64.0f;
-
-struct LightShadingUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-#include "passes/light_shading/light_shading_uniforms.glsl"
-};
+constexpr int kMostSamples = 64;
 
 bool throws_caustic(const PassContext& context) {
   for (const Expectation& e : context.effects->expectations)
@@ -33,56 +34,43 @@ bool throws_caustic(const PassContext& context) {
   return false;
 }
 
+// Of a cube, from a tile's middle to its outermost texels' centres, in map coordinates.
+glm::vec2 tile_reach(const View& view) {
+  if (!view.cube) return glm::vec2(0.0f);
+  return glm::vec2(0.5 * glm::dvec2(view.cube->tile_width() - 1, view.cube->tile_height() - 1) /
+                   static_cast<double>(view.cube->side));
+}
+
 UniformBytes uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
-  const Light& light = *context.light;
-  const ViewUniforms caster = pack(views.caster), receiver = pack(views.receiver);
-  const ViewUniforms caustic = pack(views.caustic), shadow = pack(views.shadow);
-  const ViewUniforms panes = pack(views.panes), column = pack(views.column);
-  const LightCone cone = light_cone(light);
-  const bool directional = light.type == LightType::Directional;
+  const Settings& settings = *context.settings;
   const bool caustics = context.effects->caustics.active && throws_caustic(context);
-  const double texels =
-      static_cast<double>(context.settings->map) * static_cast<double>(context.settings->map);
-  glm::vec2 reach{0.0f};
-  if (const auto& cube = views.caustic.cube)
-    reach = glm::vec2(0.5 * glm::dvec2(cube->tile_width() - 1, cube->tile_height() - 1) /
-                      static_cast<double>(cube->side));
-  const ViewUniforms cascade = pack(views.cascade.value_or(View{}));
-  glm::vec4 cascade_texel{0.0f};
-  if (views.cascade && caustics)
-    cascade_texel = {static_cast<float>(views.cascade->window_area() / texels),
-                     static_cast<float>((splat_kernel(*context.settings).radius + kBorder) / context.settings->map),
-                     1.0f, 0.0f};
-  // Not of lights that see all around.
-  if (caustics && context.effects->hidden_receivers.active && !views.caustic.cube) cascade_texel.w = 1.0f;
-  return uniform_bytes(LightShadingUniforms{
-      .from_scene = shadow.from_scene,
-      .caster_window = caster.window,
-      .caster_depth = caster.depth,
-      .receiver_window = receiver.window,
-      .receiver_depth = receiver.depth,
-      .caustic_window = caustic.window,
-      .caustic_depth = caustic.depth,
-      .shadow_window = shadow.window,
-      .shadow_range = shadow.depth,
-      .pane_window = panes.window,
-      .pane_depth = panes.depth,
-      .light = glm::vec4(glm::vec3(directional ? views.shadow.forward : light.position),
-                         directional ? 0.0f : 1.0f),
-      .cone_axis = cone.axis,
-      .cone = cone.scale_offset,
-      .intensity = glm::vec4(light.color * light.intensity,
-                             !directional && std::isfinite(light.range) ? light.range : 0.0f),
-      .column = column.window,
-      .column_depth = glm::vec4(glm::vec3(column.depth), static_cast<float>(views.casters_nearest)),
-      .caustic_texel = {static_cast<float>(views.caustic.window_area() / texels), reach.x, reach.y,
-                        context.effects->coloured_caustics.active ? 0.0f : 1.0f},
-      .cascade_window = cascade.window,
-      .cascade_texel = cascade_texel,
-      .uses = {context.effects->occluders.active ? 1.0f : 0.0f, caustics ? 1.0f : 0.0f,
-               caustics ? 1.0f : 0.0f, context.effects->thin_panes.active ? 1.0f : 0.0f},
-      .footprint = {context.settings->pixel_means ? kMostSamples : 0.0f, 0.0f, 0.0f, 0.0f},
+  const bool cascade = views.cascade && caustics;
+  const View cascade_view = views.cascade.value_or(View{});
+  const double texels = static_cast<double>(settings.map) * static_cast<double>(settings.map);
+  return uniform_bytes(std140::LightShading{
+      .light = shader_light(*context.light, views.shadow.forward),
+      .shadow_view = shader_view(views.shadow),
+      .caster_view = shader_view(views.caster),
+      .receiver_view = shader_view(views.receiver),
+      .caustic_view = shader_view(views.caustic),
+      .cascade_view = shader_view(cascade_view),
+      .pane_view = shader_view(views.panes),
+      .column = shader_view(views.column),
+      .casters_nearest = static_cast<float>(views.casters_nearest),
+      .has_shadow_map = context.effects->occluders.active ? 1 : 0,
+      .has_panes = context.effects->thin_panes.active ? 1 : 0,
+      .has_caustic = caustics ? 1 : 0,
+      .has_cascade = cascade ? 1 : 0,
+      // Not of lights that see all around.
+      .receivers_are_layered = caustics && context.effects->hidden_receivers.active && !views.caustic.cube ? 1 : 0,
+      .caustic_is_grey = context.effects->coloured_caustics.active ? 0 : 1,
+      .caustic_texel_area = static_cast<float>(views.caustic.window_area() / texels),
+      .cascade_texel_area = cascade ? static_cast<float>(cascade_view.window_area() / texels) : 0.0f,
+      .cascade_border =
+          cascade ? static_cast<float>((splat_kernel(settings).radius + kBorder) / settings.map) : 0.0f,
+      .tile_reach = tile_reach(views.caustic),
+      .samples_across = settings.pixel_means ? kMostSamples : 0,
   });
 }
 

@@ -1,6 +1,6 @@
 #include "passes/light_shafts/light_shafts.hpp"
 
-#include "passes/medium/medium_uniforms.hpp"
+#include <algorithm>
 
 namespace caustics {
 
@@ -12,19 +12,16 @@ namespace {
 constexpr float kWidest = 0.0625f;
 
 UniformBytes uniforms(const PassContext& context) {
-  const ViewUniforms view = pack(*context.camera);
   const float width = static_cast<float>(context.width), height = static_cast<float>(context.height);
   const double pixels = static_cast<double>(context.width) * static_cast<double>(context.height);
-  const float widest = std::max(kWidest * std::max(width, height), 4.0f);
-  return with_medium(
-      uniform_bytes(LightShaftsUniforms{
-          .from_scene = view.from_scene,
-          .window = view.window,
-          .depth = view.depth,
-          .picture = {width, height, widest, static_cast<float>(context.camera->window_area() / pixels)},
-          .intensity = glm::vec4(context.light->color * context.light->intensity, 0.0f),
-          .beams = {beams_a_side(*context.settings), 0, 0, 0}}),
-      *context.scene);
+  return uniform_bytes(
+      std140::LightShafts{.view = shader_view(*context.camera),
+                          .picture = {width, height},
+                          .widest = std::max(kWidest * std::max(width, height), 4.0f),
+                          .pixel_area = static_cast<float>(context.camera->window_area() / pixels),
+                          .intensity = context.light->color * context.light->intensity,
+                          .beams_a_side = beams_a_side(*context.settings),
+                          .medium = shader_medium(*context.scene)});
 }
 
 }  // namespace

@@ -1,16 +1,15 @@
 #pragma once
-#include <glm/glm.hpp>
+#include "passes/medium/medium_uniforms.hpp"
 
-#include "pipeline/plan/pass.hpp"
+namespace caustics::std140 {
 
-namespace caustics {
-
-struct LightShaftsUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-  using ivec4 = glm::ivec4;
+struct LightShafts {
 #include "passes/light_shafts/light_shafts_uniforms.glsl"
 };
+
+}  // namespace caustics::std140
+
+namespace caustics {
 
 // light_shafts.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass light_shafts_pass();

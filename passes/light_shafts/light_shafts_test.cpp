@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "passes/medium/medium_uniforms.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 
@@ -25,18 +24,18 @@ struct Bench {
   float extinction = 0.0f, anisotropy = 0.0f;
 
   Image run() const {
-    const ViewUniforms f = pack(view);
-    LightShaftsUniforms u{.from_scene = f.from_scene, .window = f.window, .depth = f.depth,
-                          .picture = {8.0f, 8.0f, 4.0f, static_cast<float>(view.window_area() / 64.0)},
-                          .intensity = {1.0f, 1.0f, 1.0f, 0.0f},
-                          .beams = {side, 0, 0, 0}};
-    const MediumUniforms medium{.medium_lower = {-50.0f, 0.0f, -50.0f, anisotropy},
-                                .medium_upper = {50.0f, 20.0f, 50.0f, 1.0f},
-                                .extinction = glm::vec4(extinction),
-                                .scattering = glm::vec4(0.1f)};
-    UniformBytes bytes = uniform_bytes(u);
-    const UniformBytes more = uniform_bytes(medium);
-    bytes.insert(bytes.end(), more.begin(), more.end());
+    const std140::LightShafts u{.view = shader_view(view),
+                                .picture = {8.0f, 8.0f},
+                                .widest = 4.0f,
+                                .pixel_area = static_cast<float>(view.window_area() / 64.0),
+                                .intensity = glm::vec3(1.0f),
+                                .beams_a_side = side,
+                                .medium = {.lower = {-50.0f, 0.0f, -50.0f},
+                                           .anisotropy = anisotropy,
+                                           .upper = {50.0f, 20.0f, 50.0f},
+                                           .is_grey = 1,
+                                           .extinction = glm::vec3(extinction),
+                                           .scattering = glm::vec3(0.1f)}};
     Image start = filled(side, side, glm::vec4(0.0f)), heading = start, carried = start;
     for (int i = 0; i < static_cast<int>(starts.size()); ++i)
       for (int c = 0; c < 4; ++c) {
@@ -45,7 +44,7 @@ struct Bench {
         carried.at(i % side, i / side, c) = flux[c];
       }
     return run_pass(light_shafts_pass().definition,
-                    {.width = 8, .height = 8, .uniforms = bytes,
+                    {.width = 8, .height = 8, .uniforms = uniform_bytes(u),
                      .textures = {start, heading, carried, filled(8, 8, range)},
                      .vertex_count = 6 * side * side})["haze"];
   }

@@ -1,6 +1,7 @@
-mat4 from_scene;    // the camera's view
-vec4 window;
-vec4 depth;
-vec4 picture;       // width, height, pixels; widest beam, pixels; pixel's area in window units squared
-vec4 intensity;     // rgb: lux (directional) or candela
-ivec4 beams;        // a side, unused, unused, unused
+View view;         // the camera's
+vec2 picture;      // width and height, pixels
+float widest;      // no beam is drawn wider, pixels
+float pixel_area;  // window units squared
+vec3 intensity;    // lux (directional) or candela
+int beams_a_side;
+Medium medium;

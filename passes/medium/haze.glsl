@@ -6,5 +6,8 @@ TEXTURE(0, haze)
 #else
 OUTPUT(0, Vec4, beauty)
 
-void main() { beauty = Vec4(Vec3(texel_fetch(haze, floor_to_int(frag_x()), floor_to_int(frag_y()))), Float(1.0f)); }
+void main() {
+  Vec3 scattered = Vec3(texel_fetch(haze, floor_to_int(frag_x()), floor_to_int(frag_y())));
+  beauty = Vec4(scattered, Float(1.0f));
+}
 #endif

@@ -1,7 +1,10 @@
-// What the medium scatters towards the camera of one light's direct light: a sum of steps along the camera's ray.
+// What the medium scatters towards the camera of one light's direct light: a sum of steps along the camera's
+// ray.
+#include "passes/shared/camera_rays.glsl"
+#include "passes/shared/light_cone.glsl"
+#include "passes/shared/light.glsl"
+#include "passes/medium/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
-#include "passes/medium/view_ray_uniforms.glsl"
-#include "passes/medium/medium_uniforms.glsl"
 #include "passes/medium/light_haze_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, view_range)
@@ -15,10 +18,30 @@ TEXTURE(3, pane_transmittance)
 OUTPUT(0, Vec4, haze)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
-#include "passes/shared/light_intensity.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/cone_falloff.glsl"
+#include "passes/shared/light_falloff.glsl"
 #include "passes/shared/optics.glsl"
-#include "passes/medium/medium.glsl"
-#include "passes/medium/view_ray.glsl"
+#include "passes/shared/ray.glsl"
+#include "passes/shared/camera_ray.glsl"
+#include "passes/medium/medium_optics.glsl"
+#include "passes/medium/light_way.glsl"
+#include "passes/medium/view_range.glsl"
+
+// A point on the camera's ray.
+struct RayPoint {
+  Vec3 position;
+  Float way;  // from the light to here and on to where the ray enters the medium, metres of medium
+  Vec3 left;  // transmittance over that way
+};
+
+RayPoint point_on(IN(Ray) ray, Float entry, Float beyond_entry) {
+  RayPoint p;
+  p.position = point_along(ray, entry + beyond_entry);
+  p.way = beyond_entry + light_way(u.medium, u.light, p.position);
+  p.left = medium_transmittance(u.medium, p.way);
+  return p;
+}
 
 // The mean of exp(-t) for t from t0 to t1, with exp(-t0) and exp(-t1) known.
 Float mean_between(Float t0, Float t1, Float e0, Float e1) {
@@ -29,91 +52,80 @@ Float mean_between(Float t0, Float t1, Float e0, Float e1) {
   return sel(small, e0 * series, (e0 - e1) / sel(small, Float(1.0f), rise));
 }
 
-Vec3 mean_transmittance(Float from, Float to, Vec3 e0, Vec3 e1) {
-  Vec3 x = Vec3(u.extinction);
-  Vec3 mean = Vec3(mean_between(from * x.x, to * x.x, e0.x, e1.x));
-  if (u.medium_upper.w < 0.5f) {
-    mean.y = mean_between(from * x.y, to * x.y, e0.y, e1.y);
-    mean.z = mean_between(from * x.z, to * x.z, e0.z, e1.z);
+Vec3 mean_transmittance(IN(RayPoint) from, IN(RayPoint) to) {
+  Vec3 x = Vec3(u.medium.extinction);
+  Vec3 mean = Vec3(mean_between(from.way * x.x, to.way * x.x, from.left.x, to.left.x));
+  if (u.medium.is_grey == 0) {
+    mean.y = mean_between(from.way * x.y, to.way * x.y, from.left.y, to.left.y);
+    mean.z = mean_between(from.way * x.z, to.way * x.z, from.left.z, to.left.z);
   }
   return mean;
 }
 
-// What reaches a point of a light without distance: 0 in the shadow of opaque surfaces and behind casters, whose
-// light goes other ways; what panes leave, elsewhere.
+// What reaches a point of a light without distance: 0 in the shadow of opaque surfaces and behind casters,
+// whose light goes other ways; what panes leave, elsewhere.
 Vec3 visibility(Vec3 p) {
-  Vec3 q = view_coordinates(u.light_from_scene, p);
+  Vec3 q = view_coordinates(u.shadow_view, p);
   Vec3 seen = Vec3(1.0f);
-  if (u.uses.z > 0.5f) {
-    Vec2 uv = view_uv(q, u.pane_window, u.pane_depth);
+  if (u.has_panes != 0) {
+    Vec2 uv = view_uv(u.pane_view, q);
     seen = sel(inside_unit(uv.x, uv.y), Vec3(fetch_bilinear(pane_transmittance, uv.x, uv.y)), seen);
   }
-  if (u.uses.x > 0.5f) {
-    Vec2 uv = view_uv(q, u.shadow_window, u.shadow_range);
+  if (u.has_shadow_map != 0) {
+    Vec2 uv = view_uv(u.shadow_view, q);
     Bool blocked = inside_unit(uv.x, uv.y) && fetch_nearest(shadow_depth, uv.x, uv.y).x < q.z;
     seen = sel(blocked, Vec3(0.0f), seen);
   }
-  if (u.uses.y > 0.5f) {
-    Vec2 uv = view_uv(q, u.caster_window, u.caster_depth);
+  if (u.has_caustic != 0) {
+    Vec2 uv = view_uv(u.caster_view, q);
     Vec4 caster = fetch_nearest(caster_position, uv.x, uv.y);
-    Bool blocked = inside_unit(uv.x, uv.y) && caster.w != 0.0f &&
-                   view_coordinates(u.light_from_scene, Vec3(caster)).z < q.z;
+    Float caster_z = view_coordinates(u.caster_view, Vec3(caster)).z;
+    Bool blocked = inside_unit(uv.x, uv.y) && is_covered(caster) && caster_z < q.z;
     seen = sel(blocked, Vec3(0.0f), seen);
   }
   return seen;
 }
 
-// The integral of 1 / r^2 along a piece of the ray, exactly: the angle under which the light sees it, over the
-// ray's distance from the light.
+// The integral of 1 / r^2 along a piece of the ray, exactly: the angle under which the light sees it, over
+// the ray's distance from the light.
 Float inverse_square(Vec3 from, Vec3 to, Float miss, Float length) {
   Float across = miss * length;
-  return atan2_of(across, dot3(from - Vec3(u.light), to - Vec3(u.light))) / max_of(miss, 1.0e-20f);
+  Vec3 light = Vec3(u.light.position);
+  return atan2_of(across, dot3(from - light, to - light)) / max_of(miss, 1.0e-20f);
 }
 
-// Falloff of a light with a position: its cone, and KHR_lights_punctual's window 1 - (d / range)^4.
-Float falloff(Vec3 path) {
-  Float result = cone_falloff(normalize_or(path, Vec3(u.cone_axis)));
-  if (u.intensity.w > 0.0f) {
-    Float s = dot3(path, path) / (u.intensity.w * u.intensity.w);
-    result = result * clamp_to(1.0f - s * s, 0.0f, 1.0f);
-  }
-  return result;
+// How near the ray passes a light with a position; no nearer than a ten thousandth of its way counts.
+Float distance_from_light(IN(Ray) ray, IN(ViewRange) range) {
+  Vec3 to_light = Vec3(u.light.position) - ray.start;
+  return max_of(length3(cross3(to_light, ray.direction)), (range.exit - range.entry) * 1.0e-4f);
+}
+
+// What a light with a position sends to a piece of the ray and the phase function turns towards the camera,
+// times the piece's length.
+Float weight_between(IN(Ray) ray, Vec3 from, Vec3 to, Float miss, Float length) {
+  Vec3 path = (from + to) * 0.5f - Vec3(u.light.position);
+  Vec3 travel = normalize_or(path, Vec3(u.light.cone.axis));
+  return inverse_square(from, to, miss, length) * light_falloff(u.light, travel, dot3(path, path)) *
+         phase_function(u.medium, -dot3(travel, ray.direction));
 }
 
 void main() {
-  Vec4 range = texel_fetch(view_range, floor_to_int(frag_x()), floor_to_int(frag_y()));
-  Vec3 origin = view_ray_origin();
-  Vec3 direction = view_ray_direction();
-  bool positional = u.light.w > 0.5f;
-  Float stride = (range.z - range.y) / float(u.steps.x);
-  Vec3 travel = Vec3(u.light);
-  Float weight = stride * phase_function(-dot3(travel, direction));
-  // How near the ray passes a light with a position; no nearer than a ten thousandth of its way counts.
+  ViewRange range = fetch_view_range(view_range);
+  Ray ray = camera_ray(u.camera);
+  Float stride = (range.exit - range.entry) / float(u.steps);
+  Float weight = stride * phase_function(u.medium, -dot3(Vec3(u.light.direction), ray.direction));
   Float miss = Float(0.0f);
-  if (positional) {
-    Vec3 to_light = Vec3(u.light) - origin;
-    miss = max_of(length3(cross3(to_light, direction)), (range.z - range.y) * 1.0e-4f);
-  }
+  if (u.light.has_position != 0) miss = distance_from_light(ray, range);
 
   Vec3 sum = Vec3(0.0f);
-  Vec3 here = origin + direction * range.y;
-  Float way = light_way(here, travel, Vec3(u.light), positional);
-  Vec3 left = medium_transmittance(way);
-  for (int k = 1; k <= u.steps.x; k++) {
-    Vec3 next = origin + direction * (range.y + stride * float(k));
-    Float next_way = stride * float(k) + light_way(next, travel, Vec3(u.light), positional);
-    Vec3 next_left = medium_transmittance(next_way);
-    Vec3 middle = (here + next) * 0.5f;
-    if (positional) {
-      Vec3 path = middle - Vec3(u.light);
-      weight = inverse_square(here, next, miss, stride) * falloff(path) *
-               phase_function(-dot3(normalize_or(path, Vec3(u.cone_axis)), direction));
-    }
-    sum = sum + visibility(middle) * mean_transmittance(way, next_way, left, next_left) * weight;
+  RayPoint here = point_on(ray, range.entry, Float(0.0f));
+  for (int k = 1; k <= u.steps; k++) {
+    RayPoint next = point_on(ray, range.entry, stride * float(k));
+    if (u.light.has_position != 0) weight = weight_between(ray, here.position, next.position, miss, stride);
+    Vec3 middle = (here.position + next.position) * 0.5f;
+    sum = sum + visibility(middle) * mean_transmittance(here, next) * weight;
     here = next;
-    way = next_way;
-    left = next_left;
   }
-  haze = Vec4(Vec3(u.intensity) * Vec3(u.scattering) * sum, Float(0.0f));
+  haze = Vec4(Vec3(u.light.intensity) * Vec3(u.medium.scattering) * sum, Float(0.0f));
 }
 #endif

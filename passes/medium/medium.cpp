@@ -1,9 +1,20 @@
 #include "passes/medium/medium.hpp"
 
-#include <cmath>
-
-#include "passes/medium/light_haze_uniforms.hpp"
+#include "passes/medium/medium_uniforms.hpp"
+#include "passes/shared/camera_rays.hpp"
 #include "passes/shared/light_uniforms.hpp"
+
+namespace caustics::std140 {
+
+struct ViewMedium {
+#include "passes/medium/view_medium_uniforms.glsl"
+};
+
+struct LightHaze {
+#include "passes/medium/light_haze_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
@@ -21,37 +32,26 @@ bool throws_caustic(const PassContext& context) {
 }
 
 UniformBytes view_uniforms(const PassContext& context) {
-  return with_medium(uniform_bytes(view_ray_uniforms(*context.camera, context.width, context.height)),
-                     *context.scene);
+  return uniform_bytes(
+      std140::ViewMedium{.camera = shader_camera_rays(*context.camera, context.width, context.height),
+                         .view = shader_view(*context.camera),
+                         .medium = shader_medium(*context.scene)});
 }
 
 UniformBytes light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
-  const Light& light = *context.light;
-  const ViewUniforms caster = pack(views.caster), shadow = pack(views.shadow), panes = pack(views.panes);
-  const LightCone cone = light_cone(light);
-  const bool directional = light.type == LightType::Directional;
-  const auto used = [&](Effect Effects::*effect) { return (context.effects->*effect).active ? 1.0f : 0.0f; };
-  const UniformBytes own = uniform_bytes(LightHazeUniforms{
-      .light_from_scene = shadow.from_scene,
-      .caster_window = caster.window,
-      .caster_depth = caster.depth,
-      .shadow_window = shadow.window,
-      .shadow_range = shadow.depth,
-      .pane_window = panes.window,
-      .pane_depth = panes.depth,
-      .light = glm::vec4(glm::vec3(directional ? views.shadow.forward : light.position),
-                         directional ? 0.0f : 1.0f),
-      .cone_axis = cone.axis,
-      .cone = cone.scale_offset,
-      .intensity = glm::vec4(light.color * light.intensity,
-                             !directional && std::isfinite(light.range) ? light.range : 0.0f),
-      .uses = {used(&Effects::occluders), throws_caustic(context) ? used(&Effects::caustics) : 0.0f, used(&Effects::thin_panes), 0.0f},
-      .steps = {context.settings->medium_steps, 0, 0, 0},
+  return uniform_bytes(std140::LightHaze{
+      .camera = shader_camera_rays(*context.camera, context.width, context.height),
+      .medium = shader_medium(*context.scene),
+      .light = shader_light(*context.light, views.shadow.forward),
+      .shadow_view = shader_view(views.shadow),
+      .caster_view = shader_view(views.caster),
+      .pane_view = shader_view(views.panes),
+      .has_shadow_map = context.effects->occluders.active ? 1 : 0,
+      .has_caustic = throws_caustic(context) && context.effects->caustics.active ? 1 : 0,
+      .has_panes = context.effects->thin_panes.active ? 1 : 0,
+      .steps = context.settings->medium_steps,
   });
-  UniformBytes bytes = view_uniforms(context);
-  bytes.insert(bytes.end(), own.begin(), own.end());
-  return bytes;
 }
 
 constexpr ColorMask kColor{true, true, true, false};

@@ -23,7 +23,7 @@ void main() {
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.view.kind == VIEW_CUBE) discard_if(outside_tile(u.view, u.map_side));
+  discard_if(outside_tile(u.view, u.map_side));
   discard_if(cut_out(u.mask, surface_uv));
 }
 #endif

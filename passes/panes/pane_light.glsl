@@ -1,4 +1,6 @@
 // What thin panes leave of a light's colour on its way to the first opaque surface.
+#include "passes/shared/sky_model.glsl"
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/panes/pane_uniforms.glsl"
 UNIFORMS_END
@@ -12,17 +14,16 @@ OUTPUT(0, Vec4, pane_transmittance)
 
 // Is an opaque surface nearer to the light? Two of its map's texels' extents may lie between.
 Bool in_shadow() {
-  Vec3 at = view_coordinates(u.from_scene, surface_position);
-  Vec2 uv = view_uv(at, u.shadow_window, u.shadow_range);
-  Vec3 q = in_face(at, view_face(at, u.shadow_range), u.shadow_range);
-  Float extent = view_w(at, u.shadow_range) / (u.shadow_window.x * float(texture_width(shadow_depth)));
+  Vec3 at = view_coordinates(u.shadow_view, surface_position);
+  Vec2 uv = view_uv(u.shadow_view, at);
+  Vec3 q = in_face(u.shadow_view, at, view_face(u.shadow_view, at));
+  Float extent = view_w(u.shadow_view, at) / (u.shadow_view.scale.x * float(texture_width(shadow_depth)));
   Float stored = fetch_nearest(shadow_depth, uv.x, uv.y).x;
-  return u.uses.y > 0.5f && inside_unit(uv.x, uv.y) && stored < q.z - 2.0f * extent;
+  return u.has_shadow_map != 0 && inside_unit(uv.x, uv.y) && stored < q.z - 2.0f * extent;
 }
 
 void main() {
-  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.uses.z));
-  discard_if(cut_out(surface_uv) || in_shadow());
+  discard_if(outside_tile(u.view, u.side) || cut_out(u.alpha_mask, surface_uv) || in_shadow());
   pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
 }
 #endif

@@ -1,4 +1,4 @@
-// A thin pane drawn into a frame: vertex stage, and what a ray through it keeps. Expects the texture
+// A thin pane drawn into a view: vertex stage, and what a ray through it keeps. Expects the texture
 // base_color and the uniforms of pane_uniforms.glsl.
 VARYING_SMOOTH(0, Vec3, surface_position)
 VARYING_SMOOTH(3, Vec3, surface_normal)
@@ -15,26 +15,27 @@ void main() {
   surface_position = position;
   surface_normal = normal;
   surface_uv = uv;
-  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
-#include "passes/shared/cutout.glsl"
+#include "passes/shared/alpha_mask.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
+#include "passes/shared/transformed_uv.glsl"
 #include "passes/shared/optics.glsl"
 
-// Direction of the frame's ray through the drawn point.
+// Direction of the view's ray through the drawn point.
 Vec3 ray_direction() {
   Vec3 forward = Vec3(u.forward);
-  if (u.eye.w > 0.5f) forward = normalize_or(surface_position - Vec3(u.eye), forward);
+  if (u.view.kind != VIEW_PARALLEL) forward = normalize_or(surface_position - Vec3(u.eye), forward);
   return forward;
 }
 
 // Reflectance of one of the pane's two faces for a ray along d.
 Float face_reflectance(Vec3 d) {
   Float cosine = abs(dot3(normalize_or(surface_normal, d), d));
-  Float eta = Float(1.0f / u.tint.w);
+  Float eta = Float(1.0f / u.ior);
   return fresnel_reflectance(eta, cosine, sqrt(max_of(transmitted_cosine_squared(eta, cosine), 0.0f)));
 }
 
@@ -42,9 +43,9 @@ Float face_reflectance(Vec3 d) {
 // (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once.
 Vec3 let_through(Vec3 d) {
   Float r = face_reflectance(d);
-  Vec3 color = Vec3(u.tint);
-  if (u.uses.x > 0.5f) {
-    Vec2 at = transformed_uv(u.uv_row0, u.uv_row1, surface_uv);
+  Vec3 color = Vec3(u.color);
+  if (u.has_base_color != 0) {
+    Vec2 at = transformed_uv(u.base_color_uv, surface_uv);
     color = color * Vec3(fetch_repeat(base_color, at.x, at.y));
   }
   return color * ((1.0f - r) / (1.0f + r));

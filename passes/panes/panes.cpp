@@ -1,8 +1,15 @@
 #include "passes/panes/panes.hpp"
 
-#include <glm/glm.hpp>
-
+#include "passes/shared/material_uniforms.hpp"
 #include "passes/shared/sky_uniforms.hpp"
+
+namespace caustics::std140 {
+
+struct Pane {
+#include "passes/panes/pane_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
@@ -11,53 +18,37 @@ extern const Shader view_panes_shader;
 
 namespace {
 
-struct PaneUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-#include "passes/panes/pane_uniforms.glsl"
-};
-
-PaneUniforms pane_uniforms(const View& view, const glm::dvec3& eye, const PassContext& context) {
-  const ViewUniforms f = pack(view);
-  const SkyUniforms sky = sky_uniforms(context.scene->environment);
+// Without what shadows a light.
+std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const PassContext& context) {
   const Material& m = *context.material;
-  const glm::mat3& uv = m.base_color_texture.uv_transform;
-  const bool textured = m.base_color_texture.present();
-  const bool masked = m.alpha_mode == AlphaMode::Mask;
-  PaneUniforms u{};
-  u.sky_zenith = sky.zenith;
-  u.sky_horizon = sky.horizon;
-  u.sky_ground = sky.ground;
-  u.from_scene = f.from_scene;
-  u.window = f.window;
-  u.depth = f.depth;
-  u.eye = glm::vec4(glm::vec3(eye), view.perspective ? 1.0f : 0.0f);
-  u.forward = glm::vec4(glm::vec3(view.forward), 0.0f);
-  u.tint = glm::vec4(glm::vec3(m.base_color) * m.transmission, m.ior);
-  u.alpha = {m.base_color.a, masked ? m.alpha_cutoff : 0.0f, masked && textured ? 1.0f : 0.0f, 0.0f};
-  u.uv_row0 = {uv[0][0], uv[1][0], uv[2][0], 0.0f};
-  u.uv_row1 = {uv[0][1], uv[1][1], uv[2][1], 0.0f};
-  u.uses.z = view.cube ? static_cast<float>(view.cube->side) : 0.0f;
-  u.uses.x = textured ? 1.0f : 0.0f;
-  return u;
+  return {.sky = shader_sky(context.scene->environment),
+          .view = shader_view(view),
+          .side = view.cube ? static_cast<float>(view.cube->side) : 0.0f,
+          .shows_mirror = 0,
+          .eye = glm::vec3(eye),
+          .forward = glm::vec3(view.forward),
+          .color = glm::vec3(m.base_color) * m.transmission,
+          .ior = m.ior,
+          .has_base_color = m.base_color_texture.present() ? 1 : 0,
+          .base_color_uv = std140::texture_transform(m.base_color_texture),
+          .alpha_mask = std140::alpha_mask(m),
+          .shadow_view = {},
+          .has_shadow_map = 0};
 }
 
 UniformBytes light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
-  const ViewUniforms shadow = pack(views.shadow);
-  PaneUniforms u = pane_uniforms(views.panes, context.light->position, context);
-  u.uses.y = context.effects->occluders.active ? 1.0f : 0.0f;
-  u.shadow_window = shadow.window;
-  u.shadow_range = shadow.depth;
+  std140::Pane u = pane_uniforms(views.panes, context.light->position, context);
+  u.shadow_view = shader_view(views.shadow);
+  u.has_shadow_map = context.effects->occluders.active ? 1 : 0;
   return uniform_bytes(u);
 }
 
 constexpr DrawnFor kMirrored{.label = "mirrored", .own_textures = false};
 
 UniformBytes view_uniforms(const PassContext& context) {
-  PaneUniforms u = pane_uniforms(*context.camera, context.camera->origin, context);
-  const bool mirrored = context.drawn_for && context.drawn_for->label == kMirrored.label;
-  u.forward.w = mirrored ? 1.0f : 0.0f;
+  std140::Pane u = pane_uniforms(*context.camera, context.camera->origin, context);
+  u.shows_mirror = context.drawn_for && context.drawn_for->label == kMirrored.label;
   return uniform_bytes(u);
 }
 

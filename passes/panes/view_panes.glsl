@@ -1,4 +1,6 @@
 // Thin panes as the camera sees them: what lies behind is tinted, the environment mirrored on top.
+#include "passes/shared/sky_model.glsl"
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/panes/pane_uniforms.glsl"
 UNIFORMS_END
@@ -11,29 +13,31 @@ TEXTURE(4, environment)
 
 #ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, beauty)
-#include "passes/shared/sky.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/sky_radiance.glsl"
 
 // Does an opaque surface or glass stand before the pane?
 Bool hidden() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
-  Float z = view_coordinates(u.from_scene, surface_position).z;
-  Bool surface = texel_fetch(view_position, column, row).w != 0.0f;
+  Float z = view_coordinates(u.view, surface_position).z;
+  Bool surface = is_covered(texel_fetch(view_position, column, row));
+  Float surface_z = texel_fetch(view_normal, column, row).w;
   Vec4 glass = fetch_clamped(view_caster_position, column, row);
-  return (surface && texel_fetch(view_normal, column, row).w < z) ||
-         (glass.w != 0.0f && view_coordinates(u.from_scene, Vec3(glass)).z < z);
+  Float glass_z = view_coordinates(u.view, Vec3(glass)).z;
+  return (surface && surface_z < z) || (is_covered(glass) && glass_z < z);
 }
 
 void main() {
-  discard_if(cut_out(surface_uv) || hidden());
+  discard_if(cut_out(u.alpha_mask, surface_uv) || hidden());
   Vec3 d = ray_direction();
   Vec3 color = let_through(d);
-  if (u.forward.w > 0.5f) {
+  if (u.shows_mirror != 0) {
     // Both faces together mirror 2 r / (1 + r).
     Float r = face_reflectance(d);
     Vec3 n = facing_normal(normalize_or(surface_normal, -d), d, dot3(surface_normal, d) > 0.0f);
     Vec3 up = reflected(d, n, clamp_to(-dot3(d, n), 0.0f, 1.0f));
-    color = sky_radiance(up) * (2.0f * r / (1.0f + r));
+    color = sky_radiance(u.sky, up) * (2.0f * r / (1.0f + r));
   }
   beauty = Vec4(color, Float(1.0f));
 }

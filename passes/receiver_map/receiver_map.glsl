@@ -27,7 +27,7 @@ OUTPUT(0, Vec4, receiver_position)
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.view.kind == VIEW_CUBE) discard_if(outside_tile(u.view, u.map_side));
+  discard_if(outside_tile(u.view, u.map_side));
   discard_if(cut_out(u.mask, surface_uv) ||
              stands_before_casters(u.column, u.casters_nearest, view_coordinates(u.view, surface_position)));
   receiver_position = Vec4(surface_position, Float(1.0f));

@@ -26,7 +26,7 @@ OUTPUT(0, Vec4, shadow_depth)
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.view.kind == VIEW_CUBE) discard_if(outside_tile(u.view, u.map_side));
+  discard_if(outside_tile(u.view, u.map_side));
   discard_if(cut_out(u.mask, surface_uv));
   shadow_depth = Vec4(along, Float(0.0f), Float(0.0f), Float(1.0f));
 }

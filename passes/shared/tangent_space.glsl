@@ -5,7 +5,8 @@ Vec3 tangent_space_normal(Vec4 texel, Float scale) {
   return Vec3((texel.x * 2.0f - 1.0f) * scale, (texel.y * 2.0f - 1.0f) * scale, texel.z * 2.0f - 1.0f);
 }
 
-// That normal in scene space, of unit length: around the unit normal n, by the vertex's tangent (w: handedness).
+// That normal in scene space, of unit length: around the unit normal n, by the vertex's tangent (w:
+// handedness).
 Vec3 leaned_normal(Vec3 n, Vec4 tangent, Vec3 local) {
   Vec3 raw = Vec3(tangent);
   Vec3 t = normalize_or(raw - n * dot3(n, raw), Vec3(1.0f, 0.0f, 0.0f));

@@ -1,19 +1,18 @@
 #include "passes/tone_map/tone_map.hpp"
 
-#include <glm/glm.hpp>
+#include "pipeline/shader/std140.hpp"
+
+namespace caustics::std140 {
+
+struct alignas(16) ToneMap {
+#include "passes/tone_map/tone_map_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
 extern const Shader tone_map_shader;
-
-namespace {
-
-struct ToneMapUniforms {
-  using vec4 = glm::vec4;
-#include "passes/tone_map/tone_map_uniforms.glsl"
-};
-
-}  // namespace
 
 Pass tone_map_pass() {
   return {
@@ -27,7 +26,7 @@ Pass tone_map_pass() {
       .shaders = {{&tone_map_shader}},
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(ToneMapUniforms{.exposure = {context.exposure, 0.0f, 0.0f, 0.0f}});
+            return uniform_bytes(std140::ToneMap{.exposure = context.exposure});
           },
   };
 }

@@ -33,9 +33,9 @@ Float encoded(Float linear_value) {
 
 void main() {
   Vec4 radiance = texel_fetch(beauty, floor_to_int(frag_x()), floor_to_int(frag_y()));
-  Vec3 exposed = Vec3(clamp_to(radiance.x * u.exposure.x, 0.0f, 1.0e6f),
-                      clamp_to(radiance.y * u.exposure.x, 0.0f, 1.0e6f),
-                      clamp_to(radiance.z * u.exposure.x, 0.0f, 1.0e6f));
+  Vec3 exposed = Vec3(clamp_to(radiance.x * u.exposure, 0.0f, 1.0e6f),
+                      clamp_to(radiance.y * u.exposure, 0.0f, 1.0e6f),
+                      clamp_to(radiance.z * u.exposure, 0.0f, 1.0e6f));
   Vec3 toned = neutral(exposed);
   picture = Vec4(encoded(toned.x), encoded(toned.y), encoded(toned.z), Float(1.0f));
 }

@@ -1,1 +1,1 @@
-vec4 exposure;  // x: factor from nit to display white
+float exposure;  // factor from nit to display white

@@ -1,6 +1,14 @@
 #include "passes/view_surfaces/view_surfaces.hpp"
 
-#include <glm/glm.hpp>
+#include "passes/shared/material_uniforms.hpp"
+
+namespace caustics::std140 {
+
+struct ViewSurfaces {
+#include "passes/view_surfaces/view_surfaces_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
@@ -8,35 +16,19 @@ extern const Shader view_surfaces_shader;
 
 namespace {
 
-struct ViewSurfacesUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-#include "passes/view_surfaces/view_surfaces_uniforms.glsl"
-};
-
-glm::vec4 row(const TextureUse& use, int index) {
-  const glm::mat3& m = use.uv_transform;
-  return {m[0][index], m[1][index], m[2][index], 0.0f};
-}
-
 UniformBytes uniforms(const View& view, const Material& m) {
-  const ViewUniforms f = pack(view);
-  const auto used = [](const TextureUse& use) { return use.present() ? 1.0f : 0.0f; };
-  return uniform_bytes(ViewSurfacesUniforms{
-      .from_scene = f.from_scene,
-      .window = f.window,
-      .depth = f.depth,
+  return uniform_bytes(std140::ViewSurfaces{
+      .view = shader_view(view),
       .base_factor = m.base_color,
-      .alpha = {m.base_color.a, m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f, 0.0f, 0.0f},
-      .emissive_factor = glm::vec4(m.emissive, 0.0f),
-      .uses = {used(m.base_color_texture), used(m.normal_texture), used(m.emissive_texture),
-               m.normal_scale},
-      .uv_row0 = row(m.base_color_texture, 0),
-      .uv_row1 = row(m.base_color_texture, 1),
-      .normal_row0 = row(m.normal_texture, 0),
-      .normal_row1 = row(m.normal_texture, 1),
-      .emissive_row0 = row(m.emissive_texture, 0),
-      .emissive_row1 = row(m.emissive_texture, 1),
+      .alpha_cutoff = m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f,
+      .has_base_color = m.base_color_texture.present() ? 1 : 0,
+      .has_normal = m.normal_texture.present() ? 1 : 0,
+      .has_emissive = m.emissive_texture.present() ? 1 : 0,
+      .normal_scale = m.normal_scale,
+      .emissive_factor = m.emissive,
+      .base_color_uv = std140::texture_transform(m.base_color_texture),
+      .normal_uv = std140::texture_transform(m.normal_texture),
+      .emissive_uv = std140::texture_transform(m.emissive_texture),
   });
 }
 

@@ -1,4 +1,5 @@
 // The first opaque surface that the camera sees: position, normal, colour, light of its own.
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/view_surfaces/view_surfaces_uniforms.glsl"
 UNIFORMS_END
@@ -23,7 +24,7 @@ void main() {
   surface_normal = normal;
   surface_tangent = tangent;
   surface_uv = uv;
-  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
 OUTPUT(0, Vec4, view_position)
@@ -33,33 +34,35 @@ OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
+#include "passes/shared/transformed_uv.glsl"
 #include "passes/shared/tangent_space.glsl"
 
 Vec3 textured_normal(Vec3 n) {
-  Vec2 uv = transformed_uv(u.normal_row0, u.normal_row1, surface_uv);
+  Vec2 uv = transformed_uv(u.normal_uv, surface_uv);
   Vec4 texel = fetch_repeat(normal_texture, uv.x, uv.y);
-  return leaned_normal(n, surface_tangent, tangent_space_normal(texel, Float(u.uses.w)));
+  return leaned_normal(n, surface_tangent, tangent_space_normal(texel, Float(u.normal_scale)));
 }
 
 void main() {
-  Vec2 uv = transformed_uv(u.uv_row0, u.uv_row1, surface_uv);
+  Vec2 uv = transformed_uv(u.base_color_uv, surface_uv);
   Vec4 base = Vec4(u.base_factor);
-  if (u.uses.x > 0.5f) base = base * fetch_repeat(base_color, uv.x, uv.y);
-  discard_if(base.w < u.alpha.y);
+  if (u.has_base_color != 0) base = base * fetch_repeat(base_color, uv.x, uv.y);
+  Float opacity = base.w;
+  discard_if(opacity < u.alpha_cutoff);
 
   Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
-  if (u.uses.y > 0.5f) n = textured_normal(n);
+  if (u.has_normal != 0) n = textured_normal(n);
   // A surface seen from behind shows its other side: the textured normal as a whole is reversed.
   Bool behind = !front_facing();
   n = sel(behind, -n, n);
 
   Vec3 emission = Vec3(u.emissive_factor);
-  if (u.uses.z > 0.5f) {
-    Vec2 at = transformed_uv(u.emissive_row0, u.emissive_row1, surface_uv);
+  if (u.has_emissive != 0) {
+    Vec2 at = transformed_uv(u.emissive_uv, surface_uv);
     emission = emission * Vec3(fetch_repeat(emissive, at.x, at.y));
   }
   view_position = Vec4(surface_position, Float(1.0f));
-  view_normal = Vec4(n, view_coordinates(u.from_scene, surface_position).z);
+  view_normal = Vec4(n, view_coordinates(u.view, surface_position).z);
   view_albedo = Vec4(base.x, base.y, base.z, Float(1.0f));
   view_emission = Vec4(emission, Float(1.0f));
 }

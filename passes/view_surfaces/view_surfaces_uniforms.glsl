@@ -1,13 +1,11 @@
-mat4 from_scene;      // the camera's view
-vec4 window;
-vec4 depth;
-vec4 base_factor;     // rgb albedo, a opacity
-vec4 alpha;           // opacity, cutoff (0 in opaque materials), unused, unused
-vec4 emissive_factor; // rgb nit; w unused
-vec4 uses;            // 1 where there is a texture: base colour, normal, emissive; w: scale of the normal texture
-vec4 uv_row0;         // base colour: rows of u' = row . (u, v, 1)
-vec4 uv_row1;
-vec4 normal_row0;
-vec4 normal_row1;
-vec4 emissive_row0;
-vec4 emissive_row1;
+View view;              // the camera's
+vec4 base_factor;       // rgb: albedo; a: opacity
+float alpha_cutoff;     // 0 in opaque materials
+int has_base_color;     // textures
+int has_normal;
+int has_emissive;
+float normal_scale;
+vec3 emissive_factor;   // nit
+TextureTransform base_color_uv;
+TextureTransform normal_uv;
+TextureTransform emissive_uv;

@@ -33,23 +33,24 @@ double ring_factor(const Water& water, const Plop& plop) {
 
 }  // namespace
 
-WaterStepUniforms water_step_uniforms(const Water& water, std::int64_t step) {
+std140::WaterStep water_step_uniforms(const Water& water, std::int64_t step) {
   const WaterSettings& s = water.settings;
   const double x = s.speed / water.dx, z = s.speed / water.dz, dt = water.step;
-  WaterStepUniforms uniforms{.wave = {static_cast<float>(x * x * dt), static_cast<float>(z * z * dt),
-                                      static_cast<float>(1.0 / (1.0 + s.damping * dt)),
-                                      static_cast<float>(dt)},
-                             .plop_place = glm::vec4(0.0f),
-                             .plop_shape = glm::vec4(0.0f)};
+  std140::WaterStep u{.pull_x = static_cast<float>(x * x * dt),
+                      .pull_z = static_cast<float>(z * z * dt),
+                      .damping = static_cast<float>(1.0 / (1.0 + s.damping * dt)),
+                      .time_step = static_cast<float>(dt),
+                      .plop_middle = glm::vec2(0.0f),
+                      .plop_scale = glm::vec2(0.0f),
+                      .plop_height = 0.0f,
+                      .plop_ring = 0.0f};
   const std::optional<Plop> plop = water.plop_in_step(step);
-  if (!plop) return uniforms;
-  uniforms.plop_place = {static_cast<float>(plop->centre.x / water.dx),
-                         static_cast<float>(plop->centre.y / water.dz), 0.0f, 0.0f};
-  uniforms.plop_shape = {static_cast<float>(water.dx / water.radius),
-                         static_cast<float>(water.dz / water.radius),
-                         static_cast<float>(plop->height / static_cast<double>(water.plop_steps)),
-                         static_cast<float>(ring_factor(water, *plop))};
-  return uniforms;
+  if (!plop) return u;
+  u.plop_middle = {static_cast<float>(plop->centre.x / water.dx), static_cast<float>(plop->centre.y / water.dz)};
+  u.plop_scale = {static_cast<float>(water.dx / water.radius), static_cast<float>(water.dz / water.radius)};
+  u.plop_height = static_cast<float>(plop->height / static_cast<double>(water.plop_steps));
+  u.plop_ring = static_cast<float>(ring_factor(water, *plop));
+  return u;
 }
 
 Pass water_step_pass() {

@@ -30,7 +30,7 @@ double nothing(int, int) { return 0.0; }
 // The states of so many steps on one device, the first one given.
 class Steps {
  public:
-  Steps(const Water& water, const WaterStepUniforms& first, const Image& state)
+  Steps(const Water& water, const std140::WaterStep& first, const Image& state)
       : pass_(water_step_pass()), device_(make_software_device({.threads = 1})),
         textures_{device_->upload(state), device_->create_texture(Format::RG32F, water.columns, water.rows)},
         calm_(water_step_uniforms(water, 0)) {
@@ -43,7 +43,7 @@ class Steps {
   Image before() const { return device_->read_back(textures_[1]); }
 
  private:
-  void make(const WaterStepUniforms& uniforms) {
+  void make(const std140::WaterStep& uniforms) {
     device_->run({.definition = &pass_.definition,
                   .colors = {textures_[1]},
                   .keep = {false},
@@ -54,14 +54,16 @@ class Steps {
   Pass pass_;
   std::unique_ptr<Device> device_;
   TextureId textures_[2];
-  WaterStepUniforms calm_;
+  std140::WaterStep calm_;
 };
 
 // A step's uniforms with a plop of height 1 and radius 4 cells.
-WaterStepUniforms plop_uniforms(const Water& water, double x, double z) {
-  WaterStepUniforms u = water_step_uniforms(water, 0);
-  u.plop_place = {static_cast<float>(x), static_cast<float>(z), 0.0f, 0.0f};
-  u.plop_shape = {0.25f, 0.25f, 1.0f, 5.0f};
+std140::WaterStep plop_uniforms(const Water& water, double x, double z) {
+  std140::WaterStep u = water_step_uniforms(water, 0);
+  u.plop_middle = {static_cast<float>(x), static_cast<float>(z)};
+  u.plop_scale = {0.25f, 0.25f};
+  u.plop_height = 1.0f;
+  u.plop_ring = 5.0f;
   return u;
 }
 

@@ -1,3 +1,8 @@
-vec4 wave;        // (speed / dx)^2 dt and (speed / dz)^2 dt, 1/s; 1 / (1 + damping dt); dt, s
-vec4 plop_place;  // column and row of the plop's middle, in cells from the corner; unused; unused
-vec4 plop_shape;  // dx / radius, dz / radius, metres added at its middle in this step, its ring's factor
+float pull_x;       // (speed / dx)^2 dt, 1/s
+float pull_z;       // (speed / dz)^2 dt, 1/s
+float damping;      // factor on the rate, 1 / (1 + damping dt)
+float time_step;    // s
+vec2 plop_middle;   // column and row, in cells from the corner
+vec2 plop_scale;    // dx / radius, dz / radius
+float plop_height;  // metres added at its middle in this step; 0: no plop
+float plop_ring;    // its ring's factor

@@ -1,0 +1,74 @@
+// What a caustic is averaged over for a pixel. Needs caustic_lookup.glsl.
+
+// Half of each side to either side of the point, in view coordinates, and by how many samples along each.
+struct Footprint {
+  Vec3 across;
+  Vec3 upward;
+  Float columns;
+  Float rows;
+};
+
+// The step to a neighbouring pixel in view coordinates; none where that pixel shows something else.
+Vec3 step_on_surface(IN(SurfacePoint) surface, int dx, int dy) {
+  Vec3 offset = offset_to_neighbour(view_position, surface, dx, dy);
+  Float off_plane = dot3(offset, surface.normal);
+  Bool same = off_plane * off_plane <= 0.25f * dot3(offset, offset);
+  return sel(same, transform_vector(u.caustic_view.from_scene, offset), Vec3(0.0f));
+}
+
+// The larger side in a map of a step from a point, texels of the face that sees the point; 0 where the step
+// ends behind the light.
+Float texels_along(Texture map, IN(View) view, Vec3 at, Vec3 step) {
+  Int face = view_face(view, at);
+  Vec3 from = in_face(view, at, face);
+  Vec3 to = in_face(view, at + step, face);
+  Float texels = Float(0.0f);
+  if (view.kind == VIEW_PARALLEL) {
+    texels = max_of(abs(to.x - from.x) * view.scale.x, abs(to.y - from.y) * view.scale.y);
+  } else {
+    Bool before = from.z > 0.0f && to.z > 0.0f;
+    Float near = sel(before, from.z, Float(1.0f));
+    Float far = sel(before, to.z, Float(1.0f));
+    texels = sel(before, max_of(abs(to.x / far - from.x / near) * view.scale.x,
+                                abs(to.y / far - from.y / near) * view.scale.y),
+                 Float(0.0f));
+  }
+  return min_of(texels * float(texture_width(map)), Float(16384.0f));
+}
+
+// How much of a pixel's side of so many texels is left to average over. A texel is the mean over itself, and
+// interpolation spreads it over two: together the variance of a box of sqrt 3 texels.
+Float spread_of(Float texels) {
+  return sqrt(max_of(texels * texels - 3.0f, 0.0f));
+}
+
+// A sample more than the texels that the spread spans.
+Float samples_over(Float spread) {
+  Float whole = Float(floor_to_int(spread));
+  Float count = sel(whole < spread, whole + 2.0f, whole + 1.0f);
+  return clamp_to(count, 1.0f, float(u.samples_across));
+}
+
+// Of a point that `receives`; the others, and those whose pixel lies beside the map, count once.
+Footprint footprint_at(IN(SurfacePoint) surface, Vec3 at, Bool receives) {
+  Footprint f;
+  f.across = step_on_surface(surface, 1, 0);
+  f.upward = step_on_surface(surface, 0, 1);
+  Float columns = texels_along(caustic_map, u.caustic_view, at, f.across);
+  Float rows = texels_along(caustic_map, u.caustic_view, at, f.upward);
+  if (u.has_cascade != 0) {
+    Bool finer = in_cascade(at);
+    columns = sel(finer, texels_along(caustic_map, u.cascade_view, at, f.across), columns);
+    rows = sel(finer, texels_along(caustic_map, u.cascade_view, at, f.upward), rows);
+  }
+  Vec2 uv = view_uv(u.caustic_view, at);
+  Float reach = (columns + rows) / float(texture_width(caustic_map));
+  Bool counts = receives && uv.x > -reach && uv.y > -reach && uv.x < reach + 1.0f && uv.y < reach + 1.0f;
+  Float wide = sel(counts, spread_of(columns), Float(0.0f));
+  Float high = sel(counts, spread_of(rows), Float(0.0f));
+  f.across = f.across * (wide / max_of(columns, 1.0f));
+  f.upward = f.upward * (high / max_of(rows, 1.0f));
+  f.columns = samples_over(wide);
+  f.rows = samples_over(high);
+  return f;
+}
