@@ -9,8 +9,6 @@
 #include "pipeline/shader/std140.hpp"
 
 namespace caustics {
-  glm::vec4 scale_offset{0.0f};
-};
 
 // Of an angle in radians, with all its digits near 0.
 inline double one_less_cosine(double angle) {
