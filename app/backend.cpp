@@ -1,8 +1,9 @@
 #include "app/backend.hpp"
 
 #include <algorithm>
+#include <set>
 
-#include "gl_backend/gl_device.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "raster/software_device.hpp"
 
@@ -31,25 +32,41 @@ void add_several(std::vector<Backend>& backends, const std::string& value) {
 
 void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several) {
   if (several) {
-    parser.repeated("--backend", "NAME", "software, gl for OpenGL 4.5, or both; repeatable (default software)",
+    parser.repeated("--backend", "NAME",
+                    {"what executes the passes; may stand several times", "software|gl|both", "software"},
                     [several](const std::string& value) { add_several(*several, value); });
   } else {
-    parser.option("--backend", "NAME", "software, or gl for OpenGL 4.5 (default software)",
+    parser.option("--backend", "NAME",
+                  {"what executes the passes, gl by OpenGL 4.5; both draw the same", "software|gl", "software"},
                   [&](const std::string& value) { request.backend = parse_backend(value); });
   }
-  parser.option("--gl-device", "N",
-                "the OpenGL device, as in 'caustics doctor' (default the first that works)",
-                [&](const std::string& value) {
-                  request.gl_device = parse_integer("--gl-device", value, 0, 1023);
-                });
-  parser.option("-t,--threads", "N", "threads, 1..1024 (default one a core); changes no bit",
-                [&](const std::string& value) {
-                  request.threads = parse_integer("--threads", value, 1, 1024);
-                });
+  parser.number("--gl-device", "N",
+                {"the OpenGL device, as 'caustics doctor' numbers them", "", "the first that works"},
+                Limits<int>{0, 1023}, request.gl_device);
+  parser.flag("--gl-debug", request.debug, "an OpenGL debug context: errors name the faulty call");
+  add_threads_option(parser, request.threads);
+}
+
+void add_threads_option(Parser& parser, int& threads) {
+  parser.number("-t,--threads", "N", {"change the time, never a bit of the result", "", "one a core"},
+                Limits<int>{1, 1024}, threads);
+}
+
+std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request) {
+  std::unique_ptr<GlDevice> device = caustics::make_gl_device({.device = request.gl_device,
+                                                               .measure = request.measure,
+                                                               .debug = request.debug,
+                                                               .compiling = request.compiling});
+  static std::set<std::string> told;  // a study makes many devices
+  if (!device->passed_over().empty() && told.insert(device->passed_over()).second) {
+    complain("OpenGL runs on " + device->description() + ", because others cannot be used: " +
+             device->passed_over());
+  }
+  return device;
 }
 
 std::unique_ptr<Device> make_device(const BackendRequest& request) {
-  if (request.backend == Backend::OpenGl) return make_gl_device({.device = request.gl_device});
+  if (request.backend == Backend::OpenGl) return make_gl_device(request);
   return make_software_device({.threads = request.threads});
 }
 

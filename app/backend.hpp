@@ -1,9 +1,12 @@
-// --backend, --gl-device and --threads: the device that executes the passes.
+// --backend, --gl-device, --gl-debug and --threads: the device that executes the passes.
 #pragma once
+#include <functional>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "app/shell/parser.hpp"
+#include "gl_backend/gl_device.hpp"
 #include "pipeline/gpu/device.hpp"
 
 namespace caustics::app {
@@ -14,13 +17,21 @@ struct BackendRequest {
   Backend backend = Backend::Software;
   int gl_device = -1;  // of `caustics doctor`; -1: the first that works
   int threads = 0;     // of the software device; 0: one for each core that the process may use
+  // Of the OpenGL device (GlOptions); the software device measures always, and compiles nothing.
+  bool measure = false, debug = false;
+  std::function<void(std::string_view shader)> compiling = {};
 };
 
 // The options; they write into `request`, which must outlive the parser. With `several`, --backend may
 // stand several times or be `both`, and goes there, each backend once.
 void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several = nullptr);
+// --threads alone.
+void add_threads_option(Parser& parser, int& threads);
 
 // Throws Error (BackendUnavailable) where there is no such device.
 std::unique_ptr<Device> make_device(const BackendRequest& request);
+// The OpenGL device of a request, whatever its backend. Says on stderr, once, which devices could not be used
+// before it, and why.
+std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request);
 
 }  // namespace caustics::app

@@ -4,6 +4,7 @@
 
 #include "app/output/attachments.hpp"
 #include "app/sample_scenes.hpp"
+#include "app/shell/setting_options.hpp"
 #include "app/shell/terminal.hpp"
 
 namespace caustics::app {
@@ -32,17 +33,14 @@ void print_digest(const FrameRequest& request) {
 }  // namespace
 
 ExitCode run_digest(const Arguments& arguments) {
+  FrameRequest request;
+  request.settings = small_settings();
   Parser parser("digest",
                 "Prints 'scene pass attachment sha256' for every attachment of every pass. Equal\n"
                 "lines mean equal texels, whatever the machine, compiler or number of threads.\n"
-                "Sizes are small here unless given: -r 320x180, --grid 128, --map 128, shadow 512.",
+                "Sizes are small unless given: " + differing(request.settings) + ".",
                 "  caustics digest                       the sample scenes\n"
                 "  caustics digest scene.glb -t 1 > a.txt\n");
-  FrameRequest request;
-  request.settings.width = 320;
-  request.settings.height = 180;
-  request.settings.grid = request.settings.map = 128;
-  request.settings.shadow = 512;
   std::vector<std::string> scenes;
   parser.positionals("SCENE", "glTF 2.0 files (default: the sample scenes)", scenes);
   add_frame_options(parser, request);

@@ -33,7 +33,7 @@ std::string instruction_sets(const std::vector<Lanes>& lanes) {
 
 std::vector<Lanes> compiled_lanes() {
   std::vector<Lanes> lanes;
-  const ShaderKernels& kernels = pass_registry().front().definition.shader->kernels;
+  const ShaderKernels& kernels = pass_registry().front().shaders.front().shader->kernels;
   for (int l = 0; l < kLanesCount; ++l) {
     if (kernels.vertex[static_cast<std::size_t>(l)]) lanes.push_back(static_cast<Lanes>(l));
   }

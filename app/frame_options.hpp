@@ -21,6 +21,9 @@ struct FrameRequest {
 // `several`: see add_backend_options.
 void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several = nullptr);
 
+// --animation and --time alone.
+void add_moment_options(Parser& parser, FrameRequest& request);
+
 // Throws Error (WrongUsage) when no scene was named or a size is beyond its limits.
 void check_request(const FrameRequest& request, const std::string& command);
 

@@ -33,10 +33,10 @@ NumberField find_number(const std::string& name) {
 FrameRange parse_frames(const std::string& text) {
   const std::size_t dots = text.find("..");
   FrameRange range;
-  range.first = parse_integer("--frames", text.substr(0, dots), 0, kLastFrame);
+  range.first = parse_number("--frames", text.substr(0, dots), Limits<int>{0, kLastFrame});
   range.last = dots == std::string::npos
                    ? range.first
-                   : parse_integer("--frames", text.substr(dots + 2), 0, kLastFrame);
+                   : parse_number("--frames", text.substr(dots + 2), Limits<int>{0, kLastFrame});
   if (range.last < range.first) {
     throw Error(ExitCode::WrongUsage, "--frames cannot be '" + text.substr(0, 60) +
                                           "': the first frame comes first, as in 0..9");

@@ -12,6 +12,7 @@
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/scene/gltf/load_environment.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
+#include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
 

@@ -1,7 +1,9 @@
 // The program: finds the sub-command and runs it.
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
+#include "app/shell/help_page.hpp"
 #include "app/shell/run_program.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
@@ -13,8 +15,7 @@ namespace {
 
 constexpr Command kCommands[] = {
     {"render", "render a scene to a picture (the default: caustics SCENE)", run_render},
-    {"plan", "what a scene holds, which passes run, and which caustics to expect",
-     run_plan_command},
+    {"plan", "what a scene holds, which passes run, and which caustics to expect", run_plan_command},
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
@@ -25,28 +26,46 @@ constexpr Command kCommands[] = {
     {"doctor", "version, instruction sets, threads, OpenGL devices, libraries", run_doctor},
 };
 
-void print_help() {
-  std::printf(
-      "caustics renders the light patterns that glass and water throw onto other surfaces.\n"
-      "\n"
-      "Examples:\n"
-      "  caustics scene.glb                              writes scene.png, 1280x720\n"
-      "  caustics render scene.glb -o out.exr -r 640x360\n"
-      "  caustics plan scene.glb                         why is there a caustic, or none?\n"
-      "\n"
-      "Commands:\n");
-  for (const Command& command : kCommands) {
-    std::printf("  %-9s %s\n", command.name, command.summary);
-  }
-  std::printf(
-      "\n"
-      "Options:\n"
-      "  -h, --help   this text; 'caustics COMMAND --help' explains a command\n"
-      "  --version    version and build\n"
-      "\n"
-      "Exit codes: 0 done, 1 the answer is no (compare), 2 wrong usage, 3 input unreadable,\n"
-      "  4 cannot write, 5 no such backend, 6 error target missed (reference), 7 numeric fault,\n"
-      "  70 internal error, 130 interrupted, 143 terminated.\n");
+constexpr std::pair<ExitCode, const char*> kExitCodes[] = {
+    {ExitCode::Done, "done"},
+    {ExitCode::AnswerIsNo,
+     "the answer is no: compare or parity found a difference, a figure is above --fail-above, a row of paper "
+     "does not "
+     "hold"},
+    {ExitCode::WrongUsage,
+     "wrong usage: unknown word, value out of range, sizes or scene beyond this machine's memory"},
+    {ExitCode::BadInput, "input unreadable or unsupported"},
+    {ExitCode::CannotWrite, "an output cannot be written"},
+    {ExitCode::BackendUnavailable,
+     "no such backend here: no driver, too old a driver, no such device, no Embree; the line names the way "
+     "on"},
+    {ExitCode::TargetMissed,
+     "the error or the time that was asked for was missed (render, reference); the picture is written"},
+    {ExitCode::NumericFault,
+     "numeric fault: the picture would hold a NaN or an infinity; its pixel is named, no picture is written"},
+    {ExitCode::InternalError, "internal error"},
+    {ExitCode::Interrupted, "interrupted (SIGINT)"},
+    {ExitCode::Terminated, "terminated (SIGTERM)"},
+};
+
+HelpPage program_help() {
+  HelpPage page{
+      .command = "COMMAND",
+      .purpose = "caustics renders the light patterns that glass and water throw onto other surfaces.",
+      .examples =
+          "  caustics scene.glb                              writes scene.png, 1280x720\n"
+          "  caustics render scene.glb -o out.exr -r 640x360\n"
+          "  caustics plan scene.glb                         why is there a caustic, or none?\n"
+          "  caustics render --help                          examples, and every option\n",
+      .positionals = {},
+      .groups = {{"Options", {{"--version", "", {"version and build"}}}}},
+      .lists = {{"Commands", {}}, {"Exit codes", {}}},
+      .footer = {}};
+  for (const Command& command : kCommands)
+    page.lists[0].entries.push_back({command.name, "", {command.summary}});
+  for (const auto& [code, meaning] : kExitCodes)
+    page.lists[1].entries.push_back({std::to_string(static_cast<int>(code)), "", {meaning}});
+  return page;
 }
 
 // A word that can only have been meant as a command: not an option, nor anything like a file's
@@ -63,7 +82,11 @@ ExitCode dispatch(const Arguments& arguments) {
   }
   const std::string& first = arguments.front();
   if (first == "--help" || first == "-h" || (first == "help" && arguments.size() == 1)) {
-    print_help();
+    std::fputs(program_help().text().c_str(), stdout);
+    return ExitCode::Done;
+  }
+  if (first == "--help-markdown") {
+    std::fputs(program_help().markdown().c_str(), stdout);
     return ExitCode::Done;
   }
   if (first == "--version") {
@@ -78,8 +101,7 @@ ExitCode dispatch(const Arguments& arguments) {
     std::vector<std::string> names;
     for (const Command& command : kCommands) names.emplace_back(command.name);
     throw Error(ExitCode::WrongUsage, "no command or file '" + one_line(first) +
-                                          "'; the nearest command is '" +
-                                          nearest_name(first, names) + "'");
+                                          "'; the nearest command is '" + nearest_name(first, names) + "'");
   }
   return run_render(arguments);
 }
@@ -88,4 +110,6 @@ ExitCode dispatch(const Arguments& arguments) {
 
 }  // namespace caustics::app
 
-int main(int count, char** values) { return caustics::app::run_program(count, values, caustics::app::dispatch); }
+int main(int count, char** values) {
+  return caustics::app::run_program(count, values, caustics::app::dispatch);
+}

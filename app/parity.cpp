@@ -9,6 +9,7 @@
 #include "app/shell/progress.hpp"
 #include "app/sample_scenes.hpp"
 #include "app/output/stats.hpp"
+#include "app/shell/setting_options.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
 #include "gl_backend/gl_device.hpp"
@@ -28,21 +29,18 @@ struct ParityRequest {
 };
 
 bool parse(const Arguments& arguments, ParityRequest& request) {
+  request.frame.settings = small_settings();
   Parser parser("parity",
                 "Draws every pass on the software device and on OpenGL, from the same inputs, and then\n"
                 "the whole frame, and compares every attachment. Exit code 1 when something differs by\n"
                 "more than is allowed for this driver (docs/parity.md).\n"
-                "Sizes are small here unless given: -r 320x180, --grid 128, --map 128, shadow 512.",
+                "Sizes are small unless given: " + differing(request.frame.settings) + ".",
                 "  caustics parity                       the sample scenes\n"
                 "  caustics parity scene.glb -r 1280x720 --grid 512 --map 512\n"
                 "  caustics parity scene.glb --dump differences --json\n");
-  request.frame.settings.width = 320;
-  request.frame.settings.height = 180;
-  request.frame.settings.grid = request.frame.settings.map = 128;
-  request.frame.settings.shadow = 512;
   parser.positionals("SCENE", "glTF 2.0 files (default: the sample scenes)", request.scenes);
-  parser.flag("--json", request.json, "print the report as JSON");
-  parser.option("--dump", "DIR", "for what differs: both images and a mask, as EXR, one scene only",
+  parser.flag("--json", request.json, "the report as JSON");
+  parser.option("--dump", "DIR", {"of one scene, for each attachment that differs: .software.exr, .gl.exr, .mask.exr, and manifest.json", "", "none"},
                 [&](const std::string& folder) { request.dump = folder; });
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
@@ -58,7 +56,7 @@ bool parse(const Arguments& arguments, ParityRequest& request) {
 std::string pass_name(const FramePlan& plan, const std::string& label) {
   for (const PlannedPass& pass : plan.passes)
     if (pass.label == label)
-      return pass_registry()[static_cast<std::size_t>(pass.pass)].definition.name;
+      return pass.definition.name;
   return label;
 }
 
@@ -66,7 +64,8 @@ class ParityCommand {
  public:
   explicit ParityCommand(const ParityRequest& request)
       : request_(request),
-        gl_(make_gl_device({.device = request.frame.backend.gl_device})),
+        progress_(request.json),
+        gl_(make_gl_device(measuring(request.frame.backend))),
         driver_(gl_driver_name(gl_->renderer(), gl_->version())),
         book_(driver_, parity_allowances()) {}
 
@@ -77,14 +76,13 @@ class ParityCommand {
     check_request(request, "parity");
     const RenderedFrame frame(request, load_scene(request), {});
     const SceneOnDevice on_gl(frame.scene(), frame.effects(), *gl_);
-    Progress progress(request_.json);
     const FrameParity parity = compare_devices(
         frame.plan(), pass_registry(), frame.on_device(), on_gl, frame.inputs(),
         [&](const AttachmentParity& found, const Image& reference, const Image& tested) {
           if (dump) dump->add(found, reference, tested);
         },
         [&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
-          progress.show(frame.scene().file + ": pass " + std::to_string(done) + " of " +
+          progress_.show(frame.scene().file + ": pass " + std::to_string(done) + " of " +
                         std::to_string(of) + ": " + pass.label);
           return interruption() == ExitCode::Done;
         });
@@ -104,7 +102,16 @@ class ParityCommand {
   std::vector<Allowance> unused() const { return book_.unused(); }
 
  private:
+  BackendRequest measuring(BackendRequest request) {
+    request.measure = request.debug = true;
+    request.compiling = [this](std::string_view shader) {
+      progress_.show("compiling shader " + std::string(shader));
+    };
+    return request;
+  }
+
   const ParityRequest& request_;
+  Progress progress_;
   std::unique_ptr<GlDevice> gl_;
   std::string driver_;
   AllowanceBook book_;
@@ -140,10 +147,12 @@ ExitCode run_parity(const Arguments& arguments) {
   nlohmann::ordered_json reports = nlohmann::ordered_json::array();
   bool passes = true;
   for (const std::string& scene : request.scenes) {
+    const bool names_devices = !request.json && request.scenes.size() > 1 && reports.empty();
     const ParityReport report = command.compare(scene, dump ? &*dump : nullptr);
     passes = passes && report.passes();
     reports.push_back(parity_json(report));
     if (request.json) continue;
+    if (names_devices) std::printf("software: %s; gl: %s\n", report.reference.c_str(), report.tested.c_str());
     if (request.scenes.size() == 1 || !report.passes()) std::printf("%s\n", parity_text(report).c_str());
     std::printf("%s\n", verdict_line(report).c_str());
   }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/plan_report.hpp"
+#include "app/shell/interrupt.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 
@@ -35,7 +36,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
   bool json = false;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("Output");
-  parser.flag("--json", json, "one JSON document instead of the text (default text)");
+  parser.flag("--json", json, "one JSON document instead of the text");
   add_frame_options(parser, request);
   if (!parser.parse(arguments)) return ExitCode::Done;
   request.scene = scene;

@@ -175,7 +175,7 @@ class TextReport {
   std::string pass_label(const PlannedPass& pass, std::size_t count) const {
     if (count == 1) return pass.label;
     const std::string& name = of().sources[static_cast<std::size_t>(source(pass))].name;
-    return pass_registry()[static_cast<std::size_t>(pass.pass)].definition.name + "[" +
+    return pass.definition.name + "[" +
            (name.empty() ? std::to_string(source(pass)) : name) + "] x " + std::to_string(count);
   }
 

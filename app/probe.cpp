@@ -6,6 +6,7 @@
 #include "app/probe_texel.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
+#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -26,20 +27,16 @@ bool parse(const Arguments& arguments, ProbeRequest& request) {
   std::string scene;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("What to probe");
-  parser.option("--texel", "X,Y", "grid vertex, from the left and the bottom, each 0..grid-1",
+  parser.option("--texel", "X,Y", {"the grid vertex, counted from the left and the bottom", "each 0..grid - 1"},
                 [&](const std::string& value) {
-                  const Pair texel = parse_pair("--texel", value, 0, kMaxGrid - 1);
+                  const Pair texel = parse_pair("--texel", value, {0, setting("grid").most() - 1});
                   request.x = texel.first;
                   request.y = texel.second;
                 });
-  parser.option("--light", "N", "the light, as numbered by 'caustics plan' (default 0)",
-                [&](const std::string& value) {
-                  request.light = parse_integer("--light", value, 0, 1'000'000);
-                });
-  parser.option("--sample", "N", "which sample of a light with a size (default 0)",
-                [&](const std::string& value) {
-                  request.sample = parse_integer("--sample", value, 0, kMaxLightSamples - 1);
-                });
+  parser.number("--light", "N", {"the light, as 'caustics plan' numbers them"}, Limits<int>{0, 1'000'000},
+                request.light);
+  parser.number("--sample", "N", {"which sample of a light with a size"},
+                Limits<int>{0, setting("light.samples").most() - 1}, request.sample);
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
@@ -60,9 +57,7 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const ProbeRequest& 
   const std::vector<int> samples = samples_of(frame.scene(), request.light);
   const int light = samples[static_cast<std::size_t>(request.sample)];
   for (const PlannedPass& pass : frame.plan().passes) {
-    const PassDefinition& definition =
-        pass_registry()[static_cast<std::size_t>(pass.pass)].definition;
-    if (definition.writes.front().name == kLanding && pass.light == light) return pass;
+    if (pass.definition.writes.front().name == kLanding && pass.light == light) return pass;
   }
   throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
                                         " throws no caustic here; 'caustics plan' says why");

@@ -40,7 +40,7 @@ using LaneRow = std::array<float, kBlock>;
 std::vector<LaneRow> run_kernel(const PassRun& run, const std::vector<TextureView>& views, int x, int y,
                             std::vector<NamedValues>& trace) {
   const std::size_t outputs = run.definition->writes.size() * 4;
-  const ShaderInterface interface = reflect(run.definition->shader->text);
+  const ShaderInterface& interface = interface_of(*run.definition->shader);
   std::vector<LaneRow> output_rows(outputs),
       varyings(static_cast<std::size_t>(std::max(interface.varying_components(), 1)));
   LaneRow frag_x, frag_y;

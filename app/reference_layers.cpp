@@ -97,14 +97,9 @@ std::vector<std::string> all_reference_layers() {
   return names;
 }
 
-std::string reference_layer_help() {
-  std::string text;
-  for (const ReferenceLayer& layer : kReferenceLayers) {
-    std::string line = "  " + std::string(layer.name);
-    line.resize(16, ' ');
-    text += line + layer.meaning + "\n";
-  }
-  return text;
+void list_reference_layers(Parser& parser) {
+  for (const ReferenceLayer& layer : kReferenceLayers)
+    parser.list("Layers for --aov, of the first surface that is hit", layer.name, {layer.meaning});
 }
 
 void write_reference_layers(const std::filesystem::path& path, const std::vector<std::string>& layers,

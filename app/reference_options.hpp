@@ -7,6 +7,7 @@
 #include "app/frame_options.hpp"
 #include "app/reference_shapes.hpp"
 #include "lab/reference/tracer/tracer.hpp"
+#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -25,6 +26,9 @@ struct ReferenceRequest {
 
   std::filesystem::path state_file() const { return output.string() + ".state"; }
 };
+
+// Of the settings, those that mean something without maps.
+std::vector<Setting::Part> traced_parts();
 
 // False when the help was asked for and printed. Throws Error (WrongUsage).
 bool parse_reference(const Arguments& arguments, ReferenceRequest& request);

@@ -110,18 +110,14 @@ void print_reference(const ReferenceRequest& request, const Scene& scene, const 
 std::string reference_stats(const ReferenceRequest& request, const Scene& scene, const tracer::Tracer& tracer,
                             const ReferenceTiming& timing) {
   const double batches = std::max(static_cast<double>(tracer.state().batches), 1.0);
-  const Settings& s = request.frame.settings;
+  Json settings = settings_json(request.frame.settings, traced_parts());
+  settings["rays"] = request.trace.side;
+  settings["physics"] = name_of(request.trace.physics);
   Json document = {{"format", 1},
                    {"program", version_line()},
                    {"scene", scene.file},
                    {"embree", tracer::ray_queries_version()},
-                   {"settings",
-                    {{"width", s.width},
-                     {"height", s.height},
-                     {"rays", request.trace.side},
-                     {"physics", name_of(request.trace.physics)},
-                     {"wavelengths", s.wavelengths},
-                     {"reflections", s.reflections ? "yes" : "no"}}},
+                   {"settings", settings},
                    {"batches", tracer.state().batches},
                    {"batches_of_this_run", timing.batches},
                    {"rays", rays_of(tracer)},

@@ -2,19 +2,21 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "app/shell/atomic_file.hpp"
 #include "app/output/dump.hpp"
 #include "app/frame_range.hpp"
-#include "app/shell/interrupt.hpp"
-#include "app/shell/on_demand.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/outputs.hpp"
-#include "app/shell/progress.hpp"
 #include "app/output/stats.hpp"
 #include "app/output/summary.hpp"
-#include "app/shell/terminal.hpp"
 #include "app/output/video_file.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/on_demand.hpp"
+#include "app/shell/progress.hpp"
+#include "app/shell/terminal.hpp"
+#include "passes/registry.hpp"
 
 namespace caustics::app {
 
@@ -28,6 +30,8 @@ constexpr char kRenderExamples[] =
     "  caustics render scene.glb --grid 1024 --map 1024 --stats a.json\n"
     "  caustics render moving.glb --frames 0..99 --fps 25 -o frame.%04d.png --resume\n"
     "  caustics render moving.glb -o film.mp4\n";
+
+constexpr Limits<double> kTargetError{0.001, 100.0};  // percent
 
 struct RenderRequest {
   FrameRequest frame;
@@ -74,13 +78,12 @@ void check_frames(const RenderRequest& request) {
 
 void add_frame_row_options(Parser& parser, RenderRequest& request) {
   parser.option("--frames", "A..B",
-                "frames A to B (default one; a film: all); %04d in -o is the number",
+                {"frames A to B, both included, of a scene that moves; %d or %04d in a file's name becomes the number",
+                 "", "one; of a film all"},
                 [&](const std::string& range) { request.frames = parse_frames(range); });
-  parser.option("--fps", "F", "frames a second: frame n shows n/F s; 0.01..1000 (default 24)",
-                [&](const std::string& value) {
-                  request.rate = parse_real("--fps", value, 0.01, 1000.0);
-                });
-  parser.flag("--resume", request.resume, "leave out frames whose files are there");
+  parser.number("--fps", "F", {"frames a second: frame n shows the moment n / F seconds"},
+                Limits<double>{0.01, 1000.0}, request.rate);
+  parser.flag("--resume", request.resume, "leave out frames whose files are all there, whole and of this size");
 }
 
 // False when only the help was asked for.
@@ -90,27 +93,32 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("Output");
   parser.repeated("-o,--output", "FILE",
-                  ".png, .exr; .mp4, .mkv, .webm, .gif with ffmpeg; several (default SCENE.png)",
+                  {"a picture, or with ffmpeg a film; may stand several times", ".png, .exr, .mp4, .mkv, .webm, .gif",
+                   "SCENE.png in the current folder"},
                   [&](const std::string& file) { request.outputs.files.emplace_back(file); });
-  parser.option("--aov", "LIST", "EXR layers, listed below, with commas between (default beauty)",
+  parser.option("--aov", "LIST", {"layers of EXR files, listed below, with commas between", "", "beauty"},
                 [&](const std::string& list) { request.outputs.layers = parse_layers(list); });
-  parser.option("--stats", "F.json", "times, counters and the flux ledger (default: not written)",
+  parser.option("--stats", "F.json", {"times, counters and flux ledgers", "", "none"},
                 [&](const std::string& file) { request.stats = file; });
-  parser.option("--dump", "DIR", "every pass's attachments as EXR (default: not written)",
+  parser.option("--dump", "DIR", {"every attachment of every pass, as EXR", "", "none"},
                 [&](const std::string& folder) { request.dump = folder; });
   add_frame_row_options(parser, request);
   parser.flag("--quiet", request.quiet, "say nothing but errors");
-  parser.footer("Layers for --aov, of the first surface that is hit:\n" + layer_help());
+  list_layers(parser);
   parser.group("On demand");
-  parser.option("--target-error", "P%", "choose --grid and --map for this error; 0.001..100 (default none)",
-                [&](const std::string& value) { request.demand.error = parse_target_error(value); });
-  parser.option("--time-budget", "MS", "or for this time of all passes; 0.01..1e7 (default none)",
+  parser.option("--target-error", "P%",
+                {"choose grid and map for this estimated error (docs/accuracy.md); exit code 6 where it is missed",
+                 text_of(kTargetError), "none"},
                 [&](const std::string& value) {
-                  request.demand.milliseconds = parse_real("--time-budget", value, 0.01, 1e7);
+                  request.demand.error = parse_percent("--target-error", value, kTargetError);
                 });
+  parser.number("--time-budget", "MS",
+                {"or the most accurate whose passes take no longer, milliseconds; likewise", "", "none"},
+                Limits<double>{0.01, 1e7}, request.demand.milliseconds);
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
+  request.frame.backend.measure = !request.stats.empty();
   check_request(request.frame, "render");
   request.timed = request.frame.seconds.has_value();
   if (request.outputs.files.empty()) {
@@ -132,6 +140,13 @@ PlanGoal goal_of(const RenderRequest& request) {
   goal.textures.emplace_back("beauty");
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);
   return goal;
+}
+
+std::set<std::string> shaders_of(const FramePlan& plan) {
+  std::set<std::string> names;
+  for (const PlannedPass& pass : plan.passes)
+    names.emplace(pass_registry()[static_cast<std::size_t>(pass.pass)].definition.shader->name);
+  return names;
 }
 
 // A picture with a hole in it is not written: the fault is named instead.
@@ -201,6 +216,7 @@ class Renderer {
       : request_(std::move(request)), progress_(request_.quiet), todo_(frames_to_draw(request_)) {
     if (request_.frames && !todo_.empty())
       request_.frame.seconds = request_.seconds(todo_.front());
+    request_.frame.backend.compiling = [this](std::string_view shader) { show_compiling(shader); };
   }
 
   ExitCode render() {
@@ -248,7 +264,20 @@ class Renderer {
     choosing_ = watch.milliseconds();
   }
 
+  // How many shaders there are is known once there is a frame.
+  void show_compiling(std::string_view shader) {
+    compiled_.emplace(shader);
+    std::string text = "compiling shaders " + std::to_string(compiled_.size());
+    if (frame_) {
+      std::set<std::string> all = shaders_of(frame_->plan());
+      all.insert(compiled_.begin(), compiled_.end());
+      text += " of " + std::to_string(all.size());
+    }
+    progress_.show(text + ": " + std::string(shader));
+  }
+
   void prepare() {
+    compiled_.clear();  // what was tried before had devices of its own
     progress_.show("loading " + request_.frame.scene.filename().string());
     std::unique_ptr<LoadedScene> loaded = load_scene(request_.frame);
     if (!request_.frames && request_.films()) {
@@ -292,6 +321,7 @@ class Renderer {
                      ": " + pass.label);
       return true;
     });
+    frame_->device().finish();
     frame_times_.push_back(watch.milliseconds());
     timing_.passes += frame_times_.back();
     if (frame_times_.size() == 1) first_made_ = frame_->device().made();
@@ -358,6 +388,7 @@ class Renderer {
   double choosing_ = 0.0;
   bool met_ = true;
   std::optional<RenderedFrame> frame_;
+  std::set<std::string> compiled_;  // shaders, by the frame's device
   std::optional<Dump> dump_;
   std::vector<PassReport> reports_;  // of the last frame
   std::vector<double> frame_times_;

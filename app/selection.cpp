@@ -63,7 +63,7 @@ Region parse_region(const std::string& text) {
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(',', start), text.size());
     const int least = numbers.size() < 2 ? 0 : 1;
-    numbers.push_back(parse_integer("--region", text.substr(start, end - start), least, 1 << 30));
+    numbers.push_back(parse_number("--region", text.substr(start, end - start), Limits<int>{least, 1 << 30}));
     start = end + 1;
   }
   if (numbers.size() != 4) {

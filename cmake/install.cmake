@@ -18,7 +18,8 @@ foreach(library IN LISTS libraries)
     PATTERN gltf EXCLUDE PATTERN lanes EXCLUDE PATTERN template EXCLUDE
     # Of the OpenGL device only what its users need.
     PATTERN egl_context.hpp EXCLUDE
-    REGEX "gl_(debug|framebuffer|mesh|meter|object|program|state|texture|uniforms)\\.hpp$" EXCLUDE)
+    PATTERN precise_text.hpp EXCLUDE
+    REGEX "gl_(debug|framebuffer|mesh|meter|object|program|state|text|texture|uniforms)\\.hpp$" EXCLUDE)
 endforeach()
 
 set(CAUSTICS_HAS_TBB FALSE)

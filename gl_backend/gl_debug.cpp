@@ -40,13 +40,16 @@ void check_device(const std::string& what, GLenum error) {
 
 }  // namespace
 
-DebugLog::DebugLog() {
+DebugLog::DebugLog(bool messages) : messages_(messages) {
+  if (!messages_) return;
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(on_message, this);
 }
 
-DebugLog::~DebugLog() { glDebugMessageCallback(nullptr, nullptr); }
+DebugLog::~DebugLog() {
+  if (messages_) glDebugMessageCallback(nullptr, nullptr);
+}
 
 void DebugLog::add(const char* message) {
   if (first_.empty()) first_ = message;

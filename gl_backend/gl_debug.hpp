@@ -4,11 +4,11 @@
 
 namespace caustics::gl {
 
-// Collects the driver's debug messages of type error or of high severity in the current context,
-// which must outlive it. Messages come while the faulty call runs.
+// Notices faults in the current context, which must outlive it. With `messages` it also collects the driver's
+// debug messages of type error or of high severity, which then come while the faulty call runs.
 class DebugLog {
  public:
-  DebugLog();
+  explicit DebugLog(bool messages);
   ~DebugLog();
   DebugLog(const DebugLog&) = delete;
   DebugLog& operator=(const DebugLog&) = delete;
@@ -24,6 +24,7 @@ class DebugLog {
   void drop();
 
  private:
+  bool messages_;
   std::string first_;
 };
 

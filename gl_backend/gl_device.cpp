@@ -49,12 +49,15 @@ VertexArrayObject make_empty_vertex_array() {
 
 class OpenGlDevice final : public GlDevice {
  public:
-  OpenGlDevice(const EglCandidate& candidate, const GlOptions& options)
+  OpenGlDevice(const EglCandidate& candidate, const GlOptions& options, std::string passed_over)
       : context_(candidate, options.debug),
+        debug_(options.debug),
         platform_(candidate.name),
         renderer_(text_of(GL_RENDERER)),
         version_(text_of(GL_VERSION)),
-        meter_(options.timed, is_software(renderer_)),
+        passed_over_(std::move(passed_over)),
+        compiling_(options.compiling),
+        meter_(options.measure, is_software(renderer_)),
         no_vertices_(make_empty_vertex_array()),
         max_texture_size_(smallest_limit()) {
     set_common_state();
@@ -72,6 +75,7 @@ class OpenGlDevice final : public GlDevice {
   std::string description() const override { return "OpenGL, " + renderer_ + ", " + platform_; }
   std::string renderer() const override { return renderer_; }
   std::string version() const override { return version_; }
+  std::string passed_over() const override { return passed_over_; }
   DeviceObjects made() const override { return made_; }
   void finish() override {
     context_.make_current();
@@ -218,6 +222,7 @@ class OpenGlDevice final : public GlDevice {
   const Program& program_of(const Shader& shader) {
     const auto found = programs_.find(&shader);
     if (found != programs_.end()) return found->second;
+    if (compiling_) compiling_(shader.name);
     Program program = compiled(shader);
     debug_.check("shader '" + std::string(shader.name) + "'");
     ++made_.programs;
@@ -300,7 +305,8 @@ class OpenGlDevice final : public GlDevice {
 
   EglContext context_;
   DebugLog debug_;
-  std::string platform_, renderer_, version_;
+  std::string platform_, renderer_, version_, passed_over_;
+  std::function<void(std::string_view)> compiling_;
   RunMeter meter_;
   VertexArrayObject no_vertices_;
   UniformBuffer uniforms_;
@@ -371,9 +377,10 @@ std::unique_ptr<GlDevice> make_gl_device(const GlOptions& options) {
     if (options.device >= 0 && i != options.device) continue;
     const gl::EglCandidate& candidate = candidates[static_cast<std::size_t>(i)];
     try {
-      return std::make_unique<gl::OpenGlDevice>(candidate, options);
+      return std::make_unique<gl::OpenGlDevice>(candidate, options, reasons);
     } catch (const Error& error) {
-      reasons += (reasons.empty() ? "" : ", ") + candidate.name + ": " + error.what();
+      if (!reasons.empty()) reasons += "; ";
+      reasons += "device " + std::to_string(i) + ", " + candidate.name + ": " + error.what();
     }
   }
   gl::refuse("no OpenGL 4.5 core context (" + reasons + ")");

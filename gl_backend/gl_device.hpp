@@ -7,8 +7,10 @@
 // never multisamples, filters, makes mipmaps or converts to sRGB.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/gpu/device.hpp"
@@ -18,13 +20,15 @@ namespace caustics {
 struct GlOptions {
   // One of list_gl_devices(), by index; -1 takes the first that works.
   int device = -1;
-  // Measure each run: PassResult::milliseconds, and fragments where the driver counts them. The
-  // device then waits for the end of each run. Without it both are 0, and a run waits only when its
-  // definition counts samples.
-  bool timed = true;
+  // Measure each run: PassResult::milliseconds, samples_passed, and fragments where the driver counts
+  // them. The device then waits for the end of each run. Without it they are 0, and no run waits.
+  bool measure = false;
   // Ask for a debug context, whose messages name the faulty call in an Error. Without it faults are
   // still noticed, with less to read.
-  bool debug = true;
+  bool debug = false;
+  // Called before a shader is compiled, with its name: by the first run() that needs it. Drivers may put
+  // most of the work off until that run draws.
+  std::function<void(std::string_view shader)> compiling = {};
 };
 
 // Beyond the contract, for tests and tools.
@@ -34,6 +38,9 @@ class GlDevice : public Device {
   virtual std::string renderer() const = 0;
   // GL_VERSION, e.g. "4.5 (Core Profile) Mesa 22.3.6".
   virtual std::string version() const = 0;
+  // What could not be used before this one was taken, and why: "device 0, EGL device 0 (/dev/dri/card0):
+  // eglInitialize failed (0x3001)"; empty where it was the first choice.
+  virtual std::string passed_over() const = 0;
 };
 
 // One way that EGL offers to reach OpenGL, and what it leads to.

@@ -19,13 +19,12 @@ std::uint64_t answer(const QueryObject& query) {
 
 }  // namespace
 
-RunMeter::RunMeter(bool timed, bool software_renderer)
-    : timed_(timed),
-      wall_clock_(timed && software_renderer),
-      counts_pipeline_(timed && (epoxy_gl_version() >= 46 ||
-                                 epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query"))),
-      time_(make_query()),
-      samples_(make_query()) {
+RunMeter::RunMeter(bool measures, bool software_renderer)
+    : measures_(measures), wall_clock_(software_renderer) {
+  if (!measures) return;
+  samples_ = make_query();
+  if (!wall_clock_) time_ = make_query();
+  counts_pipeline_ = epoxy_gl_version() >= 46 || epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query");
   if (!counts_pipeline_) return;
   vertices_ = make_query();
   primitives_ = make_query();
@@ -33,11 +32,12 @@ RunMeter::RunMeter(bool timed, bool software_renderer)
 }
 
 void RunMeter::begin(bool count_samples) {
+  if (!measures_) return;
   counts_samples_ = count_samples;
   if (wall_clock_) {
     glFinish();
     start_ = std::chrono::steady_clock::now();
-  } else if (timed_) {
+  } else {
     glBeginQuery(GL_TIME_ELAPSED, time_.id());
   }
   if (counts_samples_) glBeginQuery(GL_SAMPLES_PASSED, samples_.id());
@@ -48,26 +48,26 @@ void RunMeter::begin(bool count_samples) {
 }
 
 void RunMeter::end_queries() {
+  if (!measures_) return;
   if (counts_pipeline_) {
     glEndQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB);
     glEndQuery(GL_PRIMITIVES_SUBMITTED_ARB);
     glEndQuery(GL_VERTICES_SUBMITTED_ARB);
   }
   if (counts_samples_) glEndQuery(GL_SAMPLES_PASSED);
-  if (timed_ && !wall_clock_) glEndQuery(GL_TIME_ELAPSED);
+  if (!wall_clock_) glEndQuery(GL_TIME_ELAPSED);
 }
 
 void RunMeter::end(PassResult& result) {
+  if (!measures_) return glFlush();
   end_queries();
   if (wall_clock_) {
     glFinish();
     result.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_)
             .count();
-  } else if (timed_) {
-    result.milliseconds = static_cast<double>(answer(time_)) * 1e-6;
   } else {
-    glFlush();
+    result.milliseconds = static_cast<double>(answer(time_)) * 1e-6;
   }
   if (counts_pipeline_) {
     result.vertices = answer(vertices_);

@@ -11,7 +11,8 @@ namespace caustics::gl {
 // drawn, so there the clock runs until glFinish returns.
 class RunMeter {
  public:
-  RunMeter(bool timed, bool software_renderer);
+  // One that does not measure does nothing, but to hand each run on to the driver at once.
+  RunMeter(bool measures, bool software_renderer);
   void begin(bool count_samples);
   // Fills in what was counted since begin(), and leaves what the driver does not count as it is. Waits for
   // the driver only for figures that were asked for.
@@ -20,7 +21,7 @@ class RunMeter {
   void end_queries();
 
  private:
-  bool timed_, wall_clock_, counts_pipeline_ = false, counts_samples_ = false;
+  bool measures_, wall_clock_, counts_pipeline_ = false, counts_samples_ = false;
   QueryObject time_, samples_, vertices_, primitives_, fragments_;
   std::chrono::steady_clock::time_point start_{};
 };

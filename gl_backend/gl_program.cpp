@@ -1,10 +1,10 @@
 #include "gl_backend/gl_program.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
+#include "gl_backend/gl_text.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics::gl {
@@ -31,17 +31,12 @@ std::string complaint(const std::vector<char>& log) {
                                            "): OpenGL refuses it: " + complaint(log));
 }
 
-ShaderObject compile(const Shader& shader, GLenum kind, const char* macro, const char* stage) {
-  const std::string head = "#version 450 core\n#define " + std::string(macro) + " 1\n";
-  const std::array<std::string_view, 4> parts = {head, kPrelude, "\n#line 1\n", shader.text};
-  std::array<const GLchar*, 4> texts{};
-  std::array<GLint, 4> lengths{};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    texts[i] = parts[i].data();
-    lengths[i] = static_cast<GLint>(parts[i].size());
-  }
-  ShaderObject object(glCreateShader(kind));
-  glShaderSource(object.id(), static_cast<GLsizei>(parts.size()), texts.data(), lengths.data());
+ShaderObject compile(const Shader& shader, Stage stage) {
+  const std::string text = gl_text(shader, stage);
+  const GLchar* start = text.data();
+  const GLint size = static_cast<GLint>(text.size());
+  ShaderObject object(glCreateShader(stage == Stage::Vertex ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER));
+  glShaderSource(object.id(), 1, &start, &size);
   glCompileShader(object.id());
   GLint compiled = GL_FALSE, length = 0;
   glGetShaderiv(object.id(), GL_COMPILE_STATUS, &compiled);
@@ -49,7 +44,7 @@ ShaderObject compile(const Shader& shader, GLenum kind, const char* macro, const
   glGetShaderiv(object.id(), GL_INFO_LOG_LENGTH, &length);
   std::vector<char> log(static_cast<std::size_t>(std::max(length, 0)) + 1);
   glGetShaderInfoLog(object.id(), length, nullptr, log.data());
-  refuse(shader, stage, log);
+  refuse(shader, stage == Stage::Vertex ? "vertex stage" : "fragment stage", log);
 }
 
 int uniform_bytes_of(GLuint program) {
@@ -65,9 +60,8 @@ int uniform_bytes_of(GLuint program) {
 Program make_program(const Shader& shader) {
   Program program{ProgramObject(glCreateProgram()), reflect(shader.text)};
   const GLuint id = program.object.id();
-  const ShaderObject vertex = compile(shader, GL_VERTEX_SHADER, "VERTEX_STAGE", "vertex stage");
-  const ShaderObject fragment =
-      compile(shader, GL_FRAGMENT_SHADER, "FRAGMENT_STAGE", "fragment stage");
+  const ShaderObject vertex = compile(shader, Stage::Vertex);
+  const ShaderObject fragment = compile(shader, Stage::Fragment);
   glAttachShader(id, vertex.id());
   glAttachShader(id, fragment.id());
   for (std::size_t i = 0; i < program.interface.attributes.size(); ++i)

@@ -1,14 +1,9 @@
 // A pass's shader text as an OpenGL program.
 #pragma once
-#include <string_view>
-
 #include "gl_backend/gl_object.hpp"
 #include "pipeline/gpu/shader.hpp"
 
 namespace caustics::gl {
-
-// pipeline/shader/prelude.glsl, embedded at build time.
-extern const std::string_view kPrelude;
 
 // Attribute i of the shader's interface has location i; varyings meet by name; textures, outputs
 // and the uniform block (binding 0) have the numbers that the text gives them.

@@ -1,19 +1,20 @@
-# The OpenGL Device needs libepoxy, which finds EGL and OpenGL at run time. Without it the room is a stub.
+# The OpenGL Device needs libepoxy, which finds EGL and OpenGL at run time. Without it the room is a stub, but for
+# the texts that it would hand to OpenGL.
 find_package(PkgConfig QUIET)
 if(PkgConfig_FOUND)
   pkg_check_modules(EPOXY QUIET IMPORTED_TARGET epoxy)
 endif()
+caustics_expand_includes(pipeline/shader/prelude.glsl PRELUDE)
+configure_file(${PROJECT_SOURCE_DIR}/gl_backend/prelude.cpp.in
+  ${PROJECT_BINARY_DIR}/gl_backend/prelude.cpp @ONLY)
 get_target_property(gl_sources caustics_gl_backend SOURCES)
 if(TARGET PkgConfig::EPOXY)
   list(FILTER gl_sources EXCLUDE REGEX "without_gl\\.cpp$")
-  caustics_expand_includes(pipeline/shader/prelude.glsl PRELUDE)
-  configure_file(${PROJECT_SOURCE_DIR}/gl_backend/prelude.cpp.in
-    ${PROJECT_BINARY_DIR}/gl_backend/prelude.cpp @ONLY)
-  list(APPEND gl_sources ${PROJECT_BINARY_DIR}/gl_backend/prelude.cpp)
   target_link_libraries(caustics_gl_backend PRIVATE PkgConfig::EPOXY ${CMAKE_DL_LIBS})
   target_compile_definitions(caustics_gl_backend PUBLIC CAUSTICS_HAS_GL=1)
 else()
-  list(FILTER gl_sources INCLUDE REGEX "(without_gl|gl_driver)\\.cpp$")
+  list(FILTER gl_sources INCLUDE REGEX "(without_gl|gl_driver|gl_text|precise_text)\\.cpp$")
   message(STATUS "libepoxy not found: the OpenGL backend will only say so")
 endif()
+list(APPEND gl_sources ${PROJECT_BINARY_DIR}/gl_backend/prelude.cpp)
 set_property(TARGET caustics_gl_backend PROPERTY SOURCES ${gl_sources})

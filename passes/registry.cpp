@@ -8,7 +8,6 @@
 #include "passes/caustic_map/caustic_map.hpp"
 #include "passes/cells/cells.hpp"
 #include "passes/compose/compose.hpp"
-#include "passes/far_receivers/far_receivers.hpp"
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
 #include "passes/impostor_map/impostor_map.hpp"
@@ -20,15 +19,16 @@
 #include "passes/panes/panes.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
 #include "passes/shadow_map/shadow_map.hpp"
-#include "passes/textured_casters/textured_casters.hpp"
 #include "passes/tone_map/tone_map.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
 #include "passes/water_step/water_step.hpp"
 
 namespace caustics {
 
-const Registry& pass_registry() {
-  static const Registry registry = {
+namespace {
+
+Registry registered() {
+  Registry registry = {
       // Of each water: its waves.
       water_step_pass(),
       // Of the casters: what lies around them.
@@ -36,51 +36,23 @@ const Registry& pass_registry() {
       // Of each light: what its casters do.
       occluder_depth_pass(),
       caster_map_pass(),
-      detailed_caster_map_pass(),
-      tinted_caster_map_pass(),
       caster_exit_map_pass(),
-      detailed_exit_map_pass(),
       receiver_map_pass(),
       landing_pass(),
-      landing_in_medium_pass(),
       beams_pass(),
       cells_pass(),
       caustic_cells_pass(),
-      caustic_cells_grey_pass(),
-      caustic_map_pass(),
-      caustic_map_grey_pass(),
-      far_receiver_map_pass(),
-      far_landing_pass(),
-      far_cells_pass(),
-      far_caustic_cells_pass(),
-      far_caustic_cells_grey_pass(),
-      far_caustic_map_pass(),
-      far_caustic_map_grey_pass(),
       cascade_cells_pass(),
-      cascade_cells_grey_pass(),
-      cascade_map_pass(),
-      cascade_map_grey_pass(),
+      caustic_map_pass(),
       shadow_map_pass(),
       pane_light_pass(),
       // Of the camera: the scene without glass, in the picture and around it.
       view_surfaces_pass(),
-      wide_surfaces_pass(),
       light_shading_pass(),
-      wide_shading_pass(),
-      light_shading_in_medium_pass(),
-      wide_shading_in_medium_pass(),
       compose_pass(),
-      compose_beauty_pass(),
-      wide_compose_pass(),
       // And with it.
-      view_caster_map_pass(),
-      detailed_view_casters_pass(),
-      tinted_view_casters_pass(),
-      view_exit_map_pass(),
-      detailed_view_exits_pass(),
       glass_pass(),
       view_panes_pass(),
-      view_pane_mirror_pass(),
       // And the air before it.
       view_medium_pass(),
       light_haze_pass(),
@@ -89,6 +61,14 @@ const Registry& pass_registry() {
       first_hit_pass(),
       tone_map_pass(),
   };
+  validate(registry);
+  return registry;
+}
+
+}  // namespace
+
+const Registry& pass_registry() {
+  static const Registry registry = registered();
   return registry;
 }
 

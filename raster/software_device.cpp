@@ -153,7 +153,7 @@ class SoftwareDevice final : public Device {
   void execute_draw(const PassRun& run, const Draw& draw, const RenderTarget& target,
                     const TileGrid& grid, PassResult& result) {
     const PassDefinition& definition = *run.definition;
-    const ShaderInterface interface = reflect(definition.shader->text);
+    const ShaderInterface& interface = interface_of(*definition.shader);
     const std::vector<TextureView> views = bound_textures(draw);
     const MeshData* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
     const auto lanes = static_cast<std::size_t>(lanes_);
@@ -179,7 +179,7 @@ class SoftwareDevice final : public Device {
         .textures = views.data(),
         .varying_count = interface.varying_components(),
         .varying_flat = flat.data(),
-        .may_discard = definition.shader->text.find("discard_if(") != std::string_view::npos,
+        .may_discard = interface.discards,
         .kernel = tile_kernel(lanes_)};
     const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
     result.vertices += corners;

@@ -152,47 +152,40 @@ ExitCode compare_images(const CompareRequest& request) {
   return answer(request, result, result.passed());
 }
 
-// Names in lines that fit a terminal.
 std::string metric_list() {
-  std::string text, line = " ";
-  for (const std::string& name : boundable_metrics()) {
-    if (line.size() + name.size() > 98) {
-      text += line + "\n";
-      line = " ";
-    }
-    line += " " + name;
-  }
-  return text + line;
+  std::string text;
+  for (const std::string& name : boundable_metrics()) text += " " + name;
+  return "  " + wrapped(text, 2, 2);
 }
 
 void add_options(Parser& parser, CompareRequest& request) {
   Tolerance& tolerance = request.comparison.tolerance;
   parser.positional("A", "an image, or a folder of render --dump", request.comparison.a);
   parser.positional("B", "what it is compared with", request.comparison.b);
-  parser.group("Allowed difference; either bound suffices");
+  parser.group("Allowed difference, either bound suffices");
   parser.option(
-      "--tolerance", "T", "|A-B| up to T, in the images' unit; 0.. (default 0)",
+      "--tolerance", "T", {"allowed: |A-B| up to T, in the images' unit", "0..", "0"},
       [&](const std::string& value) { tolerance.absolute = parse_bound("--tolerance", value); });
   parser.option(
-      "--relative", "R", "|A-B| up to R times the larger of |A|, |B|; 0.. (default 0)",
+      "--relative", "R", {"allowed: |A-B| up to R times the larger of |A| and |B|", "0..", "0"},
       [&](const std::string& value) { tolerance.relative = parse_bound("--relative", value); });
   parser.group("What is looked at, in two images");
-  parser.option("--layer", "NAME", "the channels of one layer, as in caustic.R (default all)",
+  parser.option("--layer", "NAME", {"the channels NAME.R, NAME.G, ... alone; those without a layer are beauty", "", "all"},
                 [&](const std::string& value) { request.layer = value; });
-  parser.option("--mask", "FILE", "texels where a channel of this image is above 0 (default all)",
+  parser.option("--mask", "FILE", {"texels where a channel of this image other than A is above 0; it has the images' size", "", "all"},
                 [&](const std::string& value) { request.mask = value; });
-  parser.option("--region", "X,Y,W,H", "a rectangle, counted from the top left (default all)",
+  parser.option("--region", "X,Y,W,H", {"a rectangle of texels, counted from the top left", "", "all"},
                 [&](const std::string& value) { request.region = parse_region(value); });
   parser.group("Figures, in two images");
-  parser.flag("--flip", request.flip, "FLIP of colours as a screen shows them; a map with --diff");
+  parser.flag("--flip", request.flip, "FLIP of each layer of colours as a screen shows them; with --diff also its map");
   parser.repeated(
       "--fail-above", "METRIC=VALUE",
-      "exit code 1 above this, instead of by the values; repeatable (default none)",
+      {"exit code 1 where a layer's figure is above this, instead of by the values; may stand several times", "", "none"},
       [&](const std::string& value) { request.bounds.push_back(parse_metric_bound(value)); });
   parser.group("Output");
   parser.flag("--json", request.json, "the report as JSON");
   parser.option("--diff", "PREFIX",
-                "writes PREFIX_signed.exr (A-B), PREFIX_color.png (default none)",
+                {"writes PREFIX_signed.exr, A-B of each channel, and PREFIX_color.png", "", "none"},
                 [&](const std::string& value) { request.prefix = value; });
   parser.footer(
       "Channels are lined up by name, values taken as stored; one that only one image has, another "

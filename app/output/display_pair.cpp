@@ -69,9 +69,10 @@ double exposure_for(const Image& truth, const Selection& selection) {
 
 Image toned(Device& device, const Image& linear, double exposure) {
   const Pass pass = tone_map_pass();
+  const PassDefinition definition = definition_of(pass);
   const OwnedTexture input(device, device.upload(linear));
   const OwnedTexture output(device, device.create_texture(Format::RGBA8, linear.width(), linear.height()));
-  PassRun run{.definition = &pass.definition, .colors = {output.id()}};
+  PassRun run{.definition = &definition, .colors = {output.id()}};
   run.draws.push_back(
       {.vertex_count = 3,
        .uniforms = pass.uniforms(PassContext{.exposure = static_cast<float>(exposure)}),

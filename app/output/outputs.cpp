@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "app/shell/atomic_file.hpp"
 #include "app/output/image_file.hpp"
-#include "app/shell/terminal.hpp"
 #include "app/output/video_file.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
@@ -84,14 +84,9 @@ std::vector<std::string> parse_layers(const std::string& list) {
   return layers;
 }
 
-std::string layer_help() {
-  std::string text;
-  for (const Layer& layer : kLayers) {
-    std::string line = "  " + std::string(layer.name);
-    line.resize(12, ' ');
-    text += line + layer.meaning + "\n";
-  }
-  return text;
+void list_layers(Parser& parser) {
+  for (const Layer& layer : kLayers)
+    parser.list("Layers for --aov, of the first surface that is hit", layer.name, {layer.meaning});
 }
 
 void check_outputs(const OutputRequest& request) {

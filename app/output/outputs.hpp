@@ -15,8 +15,8 @@ struct OutputRequest {
 
 // The layers of "caustic,direct"; throws Error (WrongUsage) naming the nearest of an unknown one.
 std::vector<std::string> parse_layers(const std::string& list);
-// Names and meanings, one a line.
-std::string layer_help();
+// Lists names and meanings in the help.
+void list_layers(Parser& parser);
 
 // Refuses unknown extensions and two outputs of one name (WrongUsage), and what cannot be written.
 void check_outputs(const OutputRequest& request);

@@ -28,12 +28,9 @@ double median(std::vector<double> values) {
 }
 
 Json objects_json(const DeviceObjects& objects) {
-  return {{"programs", objects.programs},
-          {"buffers", objects.buffers},
-          {"textures", objects.textures},
-          {"vertex_layouts", objects.vertex_layouts},
-          {"framebuffers", objects.framebuffers},
-          {"read_backs", objects.read_backs}};
+  return {{"programs", objects.programs},         {"buffers", objects.buffers},
+          {"textures", objects.textures},         {"vertex_layouts", objects.vertex_layouts},
+          {"framebuffers", objects.framebuffers}, {"read_backs", objects.read_backs}};
 }
 
 // A steady loop makes nothing after its first frame, and reads back what it writes to files alone.
@@ -79,37 +76,18 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
 
 }  // namespace
 
-Json settings_json(const Settings& s) {
-  return {{"width", s.width},
-          {"height", s.height},
-          {"grid", s.grid},
-          {"map", s.map},
-          {"shadow", s.shadow},
-          {"light.samples", s.light_samples},
-          {"emissive.lights", s.emissive_lights ? "on" : "off"},
-          {"shafts", s.shafts},
-          {"medium.steps", s.medium_steps},
-          {"iterations", s.iterations},
-          {"estimator", name_of(s.estimator)},
-          {"thickness", name_of(s.thickness)},
-          {"splat", name_of(s.splat)},
-          {"splat.sigma", s.gaussian_sigma},
-          {"interfaces", name_of(s.interfaces)},
-          {"weights", name_of(s.weights)},
-          {"wavelengths", s.wavelengths},
-          {"reflections", s.reflections ? "yes" : "no"},
-          {"frames", s.shared_views ? "shared" : "fitted"},
-          {"cube", s.cube == Cube::Auto ? "auto" : s.cube == Cube::On ? "on" : "off"},
-          {"cascades", s.cascades ? "auto" : "off"},
-          {"pixel_means", s.pixel_means ? "auto" : "off"},
-          {"hidden_receivers", s.hidden_receivers ? "auto" : "off"},
-          {"outside_share", s.outside_share},
-          {"assume_solid", s.assume_solid ? "yes" : "no"},
-          {"exposure", s.exposure ? Json(*s.exposure) : Json("auto")},
-          {"camera", s.camera},
-          {"mirror.metallic", s.mirror_metallic},
-          {"mirror.roughness", s.mirror_roughness},
-          {"glass.roughness", s.glass_roughness}};
+Json settings_json(const Settings& settings, const std::vector<Setting::Part>& parts) {
+  Json json = Json::object();
+  for (const Setting& row : all_settings()) {
+    if (std::find(parts.begin(), parts.end(), row.part) == parts.end()) continue;
+    const std::string value = row.get(settings);
+    // As numbers where they are; "auto" is none.
+    const bool text = !row.is_number() || value == row.unset;
+    json[std::string(row.name)] = text                               ? Json(value)
+                                  : row.kind == Setting::Kind::Count ? Json(std::stoi(value))
+                                                                     : Json(std::stod(value));
+  }
+  return json;
 }
 
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/flux.hpp"
+#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -19,7 +20,9 @@ struct FrameStats {
   DeviceObjects made_by_first;
 };
 
-nlohmann::ordered_json settings_json(const Settings& settings);
+// Keys and values as -D has them.
+nlohmann::ordered_json settings_json(const Settings& settings,
+                                     const std::vector<Setting::Part>& parts = all_parts());
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
                        const std::vector<LightLedger>& ledgers, const Timing& timing,
                        const FrameStats& frames);

@@ -105,11 +105,11 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
     files += (files.empty() ? "" : ", ") + one_line(file.string());
   }
   const std::string frames = drawn > 0 ? ", " + std::to_string(drawn) + " frames" : "";
-  std::fprintf(stderr, "%s: %dx%d%s in %s (load %s, prepare %s, passes %s, write %s)\n",
+  std::fprintf(stderr, "%s: %dx%d%s in %s (load %s, prepare %s, passes %s, write %s) on %s\n",
                files.c_str(), frame.settings().width, frame.settings().height, frames.c_str(),
                duration_text(timing.total).c_str(), duration_text(timing.load).c_str(),
                duration_text(timing.prepare).c_str(), duration_text(timing.passes).c_str(),
-               duration_text(timing.write).c_str());
+               duration_text(timing.write).c_str(), one_line(frame.device().description()).c_str());
 }
 
 }  // namespace caustics::app

@@ -8,9 +8,9 @@
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/paper/row.hpp"
+#include "app/output/stats.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/progress.hpp"
-#include "app/output/stats.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
 #include "pipeline/settings/nearest.hpp"
@@ -38,9 +38,9 @@ bool parse(const Arguments& arguments, PaperRequest& request) {
                 "  caustics paper -o paper\n"
                 "  caustics paper -o paper --row 9 --row 10\n");
   parser.group("Output");
-  parser.option("-o,--output", "DIR", "folder of the report; made where it is missing (default paper)",
+  parser.option("-o,--output", "DIR", {"folder of the report; made where it is missing", "", "paper"},
                 [&](const std::string& folder) { request.folder = folder; });
-  parser.repeated("--row", "ID", "this row only; may stand several times (default all)",
+  parser.repeated("--row", "ID", {"this row only; may stand several times", "", "all"},
                   [&](const std::string& id) { request.rows.push_back(id); });
   return parser.parse(arguments);
 }

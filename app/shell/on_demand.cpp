@@ -11,6 +11,7 @@ namespace caustics::app {
 std::optional<Trial> try_sizes(FrameRequest request, int grid, int map) {
   request.settings.grid = grid;
   request.settings.map = map;
+  request.backend.measure = true;
   PlanGoal goal{ledger_textures()};
   goal.textures.emplace_back("picture");
   RenderedFrame frame(request, load_scene(request), goal);
@@ -70,11 +71,6 @@ std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand
     trials.push_back(*trial);
   }
   return CostModel(trials[0], trials[1], trials[2]);
-}
-
-double parse_target_error(const std::string& text) {
-  const std::string number = !text.empty() && text.back() == '%' ? text.substr(0, text.size() - 1) : text;
-  return parse_real("--target-error", number, 0.001, 100.0) / 100.0;
 }
 
 }  // namespace caustics::app

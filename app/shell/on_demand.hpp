@@ -32,7 +32,4 @@ inline constexpr int kPilotSide = 128;
 std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand& demand,
                                        const std::function<void(const std::string&)>& progress);
 
-// --target-error: "2%" or "2", a percentage. Throws Error (WrongUsage).
-double parse_target_error(const std::string& text);
-
 }  // namespace caustics::app

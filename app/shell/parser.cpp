@@ -13,73 +13,94 @@ namespace caustics::app {
 
 namespace {
 
-// CLI11's help, in the order that people read: what for, examples, usage, options.
-class HelpFormatter : public CLI::Formatter {
- public:
-  HelpFormatter() { column_width(34); }
-  std::string make_option_opts(const CLI::Option* option) const override {
-    return option->get_type_size() == 0 ? "" : " " + option->get_type_name();
-  }
-};
+std::string in_quotes(const std::string& text) { return "'" + one_line(text).substr(0, 80) + "'"; }
 
-// CLI11 leaves two blank lines between groups.
-std::string single_spaced(std::string text) {
-  for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;) text.erase(at, 1);
-  return text;
+// As people write it: 1e6, not 1e+06.
+std::string plain(double value) {
+  const std::string text = significant(value, 6);
+  const std::size_t e = text.find('e');
+  return e == std::string::npos ? text
+                                : text.substr(0, e + 1) + std::to_string(std::stoi(text.substr(e + 1)));
 }
 
-std::string in_quotes(const std::string& text) { return "'" + one_line(text).substr(0, 80) + "'"; }
+// "least..most", or one number where they are equal.
+std::string span(const std::string& least, const std::string& most) {
+  return least == most ? least : least + ".." + most;
+}
+
+template <class T>
+T parse_within(const std::string& option, const std::string& text, Limits<T> bounds, const char* kind) {
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end || !(value >= bounds.least && value <= bounds.most)) {
+    throw Error(ExitCode::WrongUsage,
+                option + " cannot be " + in_quotes(text) + ": " + kind + " in " + text_of(bounds));
+  }
+  return value;
+}
 
 }  // namespace
 
 Parser::Parser(const std::string& command, const std::string& purpose, const std::string& examples)
-    : app_(std::make_unique<CLI::App>(purpose + "\n\nExamples:\n" + examples)), command_(command) {
-  app_->name("caustics " + command);
-  app_->formatter(std::make_shared<HelpFormatter>());
-  app_->set_help_flag("-h,--help", "this text");
+    : app_(std::make_unique<CLI::App>(purpose)) {
+  page_.command = command;
+  page_.purpose = purpose;
+  page_.examples = examples;
+  app_->set_help_flag("-h,--help", "");
+  app_->set_help_all_flag("--help-markdown", "");
   app_->allow_extras();
 }
 
 Parser::~Parser() = default;
 
-void Parser::footer(const std::string& text) {
-  app_->footer(app_->get_footer().empty() ? text : app_->get_footer() + "\n" + text);
+void Parser::footer(const std::string& text) { page_.footer += (page_.footer.empty() ? "" : "\n") + text; }
+
+void Parser::list(const std::string& heading, const std::string& name, const About& about) {
+  HelpPage::add(page_.lists, heading, {name, "", about});
 }
 
-void Parser::flag(const std::string& names, bool& target, const std::string& help) {
-  app_->add_flag(names, target, help)->group(group_);
+void Parser::say(const std::string& names, const std::string& value, const About& about) {
+  HelpPage::add(page_.groups, group_, {names, value, about});
 }
 
-void Parser::option(const std::string& names, const std::string& value_name,
-                    const std::string& help, const std::function<void(const std::string&)>& use) {
-  app_->add_option_function<std::string>(names, use, help)
-      ->type_name(value_name)
-      ->group(group_)
-      ->take_last();
+void Parser::flag(const std::string& names, bool& target, const std::string& meaning) {
+  app_->add_flag(names, target, meaning);
+  say(names, "", {meaning});
 }
 
-void Parser::repeated(const std::string& names, const std::string& value_name,
-                      const std::string& help, const std::function<void(const std::string&)>& use) {
-  app_->add_option_function<std::vector<std::string>>(
-          names,
-          [use](const std::vector<std::string>& values) {
-            for (const std::string& value : values) use(value);
-          },
-          help)
-      ->type_name(value_name)
-      ->group(group_)
+void Parser::flag(const std::string& names, const std::string& meaning, const std::function<void()>& use) {
+  app_->add_flag_callback(names, use, meaning);
+  say(names, "", {meaning});
+}
+
+void Parser::option(const std::string& names, const std::string& value, const About& about, const Use& use) {
+  app_->add_option_function<std::string>(names, use)->type_name(value)->take_last();
+  say(names, value, about);
+}
+
+void Parser::repeated(const std::string& names, const std::string& value, const About& about,
+                      const Use& use) {
+  app_->add_option_function<std::vector<std::string>>(names,
+                                                      [use](const std::vector<std::string>& values) {
+                                                        for (const std::string& each : values) use(each);
+                                                      })
+      ->type_name(value)
       ->expected(1, 1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
+  say(names, value, about);
 }
 
-void Parser::positional(const std::string& name, const std::string& help, std::string& target) {
-  app_->add_option(name, target, help)->type_name("FILE");
+void Parser::positional(const std::string& name, const std::string& meaning, std::string& target) {
+  app_->add_option(name, target)->type_name("FILE");
+  page_.positionals.push_back({name, "FILE", {meaning}});
 }
 
-void Parser::positionals(const std::string& name, const std::string& help,
+void Parser::positionals(const std::string& name, const std::string& meaning,
                          std::vector<std::string>& target) {
-  app_->add_option(name, target, help)->type_name("FILE ...");
+  app_->add_option(name, target)->type_name("FILE ...");
+  page_.positionals.push_back({name, "FILE ...", {meaning}});
 }
 
 void Parser::refuse_extras() const {
@@ -95,7 +116,7 @@ void Parser::refuse_extras() const {
   }
   if (!app_->remaining().empty()) {
     throw Error(ExitCode::WrongUsage, "unexpected argument " + in_quotes(app_->remaining().front()) +
-                                          "; see 'caustics " + command_ + " --help'");
+                                          "; see 'caustics " + page_.command + " --help'");
   }
 }
 
@@ -104,7 +125,10 @@ bool Parser::parse(const Arguments& arguments) {
     // CLI11 takes the arguments last first.
     app_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
-    std::fputs(single_spaced(app_->help()).c_str(), stdout);
+    std::fputs(page_.text().c_str(), stdout);
+    return false;
+  } catch (const CLI::CallForAllHelp&) {
+    std::fputs(page_.markdown().c_str(), stdout);
     return false;
   } catch (const CLI::ParseError& error) {
     refuse_extras();
@@ -114,38 +138,31 @@ bool Parser::parse(const Arguments& arguments) {
   return true;
 }
 
-int parse_integer(const std::string& option, const std::string& text, int least, int most) {
-  int value = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc{} || result.ptr != end || value < least || value > most) {
-    throw Error(ExitCode::WrongUsage, option + " cannot be " + in_quotes(text) +
-                                          ": an integer in " + std::to_string(least) + ".." +
-                                          std::to_string(most));
-  }
-  return value;
+std::string text_of(Limits<int> bounds) {
+  return span(std::to_string(bounds.least), std::to_string(bounds.most));
+}
+std::string text_of(Limits<double> bounds) { return span(plain(bounds.least), plain(bounds.most)); }
+
+int parse_number(const std::string& option, const std::string& text, Limits<int> bounds) {
+  return parse_within(option, text, bounds, "an integer");
 }
 
-double parse_real(const std::string& option, const std::string& text, double least, double most) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc{} || result.ptr != end || !(value >= least && value <= most)) {
-    throw Error(ExitCode::WrongUsage, option + " cannot be " + in_quotes(text) +
-                                          ": a number in " + significant(least, 6) + ".." +
-                                          significant(most, 6));
-  }
-  return value;
+double parse_number(const std::string& option, const std::string& text, Limits<double> bounds) {
+  return parse_within(option, text, bounds, "a number");
 }
 
-Pair parse_pair(const std::string& option, const std::string& text, int least, int most) {
+double parse_percent(const std::string& option, const std::string& text, Limits<double> bounds) {
+  return parse_number(option, text.ends_with('%') ? text.substr(0, text.size() - 1) : text, bounds) / 100.0;
+}
+
+Pair parse_pair(const std::string& option, const std::string& text, Limits<int> bounds) {
   const std::size_t split = text.find_first_of("x,");
   if (split == std::string::npos) {
     throw Error(ExitCode::WrongUsage,
                 option + " cannot be " + in_quotes(text) + ": two integers, as in 640x360");
   }
-  return {parse_integer(option, text.substr(0, split), least, most),
-          parse_integer(option, text.substr(split + 1), least, most)};
+  return {parse_number(option, text.substr(0, split), bounds),
+          parse_number(option, text.substr(split + 1), bounds)};
 }
 
 }  // namespace caustics::app

@@ -96,8 +96,10 @@ std::uint64_t bytes_of(const RenderedFrame& frame) {
 
 }  // namespace
 
-Rendered render_setting(const FrameRequest& request, int repeat,
+Rendered render_setting(FrameRequest request, int repeat,
                         const std::function<void(const std::string&)>& say) {
+  request.backend.measure = repeat > 0;
+  request.backend.compiling = [&](std::string_view shader) { say("compiling shader " + std::string(shader)); };
   say("finding where the light goes");
   RenderedFrame frame(request, load_scene(request), {{"picture", "aov_caustic"}});
   Rendered result;

@@ -15,26 +15,34 @@ namespace {
 
 // Colours keep a contrast of 3 and more on their background (WCAG 1.4.11); every group has a shape too.
 constexpr char kStyle[] = R"(<style>
-:root { color-scheme: light dark; --paper: #fff; --ink: #1b1b1b; --soft: #d8d8d8; --front: #1b1b1b; --lit: #f0f4e4;
-  --g0: #0063a6; --g1: #b4460f; --g2: #117a55; --g3: #a03c84; --g4: #8a6500; --g5: #2b7aa8; --g6: #b3261e; --g7: #55555a; }
-@media (prefers-color-scheme: dark) { :root { --paper: #161618; --ink: #ececec; --soft: #3f3f44; --front: #ececec;
-  --lit: #2c3220; --g0: #63b3ed; --g1: #ff9a5c; --g2: #4fd1a1; --g3: #e58fce; --g4: #e3b93c; --g5: #8ad4f5; --g6: #ff8a80;
+:root { color-scheme: light dark; --paper: #fff; --ink: #1b1b1b; --soft: #d8d8d8; --front: #1b1b1b;
+  --lit: #f0f4e4;
+  --g0: #0063a6; --g1: #b4460f; --g2: #117a55; --g3: #a03c84; --g4: #8a6500; --g5: #2b7aa8; --g6: #b3261e;
+  --g7: #55555a; }
+@media (prefers-color-scheme: dark) { :root { --paper: #161618; --ink: #ececec; --soft: #3f3f44;
+  --front: #ececec;
+  --lit: #2c3220; --g0: #63b3ed; --g1: #ff9a5c; --g2: #4fd1a1; --g3: #e58fce; --g4: #e3b93c; --g5: #8ad4f5;
+  --g6: #ff8a80;
   --g7: #b9b9c0; } }
-body { background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; max-width: 70rem; margin: 2rem auto;
+body { background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; max-width: 70rem;
+  margin: 2rem auto;
   padding: 0 1rem; }
 h1, h2 { line-height: 1.2; } h2 { margin-top: 2.5rem; }
 svg { width: 100%; height: auto; } svg text { fill: var(--ink); font: 13px system-ui, sans-serif; }
 .gridline { stroke: var(--soft); } .leader { stroke: var(--ink); stroke-width: .6; }
-.floor { stroke: var(--ink); stroke-dasharray: 2 4; } .front { stroke: var(--front); fill: none; stroke-width: 1.6; }
+.floor { stroke: var(--ink); stroke-dasharray: 2 4; } .front { stroke: var(--front); fill: none;
+  stroke-width: 1.6; }
 .dashed { stroke-dasharray: 7 5; } .mark, .spread { stroke: var(--c); fill: var(--c); stroke-width: 2; }
 .spread { stroke-width: 1; } .hollow { fill: var(--paper); }
-.g0 { --c: var(--g0); } .g1 { --c: var(--g1); } .g2 { --c: var(--g2); } .g3 { --c: var(--g3); } .g4 { --c: var(--g4); }
+.g0 { --c: var(--g0); } .g1 { --c: var(--g1); } .g2 { --c: var(--g2); } .g3 { --c: var(--g3); }
+  .g4 { --c: var(--g4); }
 .g5 { --c: var(--g5); } .g6 { --c: var(--g6); } .g7 { --c: var(--g7); }
 .wide { overflow-x: auto; } table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--soft); text-align: right; white-space: nowrap; }
 th { vertical-align: bottom; } .left { text-align: left; } tr.best td, tr.best th { background: var(--lit); }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1rem; }
-figure { margin: 0; } figure img { width: 100%; image-rendering: pixelated; background: #000; } figcaption { font-size: .85rem; }
+figure { margin: 0; } figure img { width: 100%; image-rendering: pixelated; background: #000; }
+  figcaption { font-size: .85rem; }
 code { overflow-wrap: anywhere; }
 </style>
 )";

@@ -1,13 +1,12 @@
 #include "app/study/request.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/output/stats.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/settings/check_settings.hpp"
 #include "pipeline/settings/nearest.hpp"
+#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -19,11 +18,7 @@ const std::vector<Varied> kDefault = {{"grid", "64,128,256,512"},
                                       {"map", "128,256,512"},
                                       {"estimator", "paper,secant,newton,impostor"},
                                       {"splat", "point,gaussian,cell"}};
-// One truth is one view of one picture.
-constexpr const char* kFixed[] = {"width", "height", "camera", "exposure"};
-// More of these is finer.
-constexpr const char* kCounts[] = {"grid",         "map",        "shadow",      "light.samples", "shafts",
-                                   "medium.steps", "iterations", "wavelengths"};
+constexpr Limits<double> kErrors{1e-6, 1000.0};  // percent
 
 constexpr char kStudyPurpose[] =
     "Renders a scene with many settings, and says for each how far its caustic is from a truth\n"
@@ -51,39 +46,42 @@ void add_varied(StudyRequest& request, const std::string& text) {
 
 void add_study_options(Parser& parser, StudyRequest& request) {
   parser.group("Study");
-  parser.repeated("--vary", "KEY=a,b,c", "values of a key of -D; may stand several times (default below)",
+  parser.repeated("--vary", "KEY=a,b,c", {"values of a key of -D; may stand several times, once for each key", "not of width, height, camera, exposure", "below"},
                   [&](const std::string& text) { add_varied(request, text); });
-  parser.flag("--cross", request.cross, "all values with all others, instead of one key at a time");
-  parser.option("--repeat", "N", "frames timed for each setting; 1..1000 (default 5)",
-                [&](const std::string& value) { request.repeat = parse_integer("--repeat", value, 1, 1000); });
-  parser.option("--truth", "WHAT", "FILE.exr (its layer caustic), traced, exact, or finest (default finest)",
+  parser.flag("--cross", request.cross, "all values with all others, instead of one key at a time and grid with map");
+  parser.number("--repeat", "N", {"frames timed for each setting"}, Limits<int>{1, 1000}, request.repeat);
+  parser.option("--truth", "WHAT", {"what the caustic is held against: a file's layer caustic, and caustic_error where it has one; light traced "
+                 "by 'caustics reference' into DIR/truth.exr, of the meshes or of the exact shapes that the file "
+                 "states; or the sweep's finest setting with grid and map doubled, which shares this program's errors",
+                 "FILE.exr|traced|exact|finest", "finest"},
                 [&](const std::string& value) {
                   request.traced.wanted = value == "traced" || value == "exact";
                   request.traced.exact = value == "exact";
                   request.truth = request.traced.wanted || value == "finest" ? "" : value;
                 });
-  parser.option("--truth-error", "P%", "of what is traced: where it ends; 1e-6..1000 (default 1%)",
+  parser.option("--truth-error", "P%",
+                {"of traced and exact: the relative error at which tracing ends", text_of(kErrors),
+                 significant(100.0 * request.traced.error, 3) + "%"},
                 [&](const std::string& value) {
-                  const std::string number = value.ends_with('%') ? value.substr(0, value.size() - 1) : value;
-                  request.traced.error = parse_real("--truth-error", number, 1e-6, 1000.0) / 100.0;
+                  request.traced.error = parse_percent("--truth-error", value, kErrors);
                   request.says_how_long = true;
                 });
-  parser.option("--truth-seconds", "S", "after which what is traced has to do; 0..1e7 (default 60)",
+  constexpr Limits<double> kSeconds{0.0, 1e7};
+  parser.option("--truth-seconds", "S",
+                {"after which what is traced has to do; said where the error is missed", text_of(kSeconds),
+                 significant(request.traced.seconds, 6)},
                 [&](const std::string& value) {
-                  request.traced.seconds = parse_real("--truth-seconds", value, 0.0, 1e7);
+                  request.traced.seconds = parse_number("--truth-seconds", value, Limits<double>{0.0, 1e7});
                   request.says_how_long = true;
                 });
-  parser.option("--mask", "FILE", "pixels where a channel of this image is above 0 (default all)",
+  parser.option("--mask", "FILE", {"pixels where a channel of this image other than A is above 0", "", "all"},
                 [&](const std::string& value) { request.mask = value; });
   parser.group("Output");
-  parser.option("-o,--output", "DIR", "folder of the report; made where it is missing (default study)",
+  parser.option("-o,--output", "DIR", {"folder of the report; made where it is missing", "", "study"},
                 [&](const std::string& value) { request.folder = value; });
-  parser.flag("--resume", request.resume, "keep the rows of DIR's study.json that still hold");
+  parser.flag("--resume", request.resume, "keep the rows of DIR/study.json that still hold");
   parser.flag("--quiet", request.quiet, "no progress on stderr");
-  std::string footer = "Varied where no --vary is given:\n ";
-  for (const Varied& each : kDefault) footer += " " + each.first + "=" + each.second;
-  parser.footer(footer + "\nTruths: traced is light traced by 'caustics reference'; exact the same with the shapes that the "
-                         "file states;\n  finest the sweep's finest setting doubled. The last shares this program's own errors.");
+  for (const Varied& each : kDefault) parser.list("Varied where no --vary is given", each.first, {each.second});
 }
 
 std::vector<std::string> split(const std::string& list) {
@@ -96,37 +94,26 @@ std::vector<std::string> split(const std::string& list) {
   return parts;
 }
 
-// As the program writes the value of a key, or `otherwise` where it does not.
-std::string text_of(const Settings& settings, const std::string& key, const std::string& otherwise) {
-  const nlohmann::ordered_json json = settings_json(settings);
-  if (!json.contains(key)) return otherwise;
-  if (json[key].is_string()) return json[key];
-  return json[key].is_number_float() ? significant(json[key].get<double>(), 6) : json[key].dump();
-}
-
-bool is_number(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
-}
+// One truth is one view of one picture.
+bool is_fixed(const Setting& row) { return row.part == Setting::Part::View || row.part == Setting::Part::Picture; }
 
 void refuse_fixed(const std::string& key) {
-  if (std::find(std::begin(kFixed), std::end(kFixed), key) == std::end(kFixed)) return;
+  if (!is_fixed(setting(key))) return;
   throw Error(ExitCode::WrongUsage, "--vary cannot change " + key + ": all pictures of a study show the same as the "
                                         "truth; give it once, with -D " + key + "=...");
 }
 
 Knob knob_of(const Settings& base, const Varied& varied) {
   const std::string& key = varied.first;
-  Knob knob{.key = key, .values = {}, .base = text_of(base, key, "base")};
+  const Setting& row = setting(key);
+  Knob knob{.key = key, .values = {}, .base = row.get(base), .ordered = row.is_number()};
   for (const std::string& value : split(varied.second)) {
     Settings settings = base;
     set_option(settings, key, value);
-    const std::string text = text_of(settings, key, value);
+    const std::string text = row.get(settings);
     if (std::find(knob.values.begin(), knob.values.end(), text) == knob.values.end()) knob.values.push_back(text);
   }
   refuse_fixed(key);
-  knob.ordered = is_number(knob.base) && std::all_of(knob.values.begin(), knob.values.end(), is_number);
   return knob;
 }
 
@@ -172,16 +159,15 @@ Settings settings_at(const Settings& base, const std::vector<Knob>& knobs, const
 Settings finest_settings(const Settings& base, const std::vector<Knob>& knobs) {
   Settings settings = base;
   for (const Knob& knob : knobs) {
-    const bool counts = std::any_of(std::begin(kCounts), std::end(kCounts),
-                                    [&](const char* key) { return knob.key == key; });
-    if (!counts) continue;
+    // More of what is counted is finer.
+    if (setting(knob.key).kind != Setting::Kind::Count) continue;
     std::string most = knob.base;
     for (const std::string& value : knob.values)
       if (std::stod(value) > std::stod(most)) most = value;
     set_option(settings, knob.key, most);
   }
-  settings.grid = std::min(2 * settings.grid, kMaxGrid);
-  settings.map = std::min(2 * settings.map, kMaxMap);
+  settings.grid = std::min(2 * settings.grid, setting("grid").most());
+  settings.map = std::min(2 * settings.map, setting("map").most());
   return settings;
 }
 

@@ -214,18 +214,11 @@ class StudyRun {
     std::error_code error;
     for (const StudyRow& row : earlier_->rows) {
       if (row.backend == name_of(job.backend) && row.device == job.device && row.repeat == request_.repeat &&
-          row.settings == settings_of(job) && row.problem.empty() &&
+          row.settings == settings_json(job.settings) && row.problem.empty() &&
           fs::is_regular_file(request_.folder / row.picture, error))
         return &row;
     }
     return nullptr;
-  }
-
-  Json settings_of(const Job& job) const {
-    Json json = settings_json(job.settings);
-    for (std::size_t k = 0; k < study_.knobs.size(); ++k)
-      if (!json.contains(study_.knobs[k].key)) json[study_.knobs[k].key] = job.point.values[k];
-    return json;
   }
 
   void do_all() {
@@ -314,7 +307,7 @@ class StudyRun {
     StudyRow row{.point = job.point,
                  .backend = name_of(job.backend),
                  .device = job.device,
-                 .settings = settings_of(job),
+                 .settings = settings_json(job.settings),
                  .repeat = request_.repeat};
     try {
       measure(job, row);
@@ -380,7 +373,9 @@ class StudyRun {
     std::fprintf(stderr, "%s: %zu rows", one_line((request_.folder / "report.html").string()).c_str(),
                  study_.rows.size());
     if (reused_ > 0) std::fprintf(stderr, ", %zu of them from before", reused_);
-    std::fprintf(stderr, ", in %s\n", duration_text(total_.milliseconds()).c_str());
+    std::string devices;
+    for (const std::string& device : devices_) devices += (devices.empty() ? "" : " and ") + one_line(device);
+    std::fprintf(stderr, ", in %s on %s\n", duration_text(total_.milliseconds()).c_str(), devices.c_str());
   }
 
   StudyRequest request_;

@@ -10,11 +10,14 @@ namespace {
 
 // The page's colours on white, without variables, which not all viewers of SVG files know.
 constexpr char kFileStyle[] = R"(<style>
-text { fill: #1b1b1b; font: 13px sans-serif; } .gridline { stroke: #d8d8d8; } .leader { stroke: #1b1b1b; stroke-width: .6; }
+text { fill: #1b1b1b; font: 13px sans-serif; } .gridline { stroke: #d8d8d8; } .leader { stroke: #1b1b1b;
+  stroke-width: .6; }
 .floor { stroke: #1b1b1b; stroke-dasharray: 2 4; } .front { stroke: #1b1b1b; fill: none; stroke-width: 1.6; }
 .dashed { stroke-dasharray: 7 5; } .mark { stroke-width: 2; } .spread { stroke-width: 1; }
-.g0 { stroke: #0063a6; fill: #0063a6; } .g1 { stroke: #b4460f; fill: #b4460f; } .g2 { stroke: #117a55; fill: #117a55; }
-.g3 { stroke: #a03c84; fill: #a03c84; } .g4 { stroke: #8a6500; fill: #8a6500; } .g5 { stroke: #2b7aa8; fill: #2b7aa8; }
+.g0 { stroke: #0063a6; fill: #0063a6; } .g1 { stroke: #b4460f; fill: #b4460f; } .g2 { stroke: #117a55;
+  fill: #117a55; }
+.g3 { stroke: #a03c84; fill: #a03c84; } .g4 { stroke: #8a6500; fill: #8a6500; } .g5 { stroke: #2b7aa8;
+  fill: #2b7aa8; }
 .g6 { stroke: #b3261e; fill: #b3261e; } .g7 { stroke: #55555a; fill: #55555a; } .hollow { fill: #fff; }
 </style>
 <rect width="100%" height="100%" fill="#fff"/>

@@ -6,32 +6,28 @@ extern const Shader beams_shader;
 
 Pass beams_pass() {
   return {
-      .definition =
-          {
-              .name = "beams",
-              .purpose = "joins neighbouring grid vertices' light to beams that are seen in the medium",
-              .reads = {{.name = "landing_start", .meaning = "where light leaves the caster, and how far it goes"},
-                        {.name = "landing_way", .meaning = "its direction"},
-                        {.name = "landing_start_flux", .meaning = "its flux there"}},
-              .writes = {{.name = "beam_start",
-                          .meaning = "xyz: where the beam starts, metres, scene space; w: its length, metres"},
-                         {.name = "beam_way", .meaning = "xyz: its unit direction; w: 1 where there is one, else 0"},
-                         {.name = "beam_flux",
-                          .meaning = "rgb: its flux at the start, relative to the light's intensity (square metres, "
-                                     "or steradians)"}},
-              .shader = &beams_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.light_shafts.active) return {};
-        return "the casters' light is seen as beams";
-      },
-      .each = Each::Branch,
-      .draws = DrawSet::FullScreen,
-      .extent = Extent::Beams,
+      .name = "beams",
+      .purpose = "joins neighbouring grid vertices' light to beams that are seen in the medium",
+      .reason = "the casters' light is seen as beams",
+      .when = {&Effects::light_shafts},
+      .drawn_for = {kBranch},
+      .only_lights_with_caustics = true,
+      .size = beams_size,
+      .reads = {{.name = "landing_start", .meaning = "where light leaves the caster, and how far it goes"},
+                {.name = "landing_way", .meaning = "its direction"},
+                {.name = "landing_start_flux", .meaning = "its flux there"}},
+      .writes = {{.name = "beam_start",
+                  .meaning = "xyz: where the beam starts, metres, scene space; w: its length, metres"},
+                 {.name = "beam_way", .meaning = "xyz: its unit direction; w: 1 where there is one, else 0"},
+                 {.name = "beam_flux",
+                  .meaning = "rgb: its flux at the start, relative to the light's intensity (square metres, "
+                             "or steradians)"}},
+      .shaders = {{&beams_shader}},
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(BeamsUniforms{
-                .grid = {context.settings->grid, vertices_per_beam(*context.settings), 0, 0}});
+            return uniform_bytes(std140::Beams{
+                .grid_side = context.settings->grid,
+                .vertices_per_beam = vertices_per_beam(*context.settings)});
           },
   };
 }

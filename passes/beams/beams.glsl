@@ -13,19 +13,22 @@ OUTPUT(0, Vec4, beam_start)
 OUTPUT(1, Vec4, beam_way)
 OUTPUT(2, Vec4, beam_flux)
 
+// Does light leave the caster here?
+Bool is_sent(Vec4 way_texel) { return way_texel.w != 0.0f; }
+
 void main() {
-  Int x = floor_to_int(frag_x()) * Int(u.grid.y);
-  Int y = floor_to_int(frag_y()) * Int(u.grid.y);
+  Int x = floor_to_int(frag_x()) * Int(u.vertices_per_beam);
+  Int y = floor_to_int(frag_y()) * Int(u.vertices_per_beam);
   Vec4 start = Vec4(0.0f);
   Vec3 way = Vec3(0.0f);
   Vec3 flux = Vec3(0.0f);
   Float sum = Float(0.0f);
-  for (int j = 0; j < u.grid.y; j++) {
-    for (int i = 0; i < u.grid.y; i++) {
-      Bool in_grid = x + i < u.grid.x && y + j < u.grid.x;
+  for (int j = 0; j < u.vertices_per_beam; j++) {
+    for (int i = 0; i < u.vertices_per_beam; i++) {
+      Bool in_grid = x + i < u.grid_side && y + j < u.grid_side;
       Vec4 heading = fetch_clamped(landing_way, x + i, y + j);
       Vec3 carried = Vec3(fetch_clamped(landing_start_flux, x + i, y + j));
-      Float weight = sel(in_grid && heading.w != 0.0f, carried.x + carried.y + carried.z, Float(0.0f));
+      Float weight = sel(in_grid && is_sent(heading), carried.x + carried.y + carried.z, Float(0.0f));
       Bool counts = weight > 0.0f;
       start = start + sel(counts, fetch_clamped(landing_start, x + i, y + j), Vec4(0.0f)) * weight;
       way = way + sel(counts, Vec3(heading), Vec3(0.0f)) * weight;

@@ -1,14 +1,16 @@
 #pragma once
-#include <glm/glm.hpp>
-
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/shader/std140.hpp"
 
-namespace caustics {
+namespace caustics::std140 {
 
-struct BeamsUniforms {
-  using ivec4 = glm::ivec4;
+struct alignas(16) Beams {
 #include "passes/beams/beams_uniforms.glsl"
 };
+
+}  // namespace caustics::std140
+
+namespace caustics {
 
 // beams.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass beams_pass();

@@ -11,7 +11,7 @@ namespace {
 PassImages join(int grid, int vertices, int beams, const Image& start, const Image& way, const Image& flux) {
   return run_pass(beams_pass().definition,
                   {.width = beams, .height = beams,
-                   .uniforms = uniform_bytes(BeamsUniforms{.grid = {grid, vertices, 0, 0}}),
+                   .uniforms = uniform_bytes(std140::Beams{.grid_side = grid, .vertices_per_beam = vertices}),
                    .textures = {start, way, flux}});
 }
 

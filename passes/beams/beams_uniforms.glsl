@@ -1,1 +1,2 @@
-ivec4 grid;  // grid vertices a side, grid vertices a beam and side, unused, unused
+int grid_side;          // grid vertices
+int vertices_per_beam;  // along a side

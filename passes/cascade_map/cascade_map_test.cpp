@@ -11,7 +11,8 @@ namespace {
 // Lays one cell with corners a, b, c, d (texels of the caustic map) and flux (1, 2, 4) into a cascade of 8 x 8 texels
 // that shows the caustic map's texels 2 to 6: one texel there is two by two here.
 Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
-  const CascadeMapUniforms uniforms{.from_map = {2.0f, 2.0f, -4.0f, -4.0f}, .grid = {1, 8, 0, 0}};
+  const std140::CascadeMap uniforms{
+      .scale = {2.0f, 2.0f}, .offset = {-4.0f, -4.0f}, .cells_a_side = 1, .map_side = 8};
   return run_pass(cascade_cells_pass().definition,
                   {.width = 8,
                    .height = 8,

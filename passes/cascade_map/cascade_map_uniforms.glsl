@@ -1,2 +1,4 @@
-vec4 from_map;  // scale and offset from texels of the caustic map to those of the cascade
-ivec4 grid;     // cells a side, map texels a side, unused, unused
+vec2 scale;   // from texels of the caustic map to those of the cascade
+vec2 offset;
+int cells_a_side;
+int map_side;  // texels

@@ -1,43 +1,50 @@
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 
 #include "passes/caster_map/caster_map.hpp"
+#include "passes/textured_casters/textured_casters.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
 extern const Shader caster_exit_map_shader;
+extern const Shader detailed_exits_shader;
+
+namespace {
+
+UniformBytes uniforms(const PassContext& context) {
+  const View& view = context.views ? context.views->caster : *context.camera;
+  if (!detailed_exits(*context.effects)) return uniform_bytes(caster_map_uniforms(view, context.material_row));
+  const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
+  return uniform_bytes(textured_casters_uniforms(view, *context.material, role, context.material_row));
+}
+
+}  // namespace
 
 Pass caster_exit_map_pass() {
   return {
-      .definition =
-          {
-              .name = "caster_exit_map",
-              .purpose = "finds the surface through which light leaves a solid caster again",
-              .writes = {{.name = "caster_exit_position",
-                          .format = Format::RGBA32F,
-                          .meaning = "xyz: position of the nearest back face, metres, scene space; w: 1 "
-                                     "where there is one, else 0"},
-                         {.name = "caster_exit_normal",
-                          .format = Format::RGBA32F,
-                          .meaning = "xyz: unit shading normal, outward, scene space; w: 1 where there "
-                                     "is one, else 0"}},
-              .depth = DepthWrite{.name = "caster_exit_depth",
-                                  .meaning = "window depth of the nearest back face"},
-              .depth_state = {.compare = Compare::Less, .write = true},
-              .cull = Cull::Front,
-              .shader = &caster_exit_map_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.caustics.active || !effects.exit_surface.active || detailed_exits(effects)) return {};
-        return "light leaves solid casters through a second surface";
-      },
-      .each = Each::Light,
+      .name = "caster_exit_map",
+      .purpose = "finds the surface through which light, or the camera's ray, leaves a solid caster again",
+      .reason = "light leaves solid casters through a second surface",
+      .when = {&Effects::exit_surface},
+      .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}, kCamera},
+      .only_lights_with_caustics = true,
       .draws = DrawSet::SolidCasters,
-      .extent = Extent::Grid,
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(caster_map_uniforms(context.views->caster, context.material_row));
-          },
+      .size = grid_size,
+      .reads = {{.name = "base_color", .meaning = "opacity; alpha masks cut holes", .of_material = true,
+                 .only_with = detailed_exits},
+                {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true,
+                 .only_with = detailed_exits}},
+      .writes = {{.name = "caster_exit_position",
+                  .meaning = "xyz: position of the nearest back face, metres, scene space; w: 1 "
+                             "where there is one, else 0"},
+                 {.name = "caster_exit_normal",
+                  .meaning = "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: 1 where "
+                             "there is one, else 0"}},
+      .depth = DepthWrite{.name = "caster_exit_depth", .meaning = "window depth of the nearest back face"},
+      .depth_state = {.compare = Compare::Less, .write = true},
+      .cull = Cull::Front,
+      .shaders = {{&caster_exit_map_shader}, {&detailed_exits_shader, detailed_exits}},
+      .uniforms = uniforms,
   };
 }
 

@@ -18,7 +18,7 @@ OUTPUT(1, Vec4, caster_exit_normal)
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.material.y));
+  discard_if(outside_tile(u.view, u.map_side));
   caster_exit_position = Vec4(surface_position, Float(1.0f));
   caster_exit_normal = Vec4(normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f)), Float(1.0f));
 }

@@ -1,51 +1,62 @@
 #include "passes/caster_map/caster_map.hpp"
 
+#include "passes/textured_casters/textured_casters.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
 extern const Shader caster_map_shader;
+extern const Shader detailed_casters_shader;
+extern const Shader tinted_casters_shader;
 
-CasterMapUniforms caster_map_uniforms(const View& view, int material_row) {
-  const ViewUniforms f = pack(view);
-  return {.from_scene = f.from_scene,
-          .window = f.window,
-          .depth = f.depth,
-          .material = {static_cast<float>(material_row),
-                       view.cube ? static_cast<float>(view.cube->side) : 0.0f, 0.0f, 0.0f}};
+std140::CasterMap caster_map_uniforms(const View& view, int material_row) {
+  return {.view = shader_view(view), .material_row = material_row, .map_side = view.cube ? view.cube->side : 0};
 }
+
+namespace {
+
+bool are_detailed(const Effects& effects) { return caster_detail(effects) != CasterDetail::None; }
+bool are_tinted(const Effects& effects) { return caster_detail(effects) == CasterDetail::Colors; }
+
+UniformBytes uniforms(const PassContext& context) {
+  const View& view = context.views ? context.views->caster : *context.camera;
+  if (!are_detailed(*context.effects)) return uniform_bytes(caster_map_uniforms(view, context.material_row));
+  const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
+  return uniform_bytes(textured_casters_uniforms(view, *context.material, role, context.material_row));
+}
+
+}  // namespace
 
 Pass caster_map_pass() {
   return {
-      .definition =
-          {
-              .name = "caster_map",
-              .purpose = "turns what the light sees of the casters into a grid of vertices",
-              .writes = {{.name = "caster_position",
-                          .format = Format::RGBA32F,
-                          .meaning = "xyz: position of the caster's surface, metres, scene space; w: 1 a "
-                                     "front face, -1 a back face, 0 no caster"},
-                         {.name = "caster_normal",
-                          .format = Format::RGBA32F,
-                          .meaning = "xyz: unit shading normal, outward, scene space; w: row of the "
-                                     "material in caster_materials"}},
-              .depth = DepthWrite{.name = "caster_depth",
-                                  .meaning = "window depth of the nearest surface"},
-              .depth_state = {.compare = Compare::Less, .write = true},
-              .count_samples = true,
-              .shader = &caster_map_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.caustics.active || caster_detail(effects) != CasterDetail::None) return {};
-        return "each texel that a caster covers becomes a grid vertex";
-      },
-      .each = Each::Light,
+      .name = "caster_map",
+      .purpose = "turns what the light sees of the casters into a grid of vertices; shows the camera where they are",
+      .reason = "each texel that a caster covers becomes a grid vertex, or a place to look through",
+      .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}, kCamera},
+      .only_lights_with_caustics = true,
       .draws = DrawSet::Casters,
-      .extent = Extent::Grid,
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(caster_map_uniforms(context.views->caster, context.material_row));
-          },
+      .size = grid_size,
+      .reads = {{.name = "base_color", .meaning = "colour and opacity; alpha masks cut holes", .of_material = true,
+                 .only_with = are_detailed},
+                {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true,
+                 .only_with = are_detailed},
+                {.name = "transmission_texture", .meaning = "r: share that is let through", .of_material = true,
+                 .only_with = are_tinted}},
+      .writes = {{.name = "caster_position",
+                  .meaning = "xyz: position of the caster's surface, metres, scene space; w: 1 a "
+                             "front face, -1 a back face, 0 no caster"},
+                 {.name = kCasterNormal,
+                  .meaning = "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: row of "
+                             "the material in caster_materials"},
+                 {.name = "caster_tint",
+                  .meaning = "rgb: what glass lets through, or metal mirrors at normal incidence, 0..1; w: 1 where "
+                             "there is a caster, else 0",
+                  .only_with = are_tinted}},
+      .depth = DepthWrite{.name = "caster_depth", .meaning = "window depth of the nearest surface"},
+      .depth_state = {.compare = Compare::Less, .write = true},
+      .count_samples = true,
+      .shaders = {{&caster_map_shader}, {&detailed_casters_shader, are_detailed}, {&tinted_casters_shader, are_tinted}},
+      .uniforms = uniforms,
   };
 }
 

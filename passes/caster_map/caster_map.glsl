@@ -18,8 +18,8 @@ OUTPUT(1, Vec4, caster_normal)
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.material.y));
+  discard_if(outside_tile(u.view, u.map_side));
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
-  caster_normal = Vec4(normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f)), Float(u.material.x));
+  caster_normal = Vec4(normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f)), Float(u.material_row));
 }
 #endif

@@ -1,4 +1,3 @@
-mat4 from_scene;  // the frame that sees the casters
-vec4 window;
-vec4 depth;
-vec4 material;    // row of the material in caster_materials, side of a cube view's map, unused, unused
+View view;         // what sees the casters
+int material_row;  // in caster_materials
+int map_side;      // of a cube view's map, texels

@@ -6,45 +6,29 @@ namespace caustics {
 
 extern const Shader caustic_cells_shader;
 
-namespace {
-
-// The flux is gathered where there is any, in as many channels as it has.
-std::optional<std::string> called_for(const Effects& effects, bool coloured) {
-  if (!effects.cells.active || effects.coloured_caustics.active != coloured) return {};
-  return "the cells' flux is gathered for the camera";
-}
-std::optional<std::string> called_for_coloured(const Effects& e) { return called_for(e, true); }
-std::optional<std::string> called_for_grey(const Effects& e) { return called_for(e, false); }
-
-Pass caustic_cells_pass(bool coloured) {
+Pass caustic_cells_pass() {
   return {
-      .definition =
-          {
-              .name = coloured ? "caustic_cells" : "caustic_cells_grey",
-              .purpose = "adds up the light of the cells, by the exact share of each texel",
-              .reads = {{.name = kCellNear, .meaning = "each cell's lower corners in the map"},
-                        {.name = kCellFar, .meaning = "its upper corners"},
-                        {.name = kCellFlux, .meaning = "its flux"}},
-              .writes = {caustic_map_write(coloured)},
-              .topology = Topology::Points,
-              .shader = &caustic_cells_shader,
-          },
-      .called_for_by = coloured ? called_for_coloured : called_for_grey,
-      .each = Each::Branch,
+      .name = "caustic_cells",
+      .purpose = "adds up the light of the cells, by the exact share of each texel",
+      .reason = "the cells' flux is gathered for the camera",
+      .when = {&Effects::caustics, &Effects::cells},
+      .drawn_for = {kBranch, kBranchFar},
+      .only_lights_with_caustics = true,
       .draws = DrawSet::GridCells,
-      .extent = Extent::Map,
+      .size = map_size,
+      .reads = {{.name = kCellNear, .meaning = "each cell's lower corners in the map"},
+                {.name = kCellFar, .meaning = "its upper corners"},
+                {.name = kCellFlux, .meaning = "its flux"}},
+      .writes = {caustic_map_write()},
+      .owner = Each::Light,
+      .topology = Topology::Points,
+      .shaders = {{&caustic_cells_shader}},
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(CausticCellsUniforms{
-                .grid = {context.settings->grid - 1, context.settings->map, 0, 0}});
+            return uniform_bytes(std140::CausticCells{
+                .cells_a_side = context.settings->grid - 1, .map_side = context.settings->map});
           },
-      .owner = Each::Light,
   };
 }
-
-}  // namespace
-
-Pass caustic_cells_pass() { return caustic_cells_pass(true); }
-Pass caustic_cells_grey_pass() { return caustic_cells_pass(false); }
 
 }  // namespace caustics

@@ -11,12 +11,14 @@ VARYING_FLAT(4, Vec4, far)
 VARYING_FLAT(8, Vec3, flux)
 
 #ifdef VERTEX_STAGE
+#include "passes/caustic_cells/cell_texel.glsl"
+#include "passes/shared/splat.glsl"
 
 // One square point over the texels that the cell touches: its corners are corners of texels.
 void main() {
   Int id = vertex_id();
-  Int row = id / Int(u.grid.x);
-  Int column = id - row * Int(u.grid.x);
+  Int row = id / Int(u.cells_a_side);
+  Int column = id - row * Int(u.cells_a_side);
   Vec4 carried = texel_fetch(cell_flux, column, row);
   near = texel_fetch(cell_near, column, row);
   far = texel_fetch(cell_far, column, row);
@@ -27,11 +29,10 @@ void main() {
   Float top = floor(max_of(max_of(near.y, near.w), max_of(far.y, far.w))) + 1.0f;
   Float side = max_of(right - left, top - bottom);
   // At the map's edge the square leans inwards, so that its centre, by which points are clipped, stays inside.
-  Float x = max_of(min_of(left, float(u.grid.y) - side), Float(0.0f)) * 2.0f + side;
-  Float y = max_of(min_of(bottom, float(u.grid.y) - side), Float(0.0f)) * 2.0f + side;
-  Vec4 at = Vec4(x / float(u.grid.y) - 1.0f, y / float(u.grid.y) - 1.0f, Float(0.5f), Float(1.0f));
-  // Outside the volume: not drawn.
-  set_position(sel(carried.w > 0.0f, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
+  Float x = max_of(min_of(left, float(u.map_side) - side), Float(0.0f)) * 2.0f + side;
+  Float y = max_of(min_of(bottom, float(u.map_side) - side), Float(0.0f)) * 2.0f + side;
+  Vec4 at = Vec4(x / float(u.map_side) - 1.0f, y / float(u.map_side) - 1.0f, Float(0.5f), Float(1.0f));
+  set_position(splat_position(at, is_cell(carried)));
   set_point_size(side);
 }
 #else

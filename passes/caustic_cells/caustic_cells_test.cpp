@@ -16,7 +16,7 @@ Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
   return run_pass(caustic_cells_pass().definition,
                   {.width = 8,
                    .height = 8,
-                   .uniforms = uniform_bytes(CausticCellsUniforms{.grid = {1, 8, 0, 0}}),
+                   .uniforms = uniform_bytes(std140::CausticCells{.cells_a_side = 1, .map_side = 8}),
                    .textures = {filled(1, 1, {a, b}), filled(1, 1, {c, d}),
                                 filled(1, 1, {1.0f, 2.0f, 4.0f, 1.0f})},
                    .vertex_count = 1})["caustic_map"];

@@ -1,1 +1,2 @@
-ivec4 grid;  // cells a side, map texels a side, unused, unused
+int cells_a_side;
+int map_side;  // texels

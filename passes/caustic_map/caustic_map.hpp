@@ -1,23 +1,21 @@
 #pragma once
-#include <glm/glm.hpp>
-
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/shader/std140.hpp"
 
-namespace caustics {
+namespace caustics::std140 {
 
-struct CausticMapUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-  using ivec4 = glm::ivec4;
+struct alignas(16) CausticMap {
 #include "passes/caustic_map/caustic_map_uniforms.glsl"
 };
 
-// Of the map whose frame is `map`.
-CausticMapUniforms caustic_map_uniforms(const PassContext& context, const View& map);
+}  // namespace caustics::std140
+
+namespace caustics {
+
+// Of the map whose view is `map`.
+std140::CausticMap caustic_map_uniforms(const PassContext& context, const View& map);
 
 // caustic_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caustic_map_pass();
-// The same into one channel, where nothing tints the caustics.
-Pass caustic_map_grey_pass();
 
 }  // namespace caustics

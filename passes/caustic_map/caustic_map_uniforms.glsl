@@ -1,5 +1,8 @@
-mat4 from_scene;   // the caustic view
-vec4 window;
-vec4 depth;
-vec4 kernel;       // radius in texels (0: point splats); 1 / (sigma sqrt 2); 1 / mass per axis; point size in pixels
-ivec4 grid;        // grid vertices a side, map texels a side, 1 where cells take their part, unused
+View map;
+int grid_side;       // grid vertices
+int map_side;        // texels
+int has_cells;       // 1: cells have taken their part
+float radius;        // of the kernel, texels; 0: no kernel, a point falls on one texel
+float sharpness;     // 1 / (sigma sqrt 2)
+float inverse_mass;  // of the kernel inside its radius, along an axis
+float point_size;    // pixels

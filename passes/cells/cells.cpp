@@ -8,27 +8,24 @@ extern const Shader cells_shader;
 
 namespace {
 
-CellsUniforms cells_uniforms(const PassContext& context) {
-  const ViewUniforms receiver = pack(context.views->receiver);
-  const ViewUniforms caustic = pack(context.views->caustic);
+std140::Cells cells_uniforms(const PassContext& context) {
   const CellLimits limits;
-  glm::vec4 tile{0.0f};
-  if (const auto& cube = context.views->caustic.cube)
-    tile = {cube->tile_width(), cube->tile_height(), 0.0f, 0.0f};
-  glm::vec4 grid_tile{0.0f};
-  if (const auto& cube = context.views->caster.cube) grid_tile = {cube->tile_width(), cube->guard, 0.0f, 0.0f};
+  const CubeAtlas tiles = context.views->caustic.cube.value_or(CubeAtlas{});
+  const CubeAtlas grid = context.views->caster.cube.value_or(CubeAtlas{});
   const int map = context.settings->map;
   return {
-      .from_scene = caustic.from_scene,
-      .receiver_window = receiver.window,
-      .receiver_depth = receiver.depth,
-      .caustic_window = caustic.window,
-      .caustic_depth = caustic.depth,
-      .limits = {limits.jump, limits.smallest_jump,
-                 std::min(limits.largest_share * static_cast<float>(map), limits.largest), limits.gap},
-      .tile = tile,
-      .grid_tile = grid_tile,
-      .grid = {context.settings->grid, map, 0, 0},
+      .receiver = shader_view(context.views->receiver),
+      .caustic = shader_view(context.views->caustic),
+      .jump = limits.jump,
+      .smallest_jump = limits.smallest_jump,
+      .largest = std::min(limits.largest_share * static_cast<float>(map), limits.largest),
+      .gap = limits.gap,
+      .tile_width = static_cast<float>(tiles.tile_width()),
+      .tile_height = static_cast<float>(tiles.tile_height()),
+      .grid_tile = static_cast<float>(grid.tile_width()),
+      .grid_guard = static_cast<float>(grid.guard),
+      .grid_side = context.settings->grid,
+      .map_side = map,
   };
 }
 
@@ -36,34 +33,25 @@ CellsUniforms cells_uniforms(const PassContext& context) {
 
 Pass cells_pass() {
   return {
-      .definition =
-          {
-              .name = "cells",
-              .purpose = "joins neighbouring landings to cells where one sheet of light spans them",
-              .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
-                        {.name = "landing_flux", .meaning = "how much of it is left"},
-                        {.name = "caster_normal", .meaning = "which caster each grid vertex lies on"},
-                        {.name = "receiver_position", .meaning = "what lies between the landings"}},
-              .writes = {{.name = kCellNear,
-                          .format = Format::RGBA32F,
-                          .meaning = "places in the caustic map, texels, of the landings of grid vertices "
-                                     "(x, y) in xy and (x + 1, y) in zw"},
-                         {.name = kCellFar,
-                          .format = Format::RGBA32F,
-                          .meaning = "likewise of (x, y + 1) and (x + 1, y + 1)"},
-                         {.name = kCellFlux,
-                          .format = Format::RGBA32F,
-                          .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
-                                     "cell, else 0"}},
-              .shader = &cells_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.cells.active) return {};
-        return "neighbouring landings are joined to cells";
-      },
-      .each = Each::Branch,
-      .draws = DrawSet::FullScreen,
-      .extent = Extent::Grid,
+      .name = "cells",
+      .purpose = "joins neighbouring landings to cells where one sheet of light spans them",
+      .reason = "neighbouring landings are joined to cells",
+      .when = {&Effects::caustics, &Effects::cells},
+      .drawn_for = {kBranch, kBranchFar},
+      .only_lights_with_caustics = true,
+      .size = grid_size,
+      .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
+                {.name = "landing_flux", .meaning = "how much of it is left"},
+                {.name = "caster_normal", .meaning = "which caster each grid vertex lies on"},
+                {.name = "receiver_position", .meaning = "what lies between the landings"}},
+      .writes = {{.name = kCellNear,
+                  .meaning = "places in the caustic map, texels, of the landings of grid vertices "
+                             "(x, y) in xy and (x + 1, y) in zw"},
+                 {.name = kCellFar, .meaning = "likewise of (x, y + 1) and (x + 1, y + 1)"},
+                 {.name = kCellFlux,
+                  .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
+                             "cell, else 0"}},
+      .shaders = {{&cells_shader}},
       .uniforms = [](const PassContext& context) { return uniform_bytes(cells_uniforms(context)); },
   };
 }

@@ -1,16 +1,16 @@
 #pragma once
-#include <glm/glm.hpp>
-
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/shader/std140.hpp"
 
-namespace caustics {
+namespace caustics::std140 {
 
-struct CellsUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-  using ivec4 = glm::ivec4;
+struct Cells {
 #include "passes/cells/cells_uniforms.glsl"
 };
+
+}  // namespace caustics::std140
+
+namespace caustics {
 
 // When four landings are one cell (cells.md).
 struct CellLimits {

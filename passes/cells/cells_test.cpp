@@ -20,18 +20,20 @@ struct Bench {
   std::function<float(float)> floor_height = [](float) { return 0.0f; };
 
   PassImages run() const {
-    const ViewUniforms f = pack(down(4.0, 10.0, 20.0));
+    const std140::View seen = shader_view(down(4.0, 10.0, 20.0));
     const CellLimits limits;
-    const CellsUniforms u{.from_scene = f.from_scene,
-                          .receiver_window = f.window,
-                          .receiver_depth = f.depth,
-                          .caustic_window = f.window,
-                          .caustic_depth = f.depth,
-                          .limits = {limits.jump, limits.smallest_jump, limits.largest_share * 8.0f,
-                                     limits.gap},
-                          .tile = glm::vec4(0.0f),
-                          .grid_tile = glm::vec4(0.0f),
-                          .grid = {6, 8, 0, 0}};
+    const std140::Cells u{.receiver = seen,
+                          .caustic = seen,
+                          .jump = limits.jump,
+                          .smallest_jump = limits.smallest_jump,
+                          .largest = limits.largest_share * 8.0f,
+                          .gap = limits.gap,
+                          .tile_width = 0.0f,
+                          .tile_height = 0.0f,
+                          .grid_tile = 0.0f,
+                          .grid_guard = 0.0f,
+                          .grid_side = 6,
+                          .map_side = 8};
     Image places(Format::RGBA32F, 6, 6), normals(Format::RGBA32F, 6, 6), floor(Format::RGBA32F, 64, 64);
     for (int y = 0; y < 6; ++y)
       for (int x = 0; x < 6; ++x) {

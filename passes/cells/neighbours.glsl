@@ -1,6 +1,6 @@
 // Where the neighbours of a grid vertex are stored. Over the border of a cube's tile the grid goes on with the vertices
-// of the face beyond the edge, at the same distance from it. Needs cube_atlas.glsl and the uniforms grid, grid_tile
-// and caustic_depth.
+// of the face beyond the edge, at the same distance from it. Needs cube_atlas.glsl and the uniforms caustic, grid_side,
+// grid_tile and grid_guard.
 struct Place {
   Int x;
   Int y;
@@ -9,11 +9,11 @@ struct Place {
 
 // cube_turned back.
 Vec3 cube_unturned(Vec3 t, Int face) {
-  Vec3 q = sel(face == 5, Vec3(-t.x, t.y, -t.z), t);
-  q = sel(face == 0, Vec3(t.z, t.y, -t.x), q);
-  q = sel(face == 1, Vec3(-t.z, t.y, t.x), q);
-  q = sel(face == 2, Vec3(t.x, t.z, -t.y), q);
-  return sel(face == 3, Vec3(t.x, -t.z, t.y), q);
+  Vec3 q = sel(face == FACE_BACKWARD, Vec3(-t.x, t.y, -t.z), t);
+  q = sel(face == FACE_RIGHT, Vec3(t.z, t.y, -t.x), q);
+  q = sel(face == FACE_LEFT, Vec3(-t.z, t.y, t.x), q);
+  q = sel(face == FACE_UP, Vec3(t.x, t.z, -t.y), q);
+  return sel(face == FACE_DOWN, Vec3(t.x, -t.z, t.y), q);
 }
 
 // (x, y) counted on in the tile that (home_x, home_y) is in.
@@ -21,10 +21,10 @@ Place place_at(Int x, Int y, Int home_x, Int home_y) {
   Place place;
   place.x = x;
   place.y = y;
-  place.exists = x >= 0 && y >= 0 && x < u.grid.x && y < u.grid.x;
-  if (u.caustic_depth.z > 1.5f) {
-    float size = u.grid_tile.x;
-    float radius = 0.5f * size - u.grid_tile.y;
+  place.exists = x >= 0 && y >= 0 && x < u.grid_side && y < u.grid_side;
+  if (u.caustic.kind == VIEW_CUBE) {
+    float size = u.grid_tile;
+    float radius = 0.5f * size - u.grid_guard;
     Float column = floor((Float(home_x) + 0.5f) / size);
     Float row = floor((Float(home_y) + 0.5f) / size);
     // On the face, -1 to 1, and beyond.

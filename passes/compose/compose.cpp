@@ -39,53 +39,30 @@ UniformBytes uniforms(const View& view, int width, int height, const PassContext
   });
 }
 
-PassDefinition definition(const std::string& name, const std::string& view,
-                          const std::string& light, const std::string& output) {
-  return {
-      .name = name,
-      .purpose = "shades diffuse surfaces under all their light, before the sky",
-      .reads = {{.name = view + "_position", .meaning = "the surfaces"},
-                {.name = view + "_normal", .meaning = "their normals"},
-                {.name = view + "_albedo", .meaning = "their colours"},
-                {.name = view + "_emission", .meaning = "their own light"},
-                {.name = light + "direct", .meaning = "direct irradiance, lux", .optional = true},
-                {.name = light + "caustic", .meaning = "caustic irradiance, lux", .optional = true},
-                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true}},
-      .writes = {{.name = output, .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
-      .shader = &compose_shader,
-  };
-}
+// Without glass before it the shaded scene is the picture.
+std::string_view shaded(const Effects& effects) { return effects.seen_casters.active ? "scene_color" : "beauty"; }
 
 }  // namespace
 
 Pass compose_pass() {
-  return {.definition = definition("compose", "view", "", "scene_color"),
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.seen_casters.active) return {};
-            return "glass shows the scene behind it";
-          },
-          .extent = Extent::Picture,
-          .uniforms = [](const PassContext& c) { return uniforms(*c.camera, c.width, c.height, c); }};
-}
-
-Pass compose_beauty_pass() {
-  return {.definition = definition("compose_beauty", "view", "", "beauty"),
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (effects.seen_casters.active) return {};
-            return "no glass stands before the scene";
-          },
-          .extent = Extent::Picture,
-          .uniforms = [](const PassContext& c) { return uniforms(*c.camera, c.width, c.height, c); }};
-}
-
-Pass wide_compose_pass() {
-  return {.definition = definition("wide_compose", "wide", "wide_", "wide_color"),
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.seen_casters.active) return {};
-            return "glass shows what lies beyond the picture's edges";
-          },
-          .extent = Extent::Wide,
-          .uniforms = [](const PassContext& c) { return uniforms(*c.surroundings, c.width, c.height, c); }};
+  return {
+      .name = "compose",
+      .purpose = "shades diffuse surfaces under all their light, before the sky",
+      .reason = "the camera sees the surfaces, and glass shows what lies beyond the picture's edges",
+      .drawn_for = {kFrame, kSurroundings},
+      .reads = {{.name = "view_position", .meaning = "the surfaces"},
+                {.name = "view_normal", .meaning = "their normals"},
+                {.name = "view_albedo", .meaning = "their colours"},
+                {.name = "view_emission", .meaning = "their own light"},
+                {.name = "direct", .meaning = "direct irradiance, lux", .optional = true},
+                {.name = "caustic", .meaning = "caustic irradiance, lux", .optional = true},
+                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true}},
+      .writes = {{.name = "scene_color",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1",
+                  .texture_by = shaded}},
+      .shaders = {{&compose_shader}},
+      .uniforms = [](const PassContext& c) { return uniforms(*c.camera, c.width, c.height, c); },
+  };
 }
 
 }  // namespace caustics

@@ -13,33 +13,29 @@ namespace caustics {
 extern const Shader first_hit_shader;
 
 Pass first_hit_pass() {
-  return {.definition =
-              {.name = "first_hit",
-               .purpose = "gathers the layers of the first surface in each pixel, glass included",
-               .reads = {{.name = "view_position", .meaning = "opaque surfaces"},
-                         {.name = "view_normal", .meaning = "their normals and depth"},
-                         {.name = "direct", .meaning = "direct irradiance, lux", .optional = true},
-                         {.name = "caustic", .meaning = "caustic irradiance, lux", .optional = true},
-                         {.name = "view_caster_position", .meaning = "glass", .optional = true},
-                         {.name = "view_caster_normal", .meaning = "its normals", .optional = true}},
-               .writes = {{.name = "aov_direct",
-                           .meaning = "rgb: direct irradiance after shadows, lux; 0 on casters"},
-                          {.name = "aov_caustic",
-                           .meaning = "rgb: irradiance from caustics, lux; 0 on casters"},
-                          {.name = "aov_position",
-                           .meaning = "xyz: position, metres, scene space; w: coverage, 0 or 1"},
-                          {.name = "aov_normal",
-                           .meaning = "xyz: unit normal, scene space; w: depth along the camera's axis, "
-                                      "metres"}},
-               .shader = &first_hit_shader},
-          .called_for_by = [](const Effects&) -> std::optional<std::string> {
-            return "layers of the picture are wanted";
+  return {
+      .name = "first_hit",
+      .purpose = "gathers the layers of the first surface in each pixel, glass included",
+      .reason = "layers of the picture are wanted",
+      .reads = {{.name = "view_position", .meaning = "opaque surfaces"},
+                {.name = "view_normal", .meaning = "their normals and depth"},
+                {.name = "direct", .meaning = "direct irradiance, lux", .optional = true},
+                {.name = "caustic", .meaning = "caustic irradiance, lux", .optional = true},
+                {.name = "view_caster_position", .meaning = "glass", .texture = "caster_position.camera", .optional = true},
+                {.name = "view_caster_normal", .meaning = "its normals", .texture = "caster_normal.camera", .optional = true}},
+      .writes = {{.name = "aov_direct",
+                  .meaning = "rgb: direct irradiance after shadows, lux; 0 on casters"},
+                 {.name = "aov_caustic", .meaning = "rgb: irradiance from caustics, lux; 0 on casters"},
+                 {.name = "aov_position",
+                  .meaning = "xyz: position, metres, scene space; w: coverage, 0 or 1"},
+                 {.name = "aov_normal",
+                  .meaning = "xyz: unit normal, scene space; w: depth along the camera's axis, metres"}},
+      .shaders = {{&first_hit_shader}},
+      .uniforms =
+          [](const PassContext& context) {
+            return uniform_bytes(std140::FirstHit{.view = shader_view(*context.camera)});
           },
-          .extent = Extent::Picture,
-          .uniforms =
-              [](const PassContext& context) {
-                return uniform_bytes(std140::FirstHit{.view = shader_view(*context.camera)});
-              }};
+  };
 }
 
 }  // namespace caustics

@@ -1,5 +1,6 @@
 // Glass, water and metal as the camera sees them: what lies behind, bent at both surfaces and tinted on the
 // way, and what the first surface mirrors. glass.md explains.
+#include "passes/shared/sky_model.glsl"
 UNIFORMS_BEGIN
 #include "passes/glass/glass_uniforms.glsl"
 UNIFORMS_END
@@ -19,100 +20,117 @@ TEXTURE(10, view_caster_tint)
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, beauty)
+#include "passes/shared/caster_material.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/view_space.glsl"
 #include "passes/shared/optics.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/ray.glsl"
+#include "passes/shared/refraction.glsl"
+#include "passes/shared/sky_radiance.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
-#include "passes/shared/sky.glsl"
 
 // How far a ray may end before or behind a surface and still count as having met it, metres: eight texels'
 // extents, because a surface that is seen from the side is known coarsely.
-Bool meets(Hit hit, Vec3 start, Vec3 direction, Texture positions, vec4 window, vec4 depth) {
-  Vec3 q = view_coordinates(u.from_scene, start + direction * hit.distance);
-  Float extent = view_w(q, depth) / (window.x * float(texture_width(positions)));
+Bool meets(IN(Hit) hit, IN(Ray) ray, Texture positions, IN(View) view) {
+  Float w = view_w(view, view_coordinates(view, point_along(ray, hit.distance)));
+  Float extent = w / (view.scale.x * float(texture_width(positions)));
   return hit.inside && !hit.left && hit.covered && hit.residual <= 8.0f * extent && hit.distance > 0.0f &&
-         view_w(q, depth) > 0.0f;
+         w > 0.0f;
+}
+
+// The colour of the surface that a ray meets in a view, or `otherwise`.
+Vec3 color_met(Texture colors, Texture positions, IN(View) view, IN(Ray) ray, Vec3 otherwise) {
+  Hit hit = intersect_secant(positions, view, search_along(view, ray, u.iterations, false));
+  Vec2 uv = view_uv(view, view_coordinates(view, point_along(ray, hit.distance)));
+  return sel(meets(hit, ray, positions, view), Vec3(fetch_bilinear(colors, uv.x, uv.y)), otherwise);
 }
 
 // Radiance along a ray that starts outside the glass: the surface it meets on the screen, else one in
-// the wide view around it, else the sky.
-Vec3 radiance_along(Vec3 start, Vec3 direction) {
-  Vec3 color = sky_radiance(direction);
-  Hit hit = intersect_secant(wide_position, u.from_scene, u.wide_window, u.wide_depth, start, direction,
-                             u.method.x, false);
-  Vec2 uv = view_uv(view_coordinates(u.from_scene, start + direction * hit.distance),
-                     u.wide_window, u.wide_depth);
-  color = sel(meets(hit, start, direction, wide_position, u.wide_window, u.wide_depth),
-              Vec3(fetch_bilinear(wide_color, uv.x, uv.y)), color);
-  hit = intersect_secant(view_position, u.from_scene, u.window, u.depth, start, direction, u.method.x,
-                         false);
-  uv = view_uv(view_coordinates(u.from_scene, start + direction * hit.distance), u.window, u.depth);
-  return sel(meets(hit, start, direction, view_position, u.window, u.depth),
-             Vec3(fetch_bilinear(scene_color, uv.x, uv.y)), color);
+// the wider view around it, else the sky.
+Vec3 radiance_along(IN(Ray) ray) {
+  Vec3 color = sky_radiance(u.sky, ray.direction);
+  color = color_met(wide_color, wide_position, u.surroundings, ray, color);
+  return color_met(scene_color, view_position, u.view, ray, color);
 }
 
 Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
-  Vec2 uv = view_uv(view_coordinates(u.from_scene, p), u.window, u.depth);
+  Vec2 uv = view_uv(u.view, view_coordinates(u.view, p));
   Vec4 smooth_normal = fetch_bilinear(view_exit_normal, uv.x, uv.y);
   Vec4 nearest = fetch_nearest(view_exit_normal, uv.x, uv.y);
-  return normalize_or(sel(smooth_normal.w > 0.999f, Vec3(smooth_normal), Vec3(nearest)), fallback);
+  return normalize_or(sel(is_fully_covered(smooth_normal), Vec3(smooth_normal), Vec3(nearest)), fallback);
 }
 
-// Radiance that a glass surface sends to the camera.
-Vec3 through_glass(Vec4 entry, Vec4 entry_normal) {
-  Vec3 p1 = Vec3(entry);
-  Vec3 d0 = Vec3(u.forward);
-  if (u.eye.w > 0.5f) d0 = normalize_or(p1 - Vec3(u.eye), Vec3(u.forward));
-  Bool from_inside = entry.w < 0.0f;
-  Int material = floor_to_int(entry_normal.w + 0.5f);
-  Vec4 indices = fetch_clamped(caster_materials, Int(0), material);
-  Vec4 absorption = fetch_clamped(caster_materials, Int(1), material);
-  Vec3 tint = Vec3(fetch_clamped(caster_materials, Int(2), material));
-  if (u.method.y == 1) tint = Vec3(texel_fetch(view_caster_tint, floor_to_int(frag_x()), floor_to_int(frag_y())));
-  Float ior = indices.x;
-  Bool solid = absorption.w > 0.5f && !from_inside;
+// The way through the glass and out of it.
+struct Exit {
+  Ray ray;
+  Float inside_length;  // metres
+  Float reflectance;    // of the second surface
+};
 
-  Vec3 n1 = facing_normal(Vec3(entry_normal), d0, from_inside);
-  Float eta1 = sel(from_inside, ior, 1.0f / ior);
-  Float ci1 = clamp_to(-dot3(d0, n1), 0.0f, 1.0f);
-  Float ct1_squared = transmitted_cosine_squared(eta1, ci1);
-  Float ct1 = sqrt(max_of(ct1_squared, 0.0f));
-  Float r1 = sel(ct1_squared < 0.0f, Float(1.0f), fresnel_reflectance(eta1, ci1, ct1));
-  Vec3 d1 = refracted(d0, n1, eta1, ci1, ct1);
-
-  Hit exit = intersect_secant(view_exit_position, u.from_scene, u.window, u.depth, p1, d1, u.method.x,
-                              true);
-  Float inside_length = sel(solid, max_of(exit.distance, 0.0f), Float(0.0f));
-  Vec3 p2 = p1 + d1 * inside_length;
-  Vec3 n2 = facing_normal(exit_normal_at(p2, -d1), d1, Bool(true));
-  Float ci2 = clamp_to(-dot3(d1, n2), 0.0f, 1.0f);
-  Float ct2_squared = transmitted_cosine_squared(ior, ci2);
-  Bool trapped = solid && ct2_squared < 0.0f;
-  Float ct2 = sqrt(max_of(ct2_squared, 0.0f));
+// `inside`: the ray past the first surface; where the glass is not solid there is no second.
+Exit leave_glass(IN(Ray) inside, Float ior, Bool solid) {
+  Hit hit = intersect_secant(view_exit_position, u.view, search_along(u.view, inside, u.iterations, true));
+  Exit exit;
+  exit.inside_length = sel(solid, max_of(hit.distance, 0.0f), Float(0.0f));
+  exit.ray.start = point_along(inside, exit.inside_length);
+  Vec3 normal = facing_normal(exit_normal_at(exit.ray.start, -inside.direction), inside.direction, Bool(true));
+  Refraction bent = refraction_at(inside.direction, normal, ior);
   // What cannot leave is mirrored inside once and then followed straight on.
-  Vec3 leaving = sel(trapped, reflected(d1, n2, ci2), refracted(d1, n2, ior, ci2, ct2));
-  Vec3 d2 = sel(solid, leaving, d1);
-  Float r2 = sel(solid && !trapped, fresnel_reflectance(ior, ci2, ct2), Float(0.0f));
+  Vec3 leaving = sel(solid && bent.total, reflected(inside.direction, normal, bent.cosine), bent.direction);
+  exit.ray.direction = sel(solid, leaving, inside.direction);
+  exit.reflectance = sel(solid && !bent.total, bent.reflectance, Float(0.0f));
+  return exit;
+}
 
-  Vec3 behind = radiance_along(p2, d2) * tint * transmittance(Vec3(absorption), inside_length);
-  Vec3 mirrored = radiance_along(p1, reflected(d0, n1, ci1));
-  Vec3 metal = mirrored * metal_reflectance(tint, ci1);
+// What a pixel shows of the casters.
+struct Front {
+  Bool from_inside;  // the camera looks at the surface from inside the material
+  Vec3 point;
+  Vec3 outward;      // the surface's normal
+  Material material;
+};
+
+Front front_at(Vec4 position, Int column, Int row) {
+  Vec4 normal = texel_fetch(view_caster_normal, column, row);
+  Front front;
+  front.from_inside = is_back_face(position);
+  front.point = Vec3(position);
+  front.outward = Vec3(normal);
+  front.material = fetch_material(caster_materials, material_row(normal));
+  if (u.has_caster_tint != 0) front.material.color = Vec3(texel_fetch(view_caster_tint, column, row));
+  return front;
+}
+
+// Radiance that a caster's surface sends to the camera.
+Vec3 radiance_of(IN(Front) front) {
+  Material material = front.material;
+  Vec3 sight = Vec3(u.forward);
+  if (u.view.kind != VIEW_PARALLEL) sight = normalize_or(front.point - Vec3(u.eye), Vec3(u.forward));
+  Vec3 normal = facing_normal(front.outward, sight, front.from_inside);
+  Float eta = sel(front.from_inside, material.ior, 1.0f / material.ior);
+  Refraction bent = refraction_at(sight, normal, eta);
+  Bool solid = material.solid && !front.from_inside;
+  Exit exit = leave_glass(ray_from(front.point, bent.direction), material.ior, solid);
+
+  Vec3 behind = radiance_along(exit.ray) * material.color * transmittance(material.absorption, exit.inside_length);
+  Vec3 mirrored = radiance_along(ray_from(front.point, reflected(sight, normal, bent.cosine)));
+  Vec3 metal = mirrored * metal_reflectance(material.color, bent.cosine);
   // The share that the second surface sends back is taken to leave as it would have: nothing is lost to black.
-  Vec3 glass = mirrored * r1 + behind * (1.0f - r1) * (1.0f - 0.5f * r2);
-  return sel(indices.w > 0.5f, metal, glass);
+  Vec3 glass = mirrored * bent.reflectance + behind * (1.0f - bent.reflectance) * (1.0f - 0.5f * exit.reflectance);
+  return sel(material.mirror, metal, glass);
 }
 
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
-  Vec4 entry = texel_fetch(view_caster_position, column, row);
-  Vec4 entry_normal = texel_fetch(view_caster_normal, column, row);
+  Vec4 caster = texel_fetch(view_caster_position, column, row);
   Vec4 surface = texel_fetch(view_position, column, row);
-  Float z = view_coordinates(u.from_scene, Vec3(entry)).z;
-  Float surface_z = view_coordinates(u.from_scene, Vec3(surface)).z;
-  Bool seen = entry.w != 0.0f && (surface.w == 0.0f || z < surface_z);
+  Float z = view_coordinates(u.view, Vec3(caster)).z;
+  Float surface_z = view_coordinates(u.view, Vec3(surface)).z;
+  Bool seen = is_covered(caster) && (!is_covered(surface) || z < surface_z);
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
-  if (any_lane(seen)) color = sel(seen, through_glass(entry, entry_normal), color);
+  if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row)), color);
   beauty = Vec4(color, Float(1.0f));
 }
 #endif

@@ -19,28 +19,21 @@ View impostor_view(const PassContext& context) {
 
 Pass impostor_map_pass() {
   return {
-      .definition =
-          {
-              .name = "impostor_map",
-              .purpose = "finds the receivers all around the casters",
-              .reads = {{.name = "base_color",
-                         .meaning = "the material's base colour; alpha masks cut holes",
-                         .of_material = true}},
-              .writes = {{.name = "impostor_position",
-                          .format = Format::RGBA32F,
-                          .meaning = "six tiles. xyz: position of the nearest receiver, metres, scene space; "
-                                     "w: its distance from the casters' centre, metres, 0 where there is none"}},
-              .depth = DepthWrite{.name = "impostor_depth",
-                                  .meaning = "window depth of the nearest receiver"},
-              .depth_state = {.compare = Compare::Less, .write = true},
-              .shader = &impostor_map_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.distance_impostors.active) return {};
-        return "landings are looked up around the casters";
-      },
+      .name = "impostor_map",
+      .purpose = "finds the receivers all around the casters",
+      .reason = "landings are looked up around the casters",
+      .when = {&Effects::distance_impostors},
       .draws = DrawSet::Receivers,
-      .extent = Extent::Map,
+      .size = map_size,
+      .reads = {{.name = "base_color",
+                 .meaning = "the material's base colour; alpha masks cut holes",
+                 .of_material = true}},
+      .writes = {{.name = "impostor_position",
+                  .meaning = "six tiles. xyz: position of the nearest receiver, metres, scene space; "
+                             "w: its distance from the casters' centre, metres, 0 where there is none"}},
+      .depth = DepthWrite{.name = "impostor_depth", .meaning = "window depth of the nearest receiver"},
+      .depth_state = {.compare = Compare::Less, .write = true},
+      .shaders = {{&impostor_map_shader}},
       .uniforms =
           [](const PassContext& context) {
             return uniform_bytes(receiver_map_uniforms(impostor_view(context), *context.material));

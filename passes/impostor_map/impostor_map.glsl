@@ -1,4 +1,5 @@
 // Receivers seen from the middle of the casters, all around: their positions, for distance impostors.
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
 UNIFORMS_END
@@ -15,18 +16,18 @@ ATTRIBUTE(3, Vec2, uv)
 void main() {
   surface_position = position;
   surface_uv = uv;
-  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
 OUTPUT(0, Vec4, impostor_position)
-#include "passes/shared/cutout.glsl"
+#include "passes/shared/alpha_mask.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  discard_if(outside_tile(u.window, u.depth, u.alpha.w) || cut_out(surface_uv));
-  Float distance = length3(view_coordinates(u.from_scene, surface_position));
+  discard_if(outside_tile(u.view, u.map_side) || cut_out(u.mask, surface_uv));
+  Float distance = length3(view_coordinates(u.view, surface_position));
   impostor_position = Vec4(surface_position, max_of(distance, 1.0e-30f));
 }
 #endif

@@ -1,9 +1,11 @@
 // Where each grid vertex's light lands: bend it at the caster, find the exit, bend it again, find the
 // receiver; and what happened to its flux on the way. landing.md explains.
+#include "passes/shared/light_cone.glsl"
+#include "passes/medium/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
 #include "passes/landing/landing_uniforms.glsl"
 #ifdef HAZE
-#include "passes/medium/medium_uniforms.glsl"
+Medium medium;
 #endif
 UNIFORMS_END
 TEXTURE(0, caster_position)
@@ -29,87 +31,362 @@ OUTPUT(5, Vec4, landing_start)
 OUTPUT(6, Vec4, landing_way)
 OUTPUT(7, Vec4, landing_start_flux)
 #endif
+#include "passes/shared/caster_material.glsl"
+#include "passes/shared/cone_falloff.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/view_space.glsl"
+#include "passes/shared/landing_status.glsl"
 #include "passes/shared/optics.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/ray.glsl"
+#include "passes/shared/refraction.glsl"
+#include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
-#include "passes/shared/light_intensity.glsl"
 #ifdef HAZE
-#include "passes/medium/medium.glsl"
+#include "passes/medium/medium_optics.glsl"
 #endif
 
-Hit find_surface(Texture positions, vec4 window, vec4 depth, Vec3 start, Vec3 direction,
-                 bool beyond_is_behind) {
+// Enter the caster: a grid vertex, the light's flux on its cell, the first surface.
+
+struct Entry {
+  Bool covered;      // there is a caster here, and its light is to be followed
+  Bool from_inside;  // the light meets the surface from inside the material
+  Vec3 point;
+  Vec3 outward;      // the surface's normal
+  Material material;
+  Int face;          // of a cube's caster map: whose tile the vertex is in, and whether beyond that face, where it
+  Bool guard;        // belongs to another and carries no flux
+};
+
+// In which tile of a cube's caster map does the grid vertex lie, and where in it?
+void find_tile(Int column, Int row, INOUT(Entry) entry) {
+  Float tile_column = floor((Float(column) + 0.5f) / u.tile_width);
+  Float tile_row = floor((Float(row) + 0.5f) / u.tile_height);
+  Float x = Float(column) - tile_column * u.tile_width;
+  Float y = Float(row) - tile_row * u.tile_height;
+  float guard = u.tile_guard;
+  entry.face = floor_to_int(tile_row * 3.0f + tile_column);
+  entry.guard = x < guard || x >= u.tile_width - guard || y < guard || y >= u.tile_height - guard;
+  // What is left over at the texture's edge is no tile.
+  entry.covered = entry.covered && tile_column < 2.5f && tile_row < 1.5f;
+}
+
+Entry entry_at(Int column, Int row) {
+  Vec4 position = texel_fetch(caster_position, column, row);
+  Entry entry;
+  entry.covered = is_covered(position);
+  entry.from_inside = is_back_face(position);
+  entry.point = Vec3(position);
+  entry.face = Int(FACE_FORWARD);
+  entry.guard = Bool(false);
+  if (u.only_unconverged != 0)
+    entry.covered = entry.covered && has_status(texel_fetch(landed_before, column, row), STATUS_NOT_CONVERGED);
+  if (u.caster.kind == VIEW_CUBE) find_tile(column, row, entry);
+  return entry;
+}
+
+// What the surface is like that the light enters by.
+void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
+  Vec4 normal = texel_fetch(caster_normal, column, row);
+  entry.outward = Vec3(normal);
+  entry.material = fetch_material(caster_materials, material_row(normal));
+  if (u.has_caster_tint != 0) entry.material.color = Vec3(texel_fetch(caster_tint, column, row));
+  // What metal mirrors is the whole of its light, and followed as such.
+  if (u.is_reflection != 0) entry.covered = entry.covered && !entry.material.mirror && !entry.from_inside;
+  entry.material.mirror = entry.material.mirror && u.has_mirrors != 0;
+}
+
+// The light that falls on a grid vertex's cell.
+struct Incident {
+  Vec3 direction;
+  Float flux;  // relative to the light's intensity
+};
+
+// The solid angle of a grid vertex's cell from a point light, by the midpoint form. q: the vertex, in view coordinates.
+Float solid_angle(Vec3 q, Int face, Bool covered) {
+  Vec3 t = in_face(u.caster, q, face);
+  Float w = sel(covered, t.z, Float(1.0f));
+  Float x = t.x / w;
+  Float y = t.y / w;
+  Float squared = 1.0f + x * x + y * y;
+  return u.cell_area / (squared * sqrt(squared));
+}
+
+// The flux onto the cell is its area across parallel light; its solid angle from a point, times the cone's falloff.
+Incident light_onto(IN(Entry) entry) {
+  Incident light;
+  light.direction = Vec3(u.light);
+  light.flux = Float(u.cell_area);
+  if (u.caster.kind != VIEW_PARALLEL) {
+    light.direction = normalize_or(entry.point - Vec3(u.light), Vec3(u.cone.axis));
+    light.flux = solid_angle(view_coordinates(u.caster, entry.point), entry.face, entry.covered) *
+                 cone_falloff(u.cone, light.direction);
+  }
+  light.flux = sel(entry.covered && !entry.guard, light.flux, Float(0.0f));
+  TRACE(light_direction, light.direction);
+  return light;
+}
+
+struct FirstSurface {
+  Vec3 normal;        // against the light
+  Float ior;          // of the material, for this branch's light
+  Float cosine;       // of the angle of incidence
+  Vec3 direction;     // of the light that goes on: refracted, or mirrored by metal
+  Float flux;         // that this branch has of the light on the cell,
+  Float reflectance;  // and how much of it the surface keeps off
+  Bool blocked;       // total internal reflection
+};
+
+FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
+  FirstSurface first;
+  first.normal = facing_normal(entry.outward, light.direction, entry.from_inside);
+  first.ior = entry.material.ior + entry.material.dispersion * u.bend;
+  Float eta = sel(entry.from_inside, first.ior, 1.0f / first.ior);
+  Refraction bent = refraction_at(light.direction, first.normal, eta);
+  Vec3 mirrored = reflected(light.direction, first.normal, bent.cosine);
+  first.cosine = bent.cosine;
+  first.direction = sel(entry.material.mirror, mirrored, bent.direction);
+  first.flux = light.flux;
+  first.blocked = !entry.material.mirror && bent.total;
+  first.reflectance = sel(first.blocked || entry.material.mirror, Float(0.0f), bent.reflectance);
+  if (u.is_reflection != 0) {
+    first.direction = mirrored;
+    first.flux = light.flux * first.reflectance;
+    first.blocked = Bool(false);
+    first.reflectance = Float(0.0f);
+  }
+  TRACE(entry_normal, first.normal);
+  TRACE(inside_direction, first.direction);
+  TRACE(entry_reflectance, first.reflectance);
+  return first;
+}
+
+// Cross the caster: the way inside, the second surface.
+
+// Where the ray meets the surface, by the estimator that was asked for.
+Hit find_surface(Texture positions, IN(View) view, IN(Ray) ray, bool beyond_is_behind) {
+  Search search = search_along(view, ray, u.iterations, beyond_is_behind);
   Hit hit;
-  if (u.method.y == 0) {
-    hit = intersect_paper(positions, u.from_scene, window, depth, start, direction, Float(0.0f),
-                          u.method.x);
-  } else if (u.method.y == 2) {
-    hit = intersect_newton(positions, u.from_scene, window, depth, start, direction, u.method.x);
+  if (u.estimator == ESTIMATOR_PAPER) {
+    hit = intersect_paper(positions, view, search);
+  } else if (u.estimator == ESTIMATOR_NEWTON) {
+    hit = intersect_newton(positions, view, search);
   } else {
-    hit = intersect_secant(positions, u.from_scene, window, depth, start, direction, u.method.x,
-                           beyond_is_behind);
+    hit = intersect_secant(positions, view, search);
   }
   return hit;
-}
-
-// Where the light lands. Impostors are for this only: what a ray leaves a solid through is found by the secant.
-Hit find_receiver(Vec3 start, Vec3 direction) {
-  Hit hit;
-  if (u.method.y == 3) {
-    hit = intersect_impostor(impostor_position, u.impostor_from_scene, u.impostor_window, u.impostor_depth, start,
-                             direction, Vec3(u.impostor_centre), u.method.x);
-  } else {
-    hit = find_surface(receiver_position, u.receiver_window, u.receiver_depth, start, direction, false);
-  }
-  return hit;
-}
-
-// The larger extent of a texel at view coordinates q, metres.
-Float texel_extent(Texture t, Vec3 q, vec4 window, vec4 depth) {
-  Float across = Float(1.0f / (window.x * float(texture_width(t))));
-  Float along = Float(1.0f / (window.y * float(texture_height(t))));
-  return view_w(q, depth) * max_of(across, along);
-}
-
-// The smooth normal where the ray leaves: interpolated where all four texels are covered and lean the same way. A
-// mixture of the normals of two faces, shorter than either, is no face's own: light would leave by a crease where none goes.
-Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
-  Vec2 uv = view_uv(view_coordinates(u.from_scene, p), u.caster_window, u.caster_depth);
-  Vec4 smooth_normal = fetch_bilinear(caster_exit_normal, uv.x, uv.y);
-  Vec4 nearest = fetch_nearest(caster_exit_normal, uv.x, uv.y);
-  Vec3 mixed = Vec3(smooth_normal);
-  Vec3 chosen = sel(smooth_normal.w > 0.999f && dot3(mixed, mixed) > 0.95f, mixed, Vec3(nearest));
-  return normalize_or(chosen, fallback);
 }
 
 Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot3(a, b)); }
 
 // The way inside that Wyman (2005) takes: between the thickness along the light, d_V, and that along the normal,
 // d_N, in the ratio of the angles of refraction and incidence. He finds d_N beforehand; here it is met in the exit map.
-// d0: the light's direction; d1: inside; n: the normal against the light.
-Hit thickness_of_wyman(Vec3 p, Vec3 q, Vec3 d0, Vec3 d1, Vec3 n, Float ior) {
-  Vec2 uv = view_uv(q, u.caster_window, u.caster_depth);
+Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
+  Vec2 uv = view_uv(u.caster, view_coordinates(u.caster, p));
   Vec4 behind = fetch_nearest(caster_exit_position, uv.x, uv.y);
-  Hit hit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p, -n, true);
-  Float incidence = angle_between(d0, -n);
-  Float refraction = angle_between(d1, -n);
+  Hit hit = find_surface(caster_exit_position, u.caster, ray_from(p, -first.normal), true);
+  Float incidence = angle_between(light_direction, -first.normal);
+  Float refraction = angle_between(first.direction, -first.normal);
   Bool slanted = incidence > 1.0e-3f;
-  Float ratio = sel(slanted, refraction / sel(slanted, incidence, Float(1.0f)), 1.0f / ior);
-  Float along_light = max_of(dot3(Vec3(behind) - p, d0), 0.0f);
+  Float ratio = sel(slanted, refraction / sel(slanted, incidence, Float(1.0f)), 1.0f / first.ior);
+  Float along_light = max_of(dot3(Vec3(behind) - p, light_direction), 0.0f);
   hit.distance = along_light * ratio + max_of(hit.distance, 0.0f) * (1.0f - ratio);
   // An estimate, not a search: nothing to converge.
-  hit.residual = sel(behind.w != 0.0f, Float(0.0f), Float(1.0e30f));
+  hit.residual = sel(is_covered(behind), Float(0.0f), Float(1.0e30f));
   return hit;
 }
+
+// The smooth normal where the ray leaves: interpolated where all four texels are covered and lean the same way. A
+// mixture of the normals of two faces, shorter than either, is no face's own: light would leave by a crease where none goes.
+Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
+  Vec2 uv = view_uv(u.caster, view_coordinates(u.caster, p));
+  Vec4 smooth_normal = fetch_bilinear(caster_exit_normal, uv.x, uv.y);
+  Vec4 nearest = fetch_nearest(caster_exit_normal, uv.x, uv.y);
+  Vec3 mixed = Vec3(smooth_normal);
+  Vec3 chosen = sel(is_fully_covered(smooth_normal) && dot3(mixed, mixed) > 0.95f, mixed, Vec3(nearest));
+  return normalize_or(chosen, fallback);
+}
+
+// The light as it leaves the caster.
+struct Exit {
+  Ray ray;
+  Float inside_length;  // metres
+  Float reflectance;    // of the second surface
+  Bool blocked;         // total internal reflection, at either surface
+  Bool unknown;         // no second surface was met
+  Bool sent;            // light leaves, and it is known where
+};
+
+// The light that leaves where it has entered: by an open surface, or mirrored.
+Exit straight_exit(IN(Entry) entry, IN(FirstSurface) first) {
+  Exit exit;
+  exit.ray = ray_from(entry.point, first.direction);
+  exit.inside_length = Float(0.0f);
+  exit.reflectance = Float(0.0f);
+  exit.blocked = first.blocked;
+  exit.unknown = Bool(false);
+  return exit;
+}
+
+// Light that comes into a solid caster from outside leaves it by a second surface.
+Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first) {
+  Exit exit = straight_exit(entry, first);
+  if (u.has_exit_maps != 0 && u.is_reflection == 0) {
+    Bool solid = entry.material.solid && !entry.from_inside && !first.blocked;
+    Hit hit;
+    if (u.wyman_thickness != 0) {
+      hit = thickness_of_wyman(entry.point, light_direction, first);
+    } else {
+      hit = find_surface(caster_exit_position, u.caster, exit.ray, true);
+    }
+    Float length = max_of(hit.distance, 0.0f);
+    exit.inside_length = sel(solid, length, Float(0.0f));
+    exit.ray.start = sel(solid, point_along(exit.ray, length), entry.point);
+    Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.point);
+    exit.unknown = solid && !(hit.residual <= tolerance);
+    Vec3 normal = facing_normal(exit_normal_at(exit.ray.start, -first.direction), first.direction, Bool(true));
+    Refraction bent = refraction_at(first.direction, normal, first.ior);
+    exit.blocked = first.blocked || (solid && bent.total);
+    exit.ray.direction = sel(solid, bent.direction, first.direction);
+    exit.reflectance = sel(solid && !bent.total, bent.reflectance, Float(0.0f));
+    TRACE(exit_point, exit.ray.start);
+    TRACE(exit_residual, hit.residual);
+    TRACE(exit_normal, normal);
+    TRACE(exit_reflectance, exit.reflectance);
+  }
+  exit.sent = entry.covered && !exit.blocked && !exit.unknown;
+  TRACE(outside_direction, exit.ray.direction);
+  return exit;
+}
+
+// Fly to the receiver.
+
+// Impostors are for the landing only: what a ray leaves a solid through is found by the secant.
+Hit find_receiver(IN(Ray) ray) {
+  Hit hit;
+  if (u.estimator == ESTIMATOR_IMPOSTOR) {
+    hit = intersect_impostor(impostor_position, u.impostor, Vec3(u.impostor_centre), ray, u.iterations);
+  } else {
+    hit = find_surface(receiver_position, u.receiver, ray, false);
+  }
+  return hit;
+}
+
+struct Landing {
+  Vec3 point;
+  Float flight;    // from the caster, metres
+  Hit hit;
+  Bool converged;  // the search ended on a surface
+};
+
+Landing fly_to_receiver(IN(Ray) ray) {
+  Landing end;
+  end.hit = find_receiver(ray);
+  end.flight = max_of(end.hit.distance, 0.0f);
+  end.point = point_along(ray, end.flight);
+  Float tolerance = u.landing_tolerance * texel_extent_at(receiver_position, u.receiver, end.point);
+  if (u.estimator == ESTIMATOR_IMPOSTOR)
+    tolerance = u.landing_tolerance * texel_extent_at(impostor_position, u.impostor, end.point);
+  end.converged = end.hit.residual <= tolerance;
+  TRACE(landing_point, end.point);
+  TRACE(landing_residual, end.hit.residual);
+  return end;
+}
+
+// Book the flux.
+
+struct Account {
+  Float entered;   // on the cell
+  Vec3 mirrored;   // at the surfaces
+  Vec3 absorbed;   // in the material
+  Vec3 leaving;    // from the caster
+  Vec3 carried;    // to the landing
+  Vec3 taken;      // by the air, before the caster and after it,
+  Float air_way;   // along which it goes so far, metres
+};
+
+// What the material lets through: by its length, and by its colour, which tints what glass lets through
+// (KHR_materials_transmission); what metal does not mirror it absorbs. What glass mirrors has no colour.
+Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, Float absorbing_length) {
+  Vec3 passed = transmittance(entry.material.absorption, absorbing_length);
+  if (u.is_reflection == 0) {
+    Vec3 color = entry.material.color;
+    passed = passed * sel(first.blocked, Vec3(1.0f), color);
+    if (u.has_mirrors != 0)
+      passed = sel(entry.material.mirror, metal_reflectance(color, first.cosine), passed);
+  }
+  return passed;
+}
+
+Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(Landing) end) {
+  // Through one interface only, the material reaches down to the receiver (water on its bed).
+  Bool lands = exit.sent && end.hit.covered && end.converged;
+  Bool open = !entry.material.solid && !entry.from_inside && !entry.material.mirror && u.is_reflection == 0;
+  Float absorbing_length = sel(open, sel(lands, end.flight, Float(0.0f)), exit.inside_length);
+  Vec3 passed = let_through(entry, first, absorbing_length);
+  // Shah et al. 2007, eq. 6 with (1/V) of the flux onto all V texels: N.L of the cell's own flux.
+  Float weight = Float(1.0f);
+  Float reflectance1 = first.reflectance;
+  Float reflectance2 = exit.reflectance;
+  if (u.paper_weights != 0) {
+    weight = first.cosine;
+    reflectance1 = Float(0.0f);
+    reflectance2 = Float(0.0f);
+  }
+  Account account;
+  account.entered = first.flux * weight;
+  Float let_in = account.entered * (1.0f - reflectance1);
+  Vec3 inside = passed * let_in;
+  account.leaving = inside * (1.0f - reflectance2);
+  account.absorbed = Vec3(let_in) - inside;
+  account.mirrored = Vec3(account.entered * reflectance1) + inside * reflectance2;
+  account.carried = account.leaving;
+  account.taken = Vec3(0.0f);
+  account.air_way = Float(0.0f);
+  return account;
+}
+
+#ifdef HAZE
+// How far light has come through the medium to p: from its position, which lies in the box, or from where it enters it.
+Float air_before(Vec3 p, Vec3 travel) {
+  Float way = Float(0.0f);
+  if (u.caster.kind == VIEW_PARALLEL) {
+    way = medium_exit(u.medium, ray_from(p, -travel));
+  } else {
+    way = length3(p - Vec3(u.light));
+  }
+  return way;
+}
+
+// What the air takes before the caster; then on the way from it to the landing, or out of the medium.
+void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing) end, INOUT(Account) account) {
+  Vec3 arriving = transmittance(Vec3(u.medium.extinction), air_before(entry_point, light_direction));
+  Vec3 taken = Vec3(account.entered) - arriving * account.entered;
+  account.mirrored = account.mirrored * arriving;
+  account.absorbed = account.absorbed * arriving;
+  // What is mirrored off a dielectric came with the light that is let in, and has been booked there: what it lost
+  // before is not Fresnel's.
+  if (u.is_reflection != 0) {
+    account.mirrored = taken;
+    taken = Vec3(0.0f);
+  }
+  account.leaving = account.leaving * arriving;
+  Float way_out = medium_exit(u.medium, exit.ray);
+  Bool meets = end.hit.inside && end.hit.covered && end.converged;
+  account.air_way = sel(exit.sent, sel(meets, min_of(end.flight, way_out), way_out), Float(0.0f));
+  account.carried = account.leaving * transmittance(Vec3(u.medium.extinction), account.air_way);
+  account.taken = taken + (account.leaving - account.carried);
+}
+#endif
+
+// Decide the status.
 
 Float inverse(Float x) { return sel(abs(x) > 1.0e-20f, 1.0f / sel(x != 0.0f, x, Float(1.0f)), Float(1.0e20f)); }
 
 // Does the ray, from its start on, meet the box around all receivers? (Slabs: Kay and Kajiya 1986.)
-Bool meets_receivers(Vec3 start, Vec3 direction) {
-  Vec3 per = Vec3(inverse(direction.x), inverse(direction.y), inverse(direction.z));
-  Vec3 a = (Vec3(u.receivers_lower) - start) * per;
-  Vec3 b = (Vec3(u.receivers_upper) - start) * per;
+Bool meets_receivers(IN(Ray) ray) {
+  Vec3 per = Vec3(inverse(ray.direction.x), inverse(ray.direction.y), inverse(ray.direction.z));
+  Vec3 a = (Vec3(u.receivers_lower) - ray.start) * per;
+  Vec3 b = (Vec3(u.receivers_upper) - ray.start) * per;
   Float enters = max_of(max_of(min_of(a.x, b.x), min_of(a.y, b.y)), min_of(a.z, b.z));
   Float leaves = min_of(min_of(max_of(a.x, b.x), max_of(a.y, b.y)), max_of(a.z, b.z));
   return leaves >= max_of(enters, Float(0.0f));
@@ -117,196 +394,29 @@ Bool meets_receivers(Vec3 start, Vec3 direction) {
 
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
-// The light's flux on a grid vertex's cell at view coordinates q, seen by `face`, relative to its intensity: the
-// solid angle from a point, by the midpoint form.
-Float solid_angle(Vec3 q, Int face, Bool covered) {
-  Vec3 t = in_face(q, face, u.caster_depth);
-  Float w = sel(covered, t.z, Float(1.0f));
-  Float x = t.x / w;
-  Float y = t.y / w;
-  Float squared = 1.0f + x * x + y * y;
-  return u.cell.x / (squared * sqrt(squared));
-}
-
-// Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros. `face` and
-// `guard` of a cube's caster map: whose tile the vertex is in, and whether beyond that face, where it belongs to
-// another and carries no flux.
-void follow(Vec4 entry, Vec4 entry_normal, Bool covered, Int face, Bool guard) {
-  Bool from_inside = entry.w < 0.0f;
-  Vec3 p1 = Vec3(entry);
-  Int material = floor_to_int(entry_normal.w + 0.5f);
-  Vec4 indices = fetch_clamped(caster_materials, Int(0), material);
-  Vec4 absorption = fetch_clamped(caster_materials, Int(1), material);
-  Bool mirrors = u.cell.w > 0.5f && indices.w > 0.5f;
-  if (u.variant.x == 1) covered = covered && indices.w < 0.5f && !from_inside;
-  TRACE(entry_point, p1);
-
-  // Flux onto the cell, relative to the light's intensity: its area across parallel light; its solid
-  // angle (midpoint form) from a point, times the cone's falloff.
-  Vec3 q1 = view_coordinates(u.from_scene, p1);
-  Vec3 d0 = Vec3(u.light);
-  Float entered = Float(u.cell.x);
-  if (u.caster_depth.z > 0.5f) {
-    d0 = normalize_or(p1 - Vec3(u.light), Vec3(u.cone_axis));
-    entered = solid_angle(q1, face, covered) * cone_falloff(d0);
-  }
-  entered = sel(covered && !guard, entered, Float(0.0f));
-  TRACE(light_direction, d0);
-
-  // First interface.
-  Vec3 n1 = facing_normal(Vec3(entry_normal), d0, from_inside);
-  Float ior = indices.x + indices.y * u.branch.w;
-  Float eta1 = sel(from_inside, ior, 1.0f / ior);
-  Float ci1 = clamp_to(-dot3(d0, n1), 0.0f, 1.0f);
-  Float ct1_squared = transmitted_cosine_squared(eta1, ci1);
-  Bool blocked1 = !mirrors && ct1_squared < 0.0f;
-  Float ct1 = sqrt(max_of(ct1_squared, 0.0f));
-  Vec3 d1 = refracted(d0, n1, eta1, ci1, ct1);
-  Float r1 = sel(blocked1 || mirrors, Float(0.0f), fresnel_reflectance(eta1, ci1, ct1));
-  d1 = sel(mirrors, reflected(d0, n1, ci1), d1);
-  if (u.variant.x == 1) {
-    entered = entered * r1;
-    d1 = reflected(d0, n1, ci1);
-    blocked1 = Bool(false);
-    r1 = Float(0.0f);
-  }
-  TRACE(entry_normal, n1);
-  TRACE(inside_direction, d1);
-  TRACE(entry_reflectance, r1);
-
-  // Second interface, where the caster is solid and the light comes from outside.
-  Vec3 p2 = p1;
-  Vec3 d2 = d1;
-  Float r2 = Float(0.0f);
-  Float inside_length = Float(0.0f);
-  Bool blocked2 = Bool(false);
-  Bool exit_unknown = Bool(false);
-  if (u.method.w == 1 && u.variant.x == 0) {
-    Bool solid = absorption.w > 0.5f && !from_inside && !blocked1;
-    Hit exit;
-    if (u.variant.y == 1) {
-      exit = thickness_of_wyman(p1, q1, d0, d1, n1, ior);
-    } else {
-      exit = find_surface(caster_exit_position, u.caster_window, u.caster_depth, p1, d1, true);
-    }
-    Float length = max_of(exit.distance, 0.0f);
-    p2 = sel(solid, p1 + d1 * length, p1);
-    inside_length = sel(solid, length, Float(0.0f));
-    Float tolerance =
-        u.cell.y * texel_extent(caster_exit_position, q1, u.caster_window, u.caster_depth);
-    exit_unknown = solid && !(exit.residual <= tolerance);
-    Vec3 n2 = facing_normal(exit_normal_at(p2, -d1), d1, Bool(true));
-    Float ci2 = clamp_to(-dot3(d1, n2), 0.0f, 1.0f);
-    Float ct2_squared = transmitted_cosine_squared(ior, ci2);
-    blocked2 = solid && ct2_squared < 0.0f;
-    Float ct2 = sqrt(max_of(ct2_squared, 0.0f));
-    d2 = sel(solid, refracted(d1, n2, ior, ci2, ct2), d1);
-    r2 = sel(solid && !blocked2, fresnel_reflectance(ior, ci2, ct2), Float(0.0f));
-    TRACE(exit_point, p2);
-    TRACE(exit_residual, exit.residual);
-    TRACE(exit_normal, n2);
-    TRACE(exit_reflectance, r2);
-  }
-  TRACE(outside_direction, d2);
-
-  Hit hit = find_receiver(p2, d2);
-  Float flight = max_of(hit.distance, 0.0f);
-  Vec3 p3 = p2 + d2 * flight;
-  Vec3 q3 = view_coordinates(u.from_scene, p3);
-  Vec2 uv3 = view_uv(q3, u.caustic_window, u.caustic_depth);
-  Float tolerance =
-      u.cell.z * texel_extent(receiver_position, q3, u.receiver_window, u.receiver_depth);
-  if (u.method.y == 3) {
-    Vec3 around = view_coordinates(u.impostor_from_scene, p3);
-    tolerance = u.cell.z * texel_extent(impostor_position, around, u.impostor_window, u.impostor_depth);
-  }
-  Bool converged = hit.residual <= tolerance;
-  TRACE(landing_point, p3);
-  TRACE(landing_residual, hit.residual);
-
-  // Through one interface only, the medium reaches down to the receiver (water on its bed).
-  Bool lands = covered && !blocked1 && !blocked2 && !exit_unknown && hit.covered && converged;
-  Bool open_medium = absorption.w < 0.5f && !from_inside && !mirrors && u.variant.x == 0;
-  Float absorbing_length = sel(open_medium, sel(lands, flight, Float(0.0f)), inside_length);
-  Vec3 passed = transmittance(Vec3(absorption), absorbing_length);
-  // The base colour tints what glass lets through (KHR_materials_transmission); what metal does not mirror it
-  // absorbs. What glass mirrors has no colour.
-  if (u.variant.x == 0) {
-    Vec3 color = Vec3(fetch_clamped(caster_materials, Int(2), material));
-    if (u.variant.z == 1) color = Vec3(texel_fetch(caster_tint, floor_to_int(frag_x()), floor_to_int(frag_y())));
-    passed = passed * sel(blocked1, Vec3(1.0f), color);
-    if (u.cell.w > 0.5f) passed = sel(mirrors, metal_reflectance(color, ci1), passed);
-  }
-
-  // Shah et al. 2007, eq. 6 with (1/V) of the flux onto all V texels: N.L of the cell's own flux.
-  Float weight = Float(1.0f);
-  if (u.method.z == 1) {
-    weight = ci1;
-    r1 = Float(0.0f);
-    r2 = Float(0.0f);
-  }
-  entered = entered * weight;
-  Float refracted_in = entered * (1.0f - r1);
-  Vec3 after_medium = passed * refracted_in;
-  Vec3 carried = after_medium * (1.0f - r2);
-  Vec3 absorbed = Vec3(refracted_in) - after_medium;
-  Vec3 mirrored = Vec3(entered * r1) + after_medium * r2;
-#ifdef HAZE
-  // What the air takes before the caster; then on the way from it to the landing, or out of the medium.
-  bool positional = u.caster_depth.z > 0.5f;
-  Vec3 arriving = transmittance(Vec3(u.extinction), light_way(p1, d0, Vec3(u.light), positional));
-  Vec3 taken = Vec3(entered) - arriving * entered;
-  mirrored = mirrored * arriving;
-  absorbed = absorbed * arriving;
-  // What is mirrored off a dielectric came with the light that is let in, and has been booked there: what it lost
-  // before is not Fresnel's.
-  if (u.variant.x == 1) {
-    mirrored = taken;
-    taken = Vec3(0.0f);
-  }
-  Vec3 leaving = carried * arriving;
-  Float way_out = medium_exit(p2, d2);
-  Bool meets = hit.inside && hit.covered && converged;
-  Bool sent = covered && !blocked1 && !blocked2 && !exit_unknown;
-  Float way = sel(sent, sel(meets, min_of(flight, way_out), way_out), Float(0.0f));
-  carried = leaving * transmittance(Vec3(u.extinction), way);
-  taken = taken + (leaving - carried);
-#endif
-  Bool exhausted = !guard && largest(carried) <= entered * 1.0e-6f;
-
-  Float status = Float(1.0f);
-  status = sel(!inside_unit(uv3.x, uv3.y), Float(3.0f), status);
-  status = sel(exhausted, Float(5.0f), status);
-  status = sel(!converged, Float(6.0f), status);
-  status = sel(!hit.covered, Float(2.0f), status);
+// From the last step of the way to the first: what ends the light earlier overrides what would have happened later.
+Float status_of(IN(Entry) entry, IN(Exit) exit, IN(Landing) end, IN(Account) account) {
+  Vec2 uv = view_uv(u.caustic, view_coordinates(u.caustic, end.point));
+  Bool exhausted = !entry.guard && largest(account.carried) <= account.entered * 1.0e-6f;
+  Float status = Float(STATUS_LANDED);
+  status = sel(!inside_unit(uv.x, uv.y), Float(STATUS_OUTSIDE), status);
+  status = sel(exhausted, Float(STATUS_ABSORBED), status);
+  status = sel(!end.converged, Float(STATUS_NOT_CONVERGED), status);
+  status = sel(!end.hit.covered, Float(STATUS_MISSED), status);
   // What leaves the window where no receiver could be has missed them all.
-  Bool strays = !hit.inside || (hit.left && !converged);
-  if (any_lane(covered && strays)) {
-    status = sel(strays, sel(meets_receivers(p2, d2), Float(3.0f), Float(2.0f)), status);
+  Bool strays = !end.hit.inside || (end.hit.left && !end.converged);
+  if (any_lane(entry.covered && strays)) {
+    Float strayed = sel(meets_receivers(exit.ray), Float(STATUS_OUTSIDE), Float(STATUS_MISSED));
+    status = sel(strays, strayed, status);
   }
-  status = sel(exit_unknown, Float(6.0f), status);
-  status = sel(blocked1 || blocked2, Float(4.0f), status);
-  status = sel(covered, status, Float(0.0f));
+  status = sel(exit.unknown, Float(STATUS_NOT_CONVERGED), status);
+  status = sel(exit.blocked, Float(STATUS_TOTAL_REFLECTION), status);
+  status = sel(entry.covered, status, Float(STATUS_EMPTY));
   TRACE(status, status);
-
-  landing = sel(covered, Vec4(p3, status), Vec4(0.0f));
-  Vec3 share = Vec3(u.branch);
-  landing_flux = sel(covered, Vec4(carried * share, hit.residual), Vec4(0.0f));
-  landing_fresnel = sel(covered, Vec4(mirrored * share, entered), Vec4(0.0f));
-  landing_absorbed = sel(covered, Vec4(absorbed * share, inside_length), Vec4(0.0f));
-#ifdef HAZE
-  landing_medium = sel(covered, Vec4(taken * share, Float(0.0f)), Vec4(0.0f));
-  landing_start = sel(sent, Vec4(p2, way), Vec4(0.0f));
-  landing_way = sel(sent, Vec4(d2, Float(1.0f)), Vec4(0.0f));
-  landing_start_flux = sel(sent, Vec4(leaving * share, Float(0.0f)), Vec4(0.0f));
-#endif
+  return status;
 }
 
-void main() {
-  Int column = floor_to_int(frag_x());
-  Int row = floor_to_int(frag_y());
-  Vec4 entry = texel_fetch(caster_position, column, row);
-  Bool covered = entry.w != 0.0f;
+void clear_outputs() {
   landing = Vec4(0.0f);
   landing_flux = Vec4(0.0f);
   landing_fresnel = Vec4(0.0f);
@@ -317,19 +427,42 @@ void main() {
   landing_way = Vec4(0.0f);
   landing_start_flux = Vec4(0.0f);
 #endif
-  if (u.variant.w == 1) covered = covered && texel_fetch(landed_before, column, row).w == 6.0f;
-  Int face = Int(4);
-  Bool guard = Bool(false);
-  if (u.tile.w > 0.5f) {
-    Float tile_column = floor((Float(column) + 0.5f) / u.tile.x);
-    Float tile_row = floor((Float(row) + 0.5f) / u.tile.y);
-    Float x = Float(column) - tile_column * u.tile.x;
-    Float y = Float(row) - tile_row * u.tile.y;
-    face = floor_to_int(tile_row * 3.0f + tile_column);
-    guard = x < u.tile.z || x >= u.tile.x - u.tile.z || y < u.tile.z || y >= u.tile.y - u.tile.z;
-    // What is left over at the texture's edge is no tile.
-    covered = covered && tile_column < 2.5f && tile_row < 1.5f;
+}
+
+// Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros.
+void follow(IN(Entry) entry) {
+  TRACE(entry_point, entry.point);
+  Incident light = light_onto(entry);
+  FirstSurface first = enter_caster(entry, light);
+  Exit exit = cross_caster(entry, light.direction, first);
+  Landing end = fly_to_receiver(exit.ray);
+  Account account = book_caster(entry, first, exit, end);
+#ifdef HAZE
+  book_air(entry.point, light.direction, exit, end, account);
+#endif
+  Float status = status_of(entry, exit, end, account);
+
+  Vec3 share = Vec3(u.channel_share);
+  landing = sel(entry.covered, Vec4(end.point, status), Vec4(0.0f));
+  landing_flux = sel(entry.covered, Vec4(account.carried * share, end.hit.residual), Vec4(0.0f));
+  landing_fresnel = sel(entry.covered, Vec4(account.mirrored * share, account.entered), Vec4(0.0f));
+  landing_absorbed = sel(entry.covered, Vec4(account.absorbed * share, exit.inside_length), Vec4(0.0f));
+#ifdef HAZE
+  landing_medium = sel(entry.covered, Vec4(account.taken * share, Float(0.0f)), Vec4(0.0f));
+  landing_start = sel(exit.sent, Vec4(exit.ray.start, account.air_way), Vec4(0.0f));
+  landing_way = sel(exit.sent, Vec4(exit.ray.direction, Float(1.0f)), Vec4(0.0f));
+  landing_start_flux = sel(exit.sent, Vec4(account.leaving * share, Float(0.0f)), Vec4(0.0f));
+#endif
+}
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  clear_outputs();
+  Entry entry = entry_at(column, row);
+  if (any_lane(entry.covered)) {
+    find_surface_of(column, row, entry);
+    follow(entry);
   }
-  if (any_lane(covered)) follow(entry, texel_fetch(caster_normal, column, row), covered, face, guard);
 }
 #endif

@@ -1,26 +1,25 @@
 #pragma once
-#include <glm/glm.hpp>
-
+#include "passes/shared/light_uniforms.hpp"
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/shader/std140.hpp"
 
-namespace caustics {
+namespace caustics::std140 {
 
-struct LandingUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-  using ivec4 = glm::ivec4;
+struct Landing {
 #include "passes/landing/landing_uniforms.glsl"
 };
+
+}  // namespace caustics::std140
+
+namespace caustics {
 
 // How far from its surface a ray may end and still count as having met it, in texels' extents.
 inline constexpr float kExitTolerance = 2.0f;
 inline constexpr float kLandingTolerance = 2.0f;
 
-LandingUniforms landing_uniforms(const PassContext& context);
+std140::Landing landing_uniforms(const PassContext& context);
 
 // landing.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass landing_pass();
-// The same where a medium lies before and behind the caster, with what light shafts are drawn from.
-Pass landing_in_medium_pass();
 
 }  // namespace caustics

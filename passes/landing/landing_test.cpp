@@ -26,17 +26,18 @@ struct Bench {
   glm::vec3 color{1.0f};  // what glass lets through; of a mirror, its reflectance at normal incidence
   glm::vec3 absorption{0.0f};
   float dispersion = 0.0f;  // n_F - n_C
-  glm::vec4 branch{1.0f, 1.0f, 1.0f, 0.0f};
+  glm::vec3 channel_share{1.0f};
+  float bend = 0.0f;
   bool reflected = false;
   std::optional<glm::vec3> tint;  // the grid vertices' own colour, in place of `color`
   bool wyman = false;
   bool solid = false;
   float exit_height = 0.5f;
   glm::vec3 exit_normal{0.0f, -1.0f, 0.0f};
-  glm::vec4 receivers_lower{-100.0f, 0.0f, -100.0f, 0.0f}, receivers_upper{100.0f, 0.0f, 100.0f, 0.0f};
+  glm::vec3 receivers_lower{-100.0f, 0.0f, -100.0f}, receivers_upper{100.0f, 0.0f, 100.0f};
   int iterations = 5;
-  int estimator = 1;
-  int weights = 0;
+  int estimator = ESTIMATOR_SECANT;
+  bool paper_weights = false;
   Image receiver = floor_map(64, 0.0, 0.0);
   View impostors = with_atlas(cube_view({0.0, 2.0, 0.0}, {1.0, 20.0}), 300);
   Image impostor;  // positions around impostors.origin
@@ -56,28 +57,33 @@ struct Bench {
   }
 
   PassImages run() const {
-    const ViewUniforms f = pack(view);
-    LandingUniforms u{.from_scene = f.from_scene,
-                      .caster_window = f.window,
-                      .caster_depth = f.depth,
-                      .receiver_window = f.window,
-                      .receiver_depth = f.depth,
-                      .caustic_window = f.window,
-                      .caustic_depth = f.depth,
-                      .light = {0.0f, -1.0f, 0.0f, 0.0f},
-                      .cone_axis = {0.0f, -1.0f, 0.0f, 0.0f},
-                      .cone = glm::vec4(0.0f),
-                      .cell = {0.25f, 2.0f, 2.0f, mirror ? 1.0f : 0.0f},
-                      .receivers_lower = receivers_lower,
-                      .receivers_upper = receivers_upper,
-                      .tile = glm::vec4(0.0f),
-                      .branch = branch,
-                      .impostor_from_scene = pack(impostors).from_scene,
-                      .impostor_window = pack(impostors).window,
-                      .impostor_depth = pack(impostors).depth,
-                      .impostor_centre = glm::vec4(glm::vec3(impostors.origin), 0.0f),
-                      .method = {iterations, estimator, weights, solid ? 1 : 0},
-                      .variant = {reflected ? 1 : 0, wyman ? 1 : 0, tint ? 1 : 0, 0}};
+    const std140::View seen = shader_view(view);
+    const std140::Landing u{.caster = seen,
+                            .receiver = seen,
+                            .caustic = seen,
+                            .cone = {.axis = {0.0f, -1.0f, 0.0f}, .scale = 0.0f, .offset = 0.0f, .lambertian = 0},
+                            .light = {0.0f, -1.0f, 0.0f},
+                            .cell_area = 0.25f,
+                            .channel_share = channel_share,
+                            .bend = bend,
+                            .receivers_lower = receivers_lower,
+                            .exit_tolerance = 2.0f,
+                            .receivers_upper = receivers_upper,
+                            .landing_tolerance = 2.0f,
+                            .impostor_centre = impostors.origin,
+                            .tile_width = 0.0f,
+                            .tile_height = 0.0f,
+                            .tile_guard = 0.0f,
+                            .iterations = iterations,
+                            .estimator = estimator,
+                            .paper_weights = paper_weights,
+                            .is_reflection = reflected,
+                            .has_mirrors = mirror,
+                            .has_exit_maps = solid,
+                            .wyman_thickness = wyman,
+                            .has_caster_tint = tint.has_value(),
+                            .only_unconverged = 0,
+                            .impostor = shader_view(impostors)};
     Image materials(Format::RGBA32F, 3, 1);
     for (int c = 0; c < 3; ++c) {
       materials.at(1, 0, c) = absorption[c];
@@ -216,7 +222,7 @@ TEST_CASE("landing: the paper's estimator contracts by the squared sine on a lev
   // theta = 10.5 degrees the quantisation of the look-up is what remains.
   Bench bench;
   bench.normal = tilted(30.0);
-  bench.estimator = 0;
+  bench.estimator = ESTIMATOR_PAPER;
   bench.receiver = bench.floor_map(1024, 0.0, 0.0);
   const double theta = 0.183762, exact = 1.0 / std::cos(theta);
   for (const int k : {1, 2, 3}) {
@@ -238,8 +244,8 @@ TEST_CASE("landing: light that meets no receiver is missed, light that leaves th
   bench.view.window_upper = glm::dvec2(0.2);
   CHECK(status(bench.run()) == LandingStatus::Outside);
   // Where the floor ends inside the window, the same ray passes it.
-  bench.receivers_lower = {-0.2f, 0.0f, -0.2f, 0.0f};
-  bench.receivers_upper = {0.2f, 0.0f, 0.2f, 0.0f};
+  bench.receivers_lower = {-0.2f, 0.0f, -0.2f};
+  bench.receivers_upper = {0.2f, 0.0f, 0.2f};
   CHECK(status(bench.run()) == LandingStatus::Missed);
 }
 
@@ -251,8 +257,8 @@ TEST_CASE("landing: of light that leaves the map, only what goes towards the rec
   bench.view.window_lower = glm::dvec2(-0.2);
   bench.view.window_upper = glm::dvec2(0.2);
   const auto wall_at = [&](float x) {
-    bench.receivers_lower = {x, 0.0f, -1.0f, 0.0f};
-    bench.receivers_upper = {x, 2.0f, 1.0f, 0.0f};
+    bench.receivers_lower = {x, 0.0f, -1.0f};
+    bench.receivers_upper = {x, 2.0f, 1.0f};
     return status(bench.run());
   };
   const float side = wall_at(5.0f) == LandingStatus::Outside ? 1.0f : -1.0f;
@@ -262,7 +268,7 @@ TEST_CASE("landing: of light that leaves the map, only what goes towards the rec
 
 TEST_CASE("landing: the paper's weight is N.L and ignores Fresnel") {
   Bench bench;
-  bench.weights = 1;
+  bench.paper_weights = true;
   bench.normal = tilted(60.0);
   const PassImages out = bench.run();
   CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.125));
@@ -330,7 +336,8 @@ TEST_CASE("landing: the index is n_d and the branch's bend of n_F - n_C") {
   Bench bench;
   bench.normal = tilted(30.0);
   bench.dispersion = 0.05f;
-  bench.branch = {0.25f, 0.5f, 0.0f, 2.0f};
+  bench.channel_share = {0.25f, 0.5f, 0.0f};
+  bench.bend = 2.0f;
   const PassImages out = bench.run();
   CHECK(texel(out["landing"], 0, 0).x == Approx(-0.208716).epsilon(1e-4));
   // Each channel carries its share of the branch's flux; what entered stays whole.
@@ -374,7 +381,7 @@ TEST_CASE("landing: Newton's method meets a plane whatever its slope") {
   for (const double slope : {0.0, 0.3, -0.3, 0.8}) {
     Bench bench;
     bench.normal = tilted(30.0);
-    bench.estimator = 2;
+    bench.estimator = ESTIMATOR_NEWTON;
     bench.receiver = bench.floor_map(64, 0.0, slope);
     const PassImages out = bench.run();
     REQUIRE(status(out) == LandingStatus::Landed);
@@ -388,7 +395,7 @@ TEST_CASE("landing: Newton's method is held where its slope is none") {
   // A step of 3 m under the ray: whatever happens there, every value stays finite and in range.
   Bench bench;
   bench.normal = tilted(30.0);
-  bench.estimator = 2;
+  bench.estimator = ESTIMATOR_NEWTON;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 32; ++x) bench.receiver.at(x, y, 1) = -3.0f;
   for (const int iterations : {1, 2, 3, 5, 20}) {
@@ -456,7 +463,7 @@ Bench impostor_bench(const glm::dvec3& centre, const std::function<double(const 
   Bench bench;
   bench.mirror = true;
   bench.normal = {-0.948683298f, 0.316227766f, 0.0f};
-  bench.estimator = 3;
+  bench.estimator = ESTIMATOR_IMPOSTOR;
   bench.impostors = with_atlas(cube_view(centre, {1.0, 20.0}), side);
   bench.impostor = positions_around(bench.impostors, distance);
   return bench;

@@ -1,24 +1,26 @@
-mat4 from_scene;       // origin and axes, shared by all views of the light
-vec4 caster_window;
-vec4 caster_depth;
-vec4 receiver_window;
-vec4 receiver_depth;
-vec4 caustic_window;
-vec4 caustic_depth;
-vec4 light;            // xyz: direction of travel (parallel) or position (perspective), scene space
-vec4 cone_axis;        // xyz: unit axis of a spot light's cone, the way it shines
-vec4 cone;             // scale and offset of the cone's falloff; x = 0 where there is none; z: 1 for a plain cosine
-vec4 cell;             // x: area of a grid cell in window units squared; y, z: tolerance of the exit and of
-                       // the landing, in texels' extents; w: 1 where there are mirrors
-vec4 receivers_lower;  // the box around all receivers, scene space
-vec4 receivers_upper;
-vec4 tile;             // of a cube's caster map: width and height of a tile, and its guard, texels; w: 1 for a cube
-vec4 branch;           // rgb: share of each channel; w: bend, the index of refraction is n_d + bend (n_F - n_C)
-mat4 impostor_from_scene;  // the cube around the casters
-vec4 impostor_window;
-vec4 impostor_depth;
-vec4 impostor_centre;  // xyz: its origin, scene space
-ivec4 method;          // iterations; estimator (0 paper, 1 secant, 2 newton, 3 impostor); weights (0 physical, 1 paper); solid casters (0, 1)
-ivec4 variant;         // 1: what dielectrics mirror, not what they let in; way inside (0 met in the exit map, 1 Wyman's
-                       // thickness); 1: caster_tint has the colours; 1: only what landed_before has
-                       // not converged
+View caster;           // the light's views: of the casters,
+View receiver;         // of what its light can land on,
+View caustic;          // and of the map that the landings are laid into
+LightCone cone;
+vec3 light;            // of parallel light the direction of travel, else the position; scene space
+float cell_area;       // of a grid cell, window units squared
+vec3 channel_share;    // the branch's share of each channel's flux
+float bend;            // the branch's index of refraction is n_d + bend (n_F - n_C)
+vec3 receivers_lower;  // the box around all receivers, scene space
+float exit_tolerance;  // how far from its surface a ray may end and still count as having met it, texels' extents
+vec3 receivers_upper;
+float landing_tolerance;
+vec3 impostor_centre;  // scene space
+float tile_width;      // of a cube's caster map, texels
+float tile_height;
+float tile_guard;
+int iterations;
+int estimator;         // ESTIMATOR_PAPER ...
+int paper_weights;     // 1: the flux of Shah et al. 2007, eq. 6 and 7
+int is_reflection;     // 1: follows what dielectrics mirror, not what they let in
+int has_mirrors;       // 1: some casters are metal
+int has_exit_maps;     // 1: solid casters let light out by a second surface
+int wyman_thickness;   // 1: the way inside is Wyman's thickness, not met in the exit maps
+int has_caster_tint;   // 1: caster_tint has the colours, not caster_materials
+int only_unconverged;  // 1: follows only what landed_before has not converged
+View impostor;         // the cube around the casters

@@ -74,87 +74,43 @@ UniformBytes uniforms(const PassContext& context) {
   });
 }
 
-PassDefinition definition(const std::string& view, const std::string& name,
-                          const std::string& direct, const std::string& caustic) {
-  return {
-      .name = name,
-      .purpose = "adds what one light gives to the surfaces in view, directly and by its caustics",
-      .reads = {{.name = view + "_position", .meaning = "the surfaces"},
-                {.name = view + "_normal", .meaning = "their normals"},
-                {.name = "shadow_depth", .meaning = "what shadows them", .optional = true},
-                {.name = "caster_position",
-                 .meaning = "the casters, which shadow them too",
-                 .optional = true},
-                {.name = "receiver_position",
-                 .meaning = "which surfaces the caustic map belongs to",
-                 .optional = true},
-                {.name = "caustic_map", .meaning = "the casters' light", .optional = true},
-                {.name = kCascadeMap, .meaning = "a part of it, finer", .optional = true},
-                {.name = "pane_transmittance",
-                 .meaning = "what thin panes let through",
-                 .optional = true},
-                {.name = far_texture("receiver_position"),
-                 .meaning = "the farthest surfaces that the light sees",
-                 .optional = true},
-                {.name = far_texture(kCausticMap), .meaning = "the casters' light on these", .optional = true}},
-      .writes = {{.name = direct,
-                  .meaning = "rgb: direct irradiance after shadows, lux",
-                  .blend = kAccumulate},
-                 {.name = caustic,
-                  .meaning = "rgb: irradiance from caustics, lux",
-                  .blend = kAccumulate}},
-      .shader = &light_shading_shader,
-  };
-}
-
-// The same light where a medium takes its share on the way.
-Pass in_medium(Pass pass, std::optional<std::string> (*called_for_by)(const Effects&)) {
-  pass.definition.name += "_in_medium";
-  pass.definition.shader = &light_shading_in_medium_shader;
-  pass.called_for_by = called_for_by;
-  pass.uniforms = [](const PassContext& context) { return with_medium(uniforms(context), *context.scene); };
-  return pass;
-}
-
 }  // namespace
 
 Pass light_shading_pass() {
-  return {.definition = definition("view", "light_shading", "direct", "caustic"),
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.light.active || effects.medium.active) return {};
-            return "the light shines on what the camera sees";
+  return {
+      .name = "light_shading",
+      .purpose = "adds what one light gives to the surfaces in view, directly and by its caustics",
+      .reason = "the light shines on what the camera sees, and on what glass shows",
+      .when = {&Effects::light},
+      .drawn_for = {kLight, kLightSurroundings},
+      .reads = {{.name = "view_position", .meaning = "the surfaces"},
+                {.name = "view_normal", .meaning = "their normals"},
+                {.name = "shadow_depth", .meaning = "what shadows them", .optional = true},
+                {.name = "caster_position", .meaning = "the casters, which shadow them too", .optional = true},
+                {.name = "receiver_position",
+                 .meaning = "which surfaces the caustic map belongs to",
+                 .optional = true},
+                {.name = kCausticMap, .meaning = "the casters' light", .optional = true},
+                {.name = "cascade_map", .meaning = "a part of it, finer", .texture = kCascadeMap, .optional = true},
+                {.name = "pane_transmittance", .meaning = "what thin panes let through", .optional = true},
+                {.name = "far_receiver_position",
+                 .meaning = "the farthest surfaces that the light sees",
+                 .texture = "receiver_position.far",
+                 .optional = true},
+                {.name = "far_caustic_map",
+                 .meaning = "the casters' light on these",
+                 .texture = "caustic_map.far",
+                 .optional = true}},
+      .writes = {{.name = "direct", .meaning = "rgb: direct irradiance after shadows, lux", .blend = kAccumulate},
+                 {.name = "caustic", .meaning = "rgb: irradiance from caustics, lux", .blend = kAccumulate}},
+      .owner = Each::Frame,
+      .shaders = {{&light_shading_shader}, {&light_shading_in_medium_shader, with<&Effects::medium>}},
+      .uniforms =
+          [](const PassContext& context) {
+            const UniformBytes bytes = uniforms(context);
+            return context.effects->medium.active ? with_medium(bytes, *context.scene) : bytes;
           },
-          .each = Each::Light,
-          .extent = Extent::Picture,
-          .uniforms = uniforms,
-          .owner = Each::Frame};
-}
-
-Pass wide_shading_pass() {
-  return {.definition = definition("wide", "wide_shading", "wide_direct", "wide_caustic"),
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.light.active || !effects.seen_casters.active) return {};
-            if (effects.medium.active) return {};
-            return "the light shines on what glass shows";
-          },
-          .each = Each::Light,
-          .extent = Extent::Wide,
-          .uniforms = uniforms,
-          .owner = Each::Frame};
-}
-
-Pass light_shading_in_medium_pass() {
-  return in_medium(light_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.light.active || !effects.medium.active) return {};
-    return "the light shines through the medium on what the camera sees";
-  });
-}
-
-Pass wide_shading_in_medium_pass() {
-  return in_medium(wide_shading_pass(), [](const Effects& effects) -> std::optional<std::string> {
-    if (!effects.light.active || !effects.seen_casters.active || !effects.medium.active) return {};
-    return "the light shines through the medium on what glass shows";
-  });
+  };
 }
 
 }  // namespace caustics

@@ -28,28 +28,23 @@ UniformBytes uniforms(const PassContext& context) {
 
 Pass light_shafts_pass() {
   return {
-      .definition =
-          {
-              .name = "light_shafts",
-              .purpose = "draws what the medium scatters of the casters' light on its way",
-              .reads = {{.name = "beam_start", .meaning = "where each beam starts, and its length"},
-                        {.name = "beam_way", .meaning = "its direction"},
-                        {.name = "beam_flux", .meaning = "its flux"},
-                        {.name = "view_range", .meaning = "what hides it"}},
-              .writes = {{.name = "haze",
-                          .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
-                          .blend = kAccumulate}},
-              .shader = &light_shafts_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.light_shafts.active) return {};
-        return "the medium scatters the casters' light";
-      },
-      .each = Each::Branch,
+      .name = "light_shafts",
+      .purpose = "draws what the medium scatters of the casters' light on its way",
+      .reason = "the medium scatters the casters' light",
+      .when = {&Effects::light_shafts},
+      .drawn_for = {kBranch},
+      .only_lights_with_caustics = true,
       .draws = DrawSet::Beams,
-      .extent = Extent::Picture,
-      .uniforms = uniforms,
+      .reads = {{.name = "beam_start", .meaning = "where each beam starts, and its length"},
+                {.name = "beam_way", .meaning = "its direction"},
+                {.name = "beam_flux", .meaning = "its flux"},
+                {.name = "view_range", .meaning = "what hides it"}},
+      .writes = {{.name = "haze",
+                  .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
+                  .blend = kAccumulate}},
       .owner = Each::Frame,
+      .shaders = {{&light_shafts_shader}},
+      .uniforms = uniforms,
   };
 }
 

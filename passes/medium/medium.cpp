@@ -59,68 +59,62 @@ constexpr ColorMask kColor{true, true, true, false};
 }  // namespace
 
 Pass view_medium_pass() {
-  return {.definition =
-              {.name = "view_medium",
-               .purpose = "takes from the picture what the medium takes on the way to the camera",
-               .reads = {{.name = "view_position", .meaning = "opaque surfaces"},
-                         {.name = "view_normal", .meaning = "their depth"},
-                         {.name = "view_caster_position", .meaning = "glass and mirrors", .optional = true}},
-               .writes = {{.name = "beauty",
-                           .meaning = "rgb: radiance towards the camera, nit; a: 1",
-                           .blend = kMultiply,
-                           .mask = kColor},
-                          {.name = "view_range",
-                           .meaning = "x: depth of the first surface along the camera's axis, metres, 1e30 where "
-                                      "there is none; y, z: distances from the camera at which its ray enters "
-                                      "the medium and leaves it or ends"}},
-               .shader = &view_medium_shader},
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.medium.active) return {};
-            return "a medium lies between the camera and what it sees";
-          },
-          .extent = Extent::Picture,
-          .uniforms = view_uniforms};
+  return {
+      .name = "view_medium",
+      .purpose = "takes from the picture what the medium takes on the way to the camera",
+      .reason = "a medium lies between the camera and what it sees",
+      .when = {&Effects::medium},
+      .reads = {{.name = "view_position", .meaning = "opaque surfaces"},
+                {.name = "view_normal", .meaning = "their depth"},
+                {.name = "view_caster_position", .meaning = "glass and mirrors", .texture = "caster_position.camera",
+                 .optional = true}},
+      .writes = {{.name = "beauty",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1",
+                  .blend = kMultiply,
+                  .mask = kColor},
+                 {.name = "view_range",
+                  .meaning = "x: depth of the first surface along the camera's axis, metres, 1e30 where "
+                             "there is none; y, z: distances from the camera at which its ray enters "
+                             "the medium and leaves it or ends"}},
+      .shaders = {{&view_medium_shader}},
+      .uniforms = view_uniforms,
+  };
 }
 
 Pass light_haze_pass() {
-  return {.definition =
-              {.name = "light_haze",
-               .purpose = "adds up what the medium scatters of a light's direct light",
-               .reads = {{.name = "view_range", .meaning = "how far each ray goes"},
-                         {.name = "shadow_depth", .meaning = "what shadows the medium", .optional = true},
-                         {.name = "caster_position", .meaning = "the casters, which do too", .optional = true},
-                         {.name = "pane_transmittance",
-                          .meaning = "what thin panes let through",
-                          .optional = true}},
-               .writes = {{.name = "haze",
-                           .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
-                           .blend = kAccumulate}},
-               .shader = &light_haze_shader},
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.scattering.active) return {};
-            return "the medium scatters the light";
-          },
-          .each = Each::Light,
-          .extent = Extent::Picture,
-          .uniforms = light_uniforms,
-          .owner = Each::Frame};
+  return {
+      .name = "light_haze",
+      .purpose = "adds up what the medium scatters of a light's direct light",
+      .reason = "the medium scatters the light",
+      .when = {&Effects::scattering},
+      .drawn_for = {kLight},
+      .reads = {{.name = "view_range", .meaning = "how far each ray goes"},
+                {.name = "shadow_depth", .meaning = "what shadows the medium", .optional = true},
+                {.name = "caster_position", .meaning = "the casters, which do too", .optional = true},
+                {.name = "pane_transmittance", .meaning = "what thin panes let through", .optional = true}},
+      .writes = {{.name = "haze",
+                  .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
+                  .blend = kAccumulate}},
+      .owner = Each::Frame,
+      .shaders = {{&light_haze_shader}},
+      .uniforms = light_uniforms,
+  };
 }
 
 Pass haze_pass() {
-  return {.definition = {.name = "haze",
-                         .purpose = "adds what the medium scatters to the picture",
-                         .reads = {{.name = "haze", .meaning = "what it scatters, nit"}},
-                         .writes = {{.name = "beauty",
-                                     .meaning = "rgb: radiance towards the camera, nit; a: 1",
-                                     .blend = kAccumulate,
-                                     .mask = kColor}},
-                         .shader = &haze_shader},
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.scattering.active) return {};
-            return "the camera sees the scattered light";
-          },
-          .extent = Extent::Picture,
-          .uniforms = [](const PassContext&) { return UniformBytes{}; }};
+  return {
+      .name = "haze",
+      .purpose = "adds what the medium scatters to the picture",
+      .reason = "the camera sees the scattered light",
+      .when = {&Effects::scattering},
+      .reads = {{.name = "haze", .meaning = "what it scatters, nit"}},
+      .writes = {{.name = "beauty",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1",
+                  .blend = kAccumulate,
+                  .mask = kColor}},
+      .shaders = {{&haze_shader}},
+      .uniforms = [](const PassContext&) { return UniformBytes{}; },
+  };
 }
 
 }  // namespace caustics

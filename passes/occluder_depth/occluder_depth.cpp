@@ -8,26 +8,21 @@ extern const Shader occluder_depth_shader;
 
 Pass occluder_depth_pass() {
   return {
-      .definition =
-          {
-              .name = "occluder_depth",
-              .purpose = "keeps casters that lie in the shadow of opaque surfaces out of the caster map",
-              .reads = {{.name = "base_color",
-                         .meaning = "the material's base colour; alpha masks cut holes",
-                         .of_material = true}},
-              .depth = DepthWrite{.name = "caster_depth",
-                                  .meaning = "window depth of the nearest opaque surface, later of "
-                                             "the nearest surface"},
-              .depth_state = {.compare = Compare::Less, .write = true},
-              .shader = &occluder_depth_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.caustics.active || !effects.occluders.active) return {};
-        return "opaque surfaces may stand between a light and a caster";
-      },
-      .each = Each::Light,
+      .name = "occluder_depth",
+      .purpose = "keeps casters that lie in the shadow of opaque surfaces out of the caster map",
+      .reason = "opaque surfaces may stand between a light and a caster",
+      .when = {&Effects::caustics, &Effects::occluders},
+      .drawn_for = {kLight},
+      .only_lights_with_caustics = true,
       .draws = DrawSet::Receivers,
-      .extent = Extent::Grid,
+      .size = grid_size,
+      .reads = {{.name = "base_color",
+                 .meaning = "the material's base colour; alpha masks cut holes",
+                 .of_material = true}},
+      .depth = DepthWrite{.name = "caster_depth",
+                          .meaning = "window depth of the nearest opaque surface, later of the nearest surface"},
+      .depth_state = {.compare = Compare::Less, .write = true},
+      .shaders = {{&occluder_depth_shader}},
       .uniforms =
           [](const PassContext& context) {
             return uniform_bytes(receiver_map_uniforms(context.views->caster, *context.material));

@@ -1,5 +1,6 @@
 // Opaque surfaces seen from the light in the casters' view: depth alone, so that a caster in their
 // shadow does not enter the caster map.
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
 UNIFORMS_END
@@ -14,15 +15,15 @@ ATTRIBUTE(3, Vec2, uv)
 
 void main() {
   surface_uv = uv;
-  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
-#include "passes/shared/cutout.glsl"
+#include "passes/shared/alpha_mask.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.alpha.w));
-  discard_if(cut_out(surface_uv));
+  discard_if(outside_tile(u.view, u.map_side));
+  discard_if(cut_out(u.mask, surface_uv));
 }
 #endif

@@ -9,7 +9,7 @@ TEXTURE(1, shadow_depth)
 #include "passes/panes/pane_surface.glsl"
 
 #ifndef VERTEX_STAGE
-OUTPUT(0, Vec4, pane_transmittance_rgb)
+OUTPUT(0, Vec4, pane_transmittance)
 #include "passes/shared/outside_tile.glsl"
 
 // Is an opaque surface nearer to the light? Two of its map's texels' extents may lie between.
@@ -24,6 +24,6 @@ Bool in_shadow() {
 
 void main() {
   discard_if(outside_tile(u.view, u.side) || cut_out(u.alpha_mask, surface_uv) || in_shadow());
-  pane_transmittance_rgb = Vec4(pane_transmittance(ray_direction()), Float(1.0f));
+  pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
 }
 #endif

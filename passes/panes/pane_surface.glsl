@@ -41,7 +41,7 @@ Float face_reflectance(Vec3 d) {
 
 // What light keeps on its way through: between two parallel faces the reflections add up to
 // (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once.
-Vec3 pane_transmittance(Vec3 d) {
+Vec3 let_through(Vec3 d) {
   Float r = face_reflectance(d);
   Vec3 color = Vec3(u.color);
   if (u.has_base_color != 0) {

@@ -44,78 +44,67 @@ UniformBytes light_uniforms(const PassContext& context) {
   return uniform_bytes(u);
 }
 
-UniformBytes view_uniforms(const PassContext& context) {
-  return uniform_bytes(pane_uniforms(*context.camera, context.camera->origin, context));
-}
+constexpr DrawnFor kMirrored{.label = "mirrored", .own_textures = false};
 
-UniformBytes mirror_uniforms(const PassContext& context) {
+UniformBytes view_uniforms(const PassContext& context) {
   std140::Pane u = pane_uniforms(*context.camera, context.camera->origin, context);
-  u.shows_mirror = 1;
+  u.shows_mirror = context.drawn_for && context.drawn_for->label == kMirrored.label;
   return uniform_bytes(u);
 }
 
-PassDefinition view_definition(const char* name, const char* purpose, BlendState blend) {
-  return {.name = name,
-          .purpose = purpose,
-          .reads = {{.name = "base_color", .meaning = "the pane's tint", .of_material = true},
-                    {.name = "view_position", .meaning = "opaque surfaces"},
-                    {.name = "view_normal", .meaning = "their depth"},
-                    {.name = "view_caster_position", .meaning = "glass", .optional = true},
-                    {.name = kEnvironment,
-                     .meaning = "radiance from all around",
-                     .optional = true}},
-          .writes = {{.name = "beauty",
-                      .meaning = "rgb: radiance towards the camera, nit; a: 1",
-                      .blend = blend,
-                      .mask = {true, true, true, false}}},
-          .shader = &view_panes_shader};
-}
-
-std::optional<std::string> seen(const Effects& effects) {
-  if (!effects.thin_panes.active) return {};
-  return "the camera may look through a thin pane";
+// What panes mirror is added to what they let through.
+void add_when_mirrored(const DrawnFor& drawn_for, PassDefinition& definition) {
+  if (drawn_for.label == kMirrored.label) definition.writes[0].blend = kAccumulate;
 }
 
 }  // namespace
 
 Pass pane_light_pass() {
-  return {.definition =
-              {.name = "pane_light",
-               .purpose = "finds what thin panes leave of the light that passes straight through them",
-               .reads = {{.name = "base_color", .meaning = "the pane's tint", .of_material = true},
-                         {.name = "shadow_depth",
-                          .meaning = "opaque surfaces, behind which panes no longer count",
-                          .optional = true}},
-               .writes = {{.name = "pane_transmittance",
-                           .meaning = "rgb: what all panes together let through, 0..1; a: 1",
-                           .clear = {1.0f, 1.0f, 1.0f, 1.0f},
-                           .blend = kMultiply}},
-               .shader = &pane_light_shader},
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.light.active || !effects.thin_panes.active) return {};
-            return "thin panes tint the light that passes them";
-          },
-          .each = Each::Light,
-          .draws = DrawSet::ThinPanes,
-          .extent = Extent::Shadow,
-          .uniforms = light_uniforms};
+  return {
+      .name = "pane_light",
+      .purpose = "finds what thin panes leave of the light that passes straight through them",
+      .reason = "thin panes tint the light that passes them",
+      .when = {&Effects::light, &Effects::thin_panes},
+      .drawn_for = {kLight},
+      .draws = DrawSet::ThinPanes,
+      .size = shadow_size,
+      .reads = {{.name = "base_color", .meaning = "the pane's tint", .of_material = true},
+                {.name = "shadow_depth",
+                 .meaning = "opaque surfaces, behind which panes no longer count",
+                 .optional = true}},
+      .writes = {{.name = "pane_transmittance",
+                  .meaning = "rgb: what all panes together let through, 0..1; a: 1",
+                  .clear = {1.0f, 1.0f, 1.0f, 1.0f},
+                  .blend = kMultiply}},
+      .shaders = {{&pane_light_shader}},
+      .uniforms = light_uniforms,
+  };
 }
 
 Pass view_panes_pass() {
-  return {.definition = view_definition("view_panes", "tints what is seen through thin panes", kMultiply),
-          .called_for_by = seen,
-          .draws = DrawSet::ThinPanes,
-          .extent = Extent::Picture,
-          .uniforms = view_uniforms};
-}
-
-Pass view_pane_mirror_pass() {
-  return {.definition = view_definition("view_pane_mirror",
-                                        "adds the environment that thin panes mirror", kAccumulate),
-          .called_for_by = seen,
-          .draws = DrawSet::ThinPanes,
-          .extent = Extent::Picture,
-          .uniforms = mirror_uniforms};
+  return {
+      .name = "view_panes",
+      .purpose = "tints what is seen through thin panes, and adds the environment that they mirror",
+      .reason = "the camera may look through a thin pane",
+      .when = {&Effects::thin_panes},
+      .drawn_for = {kFrame, kMirrored},
+      .draws = DrawSet::ThinPanes,
+      .reads = {{.name = "base_color", .meaning = "the pane's tint", .of_material = true},
+                {.name = "view_position", .meaning = "opaque surfaces"},
+                {.name = "view_normal", .meaning = "their depth"},
+                {.name = "view_caster_position",
+                 .meaning = "glass",
+                 .texture = "caster_position.camera",
+                 .optional = true},
+                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true}},
+      .writes = {{.name = "beauty",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1",
+                  .blend = kMultiply,
+                  .mask = {true, true, true, false}}},
+      .otherwise = add_when_mirrored,
+      .shaders = {{&view_panes_shader}},
+      .uniforms = view_uniforms,
+  };
 }
 
 }  // namespace caustics

@@ -6,6 +6,5 @@ namespace caustics {
 // panes.md says what these passes are for, what they read and write, and what can go wrong.
 Pass pane_light_pass();
 Pass view_panes_pass();
-Pass view_pane_mirror_pass();
 
 }  // namespace caustics

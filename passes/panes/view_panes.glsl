@@ -31,7 +31,7 @@ Bool hidden() {
 void main() {
   discard_if(cut_out(u.alpha_mask, surface_uv) || hidden());
   Vec3 d = ray_direction();
-  Vec3 color = pane_transmittance(d);
+  Vec3 color = let_through(d);
   if (u.shows_mirror != 0) {
     // Both faces together mirror 2 r / (1 + r).
     Float r = face_reflectance(d);

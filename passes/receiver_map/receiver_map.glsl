@@ -1,4 +1,5 @@
 // Receivers seen from the light: their positions (the positions texture of Shah et al. 2007).
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
 UNIFORMS_END
@@ -15,20 +16,20 @@ ATTRIBUTE(3, Vec2, uv)
 void main() {
   surface_position = position;
   surface_uv = uv;
-  set_position(view_clip(view_coordinates(u.from_scene, position), u.window, u.depth));
+  set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
 OUTPUT(0, Vec4, receiver_position)
-#include "passes/shared/cutout.glsl"
+#include "passes/shared/alpha_mask.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
-#include "passes/shared/column.glsl"
+#include "passes/shared/casters_column.glsl"
 #include "passes/shared/outside_tile.glsl"
 
 void main() {
-  if (u.depth.z > 1.5f) discard_if(outside_tile(u.window, u.depth, u.alpha.w));
-  discard_if(cut_out(surface_uv) ||
-             stands_before_casters(view_coordinates(u.from_scene, surface_position)));
+  discard_if(outside_tile(u.view, u.map_side));
+  discard_if(cut_out(u.mask, surface_uv) ||
+             stands_before_casters(u.column, u.casters_nearest, view_coordinates(u.view, surface_position)));
   receiver_position = Vec4(surface_position, Float(1.0f));
 }
 #endif

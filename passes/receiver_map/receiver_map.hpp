@@ -1,18 +1,21 @@
 #pragma once
-#include <glm/glm.hpp>
-
+#include "passes/shared/material_uniforms.hpp"
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/shader/std140.hpp"
+
+namespace caustics::std140 {
+
+// The uniform block of passes that draw opaque surfaces into a view and cut out alpha masks.
+struct alignas(16) ReceiverMap {
+#include "passes/receiver_map/receiver_map_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
-// The uniform block of passes that draw opaque surfaces into a frame and cut out alpha masks.
-struct ReceiverMapUniforms {
-  using vec4 = glm::vec4;
-  using mat4 = glm::mat4;
-#include "passes/receiver_map/receiver_map_uniforms.glsl"
-};
-// `frames`: keep the space between light and casters free; null: keep all.
-ReceiverMapUniforms receiver_map_uniforms(const View& view, const Material& material,
+// `views`: keep the space between light and casters free; null: keep all.
+std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& material,
                                           const LightViews* views = nullptr);
 
 // receiver_map.md says what this pass is for, what it reads and writes, and what can go wrong.

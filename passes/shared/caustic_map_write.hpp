@@ -5,18 +5,16 @@
 namespace caustics {
 
 // With three channels and the number of splats, or, where nothing tints the caustics, with one channel.
-inline ColorWrite caustic_map_write(bool coloured, const char* name = kCausticMap) {
-  if (coloured)
-    return {.name = name,
-            .format = Format::RGBA32F,
-            .meaning = "rgb: flux in the texel, relative to the light's intensity (square metres, or "
-                       "steradians); a: number of cells and splats, by weight",
-            .blend = kAccumulate};
-  return {.name = name,
-          .format = Format::R32F,
-          .meaning = "r: flux in the texel in every channel, relative to the light's intensity (square "
-                     "metres, or steradians)",
-          .blend = kAccumulate};
+inline Format caustic_map_format(const Effects& effects) {
+  return effects.coloured_caustics.active ? Format::RGBA32F : Format::R32F;
+}
+
+inline Write caustic_map_write() {
+  return {.name = kCausticMap,
+          .meaning = "rgb: flux in the texel, relative to the light's intensity (square metres, or steradians), r in "
+                     "every channel where there is one; a: number of cells and splats, by weight",
+          .blend = kAccumulate,
+          .format_by = caustic_map_format};
 }
 
 }  // namespace caustics

@@ -1,4 +1,4 @@
-// How a light falls off from its axis, as a uniform. Include before UNIFORMS_BEGIN; light_cone() in
+// How a light falls off from its axis, as a uniform. Include before UNIFORMS_BEGIN; shader_cone() in
 // passes/shared/light_uniforms.hpp fills it.
 struct LightCone {
   vec3 axis;      // unit, scene space, the way the light shines

@@ -1,4 +1,5 @@
 // The nearest casters, with the normals and holes of their textures. textured_casters.md explains.
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/textured_casters/textured_casters_uniforms.glsl"
 UNIFORMS_END
@@ -13,6 +14,6 @@ OUTPUT(1, Vec4, caster_normal)
 void main() {
   discard_if(elsewhere() || cut_out_here());
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
-  caster_normal = Vec4(caster_normal_here(), Float(u.material.x));
+  caster_normal = Vec4(caster_normal_here(), Float(u.material_row));
 }
 #endif

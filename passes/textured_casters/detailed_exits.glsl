@@ -1,5 +1,6 @@
 // The nearest back faces of the solid casters, with the normals and holes of their textures.
 // textured_casters.md explains.
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/textured_casters/textured_casters_uniforms.glsl"
 UNIFORMS_END

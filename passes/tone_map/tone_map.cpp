@@ -15,22 +15,20 @@ namespace caustics {
 extern const Shader tone_map_shader;
 
 Pass tone_map_pass() {
-  return {.definition =
-              {.name = "tone_map",
-               .purpose = "turns radiance into what a screen shows",
-               .reads = {{.name = "beauty", .meaning = "radiance, nit"}},
-               .writes = {{.name = "picture",
-                           .format = Format::RGBA8,
-                           .meaning = "rgb: sRGB-encoded display values; a: 1"}},
-               .shader = &tone_map_shader},
-          .called_for_by = [](const Effects&) -> std::optional<std::string> {
-            return "a picture for a screen is wanted";
+  return {
+      .name = "tone_map",
+      .purpose = "turns radiance into what a screen shows",
+      .reason = "a picture for a screen is wanted",
+      .reads = {{.name = "beauty", .meaning = "radiance, nit"}},
+      .writes = {{.name = "picture",
+                  .format = Format::RGBA8,
+                  .meaning = "rgb: sRGB-encoded display values; a: 1"}},
+      .shaders = {{&tone_map_shader}},
+      .uniforms =
+          [](const PassContext& context) {
+            return uniform_bytes(std140::ToneMap{.exposure = context.exposure});
           },
-          .extent = Extent::Picture,
-          .uniforms =
-              [](const PassContext& context) {
-                return uniform_bytes(std140::ToneMap{.exposure = context.exposure});
-              }};
+  };
 }
 
 }  // namespace caustics

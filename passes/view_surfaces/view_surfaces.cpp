@@ -32,53 +32,31 @@ UniformBytes uniforms(const View& view, const Material& m) {
   });
 }
 
-PassDefinition definition(const std::string& view, const std::string& purpose) {
-  return {
-      .name = view + "_surfaces",
-      .purpose = purpose,
-      .reads = {{.name = "base_color", .meaning = "albedo and opacity", .of_material = true},
-                {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true},
-                {.name = "emissive", .meaning = "light of its own", .of_material = true}},
-      .writes = {{.name = view + "_position",
-                  .meaning = "xyz: position of the first opaque surface, metres, scene space; w: 1 "
-                             "where there is one, else 0"},
-                 {.name = view + "_normal",
-                  .meaning = "xyz: unit shading normal on the camera's side, scene space; w: depth "
-                             "along the camera's axis, metres"},
-                 {.name = view + "_albedo", .meaning = "rgb: diffuse albedo, linear"},
-                 {.name = view + "_emission", .meaning = "rgb: emitted radiance, nit"}},
-      .depth = DepthWrite{.name = view + "_window_depth", .meaning = "window depth"},
-      .depth_state = {.compare = Compare::Less, .write = true},
-      .shader = &view_surfaces_shader,
-  };
-}
-
 }  // namespace
 
 Pass view_surfaces_pass() {
-  return {.definition = definition("view", "finds the first opaque surface in each pixel"),
-          .called_for_by = [](const Effects&) -> std::optional<std::string> {
-            return "the camera looks at the scene";
-          },
-          .each = Each::Frame,
-          .draws = DrawSet::Receivers,
-          .extent = Extent::Picture,
-          .uniforms =
-              [](const PassContext& c) { return uniforms(*c.camera, *c.material); }};
-}
-
-Pass wide_surfaces_pass() {
-  return {.definition = definition("wide", "finds the opaque surfaces around the picture, which "
-                                           "glass in it can show"),
-          .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-            if (!effects.seen_casters.active) return {};
-            return "glass shows what lies beyond the picture's edges";
-          },
-          .each = Each::Frame,
-          .draws = DrawSet::Receivers,
-          .extent = Extent::Wide,
-          .uniforms =
-              [](const PassContext& c) { return uniforms(*c.surroundings, *c.material); }};
+  return {
+      .name = "view_surfaces",
+      .purpose = "finds the first opaque surface in each pixel",
+      .reason = "the camera looks at the scene, and through glass at what lies beyond the picture's edges",
+      .drawn_for = {kFrame, kSurroundings},
+      .draws = DrawSet::Receivers,
+      .reads = {{.name = "base_color", .meaning = "albedo and opacity", .of_material = true},
+                {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true},
+                {.name = "emissive", .meaning = "light of its own", .of_material = true}},
+      .writes = {{.name = "view_position",
+                  .meaning = "xyz: position of the first opaque surface, metres, scene space; w: 1 "
+                             "where there is one, else 0"},
+                 {.name = "view_normal",
+                  .meaning = "xyz: unit shading normal on the camera's side, scene space; w: depth "
+                             "along the camera's axis, metres"},
+                 {.name = "view_albedo", .meaning = "rgb: diffuse albedo, linear"},
+                 {.name = "view_emission", .meaning = "rgb: emitted radiance, nit"}},
+      .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
+      .depth_state = {.compare = Compare::Less, .write = true},
+      .shaders = {{&view_surfaces_shader}},
+      .uniforms = [](const PassContext& c) { return uniforms(*c.camera, *c.material); },
+  };
 }
 
 }  // namespace caustics

@@ -5,6 +5,5 @@ namespace caustics {
 
 // view_surfaces.md says what these passes are for, what is read and written, and what can go wrong.
 Pass view_surfaces_pass();
-Pass wide_surfaces_pass();  // over the wide view
 
 }  // namespace caustics

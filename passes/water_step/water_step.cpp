@@ -55,23 +55,16 @@ std140::WaterStep water_step_uniforms(const Water& water, std::int64_t step) {
 
 Pass water_step_pass() {
   return {
-      .definition =
-          {
-              .name = kWaterStep,
-              .purpose = "moves the waves of a water surface on by one step of time",
-              .reads = {{.name = kWaterBefore, .meaning = "the water's heights before the step"}},
-              .writes = {{.name = "water_after",
-                          .format = Format::RG32F,
-                          .meaning = "r: height over the level, metres; g: how fast it rises, metres a second"}},
-              .shader = &water_step_shader,
-          },
-      .called_for_by = [](const Effects& effects) -> std::optional<std::string> {
-        if (!effects.water_waves.active) return {};
-        return "waves run over the water";
-      },
-      .each = Each::Water,
-      .draws = DrawSet::FullScreen,
-      .extent = Extent::Water,
+      .name = kWaterStep,
+      .purpose = "moves the waves of a water surface on by one step of time",
+      .reason = "waves run over the water",
+      .when = {&Effects::water_waves},
+      .drawn_for = {kWater},
+      .reads = {{.name = kWaterBefore, .meaning = "the water's heights before the step"}},
+      .writes = {{.name = "water_after",
+                  .format = Format::RG32F,
+                  .meaning = "r: height over the level, metres; g: how fast it rises, metres a second"}},
+      .shaders = {{&water_step_shader}},
       .uniforms =
           [](const PassContext& context) {
             return uniform_bytes(water_step_uniforms(*context.water, context.water_step));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
+#include <mutex>
 
 #include "pipeline/gpu/error.hpp"
 
@@ -147,6 +149,7 @@ ShaderInterface reflect(std::string_view text) {
     const std::string_view line = trimmed(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     if (!conditions.counts(line)) continue;
+    result.discards = result.discards || line.find("discard_if(") != line.npos;
     Declaration d;
     if (parse(line, "ATTRIBUTE", d)) add_variable(result.attributes, d, Interpolation::Smooth);
     if (parse(line, "VARYING_SMOOTH", d)) add_variable(result.varyings, d, Interpolation::Smooth);
@@ -155,6 +158,14 @@ ShaderInterface reflect(std::string_view text) {
     if (parse(line, "OUTPUT", d)) add_name(result.outputs, d);
   }
   return result;
+}
+
+const ShaderInterface& interface_of(const Shader& shader) {
+  static std::mutex mutex;
+  static std::map<std::string, ShaderInterface, std::less<>> known;  // by text; references into it stay
+  const std::lock_guard lock(mutex);
+  const auto found = known.find(shader.text);
+  return found != known.end() ? found->second : known.emplace(std::string(shader.text), reflect(shader.text)).first->second;
 }
 
 }  // namespace caustics

@@ -48,6 +48,7 @@ struct ShaderInterface {
   std::vector<ShaderVariable> varyings;
   std::vector<std::string> textures;  // by unit
   std::vector<std::string> outputs;   // by location
+  bool discards = false;              // fragments may be discarded
   int attribute_components() const;
   int varying_components() const;
 };
@@ -55,5 +56,8 @@ struct ShaderInterface {
 // Reads the ATTRIBUTE, VARYING_SMOOTH, VARYING_FLAT, TEXTURE and OUTPUT lines of a text. Throws Error
 // (InternalError) when components overlap or leave gaps, or units or locations are not 0, 1, 2, ...
 ShaderInterface reflect(std::string_view text);
+
+// The same of a shader, read from its text once in the life of the process.
+const ShaderInterface& interface_of(const Shader& shader);
 
 }  // namespace caustics

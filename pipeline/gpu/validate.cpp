@@ -13,16 +13,20 @@ namespace {
   throw Error(ExitCode::InternalError, "pass '" + definition.name + "': " + why);
 }
 
-// Compares how many a definition lists with how many its shader declares. They are matched by order: one
-// shader may serve several definitions, which name their own textures.
+// Every name that a definition lists must be the one that its shader declares in the same place.
 template <class Listed>
-void require_same_count(const PassDefinition& definition, const Listed& listed,
+void require_same_names(const PassDefinition& definition, const Listed& listed,
                         const std::vector<std::string>& declared, const std::string& what,
                         const std::string& keyword) {
+  const auto shader = " its shader '" + std::string(definition.shader->name) + "' declares ";
+  for (std::size_t i = 0; i < std::min(listed.size(), declared.size()); ++i)
+    if (listed[i].name != declared[i])
+      refuse(definition, what + " " + std::to_string(i) + " is '" + listed[i].name + "'," + shader + "'" + declared[i] +
+                             "' there; name and order them alike");
   if (listed.size() != declared.size())
-    refuse(definition, "lists " + std::to_string(listed.size()) + " " + what +
-                           ", its shader declares " + std::to_string(declared.size()) +
-                           "; make the definition and the shader's " + keyword + " lines agree");
+    refuse(definition, "lists " + std::to_string(listed.size()) + " " + what + "s," + shader +
+                           std::to_string(declared.size()) + "; make the definition and the shader's " + keyword +
+                           " lines agree");
 }
 
 void require_distinct_names(const PassDefinition& definition) {
@@ -40,9 +44,9 @@ void require_distinct_names(const PassDefinition& definition) {
 void validate(const PassDefinition& definition) {
   if (definition.name.empty()) throw Error(ExitCode::InternalError, "a pass has no name");
   if (!definition.shader) refuse(definition, "has no shader; set `shader`");
-  const ShaderInterface interface = reflect(definition.shader->text);
-  require_same_count(definition, definition.reads, interface.textures, "reads", "TEXTURE");
-  require_same_count(definition, definition.writes, interface.outputs, "writes", "OUTPUT");
+  const ShaderInterface& interface = interface_of(*definition.shader);
+  require_same_names(definition, definition.reads, interface.textures, "read", "TEXTURE");
+  require_same_names(definition, definition.writes, interface.outputs, "write", "OUTPUT");
   if (definition.writes.empty() && !definition.depth)
     refuse(definition, "writes nothing; add an attachment");
   if (definition.writes.size() > 8)
@@ -63,7 +67,6 @@ void validate(const PassDefinition& definition) {
 void validate(const PassRun& run, const Device& device) {
   if (!run.definition) throw Error(ExitCode::InternalError, "a run names no pass definition");
   const PassDefinition& definition = *run.definition;
-  validate(definition);
   if (run.colors.size() != definition.writes.size())
     refuse(definition, "got " + std::to_string(run.colors.size()) + " colour targets, writes " +
                            std::to_string(definition.writes.size()));
@@ -87,7 +90,7 @@ void validate(const PassRun& run, const Device& device) {
     check_target(run.colors[i], definition.writes[i].format, definition.writes[i].name);
   if (definition.depth) check_target(run.depth, Format::Depth32F, definition.depth->name);
 
-  const ShaderInterface interface = reflect(definition.shader->text);
+  const ShaderInterface& interface = interface_of(*definition.shader);
   for (const Draw& draw : run.draws) {
     if (draw.textures.size() != definition.reads.size())
       refuse(definition, "a draw binds " + std::to_string(draw.textures.size()) +

@@ -5,6 +5,7 @@
 
 #include "pipeline/measure/splat_counts.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
+#include "pipeline/shader/constants.hpp"
 
 namespace caustics {
 
@@ -92,12 +93,12 @@ void add(Ledger& sum, const Ledger& other, double share) {
 
 namespace {
 
-void add_vertex(const BranchImages& images, int x, int y, const ViewUniforms& view,
+void add_vertex(const BranchImages& images, int x, int y, const std140::View& view,
                 const SplatKernel& kernel, int map, Ledger& ledger) {
   const auto status = static_cast<LandingStatus>(static_cast<int>(images.landing.at(x, y, 3)));
   const double flux = images.fresnel.at(x, y, 3);
   // The guard vertices of a cube's grid belong to other faces: they carry nothing.
-  const bool cube = view.depth.z > 1.5f;
+  const bool cube = view.kind == VIEW_CUBE;
   const bool guard = cube && flux == 0.0;
   ++ledger.vertices[static_cast<std::size_t>(guard ? LandingStatus::Empty : status)];
   if (status == LandingStatus::Empty || guard) return;
@@ -132,7 +133,7 @@ Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<
   Ledger ledger;
   const SplatKernel kernel = splat_kernel(settings);
   const int side = caustic_map.width();
-  const ViewUniforms uniforms = pack(caustic_view);
+  const std140::View uniforms = shader_view(caustic_view);
   for (const BranchImages& images : branches)
     for (int y = 0; y < images.landing.height(); ++y)
       for (int x = 0; x < images.landing.width(); ++x) add_vertex(images, x, y, uniforms, kernel, side, ledger);

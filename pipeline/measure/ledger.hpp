@@ -7,20 +7,21 @@
 
 #include "pipeline/gpu/image.hpp"
 #include "pipeline/measure/landing_images.hpp"
-#include "pipeline/settings/settings.hpp"
 #include "pipeline/scene/view.hpp"
+#include "pipeline/settings/settings.hpp"
+#include "pipeline/shader/constants.hpp"
 
 namespace caustics {
 
 // How a grid vertex ended; `landing`'s alpha channel holds the number.
 enum class LandingStatus : std::uint8_t {
-  Empty,            // no caster in this texel
-  Landed,
-  Missed,           // leaves the scene: no receiver on its way
-  Outside,          // leaves the receiver or the caustic map
-  TotalReflection,  // cannot leave the caster at its second surface
-  Absorbed,         // less than a millionth is left
-  NotConverged,     // the estimator did not close in on a receiver
+  Empty = STATUS_EMPTY,  // no caster in this texel
+  Landed = STATUS_LANDED,
+  Missed = STATUS_MISSED,    // leaves the scene: no receiver on its way
+  Outside = STATUS_OUTSIDE,  // leaves the receiver or the caustic map
+  TotalReflection = STATUS_TOTAL_REFLECTION,  // cannot leave the caster at its second surface
+  Absorbed = STATUS_ABSORBED,                 // less than a millionth is left
+  NotConverged = STATUS_NOT_CONVERGED,        // the estimator did not close in on a receiver
 };
 inline constexpr int kLandingStatuses = 7;
 std::string_view name_of(LandingStatus status);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/measure/ledger.hpp"
+#include "pipeline/shader/constants.hpp"
 
 namespace caustics {
 
@@ -51,7 +52,7 @@ class RectangleCounts {
 
 void add_landings(const BranchImages& images, const SplatKernel& kernel, const View& view, int map,
                   RectangleCounts& counts) {
-  const ViewUniforms uniforms = pack(view);
+  const std140::View uniforms = shader_view(view);
   for (int y = 0; y < images.landing.height(); ++y)
     for (int x = 0; x < images.landing.width(); ++x) {
       if (images.landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
@@ -77,15 +78,15 @@ void add_cells(const BranchImages& images, const CellImages& cells, RectangleCou
 
 }  // namespace
 
-glm::dvec2 texel_of(const BranchImages& images, int x, int y, const ViewUniforms& view, int map) {
+glm::dvec2 texel_of(const BranchImages& images, int x, int y, const std140::View& view, int map) {
   const glm::vec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1), images.landing.at(x, y, 2)};
   const auto along = [&](int row) {
     const glm::mat4& m = view.from_scene;
     return ((m[0][row] * p.x + m[1][row] * p.y) + m[2][row] * p.z) + m[3][row];
   };
-  const float w = view.depth.z > 0.5f ? along(2) : 1.0f;
+  const float w = view.kind != VIEW_PARALLEL ? along(2) : 1.0f;
   const auto side = static_cast<float>(map);
-  return {(along(0) / w * view.window.x + view.window.z) * side, (along(1) / w * view.window.y + view.window.w) * side};
+  return {(along(0) / w * view.scale.x + view.offset.x) * side, (along(1) / w * view.scale.y + view.offset.y) * side};
 }
 
 std::vector<std::uint32_t> splat_counts(const std::vector<BranchImages>& branches,

@@ -19,6 +19,6 @@ std::vector<std::uint32_t> splat_counts(const std::vector<BranchImages>& branche
 // Where a landing is splatted in a map of a frame, in texels from its lower left corner: in single precision, step by step
 // as passes/shared/view_space.glsl does, for where a caustic is hardly wider than its coordinates' rounding a texel more
 // or less decides what the map's edge cuts off. Not for cubes.
-glm::dvec2 texel_of(const BranchImages& images, int x, int y, const ViewUniforms& view, int map);
+glm::dvec2 texel_of(const BranchImages& images, int x, int y, const std140::View& view, int map);
 
 }  // namespace caustics

@@ -1,6 +1,7 @@
 #include "pipeline/plan/frame_plan.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "pipeline/gpu/error.hpp"
@@ -43,29 +44,23 @@ struct Owner {
   int light = -1, branch = -1;
 };
 
-struct Size {
-  int width = 0, height = 0;
-};
+// "cells: landings are splatted one by one", or nothing where the effect is active.
+std::optional<std::string> missing(Effect Effects::*wanted, const Effects& effects) {
+  if (!wanted || (effects.*wanted).active) return {};
+  for (const NamedEffect& named : named_effects())
+    if (named.effect == wanted) return std::string(named.name) + ": " + (effects.*wanted).reason;
+  return (effects.*wanted).reason;
+}
 
-Size size_of(Extent extent, const Settings& settings) {
-  switch (extent) {
-    case Extent::Picture:
-      return {settings.width, settings.height};
-    case Extent::Wide:
-      return {(settings.width + 1) / 2, (settings.height + 1) / 2};
-    case Extent::Grid:
-      return {settings.grid, settings.grid};
-    case Extent::Map:
-    case Extent::Receiver:
-      return {settings.map, settings.map};
-    case Extent::Shadow:
-      return {settings.shadow, settings.shadow};
-    case Extent::Water:
-      break;  // each water's own
-    case Extent::Beams:
-      return {beams_a_side(settings), beams_a_side(settings)};
-  }
-  return {};
+// Why the effects do not call for an instance of a pass, or nothing.
+std::optional<std::string> not_called_for(const Pass& pass, const DrawnFor& drawn_for, const Effects& effects) {
+  for (Effect Effects::*wanted : pass.when)
+    if (const auto reason = missing(wanted, effects)) return reason;
+  return missing(drawn_for.also, effects);
+}
+
+std::string with_label(std::string_view name, std::string_view label) {
+  return label.empty() ? std::string(name) : std::string(name) + "." + std::string(label);
 }
 
 class Planner {
@@ -89,80 +84,96 @@ class Planner {
 
   void add_instances(int index) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
-    const std::optional<std::string> reason = pass.called_for_by(effects_);
-    if (!reason) {
-      plan_.skipped.push_back({pass.definition.name, "no effect calls for it"});
-      return;
+    for (const DrawnFor& drawn_for : pass.drawn_for) {
+      if (const auto reason = not_called_for(pass, drawn_for, effects_)) {
+        plan_.skipped.push_back({with_label(pass.name, drawn_for.label), *reason});
+      } else if (drawn_for.each == Each::Frame) {
+        add(index, drawn_for, {});
+      } else if (drawn_for.each == Each::Water) {
+        for (std::size_t water = 0; water < scene_.waters.size(); ++water) add_water(index, drawn_for, water);
+      } else {
+        add_for_lights(index, drawn_for);
+      }
     }
-    if (pass.each == Each::Frame) {
-      add(index, {}, *reason);
-      return;
-    }
-    if (pass.each == Each::Water) {
-      for (std::size_t water = 0; water < scene_.waters.size(); ++water) add_water(index, water, *reason);
-      return;
-    }
-    bool any = false;
-    for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light) {
-      if (!light_needs(pass, light)) continue;
-      any = true;
-      if (pass.each == Each::Light) add(index, {light, -1}, *reason);
-      for (int b = 0; pass.each == Each::Branch && b < static_cast<int>(effects_.branches.size()); ++b)
-        add(index, {light, b}, *reason);
-    }
-    if (!any) plan_.skipped.push_back({pass.definition.name, "no light calls for it"});
   }
 
-  // A light's caustic passes run only where one of its caustics is to be expected.
-  bool light_needs(const Pass& pass, int light) const {
+  void add_for_lights(int index, const DrawnFor& drawn_for) {
+    const Pass& pass = registry_[static_cast<std::size_t>(index)];
+    bool any = false;
+    for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light) {
+      if (!light_needs(pass, drawn_for, light)) continue;
+      any = true;
+      if (drawn_for.each == Each::Light) add(index, drawn_for, {light, -1});
+      for (int b = 0; drawn_for.each == Each::Branch && b < static_cast<int>(effects_.branches.size()); ++b)
+        add(index, drawn_for, {light, b});
+    }
+    if (!any)
+      plan_.skipped.push_back({with_label(pass.name, drawn_for.label), scene_.lights.empty() ? "light: no light shines"
+                                                                       : "no light calls for it"});
+  }
+
+  bool light_needs(const Pass& pass, const DrawnFor& drawn_for, int light) const {
     if (!(scene_.lights[static_cast<std::size_t>(light)].intensity > 0.0f)) return false;
-    if (pass.light_needs && !pass.light_needs(effects_, light)) return false;
-    const bool of_casters = pass.extent == Extent::Grid || pass.extent == Extent::Map || pass.extent == Extent::Receiver ||
-                            pass.extent == Extent::Beams || pass.draws == DrawSet::Beams;
-    if (!of_casters) return true;
+    if (drawn_for.lights && !drawn_for.lights(effects_.lights[static_cast<std::size_t>(light)])) return false;
+    if (!pass.only_lights_with_caustics) return true;
     return std::any_of(effects_.expectations.begin(), effects_.expectations.end(),
                        [&](const Expectation& e) { return e.light == light && e.expected; });
   }
 
-  void add(int index, Owner user, const std::string& reason) {
+  Size size_of(const Pass& pass, const DrawnFor& drawn_for, Owner user) const {
+    const LightEffects* light = user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
+    // What the camera sees of the lights' passes has the picture's size.
+    if (pass.size && drawn_for.label != kCamera.label) return pass.size(settings_, effects_, light);
+    if (drawn_for.camera == CameraView::Picture) return {settings_.width, settings_.height};
+    return {(settings_.width + 1) / 2, (settings_.height + 1) / 2};
+  }
+
+  void add(int index, const DrawnFor& drawn_for, Owner user) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
-    const PassDefinition& definition = pass.definition;
-    Size size = size_of(pass.extent, settings_);
-    if (pass.extent == Extent::Receiver && hides_receivers(user.light)) size = {2 * size.width, 2 * size.height};
+    const Size size = size_of(pass, drawn_for, user);
     PlannedPass planned{.pass = index,
+                        .drawn_for = &drawn_for,
+                        .definition = definition_of(pass, effects_, drawn_for),
                         .light = user.light,
                         .branch = user.branch,
-                        .label = definition.name,
-                        .reason = reason,
+                        .label = with_label(std::string(pass.name) + label_of(user), drawn_for.label),
+                        .reason = std::string(pass.reason),
                         .width = size.width,
                         .height = size.height};
-    planned.label += label_of(user);
-    for (const TextureRead& read : definition.reads)
-      planned.reads.push_back(resolve(definition, read, user));
-    const Owner owner{pass.owner == Each::Frame ? -1 : user.light,
-                      pass.owner == Each::Branch ? user.branch : -1};
-    for (const ColorWrite& write : definition.writes)
-      planned.writes.push_back(target(planned, write.name, write.format, owner));
-    if (definition.depth)
-      planned.depth = target(planned, definition.depth->name, Format::Depth32F, owner);
+    for (const Read& read : pass.reads)
+      if (!read.only_with || read.only_with(effects_)) planned.reads.push_back(resolve(pass, read, drawn_for, user));
+    const Each owned_by = pass.owner.value_or(drawn_for.each);
+    const Owner owner{owned_by == Each::Frame ? -1 : user.light, owned_by == Each::Branch ? user.branch : -1};
+    const std::string_view own = drawn_for.own_textures ? drawn_for.label : std::string_view{};
+    std::size_t written = 0;
+    for (const Write& write : pass.writes) {
+      if (write.only_with && !write.only_with(effects_)) continue;
+      const std::string_view name = write.texture_by ? write.texture_by(effects_) : write.name;
+      planned.writes.push_back(
+          target(planned, with_label(name, own), planned.definition.writes[written++].format, owner));
+    }
+    if (pass.depth) planned.depth = target(planned, with_label(pass.depth->name, own), Format::Depth32F, owner);
     plan_.passes.push_back(std::move(planned));
   }
 
   // The steps of a water, and the last of them once more as a pass of the plan.
-  void add_water(int index, std::size_t number, const std::string& reason) {
+  void add_water(int index, const DrawnFor& drawn_for, std::size_t number) {
     const Water& water = scene_.waters[number];
-    const PassDefinition& definition = registry_[static_cast<std::size_t>(index)].definition;
+    const Pass& pass = registry_[static_cast<std::size_t>(index)];
+    const std::string reason(pass.reason);
     PlannedPass planned{.pass = index,
+                        .drawn_for = &drawn_for,
+                        .definition = definition_of(pass, effects_, drawn_for),
                         .water = static_cast<int>(number),
-                        .label = definition.name + "[" + (water.name.empty() ? std::to_string(number) : water.name) + "]",
+                        .label = std::string(pass.name) + "[" + (water.name.empty() ? std::to_string(number) : water.name) + "]",
                         .reason = reason,
                         .width = water.columns,
                         .height = water.rows};
-    for (const TextureRead& read : definition.reads) {
+    for (const TextureRead& read : planned.definition.reads) {
       plan_.textures.push_back({.name = water_texture(read.name, number), .external = true});
       planned.reads.push_back(static_cast<int>(plan_.textures.size()) - 1);
     }
-    for (const ColorWrite& write : definition.writes) {
+    for (const ColorWrite& write : planned.definition.writes) {
       plan_.before.push_back({planned.label,
                               reason + ": a step every " + number_text(1e3 * water.step) + " ms",
                               {water_texture(write.name, number), write.format, water.columns, water.rows}});
@@ -171,10 +182,6 @@ class Planner {
       planned.keep.push_back(false);
     }
     plan_.passes.push_back(std::move(planned));
-  }
-
-  bool hides_receivers(int light) const {
-    return effects_.hidden_receivers.active && effects_.lights[static_cast<std::size_t>(light)].all_around.empty();
   }
 
   // "[sun]", "[sun 656nm]", or nothing for the frame.
@@ -195,15 +202,16 @@ class Planner {
     return owner.light >= 0 ? light_texture(name, owner.light) : name;
   }
 
-  // What is read is the branch's own, or else the light's, or else the frame's.
-  int resolve(const PassDefinition& definition, const TextureRead& read, Owner user) const {
+  // What is read is the instance's own, or else the plain one; the branch's, or else the light's, or else the frame's.
+  int resolve(const Pass& pass, const Read& read, const DrawnFor& drawn_for, Owner user) const {
     if (read.of_material) return PlannedPass::kMaterial;
-    int found = plan_.find(full_name(read.name, user));
-    if (found < 0) found = plan_.find(full_name(read.name, {user.light, -1}));
-    if (found < 0) found = plan_.find(read.name);
-    if (found >= 0) return found;
+    if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
+    const std::string name(read.texture.empty() ? read.name : read.texture);
+    for (const std::string& wanted : {with_label(name, drawn_for.label), name})
+      for (const Owner owner : {user, Owner{user.light, -1}, Owner{}})
+        if (const int found = plan_.find(full_name(wanted, owner)); found >= 0) return found;
     if (read.optional) return PlannedPass::kNothing;
-    throw Error(ExitCode::InternalError, "pass '" + definition.name + "' reads '" + read.name +
+    throw Error(ExitCode::InternalError, "pass '" + std::string(pass.name) + "' reads '" + name +
                                              "', which no pass before it writes; register a "
                                              "writer first or mark the read optional");
   }

@@ -8,7 +8,7 @@
 namespace caustics {
 
 // A texture of the frame. One that belongs to a light is named "name[light]", one of a branch
-// "name[light branch]".
+// "name[light branch]", that of an instance "name.label[light]".
 struct PlannedTexture {
   std::string name;
   Format format = Format::RGBA32F;
@@ -22,10 +22,12 @@ struct PlannedPass {
   static constexpr int kNothing = -2;   // in `reads`: an optional texture this frame lacks
 
   int pass = 0;        // index into the registry
+  const DrawnFor* drawn_for = nullptr;  // of the registry's pass
+  PassDefinition definition;            // what a device runs
   int light = -1;      // index into Scene::lights, -1 for a pass of the frame
   int branch = -1;     // index into Effects::branches, -1 for a pass of the frame or of a light
   int water = -1;      // index into Scene::waters, -1 for all other passes
-  std::string label;   // "caustic_map[sun]"
+  std::string label;   // "caustic_map[sun]", "landing[sun].far"
   std::string reason;
   std::vector<int> reads{};   // indices into FramePlan::textures, or the constants above
   std::vector<int> writes{};
@@ -41,6 +43,7 @@ struct PlannedSteps {
   PlannedTexture writes;
 };
 
+// A pass, or one of its instances, that does not run, and the effect that did not call for it.
 struct SkippedPass {
   std::string name;
   std::string reason;

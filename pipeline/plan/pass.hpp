@@ -1,21 +1,83 @@
-// A pass as the plan knows it: its definition, what calls for it, and what it is drawn with.
+// A pass as the plan knows it: what it does, what calls for it, for whom it is drawn, what it reads and writes, its state,
+// its shader. All of it data: the planner (frame_plan.hpp) makes instances of it for a frame.
 #pragma once
 #include <cstddef>
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "pipeline/gpu/pass_definition.hpp"
 #include "pipeline/effects/effects.hpp"
+#include "pipeline/gpu/pass_definition.hpp"
+#include "pipeline/plan/texture_names.hpp"
 #include "pipeline/scene/view.hpp"
 #include "pipeline/views/light_views.hpp"
 
 namespace caustics {
 
 // How often a pass runs in a frame. What belongs to a Water runs before the frame's passes, as many times
-// as its waves need steps (pipeline/water); a plan that is to be looked at in full has the last step again.
+// as its waves need steps (pipeline/renderer/moving_water.hpp); a plan that is to be looked at in full has the last step again.
 enum class Each : std::uint8_t { Frame, Light, Branch, Water };
+
+// Which of the receivers behind the casters, where one can hide another from the light.
+enum class ReceiverLayer : std::uint8_t { Nearest, Farthest };
+// Which caustic map of a light: the whole, or the finer one of its bright part.
+enum class MapWindow : std::uint8_t { Whole, Cascade };
+// What the camera sees: the picture, or its surroundings, three times as wide and high, which glass in it can show.
+enum class CameraView : std::uint8_t { Picture, Surroundings };
+
+// For whom a pass is drawn: once for the frame, each light, branch or water, and for which part of what these see.
+struct DrawnFor {
+  Each each = Each::Frame;
+  // Behind the pass's name and owner: "landing[sun].far"; empty for the plain instance.
+  std::string_view label{};
+  // The instance writes textures of its own, named alike ("landing.far[0]"), and reads such where there are any.
+  bool own_textures = true;
+  ReceiverLayer receivers = ReceiverLayer::Nearest;
+  MapWindow window = MapWindow::Whole;
+  CameraView camera = CameraView::Picture;
+  Effect Effects::*also = nullptr;                // needed beside the pass's own effects
+  bool (*lights)(const LightEffects&) = nullptr;  // which of the lights need it; null: all
+};
+
+// Whether something belongs to a frame that calls for these effects.
+using Condition = bool (*)(const Effects&);
+template <Effect Effects::*effect>
+bool with(const Effects& effects) {
+  return (effects.*effect).active;
+}
+
+inline bool sees_through_window(const LightEffects& light) { return light.all_around.empty(); }
+inline bool has_cascade(const LightEffects& light) { return !light.cascade.empty(); }
+
+inline constexpr DrawnFor kFrame{};
+inline constexpr DrawnFor kSurroundings{
+    .label = "surroundings", .camera = CameraView::Surroundings, .also = &Effects::seen_casters};
+// What the lights draw, drawn for the camera.
+inline constexpr DrawnFor kCamera{.label = "camera", .also = &Effects::seen_casters};
+inline constexpr DrawnFor kLight{.each = Each::Light};
+inline constexpr DrawnFor kLightFar{.each = Each::Light,
+                                    .label = "far",
+                                    .receivers = ReceiverLayer::Farthest,
+                                    .also = &Effects::hidden_receivers,
+                                    .lights = sees_through_window};
+inline constexpr DrawnFor kLightSurroundings{.each = Each::Light,
+                                             .label = "surroundings",
+                                             .camera = CameraView::Surroundings,
+                                             .also = &Effects::seen_casters};
+inline constexpr DrawnFor kBranch{.each = Each::Branch};
+inline constexpr DrawnFor kBranchFar{.each = Each::Branch,
+                                     .label = "far",
+                                     .receivers = ReceiverLayer::Farthest,
+                                     .also = &Effects::hidden_receivers,
+                                     .lights = sees_through_window};
+inline constexpr DrawnFor kBranchCascade{.each = Each::Branch,
+                                         .label = "cascade",
+                                         .window = MapWindow::Cascade,
+                                         .also = &Effects::cascades,
+                                         .lights = has_cascade};
+inline constexpr DrawnFor kWater{.each = Each::Water};
 
 // What a pass draws.
 enum class DrawSet : std::uint8_t {
@@ -30,25 +92,22 @@ enum class DrawSet : std::uint8_t {
   Beams,           // beams * beams quadrilaterals of two triangles
 };
 
-// Size of a pass's targets.
-// Wide is half the picture's size over three times its view, for what glass shows of the surroundings.
-// Beams is the grid's size, coarser where one beam stands for several grid vertices.
-// Receiver is the map's size, or twice as wide and high where receivers can hide others from the light: then its texels,
-// not planes, tell where light lands.
-enum class Extent : std::uint8_t { Picture, Wide, Grid, Map, Receiver, Shadow, Water, Beams };
+struct Size {
+  int width = 0, height = 0;
+};
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
 struct PassContext {
   const Scene* scene = nullptr;
   const Settings* settings = nullptr;
   const Effects* effects = nullptr;
-  const LightViews* views = nullptr;  // Each::Light and Each::Branch
-  const View* camera = nullptr;
-  const View* surroundings = nullptr;  // three times as wide and high as the camera's view
-  const Light* light = nullptr;         // Each::Light and Each::Branch
-  const Branch* branch = nullptr;       // Each::Branch only
-  const Water* water = nullptr;         // Each::Water only
-  std::int64_t water_step = 0;          // likewise: which step, counted from rest
+  const LightViews* views = nullptr;   // Each::Light and Each::Branch
+  const View* camera = nullptr;        // what the instance sees: the picture's view, or the surroundings'
+  const View* surroundings = nullptr;  // three times as wide and high as the picture's view
+  const Light* light = nullptr;        // Each::Light and Each::Branch
+  const Branch* branch = nullptr;      // Each::Branch only
+  const Water* water = nullptr;        // Each::Water only
+  std::int64_t water_step = 0;         // likewise: which step, counted from rest
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   int material_row = 0;   // row of `caster_materials`: the mesh's material
@@ -56,6 +115,10 @@ struct PassContext {
   int width = 0, height = 0;  // of the pass's targets
   int face = 4;           // of a cube view: the face that is drawn
   float exposure = 1.0f;  // factor from nit to display white
+  const DrawnFor* drawn_for = nullptr;  // null: the plain instance
+
+  bool farthest() const { return drawn_for && drawn_for->receivers == ReceiverLayer::Farthest; }
+  bool cascade() const { return drawn_for && drawn_for->window == MapWindow::Cascade; }
 };
 
 using UniformBytes = std::vector<std::byte>;
@@ -69,48 +132,82 @@ UniformBytes uniform_bytes(const T& block) {
   return bytes;
 }
 
+// A texture that the shader reads: `name` is that of its TEXTURE line.
+struct Read {
+  std::string_view name;
+  std::string_view meaning;
+  std::string_view texture{};        // another name than the shader has for it
+  bool of_material = false;          // the drawn surface's material's, instead of one of the frame
+  bool optional = false;             // the frame may lack it; one texel of zeros is bound then
+  Condition only_with = nullptr;     // the shader declares it only then
+  std::string_view only_for{};       // read only by the instance with this label; the others get zeros
+};
+
+// A colour attachment: `name` is that of the shader's OUTPUT line.
+struct Write {
+  std::string_view name;
+  Format format = Format::RGBA32F;
+  std::string_view meaning;  // what a texel means, with its unit and space
+  std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 0.0f};
+  BlendState blend{};
+  ColorMask mask = kAllChannels;
+  Format (*format_by)(const Effects&) = nullptr;             // where effects choose the format
+  std::string_view (*texture_by)(const Effects&) = nullptr;  // where effects choose the texture's name
+  Condition only_with = nullptr;                             // the shader declares it only then
+};
+
+// The pass's shader text compiled for what effects add; the last one whose condition holds is taken.
+struct Permutation {
+  const Shader* shader = nullptr;
+  Condition condition = nullptr;  // null: always
+};
+
 struct Pass {
-  PassDefinition definition;
-  // The reason why this frame needs the pass, or nothing.
-  std::optional<std::string> (*called_for_by)(const Effects&) = nullptr;
-  Each each = Each::Frame;
+  std::string_view name;     // = folder, shader text, page, test
+  std::string_view purpose;
+  std::string_view reason;   // why a frame that calls for it needs it
+  std::vector<Effect Effects::*> when{};  // all must be active; none: always
+  std::vector<DrawnFor> drawn_for{kFrame};
+  // Only for lights of whom a caustic is to be expected.
+  bool only_lights_with_caustics = false;
   DrawSet draws = DrawSet::FullScreen;
-  Extent extent = Extent::Picture;
+  // Of the targets; null: the picture's (of surroundings half of that).
+  Size (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;
+  std::vector<Read> reads{};
+  std::vector<Write> writes{};
+  std::optional<DepthWrite> depth{};
+  // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to its light's. None:
+  // to whom it is drawn for.
+  std::optional<Each> owner{};
+  Topology topology = Topology::Triangles;
+  DepthState depth_state{};
+  Cull cull = Cull::None;
+  bool count_samples = false;
+  // State that an instance has otherwise.
+  void (*otherwise)(const DrawnFor&, PassDefinition&) = nullptr;
+  std::vector<Permutation> shaders{};
   UniformBytes (*uniforms)(const PassContext&) = nullptr;
   // Of a pass that draws its meshes once for each face of a cube of its own: that cube.
   View (*all_around)(const PassContext&) = nullptr;
-  // Of a pass that only some lights need: which ones.
-  bool (*light_needs)(const Effects&, int light) = nullptr;
-  // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to
-  // its light's.
-  Each owner = each;
 };
+
+// What a device runs of a pass: the instance's, as these effects choose.
+PassDefinition definition_of(const Pass& pass, const Effects& effects = {}, const DrawnFor& drawn_for = kFrame);
 
 // Passes in the order in which they run. passes/registry.hpp has the only list.
 using Registry = std::vector<Pass>;
 
-// Resources that exist before the first pass, and what other rooms look up by name.
-inline constexpr char kCasterMaterials[] = "caster_materials";
-inline constexpr char kEnvironment[] = "environment";
-inline constexpr char kCasterNormal[] = "caster_normal";
-inline constexpr char kWaterStep[] = "water_step";
-inline constexpr char kWaterBefore[] = "water_before";
-inline constexpr char kLanding[] = "landing";
-inline constexpr char kLandingFlux[] = "landing_flux";
-inline constexpr char kLandingFresnel[] = "landing_fresnel";
-inline constexpr char kLandingAbsorbed[] = "landing_absorbed";
-// In `landing`: the status of each grid vertex after an earlier search, where there was one.
-inline constexpr char kLandedBefore[] = "landed_before";
-// Of scenes with a medium only.
-inline constexpr char kLandingMedium[] = "landing_medium";
-inline constexpr char kCausticMap[] = "caustic_map";
-// A finer map of a part of it, for lights with a cascade.
-inline constexpr char kCascadeMap[] = "cascade_map";
-inline constexpr char kCellNear[] = "cell_near";
-inline constexpr char kCellFar[] = "cell_far";
-inline constexpr char kCellFlux[] = "cell_flux";
+// Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do": everything that can be wrong in a
+// definition (pipeline/gpu/validate.hpp), of every instance and permutation; two passes of one name.
+void validate(const Registry& registry);
 
-// The same texture, or pass, for the farthest receivers that the light sees (passes/far_receivers/).
-inline std::string far_texture(const std::string& name) { return "far_" + name; }
+// Sizes that several passes share.
+Size grid_size(const Settings& settings, const Effects&, const LightEffects*);
+Size map_size(const Settings& settings, const Effects&, const LightEffects*);
+Size shadow_size(const Settings& settings, const Effects&, const LightEffects*);
+// Twice the map's where receivers can hide others from the light: then its texels, not planes, tell where light lands.
+Size receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light);
+// The grid's, coarser where one beam stands for several grid vertices.
+Size beams_size(const Settings& settings, const Effects&, const LightEffects*);
 
 }  // namespace caustics

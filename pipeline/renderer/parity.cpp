@@ -41,13 +41,12 @@ class Comparison {
 
   // Runs one pass on both devices, the tested one on the reference's inputs.
   void run(const PlannedPass& planned, const ParityWatch& watch, FrameParity& out) {
-    const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
     const std::vector<int> attachments = attachments_of(planned);
     const PassRun tested_run =
         prepare_pass(plan_, planned, registry_, tested_, fed_targets_, inputs_);
     const PassRun reference_run =
         prepare_pass(plan_, planned, registry_, reference_, reference_targets_, inputs_);
-    out.counts.push_back({planned.label, pass.definition.count_samples,
+    out.counts.push_back({planned.label, planned.definition.count_samples,
                           reference_.device().run(reference_run),
                           tested_.device().run(tested_run)});
     for (std::size_t i = 0; i < attachments.size(); ++i) {
@@ -56,7 +55,7 @@ class Comparison {
       content = reference_.device().read_back(reference_targets_[attachments[i]]);
       const Image found = tested_.device().read_back(fed_targets_[attachments[i]]);
       out.isolated.push_back({planned.label, texture.name,
-                              difference(*content, found, {}, background(pass.definition, i))});
+                              difference(*content, found, {}, background(planned.definition, i))});
       if (watch) watch(out.isolated.back(), *content, found);
       fed_targets_.replace(attachments[i], *content);
     }

@@ -47,7 +47,7 @@ class PassRunner {
 
   PassRun prepare(const PlannedPass& planned) const {
     const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
-    PassRun run{.definition = &pass.definition, .keep = planned.keep};
+    PassRun run{.definition = &planned.definition, .keep = planned.keep};
     for (const int texture : planned.writes) run.colors.push_back(targets_[texture]);
     if (planned.depth >= 0) run.depth = targets_[planned.depth];
     PassContext context = frame_context(planned);
@@ -87,11 +87,12 @@ class PassRunner {
     PassContext context{.scene = &scene_.scene(),
                         .settings = inputs_.settings,
                         .effects = inputs_.effects,
-                        .camera = &inputs_.camera,
+                        .camera = planned.drawn_for->camera == CameraView::Picture ? &inputs_.camera : &surroundings_,
                         .surroundings = &surroundings_,
                         .width = planned.width,
                         .height = planned.height,
-                        .exposure = inputs_.exposure};
+                        .exposure = inputs_.exposure,
+                        .drawn_for = planned.drawn_for};
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);
       context.light = &scene_.scene().lights[light];
@@ -159,7 +160,7 @@ class PassRunner {
     Draw result{.mesh = mesh, .vertex_count = vertex_count, .uniforms = pass.uniforms(context)};
     for (std::size_t i = 0; i < planned.reads.size(); ++i)
       result.textures.push_back(
-          bound(planned.reads[i], pass.definition.reads[i].name, context.material));
+          bound(planned.reads[i], planned.definition.reads[i].name, context.material));
     return result;
   }
 

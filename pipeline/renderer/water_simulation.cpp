@@ -10,12 +10,12 @@ constexpr std::int64_t kStepsABreath = 256;
 
 const Pass& water_pass(const Registry& registry) {
   for (const Pass& pass : registry)
-    if (pass.each == Each::Water) return pass;
+    if (pass.drawn_for.front().each == Each::Water) return pass;
   throw Error(ExitCode::InternalError, "the registry has no pass that moves water");
 }
 
 WaterSimulation::WaterSimulation(const Water& water, Device& device, const Pass& pass)
-    : water_(water), device_(device), pass_(pass) {
+    : water_(water), device_(device), pass_(pass), definition_(definition_of(pass)) {
   rest();
 }
 
@@ -31,7 +31,7 @@ void WaterSimulation::set_state(const Image& state) {
 
 void WaterSimulation::make_step() {
   const PassContext context{.water = &water_, .water_step = steps_};
-  const PassRun run{.definition = &pass_.definition,
+  const PassRun run{.definition = &definition_,
                     .colors = {textures_[1 - current_].id()},
                     .keep = {false},
                     .draws = {{.vertex_count = 3,

@@ -44,6 +44,7 @@ class WaterSimulation {
   const Water& water_;
   Device& device_;
   const Pass& pass_;
+  const PassDefinition definition_;
   std::array<OwnedTexture, 2> textures_{};
   std::size_t current_ = 0;
   std::int64_t steps_ = 0;

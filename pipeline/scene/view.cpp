@@ -24,42 +24,34 @@ double View::window_area() const {
   return (window_upper.x - window_lower.x) * (window_upper.y - window_lower.y);
 }
 
-ViewUniforms pack(const View& view) {
+std140::View shader_view(const View& view) {
+  std140::View result{.from_scene = glm::mat4(1.0f),
+                      .scale = glm::vec2(0.0f),
+                      .offset = glm::vec2(0.0f),
+                      .near = static_cast<float>(view.near),
+                      .far = static_cast<float>(view.far),
+                      .kind = view.cube ? VIEW_CUBE : view.perspective ? VIEW_PERSPECTIVE : VIEW_PARALLEL,
+                      .face = view.face};
   const glm::dvec3 axes[3] = {view.right, view.up, view.forward};
-  ViewUniforms uniforms;
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column)
-      uniforms.from_scene[column][row] = static_cast<float>(axes[row][column]);
     const glm::dvec3& a = axes[row];
-    uniforms.from_scene[3][row] = static_cast<float>(
-        -(a.x * view.origin.x + a.y * view.origin.y + a.z * view.origin.z));
+    for (int column = 0; column < 3; ++column) result.from_scene[column][row] = static_cast<float>(a[column]);
+    result.from_scene[3][row] =
+        static_cast<float>(-(a.x * view.origin.x + a.y * view.origin.y + a.z * view.origin.z));
   }
-  uniforms.depth = glm::vec4(static_cast<float>(view.near), static_cast<float>(view.far),
-                             view.perspective ? 1.0f : 0.0f, 0.0f);
   if (view.cube) {
     const CubeAtlas& atlas = *view.cube;
     const glm::dvec4 texels{atlas.face_width(), atlas.face_height(), atlas.tile_width(), atlas.tile_height()};
-    uniforms.window = glm::vec4(0.5 * texels / static_cast<double>(atlas.side));
-    uniforms.depth.z = 2.0f;
-    uniforms.depth.w = static_cast<float>(view.face);
-    return uniforms;
+    const glm::vec4 window(0.5 * texels / static_cast<double>(atlas.side));
+    result.scale = {window.x, window.y};
+    result.offset = {window.z, window.w};
+    return result;
   }
   const glm::dvec2 size = view.window_upper - view.window_lower;
-  uniforms.window = glm::vec4(static_cast<float>(1.0 / size.x), static_cast<float>(1.0 / size.y),
-                              static_cast<float>(-view.window_lower.x / size.x),
-                              static_cast<float>(-view.window_lower.y / size.y));
-  return uniforms;
-}
-
-std140::View shader_view(const View& view) {
-  const ViewUniforms packed = pack(view);
-  return {.from_scene = packed.from_scene,
-          .scale = glm::vec2(packed.window.x, packed.window.y),
-          .offset = glm::vec2(packed.window.z, packed.window.w),
-          .near = packed.depth.x,
-          .far = packed.depth.y,
-          .kind = view.cube ? VIEW_CUBE : view.perspective ? VIEW_PERSPECTIVE : VIEW_PARALLEL,
-          .face = view.face};
+  result.scale = {static_cast<float>(1.0 / size.x), static_cast<float>(1.0 / size.y)};
+  result.offset = {static_cast<float>(-view.window_lower.x / size.x),
+                   static_cast<float>(-view.window_lower.y / size.y)};
+  return result;
 }
 
 View widened(const View& view, double factor) {

@@ -5,8 +5,14 @@ CONSTANT(VIEW_PARALLEL, 0)
 CONSTANT(VIEW_PERSPECTIVE, 1)
 CONSTANT(VIEW_CUBE, 2)
 
-// The face of a view that is not a cube: its z is the view's own.
+// The faces of a cube, by the view's axis that they look along: +x, -x, +y, -y, +z, -z. A view that is not a cube has
+// only FACE_FORWARD.
+CONSTANT(FACE_RIGHT, 0)
+CONSTANT(FACE_LEFT, 1)
+CONSTANT(FACE_UP, 2)
+CONSTANT(FACE_DOWN, 3)
 CONSTANT(FACE_FORWARD, 4)
+CONSTANT(FACE_BACKWARD, 5)
 
 // How a grid vertex's light ended; the texture `landing` holds it in w.
 CONSTANT(STATUS_EMPTY, 0)

@@ -1,5 +1,6 @@
 // What the common subset is in GLSL 4.50. The backend puts `#version 450 core` and a definition of
-// VERTEX_STAGE or FRAGMENT_STAGE in front. pipeline/shader/SUBSET.md is the manual.
+// VERTEX_STAGE or FRAGMENT_STAGE in front, and marks every float operation of both as precise
+// (gl_backend/precise_text.hpp). pipeline/shader/SUBSET.md is the manual.
 #define Float float
 #define Int int
 #define Bool bool
@@ -8,8 +9,8 @@
 #define Vec4 vec4
 #define Texture sampler2D
 #define IN(T) in T
-#define OUT(T) out T
-#define INOUT(T) inout T
+#define OUT(T) precise out T
+#define INOUT(T) precise inout T
 #define TRACE(label, value)
 #define any_lane(condition) (condition)
 #define CONSTANT(name, value) const int name = value;
@@ -38,8 +39,11 @@ out gl_PerVertex { precise vec4 gl_Position; float gl_PointSize; };
 #define frag_x() gl_FragCoord.x
 #define frag_y() gl_FragCoord.y
 #define front_facing() gl_FrontFacing
-#define discard_if(condition) if (condition) discard
+#define discard_if(condition) if (exact_condition = (condition)) discard
 #endif
+
+// What is assigned to it is calculated as precisely as any variable: conditions bear no mark of their own.
+precise bool exact_condition;
 
 float sel(bool c, float a, float b) { return c ? a : b; }
 int sel(bool c, int a, int b) { return c ? a : b; }

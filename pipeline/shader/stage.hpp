@@ -166,6 +166,7 @@ struct FragmentStage {
 #define IN(T) const T&
 #define OUT(T) T&
 #define INOUT(T) T&
+// As long as std140 has it: a multiple of 16 bytes.
 #define UNIFORMS_BEGIN struct alignas(16) UniformBlock {
 #define UNIFORMS_END                                                             \
   }                                                                              \

@@ -14,6 +14,7 @@ MAY = {
     'pipeline/views': {'pipeline/effects', 'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
     'pipeline/plan': {'pipeline/views', 'pipeline/effects', 'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
     'pipeline/measure': {'pipeline/plan', 'pipeline/views', 'pipeline/effects', 'pipeline/settings', 'pipeline/scene',
+                         'pipeline/shader',
                          'pipeline/gpu'},
     'pipeline/renderer': {'pipeline'},
     'passes': {'pipeline'},

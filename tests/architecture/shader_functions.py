@@ -1,68 +1,79 @@
 #!/usr/bin/env python3
-"""Shader functions fit on a screen (40 lines, 5 parameters), and no condition asks an unnamed component of a texel or a
-uniform: what a component means is said once, in a function is_..., has_... or fetch_..."""
+"""A shader function has at most 40 lines and 5 parameters, and no condition asks an unnamed component.
+
+The rule for conditions, in one sentence: a component of a uniform (`u.name.x`) is compared with nothing, and a component
+of a vector parameter of a uniform type, of a fetched texel, or named `w` is compared with no literal, except where the
+comparison gives it its name: as the whole of a function (`Bool is_covered(Vec4 texel) { return texel.w != 0.0f; }`) or of
+a struct's member (`material.solid = texel.w > 0.5f;`). Coordinates that are computed (`t.z > 0.0f`) may be compared.
+"""
 import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-MOST_LINES = 40
-MOST_PARAMETERS = 5
-HEAD = re.compile(r'^(?:\w+) (\w+)\(', re.M)
-COMPARED = r'\s*(?:[<>]=?|[=!]=)\s*'
-UNNAMED = re.compile(rf'\w\.w\b{COMPARED}|{COMPARED}[\w.]*\w\.w\b|\bu(?:\.\w+)*\.[xyz]\b{COMPARED}-?\d')
+ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__).resolve()
+ROOT = ROOT if len(sys.argv) > 1 else ROOT.parents[2]
+MOST_LINES, MOST_PARAMETERS = 40, 5
+
+COMPARED = r'(?:<=|>=|==|!=|<|>)'
+LITERAL = r'(?<![\w.])(?:-?\d[\d.]*(?:e[-+]?\d+)?f?\b|(?:Float|float|Int)\(-?\d[^()]*\))'
+FETCH = r'\w*fetch\w*\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)'
+FUNCTION = re.compile(r'^(?:const )?\w+ (\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{', re.M)
+NAMING = (re.compile(r'^\s*Bool \w+\((?:[^()]|\([^()]*\))*\) \{ return [^;&|]*; \}\s*$'),
+          re.compile(r'^\s*\w+\.\w+ = [^;&|]*;\s*$'))
 
 
-def matching(text, start, opening, closing):
-    depth = 0
-    for i in range(start, len(text)):
-        depth += (text[i] == opening) - (text[i] == closing)
-        if depth == 0:
-            return i
-    return len(text)
-
-
-def parameters(text):
-    depth, count = 0, 1 if text.strip() else 0
-    for c in text:
-        depth += (c == '(') - (c == ')')
-        count += c == ',' and depth == 0
-    return count
+def without_comments(text):
+    return re.sub(r'//[^\n]*', '', text)
 
 
 def functions(text):
-    """Name, first line, lines, parameters and body of each function in a text."""
-    for head in HEAD.finditer(text):
-        close = matching(text, head.end() - 1, '(', ')')
-        if not re.match(r'\s*\{', text[close + 1:]):
+    """Name, parameters, lines and first line of each function in a text without comments."""
+    for match in FUNCTION.finditer(text):
+        depth, end = 1, match.end()
+        while depth and end < len(text):
+            depth += {'{': 1, '}': -1}.get(text[end], 0)
+            end += 1
+        parameters = re.sub(r'\([^()]*\)', '', match.group(2)).strip()
+        count = parameters.count(',') + 1 if parameters and parameters != 'void' else 0
+        yield (match.group(1), count, text.count('\n', match.start(), end) + 1,
+               text.count('\n', 0, match.start()) + 1)
+
+
+def unnamed_conditions(text):
+    """Line and words of each comparison that the rule refuses, in a text without comments."""
+    texels = re.findall(r'Vec[234] (\w+) = ' + FETCH + r';', text)
+    uniforms = re.findall(r'\b(?:i?vec[234]|IN\(i?vec[234]\)) (\w+)(?=[,);])', text)
+    names = '|'.join(sorted(set(texels + uniforms))) or r'\b\B'
+    uniform = r'\bu\.\w+\.[xyzw]\b'
+    component = rf'(?:\b(?:{names})\.[xyzw]\b|{FETCH}\.[xyzw]\b|\b\w+(?:\.\w+)*\.w\b)'
+    refused = re.compile(rf'{uniform}\s*{COMPARED}|{COMPARED}\s*-?{uniform}|'
+                         rf'{component}\s*{COMPARED}\s*{LITERAL}|{LITERAL}\s*{COMPARED}\s*{component}')
+    for number, line in enumerate(text.splitlines(), 1):
+        if any(naming.match(line) for naming in NAMING) and not re.search(uniform, line):
             continue
-        end = matching(text, text.index('{', close), '{', '}')
-        yield (head.group(1), text.count('\n', 0, head.start()) + 1, text.count('\n', head.start(), end) + 1,
-               parameters(text[head.end():close]), text[head.start():end + 1])
-
-
-def complaints(path):
-    text = (ROOT / path).read_text()
-    for name, line, lines, count, body in functions(text):
-        where = f'{path}:{line}: {name}'
-        if lines > MOST_LINES:
-            yield f'{where} has {lines} lines, more than {MOST_LINES}: split it'
-        if count > MOST_PARAMETERS:
-            yield f'{where} has {count} parameters, more than {MOST_PARAMETERS}: make a struct of what belongs together'
-        if not re.match('(is|has|fetch)_', name):
-            for condition in UNNAMED.finditer(re.sub('//[^\n]*', '', body)):
-                yield f'{where} asks an unnamed component ({condition.group(0).strip()}): give it a name'
+        for match in refused.finditer(line):
+            yield number, ' '.join(match.group(0).split())
 
 
 def main():
-    folders = [pathlib.Path(folder) for folder in sys.argv[1:]] or [ROOT / 'passes']
-    texts = sorted(text for folder in folders for text in
-                   (folder.resolve().rglob('*.glsl') if folder.is_dir() else [folder.resolve()]))
-    wrong = [c for text in texts for c in complaints(text.relative_to(ROOT))]
-    every = [(f[2], f[3], f[0]) for text in texts for f in functions(text.read_text())]
-    print('\n'.join(wrong) or f'{len(every)} shader functions: at most {max(f[0] for f in every)} lines and '
-                              f'{max(f[1] for f in every)} parameters')
-    return 1 if wrong or not every else 0
+    wrong, seen, longest, conditions = [], 0, 0, 0
+    texts = sorted(path for room in ('passes', 'pipeline/shader') for path in (ROOT / room).rglob('*.glsl'))
+    for path in texts:
+        name, text = path.relative_to(ROOT), without_comments(path.read_text())
+        for function, parameters, lines, number in functions(text):
+            seen, longest = seen + 1, max(longest, lines)
+            if lines > MOST_LINES:
+                wrong.append(f'{name}:{number}: {function} has {lines} lines, more than {MOST_LINES}: split it')
+            if parameters > MOST_PARAMETERS:
+                wrong.append(f'{name}:{number}: {function} has {parameters} parameters, more than '
+                             f'{MOST_PARAMETERS}: join those that belong together in a struct')
+        for number, words in unnamed_conditions(text):
+            conditions += 1
+            wrong.append(f'{name}:{number}: `{words}` asks an unnamed component: give it a name')
+    print('\n'.join(wrong))
+    print(f'{len(texts)} texts, {seen} functions, the longest of {longest} lines; '
+          f'conditions on unnamed components: {conditions}')
+    return 1 if wrong or len(texts) < 50 or seen < 200 else 0
 
 
 sys.exit(main())

@@ -1,44 +1,70 @@
 #!/usr/bin/env python3
-"""glslangValidator accepts every shader text as GLSL 4.50, both stages, behind the prelude."""
+"""What the OpenGL Device hands to the driver is GLSL 4.50, and every float operation in it is precise.
+
+    shaders.py caustics_shader_texts    the program that writes the texts
+
+glslangValidator, which follows the specification to the letter, compiles them to SPIR-V. There a precise
+operation bears the decoration NoContraction."""
 import pathlib
-import re
+import struct
 import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+# By number: OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv, OpFRem, OpFMod, and OpVectorTimesScalar to OpDot.
+FLOAT_ARITHMETIC = {127, 129, 131, 133, 136, 140, 141, *range(142, 149)}
+OP_LINE, OP_DECORATE, NO_CONTRACTION = 8, 71, 42
 
 
-def expanded(path):
-    return re.sub(r'#include "([^"]+)"', lambda m: expanded(m.group(1)), (ROOT / path).read_text())
+def instructions(module):
+    """Number of the operation and operands of each instruction (the SPIR-V specification, 2.3)."""
+    words = struct.unpack(f'<{len(module) // 4}I', module)
+    at = 5
+    while at < len(words):
+        length, operation = words[at] >> 16, words[at] & 0xffff
+        yield operation, words[at + 1:at + length]
+        at += length
 
 
-def complaints(text_path, defines):
-    body = ''.join(expanded(f'pipeline/shader/{name}.glsl') for name in ('constants', 'view', 'functions')) + expanded(text_path)
-    prelude = expanded('pipeline/shader/prelude.glsl')
-    if not (prelude + body).isascii():
-        yield f'{text_path}: GLSL is ASCII, and a character here is not'
-    for stage, macro in (('vert', 'VERTEX_STAGE'), ('frag', 'FRAGMENT_STAGE')):
-        head = f'#version 450 core\n#define {macro} 1\n'
-        head += ''.join(f'#define {d.replace("=", " ")}\n' for d in defines)
-        with tempfile.NamedTemporaryFile('w', suffix='.' + stage) as file:
-            file.write(head + prelude + body)
-            file.flush()
-            result = subprocess.run(['glslangValidator', file.name], text=True, capture_output=True)
-        if result.returncode:
-            yield f'{text_path} ({stage}): ' + ' | '.join(
-                line for line in result.stdout.splitlines() if line.startswith('ERROR'))
+def float_operations(module):
+    """The source line of each float operation, and the lines of those that are not precise."""
+    lines, precise, line = {}, set(), 0
+    for operation, operands in instructions(module):
+        if operation == OP_LINE:
+            line = operands[1]
+        elif operation == OP_DECORATE and operands[1] == NO_CONTRACTION:
+            precise.add(operands[0])
+        elif operation in FLOAT_ARITHMETIC:
+            lines[operands[1]] = line
+    return lines.values(), [line for result, line in lines.items() if result not in precise]
+
+
+def examine(file):
+    """What is wrong with a text, and how many float operations it has."""
+    text = file.read_text(encoding='utf-8')
+    if not text.isascii():
+        return [f'{file.name}: GLSL is ASCII, and a character here is not'], 0
+    binary = file.with_name(file.name + '.spv')
+    result = subprocess.run(['glslangValidator', '-G', '-g', '--aml', '--amb', '-o', binary, file], text=True,
+                            capture_output=True)
+    if result.returncode:
+        errors = [line for line in result.stdout.splitlines() if line.startswith('ERROR')]
+        return [f'{file.name}: ' + ' | '.join(errors)], 0
+    operations, unmarked = float_operations(binary.read_bytes())
+    shader_text = text.partition('\n#line 1\n')[2].splitlines()
+    return [f'{file.name}: a float operation here is not precise; give its value a variable: '
+            + shader_text[line - 1].strip() for line in sorted(set(unmarked))], len(operations)
 
 
 def main():
-    wrong, texts = [], 0
-    for line in (ROOT / 'passes/room.cmake').read_text().splitlines():
-        match = re.match(r'\s*caustics_add_shader\(\S+ \S+ TEXT (\S+?)(?: DEFINES (.*))?\)', line)
-        if match:
-            texts += 1
-            wrong += complaints(match.group(1), (match.group(2) or '').split())
-    print('\n'.join(wrong) or f'{texts} shader texts are GLSL 4.50')
-    return 1 if wrong or texts < 10 else 0
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.argv[1], folder], check=True)
+        files = sorted(pathlib.Path(folder).iterdir())
+        examined = [examine(file) for file in files]
+    wrong = [line for lines, _ in examined for line in lines]
+    operations = sum(count for _, count in examined)
+    print('\n'.join(wrong) or f'{len(files)} texts are GLSL 4.50; all of {operations} float operations are precise')
+    return 1 if wrong or len(files) < 20 or operations < 1000 else 0
 
 
 sys.exit(main())

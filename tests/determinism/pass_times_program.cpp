@@ -21,7 +21,7 @@ ExitCode print_times(const Arguments& arguments) {
   request.scene = words[0];
   check_request(request, "pass_times");
   RenderedFrame frame(request, load_scene(request), {});
-  for (int round = parse_integer("ROUNDS", words[1], 1, 1000); round > 0; --round) {
+  for (int round = parse_number("ROUNDS", words[1], Limits<int>{1, 1000}); round > 0; --round) {
     double sum = 0.0;
     for (const PassReport& report : frame.run()) sum += report.result.milliseconds;
     std::printf("%.3f\n", sum);

@@ -2,7 +2,7 @@
 # bits cost (price.sh). Built when they are asked for.
 find_package(CLI11 REQUIRED)
 set(frame_sources "")
-foreach(file backend frame frame_options loaded_scene shell/interrupt shell/parser shell/run_program shell/terminal)
+foreach(file backend frame frame_options loaded_scene shell/help_page shell/interrupt shell/parser shell/run_program shell/setting_options shell/terminal)
   list(APPEND frame_sources app/${file}.cpp)
 endforeach()
 add_library(caustics_frame STATIC EXCLUDE_FROM_ALL ${frame_sources})

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/settings/settings.hpp"
 #include "pipeline/scene/animated_scene.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::fuzz {
 

@@ -8,6 +8,7 @@
 #include "pipeline/measure/error_estimate.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/pixel_side.hpp"
+#include "pipeline/settings/check_settings.hpp"
 #include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"

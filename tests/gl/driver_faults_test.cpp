@@ -16,6 +16,8 @@ const Settings kSettings = small_settings(16, 16, 8);
 
 std::string frame_on(Device& device) { return sha256(render_on(device, sphere_scene(1.5f, 2), kSettings, {})["picture"]); }
 
+const GlOptions kWithAll = {.measure = true, .debug = true};
+
 struct Outcome {
   std::string result, error;
 };
@@ -113,7 +115,7 @@ TEST_CASE("gl: memory that runs out while a shader is made is told in one line, 
 TEST_CASE("gl: a driver that fails while a device starts gives another device, or one line that says why") {
   if (!gl_or_skip()) return;
   FaultyDriver driver;
-  const auto start = [] { return make_gl_device()->renderer(); };
+  const auto start = [] { return make_gl_device(kWithAll)->renderer(); };
   start();
   const std::map<std::string, int> calls = driver.calls();
   std::set<std::string> renderers, done_without;
@@ -144,11 +146,48 @@ TEST_CASE("gl: a display that offers no contexts without a surface gets a surfac
   if (!device) return;
   FaultyDriver driver;
   driver.hide_display_extensions();
-  const Outcome outcome = outcome_of([&] { return frame_on(*make_gl_device()); });
+  const Outcome outcome = outcome_of([&] { return frame_on(*make_gl_device(kWithAll)); });
   CHECK(driver.calls().count("eglCreatePbufferSurface") == 1);
   CHECK(outcome.error == "");
   CHECK(outcome.result == frame_on(*device));
   driver.fail("eglChooseConfig", FaultyDriver::kAlways);
   driver.hide_display_extensions();
-  CHECK(contains(outcome_of([] { return make_gl_device()->renderer(); }).error, "EGL has no configuration"));
+  CHECK(contains(outcome_of([] { return make_gl_device(kWithAll)->renderer(); }).error, "EGL has no configuration"));
+}
+
+TEST_CASE("gl: a device that takes the place of one that fails says which, and why") {
+  if (!gl_or_skip()) return;
+  CHECK(make_gl_device()->passed_over() == "");
+  const std::string first = list_gl_devices().front().platform;
+  FaultyDriver driver;
+  driver.fail("eglInitialize", 0);
+  const std::string passed_over = make_gl_device()->passed_over();
+  CHECK(contains(passed_over, ("device 0, " + first + ": eglInitialize failed").c_str()));
+  CHECK(!contains(passed_over, "device 1"));
+}
+
+TEST_CASE("gl: a frame waits, counts and hears the driver's messages only on request") {
+  for (const bool requested : {true, false}) {
+    const auto device = gl_or_skip({.measure = requested, .debug = requested});
+    if (!device) return;
+    frame_on(*device);
+    FaultyDriver driver;
+    make_gl_device({.measure = requested, .debug = requested});
+    frame_on(*device);
+    const std::map<std::string, int> calls = driver.calls();
+    INFO(requested);
+    CHECK((calls.count("glDebugMessageCallback") == 1) == requested);
+    CHECK((calls.count("glFinish") + calls.count("glGetQueryObjectui64v") > 0) == requested);
+  }
+}
+
+TEST_CASE("gl: each shader is told once, before it is compiled") {
+  std::vector<std::string> told;
+  const auto device = gl_or_skip({.compiling = [&](std::string_view shader) { told.emplace_back(shader); }});
+  if (!device) return;
+  frame_on(*device);
+  CHECK(told.size() == device->made().programs);
+  CHECK(std::set<std::string>(told.begin(), told.end()).size() == told.size());
+  frame_on(*device);
+  CHECK(told.size() == device->made().programs);
 }

@@ -142,7 +142,7 @@ TEST_CASE("gl: textures of fewer channels and depth textures read as (r, g, 0, 1
 }
 
 TEST_CASE("gl: a steady loop makes nothing new") {
-  const auto device = gl_or_skip({.timed = false});
+  const auto device = gl_or_skip({});
   if (!device) return;
   const TextureId target = device->create_texture(Format::RGBA32F, 4, 4);
   FetchRun fetch(target, TextureId::None, TextureId::None, {{1, 1, 1, 1}, {2, 2, 2, 2}});
@@ -227,6 +227,39 @@ TEST_CASE("gl: a shader that OpenGL refuses gives one line with its name, stage 
   CHECK(RasterBench::sum(b.draw({b.at(0, 0), b.at(16, 0), b.at(0, 16)})[0]) == 64.0);
 }
 
+TEST_CASE("gl: OpenGL takes every form that the rewriting to precise gives a text") {
+  const auto device = gl_or_skip();
+  if (!device) return;
+  static const Shader kForms{
+      "forms",
+      "OUTPUT(0, Vec4, color)\n"
+      "struct Pair { Float a; Vec2 b; };\n"
+      "const int kThree = 3;\n"
+      "#ifdef VERTEX_STAGE\n"
+      "void main() { set_position(Vec4(vertex_id() == 1 ? 3.0f : -1.0f, vertex_id() == 2 ? 3.0f : -1.0f, 0.5f, 1.0f)); }\n"
+      "#else\n"
+      "Pair pair_of(Float a, mat4 m, const Int n) { Pair p; p.a = a * 2.0f; p.b = Vec2(m[0].x, Float(n)); return p; }\n"
+      "Bool grows(Pair p) { if (p.a * p.a > p.a) return p.b.x < p.b.y; else return false; }\n"
+      "Int count(INOUT(Float) x) { const float step = 1.5f; Int n = 0; while (x * step < 10.0f) { x *= step; n++; } return n; }\n"
+      "void twice(OUT(Vec3) v, Float x) { Float both[2]; both[0] = x; both[1] = x + x; v = Vec3(both[1]); return; }\n"
+      "void main() {\n"
+      "  Float x = 1.0f, y = 0.0f;\n"
+      "  for (float i = 0.0f; i + 0.5f < float(kThree); i += 1.0f) y += i;\n"
+      "  Pair p = pair_of(x + y, mat4(1.0f), 2);\n"
+      "  Vec3 v;\n"
+      "  twice(v, y);\n"
+      "  discard_if(p.a + v.x < 0.0f);\n"
+      "  color = Vec4(p.a, Float(count(x)), v.z, sel(grows(p), Float(1.0f), Float(0.0f)));\n"
+      "}\n"
+      "#endif\n",
+      {}};
+  const PassDefinition definition{
+      .name = "forms", .purpose = "test", .writes = {{.name = "color", .meaning = "m"}}, .shader = &kForms};
+  const TextureId target = device->create_texture(Format::RGBA32F, 1, 1);
+  device->run({.definition = &definition, .colors = {target}, .draws = {{.vertex_count = 3}}});
+  CHECK(device->read_back(target).values == std::vector<float>{8.0f, 5.0f, 6.0f, 1.0f});
+}
+
 TEST_CASE("gl: a device that does not exist is a missing backend, told in one line") {
   for (const int index : {77, -5}) {
     try {
@@ -252,7 +285,7 @@ TEST_CASE("gl: every listed device either works or says why not, and two live si
     INFO(info.platform << ": " << info.reason);
     CHECK(info.reason.empty() == !info.renderer.empty());
     if (!info.reason.empty()) continue;
-    const auto second = make_gl_device({.device = info.index, .debug = false});
+    const auto second = make_gl_device({.device = info.index});
     CHECK(second->renderer() == info.renderer);
     const TextureId other = second->upload(numbered(Format::R32F, 2, 2));
     CHECK(first->read_back(kept).values == image.values);

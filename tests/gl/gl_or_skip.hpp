@@ -12,7 +12,7 @@ namespace caustics::test {
 
 // Null with a printed reason where OpenGL cannot be used: the test returns. Where the environment
 // says CAUSTICS_REQUIRE_GL=1, that is a failure instead.
-inline std::unique_ptr<GlDevice> gl_or_skip(const GlOptions& options = {}) {
+inline std::unique_ptr<GlDevice> gl_or_skip(const GlOptions& options = {.measure = true, .debug = true}) {
   try {
     return make_gl_device(options);
   } catch (const Error& error) {

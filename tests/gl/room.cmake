@@ -1,6 +1,11 @@
 # Shader texts that only the tests of the OpenGL Device draw with.
 caustics_add_shader(caustics_tests gl_fetch TEXT tests/gl/shaders/gl_fetch.glsl)
 
+# What the driver is given for every registered shader, for tests/architecture/shaders.py.
+add_executable(caustics_shader_texts ${PROJECT_SOURCE_DIR}/tests/gl/shader_texts_program.cpp)
+caustics_target_options(caustics_shader_texts)
+target_link_libraries(caustics_shader_texts PRIVATE caustics_passes caustics_gl_backend)
+
 # A driver that fails at will leads every function that the backend calls through itself (faulty_driver.hpp): their names,
 # from the backend's sources.
 if(TARGET PkgConfig::EPOXY)

@@ -3,6 +3,8 @@
 import json
 import os
 import pathlib
+import pty
+import re
 import shutil
 import subprocess
 import unittest
@@ -76,6 +78,34 @@ class Pictures(GlTest):
         self.assertEqual(first.pop("read_backs"), 0)
         self.assertGreater(last.pop("read_backs"), 0)  # what is written to files
         self.assertEqual(first, last)
+
+
+class Talk(GlTest):
+    def test_summaries_name_the_device_that_ran(self):
+        for backend, name in (("software", "on software, "), ("gl", "on OpenGL, ")):
+            closing = self.succeeds("ball.glb", *SMALL, "--backend", backend).stderr.splitlines()[-1]
+            self.assertIn(name, closing)
+        compared = self.run_program("parity", "ball.glb", "ball.glb", *SMALL).stdout.splitlines()
+        self.assertRegex(compared[0], "^software: software, .*; gl: OpenGL, ")
+
+    def test_compiling_shaders_shows_progress_on_a_terminal(self):
+        controller, terminal = pty.openpty()
+        cold = dict(os.environ, MESA_SHADER_CACHE_DISABLE="true")
+        command = [PROGRAM, "ball.glb", *SMALL, "--backend", "gl"]
+        with subprocess.Popen(command, cwd=self.folder, env=cold, stderr=terminal) as run:
+            os.close(terminal)
+            shown = b""
+            try:
+                while block := os.read(controller, 4096):
+                    shown += block
+            except OSError:  # the terminal's other end is closed
+                pass
+        os.close(controller)
+        self.assertEqual(run.returncode, 0)
+        counts = re.findall(r"compiling shaders (\d+) of (\d+): \w+", shown.decode())
+        self.assertGreater(len(counts), 5)
+        self.assertEqual([int(n) for n, _ in counts], list(range(1, len(counts) + 1)))
+        self.assertEqual({int(of) for _, of in counts}, {len(counts)})
 
 
 class Parity(GlTest):

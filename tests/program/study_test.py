@@ -127,12 +127,9 @@ class Rows(StudyTest):
         self.assertTrue(self.document()["independent_truth"])
 
     def test_every_setting_is_in_a_row_so_that_resume_knows_it_again(self):
-        keys = []
-        text = self.succeeds("study", "--help").stdout
-        for line in text[text.index("Settings for -D:"):].splitlines()[1:]:
-            if not line.startswith("  "):
-                break
-            keys.append(line.split()[0])
+        text = self.succeeds("study", "--help-markdown").stdout
+        keys = re.findall(r"^\| `(\S+)` \|", text[text.index("| Settings for -D |"):], re.MULTILINE)
+        self.assertIn("shadow", keys)
         self.study(*GRIDS)
         self.assertEqual([k for k in keys if k not in self.rows()[0]["settings"]], [])
 
@@ -206,7 +203,7 @@ class Truth(StudyTest):
 class Refusals(StudyTest):
     def test_unknown_keys_and_values_name_what_was_meant(self):
         self.fails(2, "study", "ball.glb", "--vary", "gird=1,2", saying="did you mean 'grid'?")
-        self.fails(2, "study", "ball.glb", "--vary", "estimator=paper,newtom", saying="paper|newton|secant|impostor")
+        self.fails(2, "study", "ball.glb", "--vary", "estimator=paper,newtom", saying="paper|secant|newton|impostor")
         self.fails(2, "study", "ball.glb", "--vary", "grid=64,", saying="grid cannot be ''")
         self.fails(2, "study", "ball.glb", "--vary", "grid", saying="KEY=a,b,c")
         self.fails(2, "study", "ball.glb", "--vary", "grid=1", "--vary", "grid=2", saying="given twice")

@@ -1,9 +1,11 @@
 """Help, versions, misspelt words, sizes out of range: what is said before anything is rendered."""
 
+import json
 import os
+import re
 import unittest
 
-from program import ProgramTest
+from program import SMALL, ProgramTest
 
 COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "reference", "study", "doctor"]
 
@@ -23,11 +25,17 @@ class Help(ProgramTest):
             self.assertIn("\n  " + command, text)
 
     def test_every_valued_option_of_render_has_its_default(self):
-        for line in self.succeeds("render", "--help").stdout.splitlines():
-            words = line.split()
-            if line.startswith("  -") and len(words) > 1 and words[1].isupper():
-                if words[0] not in ("-D", "--environment"):
-                    self.assertIn("default", line)
+        rows = [line for line in self.succeeds("render", "--help-markdown").stdout.splitlines() if line.startswith("| `-")]
+        valued = [row for row in rows if " " in row.split(" | ")[0][2:].replace("`, `", "")]
+        self.assertGreater(len(valued), 20)
+        for row in valued:
+            if "-D KEY" not in row:
+                self.assertTrue(row.split(" | ")[-2].strip(), row)
+
+    def test_smaller_sizes_of_digest_are_its_defaults_in_the_help(self):
+        text = self.succeeds("digest", "--help").stdout
+        self.assertIn("1..16384 pixels each (default 320x180)", text)
+        self.assertIn("Sizes are small unless given: width 320, height 180, grid 128, map 128, shadow 512.", text)
 
     def test_lines_fit_a_terminal(self):
         for command in COMMANDS:
@@ -36,6 +44,28 @@ class Help(ProgramTest):
 
     def test_version_is_one_line(self):
         self.assertRegex(self.succeeds("--version").stdout, r"\Acaustics \d+\.\d+\.\d+ .*\n\Z")
+
+
+class Settings(ProgramTest):
+    def settings_of_help(self):
+        text = self.succeeds("render", "--help-markdown").stdout
+        listed = re.findall(r"^\| `([a-z._]+)` \|", text[text.index("| Settings for -D |"):], re.MULTILINE)
+        options = re.search(r"-D KEY=VALUE.*listed below, or (.*) as above", text)[1].split(", ")
+        return sorted(listed + options)
+
+    def test_keys_of_stats_are_those_of_the_help(self):
+        stats = self.stats(*SMALL)
+        self.assertEqual(sorted(stats), self.settings_of_help())
+
+    def test_values_of_stats_can_be_given_back(self):
+        stats = self.stats(*SMALL, "-D", "splat.sigma=0.9", "-D", "exposure=-1.5", "--estimator", "paper")
+        self.assertEqual((stats["splat.sigma"], stats["exposure"], stats["estimator"]), (0.9, -1.5, "paper"))
+        again = [word for key, value in stats.items() for word in ("-D", f"{key}={value}") if key != "camera"]
+        self.assertEqual(self.stats(*again), stats)
+
+    def stats(self, *arguments):
+        self.succeeds("ball.glb", *arguments, "--stats", "s.json")
+        return json.loads((self.folder / "s.json").read_text())["settings"]
 
 
 class Mistakes(ProgramTest):

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/settings/check_settings.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/scenes.hpp"

@@ -1,0 +1,105 @@
+#include "app/shell/setting_options.hpp"
+
+#include <algorithm>
+
+namespace caustics::app {
+
+namespace {
+
+bool has(const std::vector<Setting::Part>& parts, const Setting& row) {
+  return std::find(parts.begin(), parts.end(), row.part) != parts.end();
+}
+
+// --assume-solid for assume_solid.
+std::string option_name(std::string_view name) {
+  std::string option = "--" + std::string(name);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
+
+std::string placeholder(const Setting& row) {
+  return row.kind == Setting::Kind::Count ? "N" : row.is_number() ? "X" : "NAME";
+}
+
+About about(const Setting& row, const Settings& settings) {
+  return {std::string(row.meaning), row.range(), row.shown(settings)};
+}
+
+// -D's KEY=VALUE; `why_not` is said of keys that have no part here.
+void assign(Settings& settings, const std::string& assignment, const std::vector<Setting::Part>& parts,
+            const std::string& why_not) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos)
+    throw Error(ExitCode::WrongUsage,
+                "-D cannot be '" + assignment.substr(0, 60) + "': key=value, as in reflections=yes");
+  const std::string key = assignment.substr(0, equals);
+  set_option(settings, key, assignment.substr(equals + 1));
+  if (!has(parts, setting(key))) throw Error(ExitCode::WrongUsage, "-D " + key + " " + why_not);
+}
+
+}  // namespace
+
+void SettingOptions::add_resolution() {
+  const Setting &width = setting("width"), &height = setting("height");
+  const About about{"size of the picture", width.range() + " each",
+                    width.shown(settings_) + "x" + height.shown(settings_)};
+  parser_.option("-r,--resolution", "WxH", about, [&settings = settings_, &width](const std::string& value) {
+    const Pair size = parse_pair("-r", value, {static_cast<int>(width.numbers.least), width.most()});
+    settings.width = size.first;
+    settings.height = size.second;
+  });
+  own_.push_back(width.name);
+  own_.push_back(height.name);
+}
+
+void SettingOptions::add(std::string_view name) {
+  const Setting& row = setting(name);
+  const std::string option = option_name(name);
+  if (row.kind == Setting::Kind::YesNo) {
+    parser_.flag(option, std::string(row.meaning),
+                 [&row, &settings = settings_] { row.set(row, settings, row.choices().back()); });
+  } else {
+    parser_.option(
+        option, placeholder(row), about(row, settings_),
+        [name, &settings = settings_](const std::string& value) { set_option(settings, name, value); });
+  }
+  own_.push_back(name);
+}
+
+void SettingOptions::add_any(const std::vector<Setting::Part>& parts, const std::string& why_not) {
+  std::string own;
+  for (const Setting& row : all_settings()) {
+    const auto same = [&](std::string_view name) { return name == row.name; };
+    if (!has(parts, row)) continue;
+    if (std::none_of(own_.begin(), own_.end(), same)) {
+      parser_.list("Settings for -D", std::string(row.name), about(row, settings_));
+    } else {
+      own += (own.empty() ? "" : ", ") + std::string(row.name);
+    }
+  }
+  parser_.repeated("-D", "KEY=VALUE",
+                   {"a setting: one of those listed below, or " + own + " as above; may stand several times"},
+                   [&settings = settings_, parts, why_not](const std::string& value) {
+                     assign(settings, value, parts, why_not);
+                   });
+}
+
+Settings small_settings() {
+  Settings settings;
+  settings.width = 320;
+  settings.height = 180;
+  settings.grid = settings.map = 128;
+  settings.shadow = 512;
+  return settings;
+}
+
+std::string differing(const Settings& settings) {
+  std::string text;
+  for (const Setting& row : all_settings()) {
+    if (row.get(settings) == row.get(Settings{})) continue;
+    text += (text.empty() ? "" : ", ") + std::string(row.name) + " " + row.get(settings);
+  }
+  return text;
+}
+
+}  // namespace caustics::app

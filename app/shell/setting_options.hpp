@@ -1,0 +1,34 @@
+// Settings on the command line: options of their own, and -D for all. What the help says of them is the
+// table's (pipeline/settings/setting.hpp); the defaults are what the settings hold when the options are
+// added.
+#pragma once
+#include "app/shell/parser.hpp"
+#include "pipeline/settings/setting.hpp"
+
+namespace caustics::app {
+
+// The options write into `settings`, which must outlive the parser.
+class SettingOptions {
+ public:
+  SettingOptions(Parser& parser, Settings& settings) : parser_(parser), settings_(settings) {}
+
+  // -r: width and height.
+  void add_resolution();
+  // The setting's name as an option: --grid N; a flag where it is yes or no.
+  void add(std::string_view name);
+  // -D KEY=VALUE, after the others, with a list of the keys. It refuses those that have no part here, for
+  // this reason.
+  void add_any(const std::vector<Setting::Part>& parts, const std::string& why_not = "");
+
+ private:
+  Parser& parser_;
+  Settings& settings_;
+  std::vector<std::string_view> own_;  // settings that have options of their own
+};
+
+// What `digest` and `parity` begin with: small frames.
+Settings small_settings();
+// "width 320, height 180": where they are not what a setting is by default.
+std::string differing(const Settings& settings);
+
+}  // namespace caustics::app

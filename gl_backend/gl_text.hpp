@@ -1,0 +1,20 @@
+// The GLSL that the driver is given for a stage of a shader. Needs no OpenGL.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "pipeline/gpu/shader.hpp"
+
+namespace caustics::gl {
+
+enum class Stage : std::uint8_t { Vertex, Fragment };
+
+// pipeline/shader/prelude.glsl, embedded at build time.
+extern const std::string_view kPrelude;
+
+// Version, stage, prelude and the shader's text, with every float operation marked precise
+// (precise_text.hpp). Lines count from the first line of Shader::text.
+std::string gl_text(const Shader& shader, Stage stage);
+
+}  // namespace caustics::gl

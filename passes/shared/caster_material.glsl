@@ -1,0 +1,25 @@
+// A row of the texture caster_materials (pipeline/renderer/scene_on_device.cpp fills it), which `w` in a texture of
+// casters' normals points to.
+struct Material {
+  Float ior;         // n_d
+  Float dispersion;  // n_F - n_C
+  Bool mirror;       // metal, which lets nothing in
+  Bool solid;        // closed: what enters leaves by a second surface
+  Vec3 absorption;   // per metre
+  Vec3 color;        // what glass lets through; what metal mirrors at normal incidence
+};
+
+Int material_row(Vec4 normal_texel) { return floor_to_int(normal_texel.w + 0.5f); }
+
+Material fetch_material(Texture materials, Int row) {
+  Vec4 interface_texel = fetch_clamped(materials, Int(0), row);
+  Vec4 inside_texel = fetch_clamped(materials, Int(1), row);
+  Material material;
+  material.ior = interface_texel.x;
+  material.dispersion = interface_texel.y;
+  material.mirror = interface_texel.w > 0.5f;
+  material.solid = inside_texel.w > 0.5f;
+  material.absorption = Vec3(inside_texel);
+  material.color = Vec3(fetch_clamped(materials, Int(2), row));
+  return material;
+}

@@ -1,0 +1,47 @@
+// caustics_shader_texts FOLDER: writes what the OpenGL Device hands to the driver, <shader>.vert and <shader>.frag
+// of every registered pass and of the template, for compilers that need no driver
+// (tests/architecture/shaders.py).
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "gl_backend/gl_text.hpp"
+#include "passes/registry.hpp"
+#include "passes/template/copy.hpp"
+
+namespace caustics {
+
+namespace {
+
+bool write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text << std::flush;
+  if (!out) std::fprintf(stderr, "caustics_shader_texts: cannot write %s\n", file.c_str());
+  return bool(out);
+}
+
+bool write_texts(const std::filesystem::path& folder, const Shader& shader) {
+  const std::string name(shader.name);
+  return write_text(folder / (name + ".vert"), gl::gl_text(shader, gl::Stage::Vertex)) &&
+         write_text(folder / (name + ".frag"), gl::gl_text(shader, gl::Stage::Fragment));
+}
+
+bool write_all(const std::filesystem::path& folder) {
+  return write_texts(folder, *copy_pass().shader) &&
+         std::all_of(pass_registry().begin(), pass_registry().end(), [&](const Pass& pass) {
+           return std::all_of(pass.shaders.begin(), pass.shaders.end(), [&](const Permutation& permutation) {
+             return write_texts(folder, *permutation.shader);
+           });
+         });
+}
+
+}  // namespace
+
+}  // namespace caustics
+
+int main(int count, char** words) {
+  if (count == 2) return caustics::write_all(words[1]) ? 0 : 1;
+  std::fprintf(stderr, "usage: caustics_shader_texts FOLDER\n");
+  return 2;
+}
