@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "pipeline/effects/surface_role.hpp"
-include "pipeline/settings/check_settings.hpp"
+#include "pipeline/settings/check_settings.hpp"
 #include "pipeline/scene/cube_view.hpp"
 #include "pipeline/scene/exact.hpp"
 

@@ -1,6 +1,6 @@
 #include "pipeline/views/all_around.hpp"
 
-include "pipeline/settings/check_settings.hpp"
+#include "pipeline/settings/check_settings.hpp"
 #include "pipeline/scene/cube_view.hpp"
 
 namespace caustics {
