@@ -141,13 +141,13 @@ Float share_across(Float at, Vec3 q) {
   return share_below(from_middle + 0.5f, a, b) - share_below(from_middle - 0.5f, a, b);
 }
 
-// A piece's length over the pixel's area across its ray: in a perspective picture A z^3 / d, integrated along
-// the beam.
-Float length_over_area(IN(Piece) piece, Float length, Vec3 q) {
+// A piece's length over the pixel's area across its ray, at a point at `distance` from the camera: in a perspective
+// picture A z^3 / d, integrated along the beam.
+Float length_over_area(IN(Piece) piece, Float length, Float z, Float distance) {
   Float over_area = length / u.pixel_area;
   if (u.view.kind != VIEW_PARALLEL) {
     Float other = start.z + way.z * piece.end;
-    over_area = over_area / (piece.z * other) * (length3(q) / q.z);
+    over_area = over_area / (piece.z * other) * (distance / z);
   }
   return over_area;
 }
@@ -169,7 +169,8 @@ void main() {
     cosine = -dot3(way, q) / max_of(distance, 1.0e-20f);
   }
   Vec3 left = medium_transmittance(u.medium, middle + max_of(distance - range.entry, 0.0f));
-  Float amount = part * length_over_area(piece, length, q) * phase_function(u.medium, cosine);
+  Float over_area = length_over_area(piece, length, q.z, distance);
+  Float amount = part * over_area * phase_function(u.medium, cosine);
   Vec3 scattered = Vec3(u.intensity) * Vec3(u.medium.scattering) * (flux * left) * amount;
   haze = sel(lit, Vec4(scattered, Float(0.0f)), Vec4(0.0f));
 }

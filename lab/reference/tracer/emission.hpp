@@ -20,7 +20,7 @@ struct LightPoint {
   glm::dvec3 direction{0.0, 0.0, -1.0};  // the way it shines, unit
 };
 
-// A light's falloff towards a unit direction (passes/shared/light_intensity.glsl).
+// A light's falloff towards a unit direction (passes/shared/cone_falloff.glsl).
 class Falloff {
  public:
   explicit Falloff(const Light& light);
