@@ -25,7 +25,7 @@ PassImages draw(const PassDefinition& definition, const glm::vec3 (&corners)[4])
 
 TEST_CASE("caster_map: the samples that passed count the texels the light sees") {
   // A 1 m square in a 2 m window of 8 x 8 texels covers the middle 4 x 4.
-  const PassImages out = draw(caster_map_pass().definition, kFront);
+  const PassImages out = draw(definition_of(caster_map_pass()), kFront);
   CHECK(out.result.samples_passed == 16);
   int covered = 0;
   for (int y = 0; y < 8; ++y)
@@ -34,7 +34,7 @@ TEST_CASE("caster_map: the samples that passed count the texels the light sees")
 }
 
 TEST_CASE("caster_map: a grid vertex has a position, a unit normal and its material's row") {
-  const PassImages out = draw(caster_map_pass().definition, kFront);
+  const PassImages out = draw(definition_of(caster_map_pass()), kFront);
   const glm::vec4 position = texel(out["caster_position"], 2, 2);
   CHECK(position.x == Approx(-0.375));
   CHECK(position.y == Approx(1.0));
@@ -43,12 +43,12 @@ TEST_CASE("caster_map: a grid vertex has a position, a unit normal and its mater
 }
 
 TEST_CASE("caster_map: a back face is kept and marked") {
-  CHECK(draw(caster_map_pass().definition, kBack)["caster_position"].at(3, 3, 3) == -1.0f);
+  CHECK(draw(definition_of(caster_map_pass()), kBack)["caster_position"].at(3, 3, 3) == -1.0f);
 }
 
 TEST_CASE("caster_exit_map: only back faces are drawn") {
-  CHECK(draw(caster_exit_map_pass().definition, kFront)["caster_exit_position"].at(3, 3, 3) == 0.0f);
-  const PassImages out = draw(caster_exit_map_pass().definition, kBack);
+  CHECK(draw(definition_of(caster_exit_map_pass()), kFront)["caster_exit_position"].at(3, 3, 3) == 0.0f);
+  const PassImages out = draw(definition_of(caster_exit_map_pass()), kBack);
   CHECK(out["caster_exit_position"].at(3, 3, 3) == 1.0f);
   CHECK(texel(out["caster_exit_normal"], 3, 3) == glm::vec4(0.0f, 1.0f, 0.0f, 1.0f));
 }

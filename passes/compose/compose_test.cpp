@@ -26,7 +26,7 @@ struct Bench {
   Image image() const {
     const auto all = [&](const glm::vec3& rgb, float w) { return filled(width, height, {rgb, w}); };
     const Pass pass = compose_pass();
-    return run_pass(pass.definition,
+    return run_pass(definition_of(pass),
                     {.width = width,
                      .height = height,
                      .uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = width,

@@ -57,7 +57,7 @@ struct Bench {
     const Pass pass = glass_pass();
     Effects effects;
     effects.textured_casters.active = pixel_tint.has_value();
-    return run_pass(pass.definition,
+    return run_pass(definition_of(pass),
                     {.width = 8,
                      .height = 8,
                      .uniforms = pass.uniforms(
@@ -193,7 +193,7 @@ TEST_CASE("view_caster_map: a pixel holds position, side, normal and material of
   const Pass pass = view_caster_map_pass();
   const glm::vec3 corners[4] = {{-1, 2, 1}, {0, 2, 1}, {0, 2, -1}, {-1, 2, -1}};
   const auto draw = [&](const MeshData& mesh) {
-    return run_pass(pass.definition, {.width = 4,
+    return run_pass(definition_of(pass), {.width = 4,
                                       .height = 4,
                                       .uniforms = pass.uniforms({.camera = &view, .material_row = 3}),
                                       .mesh = mesh});
@@ -212,7 +212,7 @@ TEST_CASE("view_exit_map: only back faces are seen") {
   const View view = down(1.0, 10.0, 20.0);
   const Pass pass = view_exit_map_pass();
   const auto draw = [&](const MeshData& mesh) {
-    return run_pass(pass.definition, {.width = 4,
+    return run_pass(definition_of(pass), {.width = 4,
                                       .height = 4,
                                       .uniforms = pass.uniforms({.camera = &view, .material_row = 3}),
                                       .mesh = mesh});

@@ -38,7 +38,7 @@ struct LightBench {
     const Scene scene;
     const Light light;
     const Pass pass = pane_light_pass();
-    return texel(run_pass(pass.definition,
+    return texel(run_pass(definition_of(pass),
                           {.uniforms = pass.uniforms({.scene = &scene,
                                                       .effects = &effects,
                                                       .views = &views,
@@ -59,9 +59,9 @@ struct ViewBench {
 
   glm::vec3 after(Pass pass) const {
     const View view = down(1.0, 10.0, 20.0);
-    pass.definition.writes[0].clear = {1.0f, 1.0f, 1.0f, 1.0f};
+    definition_of(pass).writes[0].clear = {1.0f, 1.0f, 1.0f, 1.0f};
     return glm::vec3(texel(
-        run_pass(pass.definition,
+        run_pass(definition_of(pass),
                  {.uniforms = pass.uniforms({.scene = &scene, .camera = &view, .material = &material}),
                   .textures = {Image{}, filled(1, 1, surface), filled(1, 1, {0, 1, 0, depth}),
                                filled(1, 1, caster), Image{}},

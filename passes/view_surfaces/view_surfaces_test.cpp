@@ -29,7 +29,7 @@ PassImages see(const MeshData& mesh, const Material& material, const std::vector
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
   bound.resize(3);
-  return run_pass(pass.definition,
+  return run_pass(definition_of(pass),
                   {.width = 8,
                    .height = 8,
                    .uniforms = pass.uniforms({.camera = &view, .material = &material}),
@@ -158,7 +158,7 @@ TEST_CASE("wide_surfaces: the same is drawn with the wide frame, under its own n
   const View view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
   const Material material = plain();
   const Pass pass = wide_surfaces_pass();
-  const PassImages out = run_pass(pass.definition,
+  const PassImages out = run_pass(definition_of(pass),
                                   {.width = 6,
                                    .height = 6,
                                    .uniforms = pass.uniforms({.camera = &view, .surroundings = &wide,

@@ -145,7 +145,7 @@ struct Trial {
                             .impostor = shader_view(impostors)};
     Image materials = filled(3, 1, {1.0f, 1.0f, 1.0f, 0.0f});
     materials.at(0, 0, 3) = 1.0f;  // a mirror
-    return run_pass(landing_pass().definition,
+    return run_pass(definition_of(landing_pass()),
                     {.width = fan.side,
                      .height = fan.side,
                      .uniforms = uniform_bytes(u),

@@ -1,4 +1,4 @@
-#include "passes/textured_casters/textured_casters.hpp"
+#include "passes/shared/textured_casters.hpp"
 
 #include <cmath>
 
@@ -32,8 +32,8 @@ struct Bench {
     m.normal_texture.image = normals.values.empty() ? -1 : 1;
     m.transmission_texture.image = transmission.values.empty() ? -1 : 2;
     std::vector<Image> bound = {base_color, normals, transmission};
-    bound.resize(pass.definition.reads.size());
-    return run_pass(pass.definition,
+    bound.resize(definition_of(pass).reads.size());
+    return run_pass(definition_of(pass),
                     {.width = 8,
                      .height = 8,
                      .uniforms = uniform_bytes(textured_casters_uniforms(down(1.0, 4.0, 8.0), m, role, 3)),
@@ -70,7 +70,7 @@ TEST_CASE("textured_casters: without textures all is as the plain passes draw it
     bench.from_behind = behind;
     const MeshData mesh = behind ? quad(kBack, bench.normal) : quad(kFront, bench.normal);
     const auto expected = [&](const Pass& pass) {
-      return run_pass(pass.definition, {.width = 8, .height = 8, .uniforms = plain, .mesh = mesh});
+      return run_pass(definition_of(pass), {.width = 8, .height = 8, .uniforms = plain, .mesh = mesh});
     };
     const PassImages casters = expected(caster_map_pass()), exits = expected(caster_exit_map_pass());
     for (const Pass& pass : {detailed_caster_map_pass(), tinted_caster_map_pass()}) {
