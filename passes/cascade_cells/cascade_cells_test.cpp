@@ -13,7 +13,7 @@ namespace {
 Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
   const std140::CascadeCells uniforms{
       .scale = {2.0f, 2.0f}, .offset = {-4.0f, -4.0f}, .cells_a_side = 1, .map_side = 8};
-  return run_pass(definition_of(cascade_cells_pass()),
+  return run_pass(definition_with(cascade_cells_pass(), &Effects::coloured_caustics),
                   {.width = 8,
                    .height = 8,
                    .uniforms = uniform_bytes(uniforms),

@@ -1,6 +1,5 @@
 #include "passes/caster_map/caster_map.hpp"
 
-#include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 
@@ -46,9 +45,23 @@ TEST_CASE("caster_map: a back face is kept and marked") {
   CHECK(draw(definition_of(caster_map_pass()), kBack)["caster_position"].at(3, 3, 3) == -1.0f);
 }
 
-TEST_CASE("caster_exit_map: only back faces are drawn") {
-  CHECK(draw(definition_of(caster_exit_map_pass()), kFront)["caster_exit_position"].at(3, 3, 3) == 0.0f);
-  const PassImages out = draw(definition_of(caster_exit_map_pass()), kBack);
-  CHECK(out["caster_exit_position"].at(3, 3, 3) == 1.0f);
-  CHECK(texel(out["caster_exit_normal"], 3, 3) == glm::vec4(0.0f, 1.0f, 0.0f, 1.0f));
+TEST_CASE("caster_map: of the camera, a pixel holds position, side, normal and material of the nearest glass") {
+  const View view = down(1.0, 10.0, 20.0);
+  const Pass pass = caster_map_pass();
+  const Effects effects;
+  const glm::vec3 corners[4] = {{-1, 2, 1}, {0, 2, 1}, {0, 2, -1}, {-1, 2, -1}};
+  const auto draw = [&](const MeshData& mesh) {
+    return run_pass(definition_of(pass, {}, kCamera), {.width = 4,
+                                      .height = 4,
+                                      .uniforms = pass.uniforms({.effects = &effects, .camera = &view, .material_row = 3}),
+                                      .mesh = mesh});
+  };
+  MeshData mesh = quad(corners, {0.0f, 2.0f, 0.0f});
+  const PassImages front = draw(mesh);
+  CHECK(texel(front["caster_position"], 1, 1) == glm::vec4(-0.25f, 2.0f, 0.25f, 1.0f));
+  CHECK(texel(front["caster_normal"], 1, 1) == glm::vec4(0.0f, 1.0f, 0.0f, 3.0f));
+  CHECK(texel(front["caster_position"], 2, 1) == glm::vec4(0.0f));
+  std::swap(mesh.indices[1], mesh.indices[2]);
+  std::swap(mesh.indices[4], mesh.indices[5]);
+  CHECK(draw(mesh)["caster_position"].at(1, 1, 3) == -1.0f);
 }

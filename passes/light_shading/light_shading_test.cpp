@@ -331,13 +331,13 @@ TEST_CASE("light_shading: thin panes tint the direct light under them, not the c
   CHECK(bench.direct() == 100.0f);
 }
 
-TEST_CASE("wide_shading: the wide view is lit by the same rule") {
+TEST_CASE("light_shading: the surroundings are lit by the same rule") {
   const Bench bench = with_caustic();
-  const Pass pass = wide_shading_pass();
+  const Pass pass = light_shading_pass();
   const PassImages out =
-      run_pass(definition_of(pass), {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
-  CHECK(out["wide_direct"].at(0, 0, 0) == Approx(100.0));
-  CHECK(out["wide_caustic"].at(0, 0, 0) == Approx(25.0));
+      run_pass(definition_of(pass, {}, kLightSurroundings), {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
+  CHECK(out["direct"].at(0, 0, 0) == Approx(100.0));
+  CHECK(out["caustic"].at(0, 0, 0) == Approx(25.0));
 }
 
 namespace {
