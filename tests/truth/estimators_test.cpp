@@ -191,8 +191,11 @@ Errors errors_of(const Trial& trial, int estimator, int iterations) {
   return result;
 }
 
-constexpr std::pair<Estimator, const char*> kEstimators[] = {
-    {ESTIMATOR_PAPER, "paper"}, {ESTIMATOR_NEWTON, "newton"}, {ESTIMATOR_IMPOSTOR, "impostor"}, {ESTIMATOR_SECANT, "secant"}};
+constexpr std::pair<int, const char*> kEstimators[] = {
+    {ESTIMATOR_PAPER, "paper"},
+    {ESTIMATOR_NEWTON, "newton"},
+    {ESTIMATOR_IMPOSTOR, "impostor"},
+    {ESTIMATOR_SECANT, "secant"}};
 
 }  // namespace
 
