@@ -23,7 +23,7 @@ std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const PassCo
   const Material& m = *context.material;
   return {.sky = shader_sky(context.scene->environment),
           .view = shader_view(view),
-          .side = view.cube ? static_cast<float>(view.cube->side) : 0.0f,
+          .side = view.cube ? view.cube->side : 0,
           .shows_mirror = 0,
           .eye = glm::vec3(eye),
           .forward = glm::vec3(view.forward),
