@@ -3,63 +3,60 @@
 import collections
 import json
 import pathlib
+import re
 import unittest
 
 import glb
 from program import SMALL, ProgramTest
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
-GRID, MAP, SHADOW, PICTURE, WIDE = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24
+GRID, MAP, SHADOW, PICTURE, AROUND = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24
 
 # Targets a pass writes anew: texels and bytes of a texel (RGBA32F 16, R32F and depth 4, RGBA8 4), by its page in
 # passes/. What several passes share is counted once (occluder_depth fills the depth of caster_map).
 BYTES = {
     "occluder_depth": (GRID, 0), "caster_map": (GRID, 36), "caster_exit_map": (GRID, 36),
     "receiver_map": (MAP, 20), "landing": (GRID, 64), "cells": (GRID, 48), "caustic_cells": (MAP, 0),
-    "caustic_cells_grey": (MAP, 0), "shadow_map": (SHADOW, 8), "pane_light": (MAP, 16),
-    "view_surfaces": (PICTURE, 68), "wide_surfaces": (WIDE, 68), "light_shading": (PICTURE, 0),
-    "wide_shading": (WIDE, 0), "compose": (PICTURE, 16), "compose_beauty": (PICTURE, 16), "wide_compose": (WIDE, 16),
-    "view_caster_map": (PICTURE, 36), "view_exit_map": (PICTURE, 36), "glass": (PICTURE, 16),
-    "view_panes": (PICTURE, 0), "view_pane_mirror": (PICTURE, 0), "tone_map": (PICTURE, 4),
-    "caustic_map": (MAP, 0), "caustic_map_grey": (MAP, 0), "cascade_cells": (MAP, 0), "cascade_cells_grey": (MAP, 0),
-    "cascade_map": (MAP, 0), "cascade_map_grey": (MAP, 0), "far_receiver_map": (MAP, 20), "far_landing": (GRID, 64),
-    "far_cells": (GRID, 48), "far_caustic_cells": (MAP, 0), "far_caustic_cells_grey": (MAP, 0),
-    "far_caustic_map": (MAP, 0), "far_caustic_map_grey": (MAP, 0),
+    "shadow_map": (SHADOW, 8), "pane_light": (MAP, 16), "view_surfaces": (PICTURE, 68),
+    "view_surfaces.surroundings": (AROUND, 68), "light_shading": (PICTURE, 0), "light_shading.surroundings": (AROUND, 0),
+    "compose": (PICTURE, 16), "compose.surroundings": (AROUND, 16), "caster_map.camera": (PICTURE, 36),
+    "caster_exit_map.camera": (PICTURE, 36), "glass": (PICTURE, 16), "view_panes": (PICTURE, 0),
+    "view_panes.mirrored": (PICTURE, 0), "tone_map": (PICTURE, 4), "caustic_map": (MAP, 0),
+    "cascade_cells.cascade": (MAP, 0), "caustic_map.cascade": (MAP, 0), "receiver_map.far": (MAP, 20),
+    "landing.far": (GRID, 64), "cells.far": (GRID, 48), "caustic_cells.far": (MAP, 0), "caustic_map.far": (MAP, 0),
 }
-# What one pass of each light, or all of the frame, add to: direct and caustic irradiance, the caustic map.
-SHARED = {"light_shading": 32 * PICTURE, "wide_shading": 32 * WIDE, "caustic_map": 16 * MAP, "caustic_map_grey": 4 * MAP,
-          "cascade_map": 16 * MAP, "cascade_map_grey": 4 * MAP, "far_caustic_map": 16 * MAP,
-          "far_caustic_map_grey": 4 * MAP}
+# What one pass of each light, or all of the frame, add to: direct and caustic irradiance; and the caustic maps, bytes
+# without and with colours.
+SHARED = {"light_shading": 32 * PICTURE, "light_shading.surroundings": 32 * AROUND}
+MAPS = ("caustic_map", "caustic_map.cascade", "caustic_map.far")
 
-CAMERA = ["view_surfaces", "light_shading", "tone_map"]
-CAUSTIC = ["caster_map", "receiver_map", "landing", "cells"]
-GREY, COLOURED = ["caustic_cells_grey", "caustic_map_grey"], ["caustic_cells", "caustic_map"]
+CAMERA = ["view_surfaces", "light_shading", "compose", "tone_map"]
+CAUSTIC = ["caster_map", "receiver_map", "landing", "cells", "caustic_cells", "caustic_map"]
 # Of lights whose caustic is small in its map.
-GREY_CASCADE, CASCADE = ["cascade_cells_grey", "cascade_map_grey"], ["cascade_cells", "cascade_map"]
+CASCADE = ["cascade_cells.cascade", "caustic_map.cascade"]
 # Of receivers that are not one plane; both receiver maps are twice as wide and high then.
-FAR = ["far_receiver_map", "far_landing", "far_cells"]
-FAR_GREY = FAR + ["far_caustic_cells_grey", "far_caustic_map_grey"]
-FAR_COLOURED = FAR + ["far_caustic_cells", "far_caustic_map"]
-SEEN = CAMERA + ["wide_surfaces", "wide_shading", "compose", "wide_compose", "view_caster_map", "glass"]
-SOLID = ["caster_exit_map", "view_exit_map"]
+FAR = ["receiver_map.far", "landing.far", "cells.far", "caustic_cells.far", "caustic_map.far"]
+SEEN = CAMERA + ["view_surfaces.surroundings", "light_shading.surroundings", "compose.surroundings", "caster_map.camera",
+                 "glass"]
+SOLID = ["caster_exit_map", "caster_exit_map.camera"]
 SHADOWS = ["occluder_depth", "shadow_map"]
-PANES = ["pane_light", "view_panes", "view_pane_mirror"]
-LIGHT_PASSES = set(CAUSTIC + GREY + COLOURED + GREY_CASCADE + CASCADE + FAR_GREY + FAR_COLOURED + SHADOWS + ["caster_exit_map", "light_shading", "wide_shading", "pane_light"])
-BRANCH_PASSES = set(["landing", "cells"] + GREY + COLOURED + GREY_CASCADE + CASCADE + FAR_GREY[1:] + FAR_COLOURED[1:])
+LIGHT_PASSES = set(CAUSTIC + CASCADE + FAR + SHADOWS + ["caster_exit_map", "light_shading", "light_shading.surroundings",
+                                                        "pane_light"])
+BRANCH_PASSES = set(CAUSTIC[2:] + CASCADE + FAR[1:])
 
-# Scene: passes, number of lights, number of branches.
+# Scene: passes, number of lights, number of branches, whether something tints the caustic.
 CALLED_FOR = {
-    "glass_sphere": (CAUSTIC + GREY + GREY_CASCADE + SEEN + SOLID, 1, 1),
-    "glass_figure": (CAUSTIC + COLOURED + CASCADE + SEEN + SOLID, 1, 1),  # green glass: three channels
-    "metal_ring": (CAUSTIC + COLOURED + SEEN, 1, 1),            # a mirror has no second surface; gold
-    "prism": (CAUSTIC + COLOURED + SEEN + SOLID, 1, 3),         # the C, d and F lines
-    "slab": (CAUSTIC + GREY + SEEN + SOLID, 1, 1),
-    "slab_glass": (CAUSTIC + GREY + SEEN + SOLID, 1, 1),
-    "spectrum": (CAUSTIC + COLOURED + FAR_COLOURED + SEEN + SOLID + SHADOWS, 1, 3),
-    "sun_disk": (CAUSTIC + GREY + GREY_CASCADE + FAR_GREY + SEEN + SOLID + SHADOWS, 16, 1),
-    "two_lights": (CAUSTIC + GREY + GREY_CASCADE + SEEN + SOLID, 2, 1),
-    "water_patch": (CAUSTIC + GREY + SEEN, 1, 1),               # open water: no exit map
-    "water_sine": (CAUSTIC + GREY + SEEN, 1, 1),
+    "glass_sphere": (CAUSTIC + CASCADE + SEEN + SOLID, 1, 1, False),
+    "glass_figure": (CAUSTIC + CASCADE + SEEN + SOLID, 1, 1, True),  # green glass: three channels
+    "metal_ring": (CAUSTIC + SEEN, 1, 1, True),                 # a mirror has no second surface; gold
+    "prism": (CAUSTIC + SEEN + SOLID, 1, 3, True),              # the C, d and F lines
+    "slab": (CAUSTIC + SEEN + SOLID, 1, 1, False),
+    "slab_glass": (CAUSTIC + SEEN + SOLID, 1, 1, False),
+    "spectrum": (CAUSTIC + FAR + SEEN + SOLID + SHADOWS, 1, 3, True),
+    "sun_disk": (CAUSTIC + CASCADE + FAR + SEEN + SOLID + SHADOWS, 16, 1, False),
+    "two_lights": (CAUSTIC + CASCADE + SEEN + SOLID, 2, 1, False),
+    "water_patch": (CAUSTIC + SEEN, 1, 1, False),               # open water: no exit map
+    "water_sine": (CAUSTIC + SEEN, 1, 1, False),
 }
 
 
@@ -70,40 +67,41 @@ def expected_passes(names, lights, branches):
     return count
 
 
-def expected_bytes(count, lights):
+def expected_bytes(count, lights, coloured):
     total = 0
     for name, times in count.items():
         texels, size = BYTES[name]
-        if name.endswith("receiver_map") and "far_receiver_map" in count:
+        if name.startswith("receiver_map") and "receiver_map.far" in count:
             texels *= 4
         total += times * texels * size
         # The picture's shading is one for all lights, a caustic map one for all branches.
-        total += SHARED.get(name, 0) * (lights if name.startswith(("caustic", "cascade", "far_caustic")) else 1)
+        total += SHARED.get(name, 0) + (lights * (16 if coloured else 4) * MAP if name in MAPS else 0)
     return total
 
 
 def bare(label):
-    return label.split("[")[0]
+    """Pass and instance: "landing.far" of "landing[sun].far"."""
+    return re.sub(r"\[.*\]", "", label)
 
 
 class PlanTest(ProgramTest):
     def plan(self, scene, *options):
         return json.loads(self.succeeds("plan", str(scene), "--json", *SMALL, *options).stdout)
 
-    def check(self, plan, names, lights, branches=1):
+    def check(self, plan, names, lights, branches=1, coloured=False):
         expected = expected_passes(names, lights, branches)
         self.assertEqual(collections.Counter(bare(p["pass"]) for p in plan["passes"]), expected)
-        self.assertEqual(plan["texture_bytes"], expected_bytes(expected, lights))
+        self.assertEqual(plan["texture_bytes"], expected_bytes(expected, lights, coloured))
 
 
 class SampleScenes(PlanTest):
     def test_each_sample_scene_runs_the_passes_it_calls_for_and_allocates_their_bytes(self):
-        for scene, (names, lights, branches) in CALLED_FOR.items():
+        for scene, called_for in CALLED_FOR.items():
             with self.subTest(scene):
-                self.check(self.plan(SCENES / f"{scene}.glb"), names, lights, branches)
+                self.check(self.plan(SCENES / f"{scene}.glb"), *called_for)
 
     def test_a_cascade_can_be_done_without(self):
-        self.check(self.plan(SCENES / "glass_sphere.glb", "-D", "cascades=off"), CAUSTIC + GREY + SEEN + SOLID, 1)
+        self.check(self.plan(SCENES / "glass_sphere.glb", "-D", "cascades=off"), CAUSTIC + SEEN + SOLID, 1)
 
     def test_invocations_follow_from_grid_and_map(self):
         self.succeeds("render", str(SCENES / "glass_sphere.glb"), *SMALL, "--stats", "s.json", "--quiet")
@@ -112,12 +110,12 @@ class SampleScenes(PlanTest):
         self.assertEqual(passes["landing"]["vertices"], 3)
         self.assertEqual(passes["landing"]["fragments"], GRID)
         self.assertEqual(passes["cells"]["fragments"], GRID)
-        self.assertEqual(passes["caustic_cells_grey"]["vertices"], 31 * 31)
-        self.assertEqual(passes["caustic_map_grey"]["vertices"], GRID)
-        self.assertEqual(passes["cascade_cells_grey"]["vertices"], 6 * 31 * 31)
-        self.assertEqual(passes["cascade_map_grey"]["vertices"], GRID)
+        self.assertEqual(passes["caustic_cells"]["vertices"], 31 * 31)
+        self.assertEqual(passes["caustic_map"]["vertices"], GRID)
+        self.assertEqual(passes["cascade_cells.cascade"]["vertices"], 6 * 31 * 31)
+        self.assertEqual(passes["caustic_map.cascade"]["vertices"], GRID)
         self.assertEqual(passes["light_shading"]["fragments"], PICTURE)
-        self.assertEqual(passes["wide_shading"]["fragments"], WIDE)
+        self.assertEqual(passes["light_shading.surroundings"]["fragments"], AROUND)
 
 
 class WithoutACaster(PlanTest):
@@ -129,7 +127,7 @@ class WithoutACaster(PlanTest):
     def test_caustics_cost_nothing(self):
         plan = self.plan("plain.glb")
         # The ball shadows the floor: one shadow map.
-        self.check(plan, CAMERA + ["shadow_map", "compose_beauty"], 1)
+        self.check(plan, CAMERA + ["shadow_map"], 1)
         names = [name for p in plan["passes"] for name in p["reads"]]
         self.assertFalse([n for n in names if n.startswith(("caster_", "receiver_", "landing", "caustic_map"))])
         self.succeeds("render", "plain.glb", *SMALL, "--stats", "s.json", "--quiet")
