@@ -145,7 +145,7 @@ PlanGoal goal_of(const RenderRequest& request) {
 std::set<std::string> shaders_of(const FramePlan& plan) {
   std::set<std::string> names;
   for (const PlannedPass& pass : plan.passes)
-    names.emplace(pass_registry()[static_cast<std::size_t>(pass.pass)].definition.shader->name);
+    names.emplace(pass.definition.shader->name);
   return names;
 }
 

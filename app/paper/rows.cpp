@@ -11,9 +11,7 @@ namespace {
 
 // glass_sphere.glb, as scenes/README.md has it.
 constexpr GlassSphere kSphere{.radius = 0.5, .index = 1.5, .distance = 0.8};
-const std::vector<std::string> kLandingToMap{"landing",       "cells",       "caustic_cells",
-                                             "caustic_cells_grey", "caustic_map", "caustic_map_grey",
-                                             "cascade_cells", "cascade_cells_grey", "cascade_map", "cascade_map_grey"};
+const std::vector<std::string> kLandingToMap{"landing", "cells", "caustic_cells", "caustic_map", "cascade_cells"};
 
 // The floor of a scene whose camera `floor` sees 2 x 2 m of it.
 Shot floor_shot(const std::string& name, const std::string& scene, Arguments options = {}) {

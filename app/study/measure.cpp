@@ -28,7 +28,7 @@ std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goa
 // nor are the steps of water, whose number depends on the moment shown before.
 struct Division {
   explicit Division(const RenderedFrame& frame)
-      : picture(labels_for(frame, {{"picture"}})), caustic(labels_for(frame, {{"caustic_map", "cascade_map"}})) {}
+      : picture(labels_for(frame, {{"picture"}})), caustic(labels_for(frame, {{kCausticMap, kCascadeMap, far_texture(kCausticMap)}})) {}
   std::set<std::string> picture, caustic;
 };
 

@@ -9,7 +9,7 @@ using namespace caustics::test;
 namespace {
 
 PassImages join(int grid, int vertices, int beams, const Image& start, const Image& way, const Image& flux) {
-  return run_pass(beams_pass().definition,
+  return run_pass(definition_of(beams_pass()),
                   {.width = beams, .height = beams,
                    .uniforms = uniform_bytes(std140::Beams{.grid_side = grid, .vertices_per_beam = vertices}),
                    .textures = {start, way, flux}});

@@ -1,13 +1,13 @@
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 
 #include "passes/caster_map/caster_map.hpp"
-#include "passes/textured_casters/textured_casters.hpp"
+#include "passes/shared/textured_casters.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
 extern const Shader caster_exit_map_shader;
-extern const Shader detailed_exits_shader;
+extern const Shader caster_exit_map_detailed_shader;
 
 namespace {
 
@@ -43,7 +43,7 @@ Pass caster_exit_map_pass() {
       .depth = DepthWrite{.name = "caster_exit_depth", .meaning = "window depth of the nearest back face"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .cull = Cull::Front,
-      .shaders = {{&caster_exit_map_shader}, {&detailed_exits_shader, detailed_exits}},
+      .shaders = {{&caster_exit_map_shader}, {&caster_exit_map_detailed_shader, detailed_exits}},
       .uniforms = uniforms,
   };
 }

@@ -1,13 +1,13 @@
 #include "passes/caster_map/caster_map.hpp"
 
-#include "passes/textured_casters/textured_casters.hpp"
+#include "passes/shared/textured_casters.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 
 namespace caustics {
 
 extern const Shader caster_map_shader;
-extern const Shader detailed_casters_shader;
-extern const Shader tinted_casters_shader;
+extern const Shader caster_map_detailed_shader;
+extern const Shader caster_map_tinted_shader;
 
 std140::CasterMap caster_map_uniforms(const View& view, int material_row) {
   return {.view = shader_view(view), .material_row = material_row, .map_side = view.cube ? view.cube->side : 0};
@@ -55,7 +55,7 @@ Pass caster_map_pass() {
       .depth = DepthWrite{.name = "caster_depth", .meaning = "window depth of the nearest surface"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .count_samples = true,
-      .shaders = {{&caster_map_shader}, {&detailed_casters_shader, are_detailed}, {&tinted_casters_shader, are_tinted}},
+      .shaders = {{&caster_map_shader}, {&caster_map_detailed_shader, are_detailed}, {&caster_map_tinted_shader, are_tinted}},
       .uniforms = uniforms,
   };
 }

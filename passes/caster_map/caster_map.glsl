@@ -1,25 +1,47 @@
-// The nearest caster surface seen from the light: every texel is a grid vertex.
+// The nearest caster surface seen from the light, or the camera: of the light's view every texel is a grid vertex.
+// DETAILED: with the normals and holes of its textures; TINTED: and their colours (textured_casters.md).
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
-#include "passes/caster_map/caster_map_uniforms.glsl"
-UNIFORMS_END
-VARYING_SMOOTH(0, Vec3, surface_position)
-VARYING_SMOOTH(3, Vec3, surface_normal)
-
-#ifdef VERTEX_STAGE
-ATTRIBUTE(0, Vec3, position)
-ATTRIBUTE(3, Vec3, normal)
-#include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/view_space.glsl"
-#include "passes/shared/mesh_vertex.glsl"
+#ifdef DETAILED
+#include "passes/shared/textured_casters_uniforms.glsl"
 #else
+#include "passes/caster_map/caster_map_uniforms.glsl"
+#endif
+UNIFORMS_END
+#ifdef DETAILED
+TEXTURE(0, base_color)
+TEXTURE(1, normal_texture)
+#ifdef TINTED
+TEXTURE(2, transmission_texture)
+#endif
+#include "passes/shared/textured_surface.glsl"
+#else
+#include "passes/shared/plain_surface.glsl"
+#endif
+
+#ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, caster_position)
 OUTPUT(1, Vec4, caster_normal)
-#include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/outside_tile.glsl"
+#ifdef TINTED
+OUTPUT(2, Vec4, caster_tint)
+
+// What glass lets through of each channel, or metal mirrors of it at normal incidence.
+Vec3 caster_color_here() {
+  Vec3 color = Vec3(u.color_factor);
+  if (u.has_base_color != 0) color = color * Vec3(fetch_repeat(base_color, color_uv.x, color_uv.y));
+  if (u.has_transmission != 0) {
+    color = color * fetch_repeat(transmission_texture, transmission_uv.x, transmission_uv.y).x;
+  }
+  return color + Vec3(u.color_offset);
+}
+#endif
 
 void main() {
-  discard_if(outside_tile(u.view, u.map_side));
+  discard_if(is_not_drawn());
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
-  caster_normal = Vec4(normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f)), Float(u.material_row));
+  caster_normal = Vec4(caster_normal_here(), Float(u.material_row));
+#ifdef TINTED
+  caster_tint = Vec4(caster_color_here(), Float(1.0f));
+#endif
 }
 #endif

@@ -13,7 +13,7 @@ namespace {
 
 // Lays one cell with corners a, b, c, d (texels) and flux (1, 2, 4) into a map of 8 x 8.
 Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
-  return run_pass(caustic_cells_pass().definition,
+  return run_pass(definition_with(caustic_cells_pass(), &Effects::coloured_caustics),
                   {.width = 8,
                    .height = 8,
                    .uniforms = uniform_bytes(std140::CausticCells{.cells_a_side = 1, .map_side = 8}),

@@ -19,7 +19,7 @@ PassImages splat(const Image& landing, const Image& flux, Splat how, float sigma
   LightViews views;
   views.caustic = down(4.0, 10.0, 20.0);
   const Pass pass = caustic_map_pass();
-  return run_pass(pass.definition,
+  return run_pass(definition_with(pass, &Effects::coloured_caustics),
                   {.width = 8,
                    .height = 8,
                    .uniforms = pass.uniforms({.settings = &settings, .views = &views}),

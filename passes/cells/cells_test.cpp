@@ -46,7 +46,7 @@ struct Bench {
         const float texel[4] = {px, floor_height(px), 4.0f - (static_cast<float>(y) + 0.5f) / 8.0f, 1.0f};
         for (int c = 0; c < 4; ++c) floor.at(x, y, c) = texel[c];
       }
-    return run_pass(cells_pass().definition,
+    return run_pass(definition_of(cells_pass()),
                     {.width = 6,
                      .height = 6,
                      .uniforms = uniform_bytes(u),

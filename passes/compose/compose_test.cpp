@@ -26,7 +26,7 @@ struct Bench {
   Image image() const {
     const auto all = [&](const glm::vec3& rgb, float w) { return filled(width, height, {rgb, w}); };
     const Pass pass = compose_pass();
-    return run_pass(pass.definition,
+    return run_pass(definition_of(pass),
                     {.width = width,
                      .height = height,
                      .uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = width,
@@ -152,7 +152,7 @@ TEST_CASE("compose: an environment that grows with height lights surfaces by two
   for (const std::size_t i : {0, 2, 3, 4, 5, 6, 7, 8}) CHECK(std::fabs(c[i].x) < 1e-5);
 }
 
-TEST_CASE("compose: beauty and the wide view are composed by the same rule") {
+TEST_CASE("compose: the picture and its surroundings are composed by the same rule") {
   // Irradiance pi on albedo 0.5.
   const std::vector<Image> textures = {filled(1, 1, glm::vec4(1.0f)), filled(1, 1, {0, 1, 0, 1}),
                                        filled(1, 1, glm::vec4(0.5f)), filled(1, 1, glm::vec4(0.0f)),
@@ -160,9 +160,10 @@ TEST_CASE("compose: beauty and the wide view are composed by the same rule") {
   const Scene scene;
   const View view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
   const PassContext context{.scene = &scene, .camera = &view, .surroundings = &wide, .width = 1, .height = 1};
-  const Pass beauty = compose_beauty_pass(), around = wide_compose_pass();
-  CHECK(run_pass(beauty.definition, {.uniforms = beauty.uniforms(context), .textures = textures})["beauty"]
-            .at(0, 0, 1) == Approx(0.5));
-  CHECK(run_pass(around.definition, {.uniforms = around.uniforms(context),
-                                     .textures = textures})["wide_color"].at(0, 0, 1) == Approx(0.5));
+  const Pass pass = compose_pass();
+  PassContext around = context;
+  around.camera = &wide;
+  for (const PassContext& each : {context, around})
+    CHECK(run_pass(definition_of(pass), {.uniforms = pass.uniforms(each), .textures = textures})["scene_color"]
+              .at(0, 0, 1) == Approx(0.5));
 }

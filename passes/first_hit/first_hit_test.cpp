@@ -21,7 +21,7 @@ struct Bench {
     const View view = down(1.0, 10.0, 20.0);
     const Pass pass = first_hit_pass();
     const auto all = [&](const glm::vec4& value) { return filled(size, size, value); };
-    return run_pass(pass.definition,
+    return run_pass(definition_of(pass),
                     {.width = size,
                      .height = size,
                      .uniforms = pass.uniforms({.camera = &view}),

@@ -57,7 +57,7 @@ struct Bench {
     const Pass pass = glass_pass();
     Effects effects;
     effects.textured_casters.active = pixel_tint.has_value();
-    return run_pass(pass.definition,
+    return run_pass(definition_of(pass),
                     {.width = 8,
                      .height = 8,
                      .uniforms = pass.uniforms(
@@ -186,68 +186,4 @@ TEST_CASE("glass: from inside at a flat angle all is mirrored") {
   bench.normal = {std::sqrt(0.75f), -0.5f, 0.0f};
   bench.scene.environment.ground = glm::vec3(8.0f);
   CHECK(bench.run().at(3, 3, 0) == Approx(8.0).epsilon(1e-5));
-}
-
-TEST_CASE("view_caster_map: a pixel holds position, side, normal and material of the nearest glass") {
-  const View view = down(1.0, 10.0, 20.0);
-  const Pass pass = view_caster_map_pass();
-  const glm::vec3 corners[4] = {{-1, 2, 1}, {0, 2, 1}, {0, 2, -1}, {-1, 2, -1}};
-  const auto draw = [&](const MeshData& mesh) {
-    return run_pass(pass.definition, {.width = 4,
-                                      .height = 4,
-                                      .uniforms = pass.uniforms({.camera = &view, .material_row = 3}),
-                                      .mesh = mesh});
-  };
-  MeshData mesh = quad(corners, {0.0f, 2.0f, 0.0f});
-  const PassImages front = draw(mesh);
-  CHECK(texel(front["view_caster_position"], 1, 1) == glm::vec4(-0.25f, 2.0f, 0.25f, 1.0f));
-  CHECK(texel(front["view_caster_normal"], 1, 1) == glm::vec4(0.0f, 1.0f, 0.0f, 3.0f));
-  CHECK(texel(front["view_caster_position"], 2, 1) == kNothing);
-  std::swap(mesh.indices[1], mesh.indices[2]);
-  std::swap(mesh.indices[4], mesh.indices[5]);
-  CHECK(draw(mesh)["view_caster_position"].at(1, 1, 3) == -1.0f);
-}
-
-TEST_CASE("view_exit_map: only back faces are seen") {
-  const View view = down(1.0, 10.0, 20.0);
-  const Pass pass = view_exit_map_pass();
-  const auto draw = [&](const MeshData& mesh) {
-    return run_pass(pass.definition, {.width = 4,
-                                      .height = 4,
-                                      .uniforms = pass.uniforms({.camera = &view, .material_row = 3}),
-                                      .mesh = mesh});
-  };
-  const glm::vec3 up[4] = {{-1, 2, 1}, {1, 2, 1}, {1, 2, -1}, {-1, 2, -1}};
-  const glm::vec3 under[4] = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
-  CHECK(texel(draw(quad(up, {0, 1, 0}))["view_exit_position"], 1, 1) == kNothing);
-  const PassImages back = draw(quad(under, {0, -1, 0}));
-  CHECK(texel(back["view_exit_position"], 1, 1) == glm::vec4(-0.25f, 1.0f, 0.25f, 1.0f));
-  CHECK(texel(back["view_exit_normal"], 1, 1) == glm::vec4(0.0f, -1.0f, 0.0f, 1.0f));
-}
-
-TEST_CASE("glass: a pixel's own colour takes the place of its material's, in glass and in metal") {
-  // 0.9408 of the radiance behind, as without a colour, times the colour.
-  Bench bench;
-  bench.tint = {0.1f, 0.1f, 0.1f};
-  bench.pixel_tint = glm::vec3(1.0f, 0.5f, 0.0f);
-  CHECK(bench.run().at(3, 3, 0) == Approx(0.9408));
-  CHECK(bench.run().at(3, 3, 1) == Approx(0.4704));
-  CHECK(bench.run().at(3, 3, 2) == 0.0f);
-  bench.mirror = true;
-  bench.solid = false;
-  bench.scene.environment.zenith = glm::vec3(10.0f);
-  CHECK(bench.run().at(3, 3, 1) == Approx(5.0));
-}
-
-TEST_CASE("glass: metal shows what it mirrors, in its own colour") {
-  // Seen from above at normal incidence it mirrors the zenith.
-  Bench bench;
-  bench.mirror = true;
-  bench.solid = false;
-  bench.tint = {0.9f, 0.5f, 0.25f};
-  bench.scene.environment.zenith = {10.0f, 10.0f, 10.0f};
-  const Image image = bench.run();
-  CHECK(image.at(4, 4, 0) == Approx(9.0));
-  CHECK(image.at(4, 4, 1) == Approx(5.0));
-  CHECK(image.at(4, 4, 2) == Approx(2.5));
 }

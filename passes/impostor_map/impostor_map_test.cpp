@@ -20,7 +20,7 @@ PassImages draw(int face) {
   View view = with_atlas(cube_view({0.0, 1.0, 0.0}, {1.0, 100.0}), 48);
   view.face = face;
   const glm::vec3 corners[4] = {{-50, 0, 50}, {50, 0, 50}, {50, 0, -50}, {-50, 0, -50}};
-  return run_pass(impostor_map_pass().definition,
+  return run_pass(definition_of(impostor_map_pass()),
                   {.width = 48,
                    .height = 48,
                    .uniforms = uniform_bytes(receiver_map_uniforms(view, Material{})),

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "passes/medium/medium_uniforms.hpp"
+#include "passes/shared/medium_uniforms.hpp"
 #include "pipeline/scene/cube_view.hpp"
 
 namespace caustics {

@@ -1,7 +1,7 @@
 // Where each grid vertex's light lands: bend it at the caster, find the exit, bend it again, find the
 // receiver; and what happened to its flux on the way. landing.md explains.
 #include "passes/shared/light_cone.glsl"
-#include "passes/medium/homogeneous_medium.glsl"
+#include "passes/shared/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
 #include "passes/landing/landing_uniforms.glsl"
 #ifdef HAZE
@@ -42,7 +42,7 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
 #ifdef HAZE
-#include "passes/medium/medium_optics.glsl"
+#include "passes/shared/medium_optics.glsl"
 #endif
 
 // Enter the caster: a grid vertex, the light's flux on its cell, the first surface.

@@ -94,7 +94,7 @@ struct Bench {
     materials.at(0, 0, 3) = mirror ? 1.0f : 0.0f;
     materials.at(1, 0, 3) = solid ? 1.0f : 0.0f;
     Image exit = floor_map(64, static_cast<double>(exit_height), 0.0);
-    return run_pass(landing_pass().definition,
+    return run_pass(definition_of(landing_pass()),
                     {.width = 2,
                      .height = 2,
                      .uniforms = uniform_bytes(u),

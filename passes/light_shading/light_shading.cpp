@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "passes/medium/medium_uniforms.hpp"
+#include "passes/shared/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
 

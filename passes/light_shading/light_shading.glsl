@@ -2,7 +2,7 @@
 // irradiance from its caustics.
 #include "passes/shared/light_cone.glsl"
 #include "passes/shared/light.glsl"
-#include "passes/medium/homogeneous_medium.glsl"
+#include "passes/shared/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
 #include "passes/light_shading/light_shading_uniforms.glsl"
 #ifdef HAZE
@@ -35,8 +35,8 @@ OUTPUT(1, Vec4, caustic)
 #ifdef HAZE
 #include "passes/shared/optics.glsl"
 #include "passes/shared/ray.glsl"
-#include "passes/medium/medium_optics.glsl"
-#include "passes/medium/light_way.glsl"
+#include "passes/shared/medium_optics.glsl"
+#include "passes/shared/light_way.glsl"
 #endif
 
 SurfacePoint surface_at(Int column, Int row) {

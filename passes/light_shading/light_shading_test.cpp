@@ -60,7 +60,7 @@ struct Bench {
 
   PassImages run() const {
     const Pass pass = light_shading_pass();
-    return run_pass(pass.definition, {.uniforms = uniforms(pass), .textures = textures()});
+    return run_pass(definition_of(pass), {.uniforms = uniforms(pass), .textures = textures()});
   }
   float direct() const { return run()["direct"].at(0, 0, 0); }
   float caustic() const { return run()["caustic"].at(0, 0, 0); }
@@ -267,8 +267,8 @@ TEST_CASE("light_shading: two lights add up in one target by blending") {
   const Pass pass = light_shading_pass();
   CHECK(pass.owner == Each::Frame);
   const std::unique_ptr<Device> device = make_software_device({.threads = 1});
-  PassRun run{.definition = &pass.definition};
-  for (const ColorWrite& write : pass.definition.writes)
+  PassRun run{.definition = &definition_of(pass)};
+  for (const ColorWrite& write : definition_of(pass).writes)
     run.colors.push_back(device->create_texture(write.format, 1, 1));
   for (const Bench* bench : {&sun, &bulb}) {
     Draw draw{.vertex_count = 3, .uniforms = bench->uniforms(pass)};
@@ -331,13 +331,13 @@ TEST_CASE("light_shading: thin panes tint the direct light under them, not the c
   CHECK(bench.direct() == 100.0f);
 }
 
-TEST_CASE("wide_shading: the wide view is lit by the same rule") {
+TEST_CASE("light_shading: the surroundings are lit by the same rule") {
   const Bench bench = with_caustic();
-  const Pass pass = wide_shading_pass();
+  const Pass pass = light_shading_pass();
   const PassImages out =
-      run_pass(pass.definition, {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
-  CHECK(out["wide_direct"].at(0, 0, 0) == Approx(100.0));
-  CHECK(out["wide_caustic"].at(0, 0, 0) == Approx(25.0));
+      run_pass(definition_of(pass, {}, kLightSurroundings), {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
+  CHECK(out["direct"].at(0, 0, 0) == Approx(100.0));
+  CHECK(out["caustic"].at(0, 0, 0) == Approx(25.0));
 }
 
 namespace {
@@ -357,7 +357,7 @@ PassImages run_wide_pixels(Bench bench, int bright_x, int bright_y, bool level =
   std::vector<Image> textures = bench.textures();
   textures[0] = position;
   textures[1] = filled(2, 2, {0.0f, 1.0f, 0.0f, 0.0f});
-  return run_pass(pass.definition, {.width = 2, .height = 2, .uniforms = bench.uniforms(pass), .textures = textures});
+  return run_pass(definition_of(pass), {.width = 2, .height = 2, .uniforms = bench.uniforms(pass), .textures = textures});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Draws each beam of a caster's light as what the medium scatters of it towards the camera. light_shafts.md
 // explains.
-#include "passes/medium/homogeneous_medium.glsl"
+#include "passes/shared/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
 #include "passes/light_shafts/light_shafts_uniforms.glsl"
 UNIFORMS_END
@@ -62,8 +62,8 @@ void main() {
 OUTPUT(0, Vec4, haze)
 #include "passes/shared/optics.glsl"
 #include "passes/shared/ray.glsl"
-#include "passes/medium/medium_optics.glsl"
-#include "passes/medium/view_range.glsl"
+#include "passes/shared/medium_optics.glsl"
+#include "passes/shared/view_range.glsl"
 
 // The coordinate along the picture's axis that the beam follows, and the one across.
 Float along(Float x, Float y) { return sel(axis > 0.5f, y, x); }

@@ -1,5 +1,5 @@
 #pragma once
-#include "passes/medium/medium_uniforms.hpp"
+#include "passes/shared/medium_uniforms.hpp"
 
 namespace caustics::std140 {
 

@@ -43,7 +43,7 @@ struct Bench {
         heading.at(i % side, i / side, c) = way[c];
         carried.at(i % side, i / side, c) = flux[c];
       }
-    return run_pass(light_shafts_pass().definition,
+    return run_pass(definition_of(light_shafts_pass()),
                     {.width = 8, .height = 8, .uniforms = uniform_bytes(u),
                      .textures = {start, heading, carried, filled(8, 8, range)},
                      .vertex_count = 6 * side * side})["haze"];

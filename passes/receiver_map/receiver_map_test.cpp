@@ -13,7 +13,7 @@ const Material kPlain{};
 // The definition drawn with one quad facing up at this height, over a 2 m window from 10 m above.
 PassImages draw(const glm::vec3 (&corners)[4], const View& view, const Material& material = kPlain,
                 const Image& base_color = {}) {
-  return run_pass(receiver_map_pass().definition,
+  return run_pass(definition_of(receiver_map_pass()),
                   {.width = 4,
                    .height = 4,
                    .uniforms = uniform_bytes(receiver_map_uniforms(view, material)),
@@ -52,7 +52,7 @@ TEST_CASE("receiver_map: what stands between the light and the casters is left o
   views.column = down(0.5, 10.0, 20.0);
   views.casters_nearest = 9.0;
   const View view = down(1.0, 10.0, 20.0);
-  const Image map = run_pass(receiver_map_pass().definition,
+  const Image map = run_pass(definition_of(receiver_map_pass()),
                              {.width = 4,
                               .height = 4,
                               .uniforms = uniform_bytes(receiver_map_uniforms(view, kPlain, &views)),

@@ -14,7 +14,7 @@ Image depths(const MeshData& mesh, const View& view = down(1.0, 10.0, 20.0),
   LightViews views;
   views.shadow = view;
   const Pass pass = shadow_map_pass();
-  return run_pass(pass.definition,
+  return run_pass(definition_of(pass),
                   {.width = 4,
                    .height = 4,
                    .uniforms = pass.uniforms({.views = &views, .material = &material}),

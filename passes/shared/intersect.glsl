@@ -47,34 +47,16 @@ Float gap_height(IN(View) view, Vec4 texel, Int face) {
   return height;
 }
 
-// The height between the four nearest texels where all are covered and no steeper than 83 degrees, else `nearest`.
-Float smooth_height(Texture positions, IN(View) view, Vec2 uv, Int face, Float nearest) {
-  Float x = uv.x * Float(texture_width(positions)) - 0.5f;
-  Float y = uv.y * Float(texture_height(positions)) - 0.5f;
-  Int x0 = floor_to_int(x);
-  Int y0 = floor_to_int(y);
-  Float fx = clamp_to(x - Float(x0), 0.0f, 1.0f);
-  Float fy = clamp_to(y - Float(y0), 0.0f, 1.0f);
-  Vec4 t00 = fetch_clamped(positions, x0, y0);
-  Vec4 t10 = fetch_clamped(positions, x0 + 1, y0);
-  Vec4 t01 = fetch_clamped(positions, x0, y0 + 1);
-  Vec4 t11 = fetch_clamped(positions, x0 + 1, y0 + 1);
-  Float h00 = gap_height(view, t00, face);
-  Float h10 = gap_height(view, t10, face);
-  Float h01 = gap_height(view, t01, face);
-  Float h11 = gap_height(view, t11, face);
-  Float low = min_of(min_of(h00, h10), min_of(h01, h11));
-  Float high = max_of(max_of(h00, h10), max_of(h01, h11));
-  // A texel's extent on the surface: parallel in metres; perspective in units of 1/z per 1/z.
-  Float steepest = 8.0f * texel_extent(positions, view);
-  if (view.kind != VIEW_PARALLEL) steepest = steepest * high;
-  Bool whole = is_covered(t00) && is_covered(t10) && is_covered(t01) && is_covered(t11) && high - low <= steepest;
-  Float bottom = h00 + (h10 - h00) * fx;
-  Float top = h01 + (h11 - h01) * fx;
-  return sel(whole, bottom + (top - bottom) * fy, nearest);
+// How much the heights of neighbouring texels may differ, the highest being `high`: that of 83 degrees. A texel's extent
+// on the surface is in metres (parallel), or in units of 1/z per 1/z (perspective).
+Float steepest_rise(Texture positions, IN(View) view, Float high) {
+  Float rise = 8.0f * texel_extent(positions, view);
+  if (view.kind != VIEW_PARALLEL) rise = rise * high;
+  return rise;
 }
 
-// The gap at p, against the texel that holds p or, `smoothly`, between the four nearest where they are one surface.
+// The gap at p, against the texel that holds p or, `smoothly`, between the four nearest where all are covered and no
+// steeper than 83 degrees.
 Gap gap_at(Texture positions, IN(View) view, Vec3 p, Float scale, bool smoothly) {
   Vec3 at = view_coordinates(view, p);
   Int face = view_face(view, at);
@@ -85,7 +67,29 @@ Gap gap_at(Texture positions, IN(View) view, Vec3 p, Float scale, bool smoothly)
   Vec4 nearest = fetch_nearest(positions, uv.x, uv.y);
   gap.covered = gap.inside && is_covered(nearest);
   Float height = gap_height(view, nearest, face);
-  if (smoothly) height = smooth_height(positions, view, uv, face, height);
+  if (smoothly) {
+    Float x = uv.x * Float(texture_width(positions)) - 0.5f;
+    Float y = uv.y * Float(texture_height(positions)) - 0.5f;
+    Int x0 = floor_to_int(x);
+    Int y0 = floor_to_int(y);
+    Float fx = clamp_to(x - Float(x0), 0.0f, 1.0f);
+    Float fy = clamp_to(y - Float(y0), 0.0f, 1.0f);
+    Vec4 t00 = fetch_clamped(positions, x0, y0);
+    Vec4 t10 = fetch_clamped(positions, x0 + 1, y0);
+    Vec4 t01 = fetch_clamped(positions, x0, y0 + 1);
+    Vec4 t11 = fetch_clamped(positions, x0 + 1, y0 + 1);
+    Float h00 = gap_height(view, t00, face);
+    Float h10 = gap_height(view, t10, face);
+    Float h01 = gap_height(view, t01, face);
+    Float h11 = gap_height(view, t11, face);
+    Float low = min_of(min_of(h00, h10), min_of(h01, h11));
+    Float high = max_of(max_of(h00, h10), max_of(h01, h11));
+    Bool whole = is_covered(t00) && is_covered(t10) && is_covered(t01) && is_covered(t11) &&
+                 high - low <= steepest_rise(positions, view, high);
+    Float bottom = h00 + (h10 - h00) * fx;
+    Float top = h01 + (h11 - h01) * fx;
+    height = sel(whole, bottom + (top - bottom) * fy, height);
+  }
   gap.value = q.z - height;
   if (view.kind != VIEW_PARALLEL) gap.value = (q.z * height - 1.0f) * scale;
   return gap;

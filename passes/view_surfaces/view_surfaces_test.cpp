@@ -29,7 +29,7 @@ PassImages see(const MeshData& mesh, const Material& material, const std::vector
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
   bound.resize(3);
-  return run_pass(pass.definition,
+  return run_pass(definition_of(pass),
                   {.width = 8,
                    .height = 8,
                    .uniforms = pass.uniforms({.camera = &view, .material = &material}),
@@ -154,20 +154,19 @@ TEST_CASE("view_surfaces: an alpha mask cuts holes where the interpolated alpha 
   CHECK(see(mesh, material, {base_color}, 1.0)["view_position"].at(0, 2, 3) == 1.0f);
 }
 
-TEST_CASE("wide_surfaces: the same is drawn with the wide frame, under its own names") {
+TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
   const View view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
   const Material material = plain();
-  const Pass pass = wide_surfaces_pass();
-  const PassImages out = run_pass(pass.definition,
+  const Pass pass = view_surfaces_pass();
+  const PassImages out = run_pass(definition_of(pass),
                                   {.width = 6,
                                    .height = 6,
-                                   .uniforms = pass.uniforms({.camera = &view, .surroundings = &wide,
-                                                              .material = &material}),
+                                   .uniforms = pass.uniforms({.camera = &wide, .material = &material}),
                                    .textures = {Image{}, Image{}, Image{}},
                                    .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});
   // 12 m in 6 pixels: the 4 m square covers the middle 2 x 2, centres at +-1.
-  CHECK(out["wide_position"].at(1, 2, 3) == 0.0f);
-  CHECK(texel(out["wide_position"], 3, 2) == glm::vec4(1.0f, 2.0f, 1.0f, 1.0f));
-  CHECK(out["wide_normal"].at(3, 2, 3) == Approx(8.0));
-  CHECK(out["wide_albedo"].at(3, 2, 0) == 0.8f);
+  CHECK(out["view_position"].at(1, 2, 3) == 0.0f);
+  CHECK(texel(out["view_position"], 3, 2) == glm::vec4(1.0f, 2.0f, 1.0f, 1.0f));
+  CHECK(out["view_normal"].at(3, 2, 3) == Approx(8.0));
+  CHECK(out["view_albedo"].at(3, 2, 0) == 0.8f);
 }

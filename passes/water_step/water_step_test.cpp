@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/plan/frame_plan.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 #include "tests/support/water.hpp"
@@ -207,9 +208,11 @@ TEST_CASE("water_step: a plop in the middle stays as symmetric as its square, to
   CHECK(different == 0);
 }
 
-TEST_CASE("water_step: a frame without water has no such pass") {
+TEST_CASE("water_step: a frame without water has no such pass, and says why") {
   const Scene scene = sphere_scene(1.5f, 2);
-  const Effects effects = effects_of(scene, small_settings(16, 16, 16));
-  CHECK_FALSE(effects.water_waves.active);
-  CHECK_FALSE(water_step_pass().called_for_by(effects).has_value());
+  const Settings settings = small_settings(16, 16, 16);
+  const FramePlan plan = make_plan(scene, effects_of(scene, settings), settings, {water_step_pass()});
+  CHECK(plan.passes.empty());
+  REQUIRE(plan.skipped.size() == 1);
+  CHECK(plan.skipped[0].reason == "water waves: no mesh is water that moves");
 }

@@ -33,7 +33,7 @@ struct MeshData {
 struct Draw {
   MeshId mesh = MeshId::None;
   int vertex_count = 0;
-  // The shader's uniform block, laid out as std140 (mat4, vec4 and ivec4 members only).
+  // The shader's uniform block, laid out as std140 (pipeline/shader/std140.hpp).
   std::vector<std::byte> uniforms{};
   // One for each of the definition's reads, in that order. None is bound as one texel of zeros.
   std::vector<TextureId> textures{};

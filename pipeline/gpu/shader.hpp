@@ -30,6 +30,8 @@ struct Shader {
   // The whole text, includes expanded, without the GLSL prelude.
   std::string_view text;
   ShaderKernels kernels;
+  // Of the uniform block, a multiple of 16; null where nobody knows (shaders that are not compiled here).
+  std::size_t (*uniform_bytes)() = nullptr;
 };
 
 enum class Interpolation : std::uint8_t { Smooth, Flat };

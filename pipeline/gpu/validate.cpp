@@ -44,6 +44,7 @@ void require_distinct_names(const PassDefinition& definition) {
 void validate(const PassDefinition& definition) {
   if (definition.name.empty()) throw Error(ExitCode::InternalError, "a pass has no name");
   if (!definition.shader) refuse(definition, "has no shader; set `shader`");
+  require_distinct_names(definition);
   const ShaderInterface& interface = interface_of(*definition.shader);
   require_same_names(definition, definition.reads, interface.textures, "read", "TEXTURE");
   require_same_names(definition, definition.writes, interface.outputs, "write", "OUTPUT");
@@ -61,7 +62,6 @@ void validate(const PassDefinition& definition) {
       definition.depth_state.compare != Compare::Always || definition.depth_state.write;
   if (uses_depth && !definition.depth)
     refuse(definition, "tests or writes depth without a depth attachment; add `depth`");
-  require_distinct_names(definition);
 }
 
 void validate(const PassRun& run, const Device& device) {
@@ -103,6 +103,10 @@ void validate(const PassRun& run, const Device& device) {
         refuse(definition, "a draw reads a texture that the pass writes; use two textures");
     if (draw.uniforms.size() % 16 != 0)
       refuse(definition, "a uniform block must be a multiple of 16 bytes");
+    if (definition.shader->uniform_bytes && draw.uniforms.size() != definition.shader->uniform_bytes())
+      refuse(definition, "a draw has " + std::to_string(draw.uniforms.size()) + " bytes of uniforms, its shader '" +
+                             std::string(definition.shader->name) + "' declares " +
+                             std::to_string(definition.shader->uniform_bytes()) + "; fill the struct of its own text");
     if (draw.mesh == MeshId::None && !interface.attributes.empty())
       refuse(definition, "its shader has vertex attributes, but a draw has no mesh");
     for (const ShaderVariable& attribute : interface.attributes) {

@@ -91,6 +91,12 @@ TEST_CASE("validate: each wrong definition is refused in a line that names the p
   d.writes[0].format = Format::Depth32F;
   refused(d, "depth format");
   d = sound();
+  d.reads[0].name = "sauce";
+  refused(d, "read 0 is 'sauce', its shader 'test' declares 'source' there");
+  d = sound();
+  d.writes[0].name = "kopy";
+  refused(d, "write 0 is 'kopy', its shader 'test' declares 'copy' there");
+  d = sound();
   d.depth_state.write = true;
   refused(d, "without a depth attachment");
   d = sound();

@@ -40,16 +40,7 @@ struct View {
   double window_area() const;
 };
 
-// What shaders get of a frame (passes/shared/view_space.glsl). u = x/w * window.x + window.z and
-// v = y/w * window.y + window.w with w = 1 (parallel) or z (perspective). In a cube window.zw is half a tile,
-// which a tile's column and row multiply.
-struct ViewUniforms {
-  glm::mat4 from_scene{1.0f};
-  glm::vec4 window{0.0f};
-  glm::vec4 depth{0.0f};  // near, far, 1 in a perspective view (2: a cube), face that is drawn
-};
-ViewUniforms pack(const View& view);
-// The same as one struct (pipeline/shader/view.glsl).
+// What shaders get of a view (pipeline/shader/view.glsl; passes/shared/view_space.glsl uses it).
 std140::View shader_view(const View& view);
 
 // The same view through a window `factor` times as wide and high.

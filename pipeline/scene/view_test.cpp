@@ -28,8 +28,8 @@ TEST_CASE("frame: packed uniforms map the window's corners to 0 and 1") {
   View f = view_along({0.0, 5.0, 0.0}, {0.0, -1.0, 0.0});
   f.window_lower = {-1.0, -2.0};
   f.window_upper = {3.0, 2.0};
-  const ViewUniforms u = pack(f);
-  CHECK(-1.0f * u.window.x + u.window.z == Approx(0.0f).margin(1e-6));
-  CHECK(3.0f * u.window.x + u.window.z == Approx(1.0f));
-  CHECK(2.0f * u.window.y + u.window.w == Approx(1.0f));
+  const std140::View u = shader_view(f);
+  CHECK(-1.0f * u.scale.x + u.offset.x == Approx(0.0f).margin(1e-6));
+  CHECK(3.0f * u.scale.x + u.offset.x == Approx(1.0f));
+  CHECK(2.0f * u.scale.y + u.offset.y == Approx(1.0f));
 }

@@ -26,6 +26,13 @@ struct PassInputs {
   int vertex_count = 3;
 };
 
+// What a frame with this effect makes of a pass.
+inline PassDefinition definition_with(const Pass& pass, Effect Effects::*effect, const DrawnFor& drawn_for = kFrame) {
+  Effects effects;
+  (effects.*effect).active = true;
+  return definition_of(pass, effects, drawn_for);
+}
+
 inline PassImages run_pass(const PassDefinition& definition, const PassInputs& inputs) {
   const std::unique_ptr<Device> device = make_software_device({.threads = 1});
   PassRun run{.definition = &definition};

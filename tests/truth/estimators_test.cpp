@@ -145,7 +145,7 @@ struct Trial {
                             .impostor = shader_view(impostors)};
     Image materials = filled(3, 1, {1.0f, 1.0f, 1.0f, 0.0f});
     materials.at(0, 0, 3) = 1.0f;  // a mirror
-    return run_pass(landing_pass().definition,
+    return run_pass(definition_of(landing_pass()),
                     {.width = fan.side,
                      .height = fan.side,
                      .uniforms = uniform_bytes(u),
@@ -191,8 +191,11 @@ Errors errors_of(const Trial& trial, int estimator, int iterations) {
   return result;
 }
 
-constexpr std::pair<Estimator, const char*> kEstimators[] = {
-    {ESTIMATOR_PAPER, "paper"}, {ESTIMATOR_NEWTON, "newton"}, {ESTIMATOR_IMPOSTOR, "impostor"}, {ESTIMATOR_SECANT, "secant"}};
+constexpr std::pair<int, const char*> kEstimators[] = {
+    {ESTIMATOR_PAPER, "paper"},
+    {ESTIMATOR_NEWTON, "newton"},
+    {ESTIMATOR_IMPOSTOR, "impostor"},
+    {ESTIMATOR_SECANT, "secant"}};
 
 }  // namespace
 

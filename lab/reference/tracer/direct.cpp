@@ -61,7 +61,7 @@ class Lamp {
   }
 
   // Both faces and all reflections between them: (1 - r) / (1 + r), times transmission and colour
-  // (passes/panes/panes.md).
+  // (passes/view_panes/view_panes.md).
   glm::dvec3 through_panes(const Ray& back, double distance) const {
     glm::dvec3 left(1.0);
     double from = world_.nearest();

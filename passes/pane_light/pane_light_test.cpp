@@ -1,28 +1,11 @@
-#include "passes/panes/panes.hpp"
+#include "passes/pane_light/pane_light.hpp"
 
-#include "tests/support/catch.hpp"
-#include "tests/support/run_pass.hpp"
+#include "tests/support/panes.hpp"
 
 using namespace caustics;
 using namespace caustics::test;
 
 namespace {
-
-// At normal incidence a face of index 1.5 mirrors (0.5 / 2.5)^2 = 0.04: a pane passes 0.96 / 1.04 and
-// mirrors 0.08 / 1.04.
-constexpr float kPasses = 0.96f / 1.04f, kMirrors = 0.08f / 1.04f;
-
-Material pane_material() {
-  Material m;
-  m.base_color = {1.0f, 0.5f, 0.25f, 1.0f};
-  m.transmission = 1.0f;
-  m.ior = 1.5f;
-  return m;
-}
-
-MeshData level(float height) {
-  return quad({{-4, height, 4}, {4, height, 4}, {4, height, -4}, {-4, height, -4}}, {0, 1, 0});
-}
 
 // A light 10 m up that shines straight down through a level pane at height 4.
 struct LightBench {
@@ -38,7 +21,7 @@ struct LightBench {
     const Scene scene;
     const Light light;
     const Pass pass = pane_light_pass();
-    return texel(run_pass(pass.definition,
+    return texel(run_pass(definition_of(pass),
                           {.uniforms = pass.uniforms({.scene = &scene,
                                                       .effects = &effects,
                                                       .views = &views,
@@ -49,30 +32,6 @@ struct LightBench {
                  0, 0);
   }
 };
-
-// A camera 10 m up that looks down on a level pane at height 4, over a picture of radiance 1.
-struct ViewBench {
-  Material material = pane_material();
-  Scene scene;
-  glm::vec4 surface{0.0f}, caster{0.0f};
-  float depth = 0.0f;
-
-  glm::vec3 after(Pass pass) const {
-    const View view = down(1.0, 10.0, 20.0);
-    pass.definition.writes[0].clear = {1.0f, 1.0f, 1.0f, 1.0f};
-    return glm::vec3(texel(
-        run_pass(pass.definition,
-                 {.uniforms = pass.uniforms({.scene = &scene, .camera = &view, .material = &material}),
-                  .textures = {Image{}, filled(1, 1, surface), filled(1, 1, {0, 1, 0, depth}),
-                               filled(1, 1, caster), Image{}},
-                  .mesh = level(4.0f)})["beauty"],
-        0, 0));
-  }
-};
-
-void check_color(const glm::vec3& found, const glm::vec3& expected) {
-  for (int c = 0; c < 3; ++c) CHECK(found[c] == Approx(expected[c]).epsilon(1e-5));
-}
 
 }  // namespace
 
@@ -110,25 +69,4 @@ TEST_CASE("pane_light: what an alpha mask cuts out takes nothing") {
   bench.material.alpha_mode = AlphaMode::Mask;
   bench.material.base_color.a = 0.4f;
   CHECK(bench.transmittance() == glm::vec4(1.0f));
-}
-
-TEST_CASE("view_panes: what lies behind a pane is tinted, before it stays") {
-  ViewBench bench;
-  check_color(bench.after(view_panes_pass()), kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
-  bench.surface.w = 1.0f;
-  bench.depth = 10.0f;  // on the ground
-  check_color(bench.after(view_panes_pass()), kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
-  bench.depth = 5.0f;  // at height 5
-  check_color(bench.after(view_panes_pass()), glm::vec3(1.0f));
-  bench.depth = 10.0f;
-  bench.caster = {0.0f, 5.0f, 0.0f, 1.0f};
-  check_color(bench.after(view_panes_pass()), glm::vec3(1.0f));
-}
-
-TEST_CASE("view_pane_mirror: a level pane mirrors the zenith on top of what is seen") {
-  ViewBench bench;
-  bench.scene.environment.zenith = {10.0f, 20.0f, 30.0f};
-  bench.scene.environment.horizon = bench.scene.environment.ground = glm::vec3(1.0f);
-  check_color(bench.after(view_pane_mirror_pass()),
-              glm::vec3(1.0f) + kMirrors * glm::vec3(10.0f, 20.0f, 30.0f));
 }

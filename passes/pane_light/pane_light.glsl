@@ -2,11 +2,11 @@
 #include "passes/shared/sky_model.glsl"
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
-#include "passes/panes/pane_uniforms.glsl"
+#include "passes/shared/pane_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, base_color)
 TEXTURE(1, shadow_depth)
-#include "passes/panes/pane_surface.glsl"
+#include "passes/shared/pane_surface.glsl"
 
 #ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, pane_transmittance)
@@ -23,7 +23,7 @@ Bool in_shadow() {
 }
 
 void main() {
-  discard_if(outside_tile(u.view, u.side) || cut_out(u.alpha_mask, surface_uv) || in_shadow());
+  discard_if(outside_tile(u.view, u.map_side) || cut_out(u.alpha_mask, surface_uv) || in_shadow());
   pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
 }
 #endif

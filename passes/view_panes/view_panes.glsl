@@ -2,14 +2,14 @@
 #include "passes/shared/sky_model.glsl"
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
-#include "passes/panes/pane_uniforms.glsl"
+#include "passes/shared/pane_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, base_color)
 TEXTURE(1, view_position)
 TEXTURE(2, view_normal)
 TEXTURE(3, view_caster_position)
 TEXTURE(4, environment)
-#include "passes/panes/pane_surface.glsl"
+#include "passes/shared/pane_surface.glsl"
 
 #ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, beauty)

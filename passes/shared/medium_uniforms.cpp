@@ -1,4 +1,4 @@
-#include "passes/medium/medium_uniforms.hpp"
+#include "passes/shared/medium_uniforms.hpp"
 
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-#include "passes/cascade_map/cascade_map.hpp"
+#include "passes/cascade_cells/cascade_cells.hpp"
 
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
@@ -11,15 +11,15 @@ namespace {
 // Lays one cell with corners a, b, c, d (texels of the caustic map) and flux (1, 2, 4) into a cascade of 8 x 8 texels
 // that shows the caustic map's texels 2 to 6: one texel there is two by two here.
 Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
-  const std140::CascadeMap uniforms{
+  const std140::CascadeCells uniforms{
       .scale = {2.0f, 2.0f}, .offset = {-4.0f, -4.0f}, .cells_a_side = 1, .map_side = 8};
-  return run_pass(cascade_cells_pass().definition,
+  return run_pass(definition_with(cascade_cells_pass(), &Effects::coloured_caustics),
                   {.width = 8,
                    .height = 8,
                    .uniforms = uniform_bytes(uniforms),
                    .textures = {filled(1, 1, {a, b}), filled(1, 1, {c, d}),
                                 filled(1, 1, {1.0f, 2.0f, 4.0f, 1.0f})},
-                   .vertex_count = 6})["cascade_map"];
+                   .vertex_count = 6})["caustic_map"];
 }
 
 double sum(const Image& map) {

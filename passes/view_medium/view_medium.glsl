@@ -1,8 +1,8 @@
 // How far each of the camera's rays goes through the medium, and what the medium leaves of what it ends on.
 #include "passes/shared/camera_rays.glsl"
-#include "passes/medium/homogeneous_medium.glsl"
+#include "passes/shared/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
-#include "passes/medium/view_medium_uniforms.glsl"
+#include "passes/view_medium/view_medium_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, view_position)
 TEXTURE(1, view_normal)
@@ -19,7 +19,7 @@ OUTPUT(1, Vec4, view_range)
 #include "passes/shared/optics.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/camera_ray.glsl"
-#include "passes/medium/medium_optics.glsl"
+#include "passes/shared/medium_optics.glsl"
 
 struct FirstSurface {
   Float z;         // along the camera's axis, metres

@@ -1,6 +1,6 @@
-// Lays the cells into the cascade: those that touch its window, cut at its edge. cascade_map.md explains.
+// Lays the cells into the cascade: those that touch its window, cut at its edge. cascade_cells.md explains.
 UNIFORMS_BEGIN
-#include "passes/cascade_map/cascade_map_uniforms.glsl"
+#include "passes/cascade_cells/cascade_cells_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, cell_near)
 TEXTURE(1, cell_far)

@@ -3,9 +3,9 @@
 #include "passes/shared/camera_rays.glsl"
 #include "passes/shared/light_cone.glsl"
 #include "passes/shared/light.glsl"
-#include "passes/medium/homogeneous_medium.glsl"
+#include "passes/shared/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
-#include "passes/medium/light_haze_uniforms.glsl"
+#include "passes/light_haze/light_haze_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, view_range)
 TEXTURE(1, shadow_depth)
@@ -24,9 +24,9 @@ OUTPUT(0, Vec4, haze)
 #include "passes/shared/optics.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/camera_ray.glsl"
-#include "passes/medium/medium_optics.glsl"
-#include "passes/medium/light_way.glsl"
-#include "passes/medium/view_range.glsl"
+#include "passes/shared/medium_optics.glsl"
+#include "passes/shared/light_way.glsl"
+#include "passes/shared/view_range.glsl"
 
 // A point on the camera's ray.
 struct RayPoint {

@@ -7,7 +7,7 @@ namespace caustics::std140 {
 
 // The uniform block of passes that draw casters with their textures into a view.
 struct TexturedCasters {
-#include "passes/textured_casters/textured_casters_uniforms.glsl"
+#include "passes/shared/textured_casters_uniforms.glsl"
 };
 
 }  // namespace caustics::std140

@@ -6,7 +6,7 @@
 namespace caustics {
 
 namespace std140 {
-#include "passes/medium/homogeneous_medium.glsl"
+#include "passes/shared/homogeneous_medium.glsl"
 }  // namespace std140
 
 // Zeros without a medium.

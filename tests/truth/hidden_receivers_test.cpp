@@ -1,4 +1,5 @@
-#include "passes/far_receivers/far_receivers.hpp"
+// Light lands on what other receivers hide from the light.
+#include <cmath>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"

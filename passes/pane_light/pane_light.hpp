@@ -3,8 +3,7 @@
 
 namespace caustics {
 
-// panes.md says what these passes are for, what they read and write, and what can go wrong.
+// pane_light.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass pane_light_pass();
-Pass view_panes_pass();
 
 }  // namespace caustics

@@ -1,6 +1,6 @@
 Sky sky;
 View view;                     // the view drawn into
-int side;                      // of a cube's map, texels
+int map_side;                  // of a cube's map, texels
 int shows_mirror;              // write what the pane mirrors, not what it lets through
 vec3 eye;                      // where a perspective view's rays start
 vec3 forward;                  // the view's axis, the way of parallel rays

@@ -1,4 +1,4 @@
-#include "passes/cascade_map/cascade_map.hpp"
+#include "passes/cascade_cells/cascade_cells.hpp"
 
 #include "passes/caustic_map/caustic_map.hpp"
 #include "passes/shared/caustic_map_write.hpp"
@@ -9,7 +9,7 @@ extern const Shader cascade_cells_shader;
 
 namespace {
 
-std140::CascadeMap cells_uniforms(const PassContext& context) {
+std140::CascadeCells cells_uniforms(const PassContext& context) {
   const View& map = context.views->caustic;
   const View& cascade = *context.views->cascade;
   const double texels = context.settings->map;

@@ -42,12 +42,7 @@ Bool cut_out_here() {
   return opacity < u.mask.cutoff;
 }
 
-// Of a cube view: does the fragment lie outside the tile that is drawn?
-Bool elsewhere() {
-  Bool outside = Bool(false);
-  if (u.view.kind == VIEW_CUBE) outside = outside_tile(u.view, u.map_side);
-  return outside;
-}
+Bool is_not_drawn() { return outside_tile(u.view, u.map_side) || cut_out_here(); }
 
 // The outward normal, leaned by the normal texture but never out of the hemisphere around the smooth normal:
 // light enters and leaves a face through the side that was drawn.

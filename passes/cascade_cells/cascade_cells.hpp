@@ -4,15 +4,15 @@
 
 namespace caustics::std140 {
 
-struct alignas(16) CascadeMap {
-#include "passes/cascade_map/cascade_map_uniforms.glsl"
+struct alignas(16) CascadeCells {
+#include "passes/cascade_cells/cascade_cells_uniforms.glsl"
 };
 
 }  // namespace caustics::std140
 
 namespace caustics {
 
-// cascade_map.md says what these passes are for, what they read and write, and what can go wrong.
+// cascade_cells.md says what these passes are for, what they read and write, and what can go wrong.
 Pass cascade_cells_pass();
 
 }  // namespace caustics

@@ -1,4 +1,4 @@
-#include "passes/textured_casters/textured_casters.hpp"
+#include "passes/shared/textured_casters.hpp"
 
 #include <cmath>
 
@@ -26,14 +26,14 @@ struct Bench {
   glm::vec3 normal{0.0f, 1.0f, 0.0f};
   bool from_behind = false;
 
-  PassImages run(const Pass& pass) const {
+  PassImages run(const PassDefinition& definition) const {
     Material m = material;
     m.base_color_texture.image = base_color.values.empty() ? -1 : 0;
     m.normal_texture.image = normals.values.empty() ? -1 : 1;
     m.transmission_texture.image = transmission.values.empty() ? -1 : 2;
     std::vector<Image> bound = {base_color, normals, transmission};
-    bound.resize(pass.definition.reads.size());
-    return run_pass(pass.definition,
+    bound.resize(definition.reads.size());
+    return run_pass(definition,
                     {.width = 8,
                      .height = 8,
                      .uniforms = uniform_bytes(textured_casters_uniforms(down(1.0, 4.0, 8.0), m, role, 3)),
@@ -41,6 +41,10 @@ struct Bench {
                      .mesh = from_behind ? quad(kBack, normal) : quad(kFront, normal)});
   }
 };
+
+PassDefinition detailed_casters() { return definition_with(caster_map_pass(), &Effects::normal_mapped_casters); }
+PassDefinition tinted_casters() { return definition_with(caster_map_pass(), &Effects::textured_casters); }
+PassDefinition detailed_exits_map() { return definition_with(caster_exit_map_pass(), &Effects::cut_out_casters); }
 
 Image two_by_two(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, const glm::vec4& d) {
   Image image(Format::RGBA32F, 2, 2);
@@ -70,17 +74,17 @@ TEST_CASE("textured_casters: without textures all is as the plain passes draw it
     bench.from_behind = behind;
     const MeshData mesh = behind ? quad(kBack, bench.normal) : quad(kFront, bench.normal);
     const auto expected = [&](const Pass& pass) {
-      return run_pass(pass.definition, {.width = 8, .height = 8, .uniforms = plain, .mesh = mesh});
+      return run_pass(definition_of(pass), {.width = 8, .height = 8, .uniforms = plain, .mesh = mesh});
     };
     const PassImages casters = expected(caster_map_pass()), exits = expected(caster_exit_map_pass());
-    for (const Pass& pass : {detailed_caster_map_pass(), tinted_caster_map_pass()}) {
+    for (const PassDefinition& pass : {detailed_casters(), tinted_casters()}) {
       const PassImages out = bench.run(pass);
       CHECK(out["caster_position"].values == casters["caster_position"].values);
       CHECK(out["caster_normal"].values == casters["caster_normal"].values);
       CHECK(out["caster_depth"].values == casters["caster_depth"].values);
       CHECK(out.result.samples_passed == 16);
     }
-    const PassImages out = bench.run(detailed_exit_map_pass());
+    const PassImages out = bench.run(detailed_exits_map());
     CHECK(out["caster_exit_position"].values == exits["caster_exit_position"].values);
     CHECK(out["caster_exit_normal"].values == exits["caster_exit_normal"].values);
   }
@@ -93,7 +97,7 @@ TEST_CASE("textured_casters: a 2 x 2 normal texture leans the normals, interpola
   Bench bench;
   bench.normals = two_by_two({1.0f, 0.5f, 1.0f, 1.0f}, {0.0f, 0.5f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f, 1.0f},
                              {0.0f, 1.0f, 1.0f, 1.0f});
-  for (const Pass& pass : {detailed_caster_map_pass(), tinted_caster_map_pass()}) {
+  for (const PassDefinition& pass : {detailed_casters(), tinted_casters()}) {
     const Image out = bench.run(pass)["caster_normal"];
     check_direction(texel(out, 2, 2), {0.5f, 1.0f, -0.25f});
     check_direction(texel(out, 5, 2), {-0.5f, 1.0f, -0.25f});
@@ -102,7 +106,7 @@ TEST_CASE("textured_casters: a 2 x 2 normal texture leans the normals, interpola
   }
   // Half the scale, half the lean.
   bench.material.normal_scale = 0.5f;
-  check_direction(texel(bench.run(detailed_caster_map_pass())["caster_normal"], 2, 2), {0.25f, 1.0f, -0.125f});
+  check_direction(texel(bench.run(detailed_casters())["caster_normal"], 2, 2), {0.25f, 1.0f, -0.125f});
 }
 
 TEST_CASE("textured_casters: KHR_texture_transform moves the normal texture") {
@@ -112,7 +116,7 @@ TEST_CASE("textured_casters: KHR_texture_transform moves the normal texture") {
                              {0.0f, 0.5f, 1.0f, 1.0f});
   bench.material.normal_texture.uv_transform[0][0] = 2.0f;
   bench.material.normal_texture.uv_transform[2][0] = 0.25f;
-  const Image out = bench.run(detailed_caster_map_pass())["caster_normal"];
+  const Image out = bench.run(detailed_casters())["caster_normal"];
   check_direction(texel(out, 2, 2), {0.0f, 1.0f, 0.0f});
   // u = 0.375 becomes 1.0: between the last texel and the first.
   check_direction(texel(out, 3, 2), {0.0f, 1.0f, 0.0f});
@@ -124,7 +128,7 @@ TEST_CASE("textured_casters: normals have length 1 and stay in the hemisphere of
   bench.material.normal_scale = 30.0f;
   bench.normals = two_by_two({1.0f, 0.5f, 0.0f, 1.0f}, {0.0f, 0.1f, 0.25f, 1.0f}, {0.5f, 0.5f, 0.0f, 1.0f},
                              {0.9f, 0.9f, 0.9f, 1.0f});
-  const Image out = bench.run(detailed_caster_map_pass())["caster_normal"];
+  const Image out = bench.run(detailed_casters())["caster_normal"];
   for (int y = 2; y < 6; ++y)
     for (int x = 2; x < 6; ++x) {
       const glm::vec3 n(texel(out, x, y));
@@ -138,10 +142,10 @@ TEST_CASE("textured_casters: seen from behind, the normal is still the outward o
   Bench bench;
   bench.from_behind = true;
   bench.normals = filled(1, 1, {1.0f, 0.5f, 1.0f, 1.0f});
-  const PassImages out = bench.run(detailed_caster_map_pass());
+  const PassImages out = bench.run(detailed_casters());
   check_direction(texel(out["caster_normal"], 3, 3), {1.0f, 1.0f, 0.0f});
   CHECK(out["caster_position"].at(3, 3, 3) == -1.0f);
-  const PassImages exit = bench.run(detailed_exit_map_pass());
+  const PassImages exit = bench.run(detailed_exits_map());
   check_direction(texel(exit["caster_exit_normal"], 3, 3), {1.0f, 1.0f, 0.0f});
   CHECK(exit["caster_exit_normal"].at(3, 3, 3) == 1.0f);
 }
@@ -152,12 +156,12 @@ TEST_CASE("textured_casters: glass is tinted by factor, texture and transmission
   bench.material.base_color = {0.5f, 1.0f, 1.0f, 1.0f};
   bench.base_color = two_by_two({1.0f, 1.0f, 0.0f, 1.0f}, {0.0f, 1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 0.0f, 1.0f},
                                 {0.0f, 1.0f, 1.0f, 1.0f});
-  const Image out = bench.run(tinted_caster_map_pass())["caster_tint"];
+  const Image out = bench.run(tinted_casters())["caster_tint"];
   CHECK(texel(out, 3, 3) == glm::vec4(0.375f, 1.0f, 0.25f, 1.0f));
   CHECK(texel(out, 4, 3) == glm::vec4(0.125f, 1.0f, 0.75f, 1.0f));
   CHECK(texel(out, 1, 3) == glm::vec4(0.0f));
   bench.transmission = filled(1, 1, {0.5f, 0.0f, 0.0f, 1.0f});
-  CHECK(texel(bench.run(tinted_caster_map_pass())["caster_tint"], 3, 3) ==
+  CHECK(texel(bench.run(tinted_casters())["caster_tint"], 3, 3) ==
         glm::vec4(0.1875f, 0.5f, 0.125f, 1.0f));
 }
 
@@ -169,7 +173,7 @@ TEST_CASE("textured_casters: a mirror's reflectance is its dielectric share and 
   bench.material.metallic = 0.75f;
   bench.base_color = filled(1, 1, {1.0f, 0.5f, 0.0f, 1.0f});
   bench.transmission = filled(1, 1, glm::vec4(0.0f));
-  const glm::vec4 tint = texel(bench.run(tinted_caster_map_pass())["caster_tint"], 3, 3);
+  const glm::vec4 tint = texel(bench.run(tinted_casters())["caster_tint"], 3, 3);
   CHECK(tint.x == Approx(0.61));
   CHECK(tint.y == Approx(0.31));
   CHECK(tint.z == Approx(0.01));
@@ -180,16 +184,16 @@ TEST_CASE("textured_casters: an alpha mask cuts holes, on both sides of a caster
   Bench bench;
   bench.material.alpha_mode = AlphaMode::Mask;
   bench.base_color = two_by_two(glm::vec4(0.0f), glm::vec4(1.0f), glm::vec4(0.0f), glm::vec4(1.0f));
-  for (const Pass& pass : {detailed_caster_map_pass(), tinted_caster_map_pass()}) {
+  for (const PassDefinition& pass : {detailed_casters(), tinted_casters()}) {
     const PassImages out = bench.run(pass);
     CHECK(out.result.samples_passed == 8);
     CHECK(out["caster_position"].at(3, 3, 3) == 0.0f);
     CHECK(out["caster_position"].at(4, 3, 3) == 1.0f);
   }
   bench.from_behind = true;
-  const PassImages exit = bench.run(detailed_exit_map_pass());
+  const PassImages exit = bench.run(detailed_exits_map());
   CHECK(exit["caster_exit_position"].at(3, 3, 3) == 0.0f);
   CHECK(exit["caster_exit_position"].at(4, 3, 3) == 1.0f);
   bench.material.alpha_mode = AlphaMode::Opaque;
-  CHECK(bench.run(detailed_exit_map_pass())["caster_exit_position"].at(3, 3, 3) == 1.0f);
+  CHECK(bench.run(detailed_exits_map())["caster_exit_position"].at(3, 3, 3) == 1.0f);
 }

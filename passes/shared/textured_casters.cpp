@@ -1,4 +1,4 @@
-#include "passes/textured_casters/textured_casters.hpp"
+#include "passes/shared/textured_casters.hpp"
 
 #include "pipeline/scene/material_optics.hpp"
 #include "pipeline/effects/textured_casters.hpp"

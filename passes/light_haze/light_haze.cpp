@@ -1,0 +1,66 @@
+#include "passes/light_haze/light_haze.hpp"
+
+#include "passes/shared/camera_rays.hpp"
+#include "passes/shared/light_uniforms.hpp"
+#include "passes/shared/medium_uniforms.hpp"
+
+namespace caustics::std140 {
+
+struct LightHaze {
+#include "passes/light_haze/light_haze_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
+
+namespace caustics {
+
+extern const Shader light_haze_shader;
+
+namespace {
+
+bool throws_caustic(const PassContext& context) {
+  for (const Expectation& e : context.effects->expectations)
+    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light)
+      return true;
+  return false;
+}
+
+UniformBytes light_uniforms(const PassContext& context) {
+  const LightViews& views = *context.views;
+  return uniform_bytes(std140::LightHaze{
+      .camera = shader_camera_rays(*context.camera, context.width, context.height),
+      .medium = shader_medium(*context.scene),
+      .light = shader_light(*context.light, views.shadow.forward),
+      .shadow_view = shader_view(views.shadow),
+      .caster_view = shader_view(views.caster),
+      .pane_view = shader_view(views.panes),
+      .has_shadow_map = context.effects->occluders.active ? 1 : 0,
+      .has_caustic = throws_caustic(context) && context.effects->caustics.active ? 1 : 0,
+      .has_panes = context.effects->thin_panes.active ? 1 : 0,
+      .steps = context.settings->medium_steps,
+  });
+}
+
+}  // namespace
+
+Pass light_haze_pass() {
+  return {
+      .name = "light_haze",
+      .purpose = "adds up what the medium scatters of a light's direct light",
+      .reason = "the medium scatters the light",
+      .when = {&Effects::scattering},
+      .drawn_for = {kLight},
+      .reads = {{.name = "view_range", .meaning = "how far each ray goes"},
+                {.name = "shadow_depth", .meaning = "what shadows the medium", .optional = true},
+                {.name = "caster_position", .meaning = "the casters, which do too", .optional = true},
+                {.name = "pane_transmittance", .meaning = "what thin panes let through", .optional = true}},
+      .writes = {{.name = "haze",
+                  .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
+                  .blend = kAccumulate}},
+      .owner = Each::Frame,
+      .shaders = {{&light_haze_shader}},
+      .uniforms = light_uniforms,
+  };
+}
+
+}  // namespace caustics

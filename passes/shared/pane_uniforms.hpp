@@ -1,0 +1,33 @@
+// What the passes that draw thin panes get of a pane.
+#pragma once
+#include "passes/shared/material_uniforms.hpp"
+#include "passes/shared/sky_uniforms.hpp"
+#include "pipeline/plan/pass.hpp"
+
+namespace caustics {
+
+namespace std140 {
+struct Pane {
+#include "passes/shared/pane_uniforms.glsl"
+};
+}  // namespace std140
+
+// Without what shadows a light.
+inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const PassContext& context) {
+  const Material& m = *context.material;
+  return {.sky = shader_sky(context.scene->environment),
+          .view = shader_view(view),
+          .map_side = view.cube ? view.cube->side : 0,
+          .shows_mirror = 0,
+          .eye = glm::vec3(eye),
+          .forward = glm::vec3(view.forward),
+          .color = glm::vec3(m.base_color) * m.transmission,
+          .ior = m.ior,
+          .has_base_color = m.base_color_texture.present() ? 1 : 0,
+          .base_color_uv = std140::texture_transform(m.base_color_texture),
+          .alpha_mask = std140::alpha_mask(m),
+          .shadow_view = {},
+          .has_shadow_map = 0};
+}
+
+}  // namespace caustics

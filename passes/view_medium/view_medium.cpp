@@ -1,0 +1,54 @@
+#include "passes/view_medium/view_medium.hpp"
+
+#include "passes/shared/camera_rays.hpp"
+#include "passes/shared/medium_uniforms.hpp"
+
+namespace caustics::std140 {
+
+struct ViewMedium {
+#include "passes/view_medium/view_medium_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
+
+namespace caustics {
+
+extern const Shader view_medium_shader;
+
+namespace {
+
+UniformBytes view_uniforms(const PassContext& context) {
+  return uniform_bytes(
+      std140::ViewMedium{.camera = shader_camera_rays(*context.camera, context.width, context.height),
+                         .view = shader_view(*context.camera),
+                         .medium = shader_medium(*context.scene)});
+}
+
+constexpr ColorMask kColor{true, true, true, false};
+
+}  // namespace
+
+Pass view_medium_pass() {
+  return {
+      .name = "view_medium",
+      .purpose = "takes from the picture what the medium takes on the way to the camera",
+      .reason = "a medium lies between the camera and what it sees",
+      .when = {&Effects::medium},
+      .reads = {{.name = "view_position", .meaning = "opaque surfaces"},
+                {.name = "view_normal", .meaning = "their depth"},
+                {.name = "view_caster_position", .meaning = "glass and mirrors", .texture = "caster_position.camera",
+                 .optional = true}},
+      .writes = {{.name = "beauty",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1",
+                  .blend = kMultiply,
+                  .mask = kColor},
+                 {.name = "view_range",
+                  .meaning = "x: depth of the first surface along the camera's axis, metres, 1e30 where "
+                             "there is none; y, z: distances from the camera at which its ray enters "
+                             "the medium and leaves it or ends"}},
+      .shaders = {{&view_medium_shader}},
+      .uniforms = view_uniforms,
+  };
+}
+
+}  // namespace caustics

@@ -1,0 +1,52 @@
+#include "passes/view_panes/view_panes.hpp"
+
+#include "passes/shared/pane_uniforms.hpp"
+
+namespace caustics {
+
+extern const Shader view_panes_shader;
+
+namespace {
+
+constexpr DrawnFor kMirrored{.label = "mirrored", .own_textures = false};
+
+UniformBytes uniforms(const PassContext& context) {
+  std140::Pane u = pane_uniforms(*context.camera, context.camera->origin, context);
+  u.shows_mirror = context.drawn_for && context.drawn_for->label == kMirrored.label;
+  return uniform_bytes(u);
+}
+
+// What panes mirror is added to what they let through.
+void add_when_mirrored(const DrawnFor& drawn_for, PassDefinition& definition) {
+  if (drawn_for.label == kMirrored.label) definition.writes[0].blend = kAccumulate;
+}
+
+}  // namespace
+
+Pass view_panes_pass() {
+  return {
+      .name = "view_panes",
+      .purpose = "tints what is seen through thin panes, and adds the environment that they mirror",
+      .reason = "the camera may look through a thin pane",
+      .when = {&Effects::thin_panes},
+      .drawn_for = {kFrame, kMirrored},
+      .draws = DrawSet::ThinPanes,
+      .reads = {{.name = "base_color", .meaning = "the pane's tint", .of_material = true},
+                {.name = "view_position", .meaning = "opaque surfaces"},
+                {.name = "view_normal", .meaning = "their depth"},
+                {.name = "view_caster_position",
+                 .meaning = "glass",
+                 .texture = "caster_position.camera",
+                 .optional = true},
+                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true}},
+      .writes = {{.name = "beauty",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1",
+                  .blend = kMultiply,
+                  .mask = {true, true, true, false}}},
+      .otherwise = add_when_mirrored,
+      .shaders = {{&view_panes_shader}},
+      .uniforms = uniforms,
+  };
+}
+
+}  // namespace caustics
