@@ -267,8 +267,9 @@ TEST_CASE("light_shading: two lights add up in one target by blending") {
   const Pass pass = light_shading_pass();
   CHECK(pass.owner == Each::Frame);
   const std::unique_ptr<Device> device = make_software_device({.threads = 1});
-  PassRun run{.definition = &definition_of(pass)};
-  for (const ColorWrite& write : definition_of(pass).writes)
+  const PassDefinition definition = definition_of(pass);
+  PassRun run{.definition = &definition};
+  for (const ColorWrite& write : definition.writes)
     run.colors.push_back(device->create_texture(write.format, 1, 1));
   for (const Bench* bench : {&sun, &bulb}) {
     Draw draw{.vertex_count = 3, .uniforms = bench->uniforms(pass)};

@@ -32,7 +32,7 @@ double nothing(int, int) { return 0.0; }
 class Steps {
  public:
   Steps(const Water& water, const std140::WaterStep& first, const Image& state)
-      : pass_(water_step_pass()), device_(make_software_device({.threads = 1})),
+      : definition_(definition_of(water_step_pass())), device_(make_software_device({.threads = 1})),
         textures_{device_->upload(state), device_->create_texture(Format::RG32F, water.columns, water.rows)},
         calm_(water_step_uniforms(water, 0)) {
     make(first);
@@ -45,14 +45,14 @@ class Steps {
 
  private:
   void make(const std140::WaterStep& uniforms) {
-    device_->run({.definition = &pass_.definition,
+    device_->run({.definition = &definition_,
                   .colors = {textures_[1]},
                   .keep = {false},
                   .draws = {{.vertex_count = 3, .uniforms = uniform_bytes(uniforms), .textures = {textures_[0]}}}});
     std::swap(textures_[0], textures_[1]);
   }
 
-  Pass pass_;
+  PassDefinition definition_;
   std::unique_ptr<Device> device_;
   TextureId textures_[2];
   std140::WaterStep calm_;
