@@ -187,3 +187,30 @@ TEST_CASE("glass: from inside at a flat angle all is mirrored") {
   bench.scene.environment.ground = glm::vec3(8.0f);
   CHECK(bench.run().at(3, 3, 0) == Approx(8.0).epsilon(1e-5));
 }
+
+TEST_CASE("glass: a pixel's own colour takes the place of its material's, in glass and in metal") {
+  // 0.9408 of the radiance behind, as without a colour, times the colour.
+  Bench bench;
+  bench.tint = {0.1f, 0.1f, 0.1f};
+  bench.pixel_tint = glm::vec3(1.0f, 0.5f, 0.0f);
+  CHECK(bench.run().at(3, 3, 0) == Approx(0.9408));
+  CHECK(bench.run().at(3, 3, 1) == Approx(0.4704));
+  CHECK(bench.run().at(3, 3, 2) == 0.0f);
+  bench.mirror = true;
+  bench.solid = false;
+  bench.scene.environment.zenith = glm::vec3(10.0f);
+  CHECK(bench.run().at(3, 3, 1) == Approx(5.0));
+}
+
+TEST_CASE("glass: metal shows what it mirrors, in its own colour") {
+  // Seen from above at normal incidence it mirrors the zenith.
+  Bench bench;
+  bench.mirror = true;
+  bench.solid = false;
+  bench.tint = {0.9f, 0.5f, 0.25f};
+  bench.scene.environment.zenith = {10.0f, 10.0f, 10.0f};
+  const Image image = bench.run();
+  CHECK(image.at(4, 4, 0) == Approx(9.0));
+  CHECK(image.at(4, 4, 1) == Approx(5.0));
+  CHECK(image.at(4, 4, 2) == Approx(2.5));
+}

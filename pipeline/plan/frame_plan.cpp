@@ -120,7 +120,7 @@ class Planner {
                        [&](const Expectation& e) { return e.light == light && e.expected; });
   }
 
-  Size size_of(const Pass& pass, const DrawnFor& drawn_for, Owner user) const {
+  TargetSize size_of(const Pass& pass, const DrawnFor& drawn_for, Owner user) const {
     const LightEffects* light = user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
     // What the camera sees of the lights' passes has the picture's size.
     if (pass.size && drawn_for.label != kCamera.label) return pass.size(settings_, effects_, light);
@@ -130,7 +130,7 @@ class Planner {
 
   void add(int index, const DrawnFor& drawn_for, Owner user) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
-    const Size size = size_of(pass, drawn_for, user);
+    const TargetSize size = size_of(pass, drawn_for, user);
     PlannedPass planned{.pass = index,
                         .drawn_for = &drawn_for,
                         .definition = definition_of(pass, effects_, drawn_for),

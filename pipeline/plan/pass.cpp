@@ -67,19 +67,19 @@ void validate(const Registry& registry) {
   }
 }
 
-Size grid_size(const Settings& settings, const Effects&, const LightEffects*) { return {settings.grid, settings.grid}; }
-Size map_size(const Settings& settings, const Effects&, const LightEffects*) { return {settings.map, settings.map}; }
-Size shadow_size(const Settings& settings, const Effects&, const LightEffects*) {
+TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*) { return {settings.grid, settings.grid}; }
+TargetSize map_size(const Settings& settings, const Effects&, const LightEffects*) { return {settings.map, settings.map}; }
+TargetSize shadow_size(const Settings& settings, const Effects&, const LightEffects*) {
   return {settings.shadow, settings.shadow};
 }
 
-Size receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light) {
+TargetSize receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light) {
   const bool hides = effects.hidden_receivers.active && light && sees_through_window(*light);
   const int side = hides ? 2 * settings.map : settings.map;
   return {side, side};
 }
 
-Size beams_size(const Settings& settings, const Effects&, const LightEffects*) {
+TargetSize beams_size(const Settings& settings, const Effects&, const LightEffects*) {
   return {beams_a_side(settings), beams_a_side(settings)};
 }
 

@@ -92,7 +92,7 @@ enum class DrawSet : std::uint8_t {
   Beams,           // beams * beams quadrilaterals of two triangles
 };
 
-struct Size {
+struct TargetSize {
   int width = 0, height = 0;
 };
 
@@ -172,7 +172,7 @@ struct Pass {
   bool only_lights_with_caustics = false;
   DrawSet draws = DrawSet::FullScreen;
   // Of the targets; null: the picture's (of surroundings half of that).
-  Size (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;
+  TargetSize (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;
   std::vector<Read> reads{};
   std::vector<Write> writes{};
   std::optional<DepthWrite> depth{};
@@ -202,12 +202,12 @@ using Registry = std::vector<Pass>;
 void validate(const Registry& registry);
 
 // Sizes that several passes share.
-Size grid_size(const Settings& settings, const Effects&, const LightEffects*);
-Size map_size(const Settings& settings, const Effects&, const LightEffects*);
-Size shadow_size(const Settings& settings, const Effects&, const LightEffects*);
+TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*);
+TargetSize map_size(const Settings& settings, const Effects&, const LightEffects*);
+TargetSize shadow_size(const Settings& settings, const Effects&, const LightEffects*);
 // Twice the map's where receivers can hide others from the light: then its texels, not planes, tell where light lands.
-Size receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light);
+TargetSize receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light);
 // The grid's, coarser where one beam stands for several grid vertices.
-Size beams_size(const Settings& settings, const Effects&, const LightEffects*);
+TargetSize beams_size(const Settings& settings, const Effects&, const LightEffects*);
 
 }  // namespace caustics
