@@ -143,7 +143,7 @@ class TextReport {
     const std::vector<PlannedPass>& all = report_.plan.passes;
     std::size_t end = first + 1;
     while (all[first].light >= 0 && end < all.size() && all[end].pass == all[first].pass &&
-           source(all[end]) == source(all[first]))
+           all[end].drawn_for == all[first].drawn_for && source(all[end]) == source(all[first]))
       ++end;
     return end - first;
   }
@@ -175,8 +175,10 @@ class TextReport {
   std::string pass_label(const PlannedPass& pass, std::size_t count) const {
     if (count == 1) return pass.label;
     const std::string& name = of().sources[static_cast<std::size_t>(source(pass))].name;
-    return pass.definition.name + "[" +
-           (name.empty() ? std::to_string(source(pass)) : name) + "] x " + std::to_string(count);
+    const std::string_view label = pass.drawn_for->label;
+    return std::string(pass_registry()[static_cast<std::size_t>(pass.pass)].name) + "[" +
+           (name.empty() ? std::to_string(source(pass)) : name) + "]" + (label.empty() ? "" : ".") + std::string(label) +
+           " x " + std::to_string(count);
   }
 
   void passes() {

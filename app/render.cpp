@@ -131,12 +131,22 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   return true;
 }
 
-// With --dump everything that the effects call for; otherwise what the outputs depend on. `beauty`
-// is always there to be checked.
+// Whether anything that is asked for depends on the caustics: a picture, their own layer, figures of them.
+bool wants_caustics(const RenderRequest& request) {
+  if (!request.stats.empty() || !request.dump.empty() || request.demand.error || request.demand.milliseconds) return true;
+  const std::vector<std::string> textures = textures_for(request.outputs);
+  return std::any_of(textures.begin(), textures.end(), [](const std::string& name) {
+    return name == "picture" || name == "beauty" || name == "aov_caustic";
+  });
+}
+
+// With --dump everything that the effects call for; otherwise what the outputs depend on. Where caustics are wanted, the
+// flux ledgers are, and `beauty`, to be checked.
 PlanGoal goal_of(const RenderRequest& request) {
   PlanGoal goal;
   if (!request.dump.empty()) return goal;
   goal.textures = textures_for(request.outputs);
+  if (!wants_caustics(request)) return goal;
   goal.textures.emplace_back("beauty");
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);
   return goal;
@@ -150,15 +160,15 @@ std::set<std::string> shaders_of(const FramePlan& plan) {
 }
 
 // A picture with a hole in it is not written: the fault is named instead.
-void refuse_non_finite(const RenderedFrame& frame, const std::string& which) {
-  const Image beauty = frame.read("beauty");
-  for (int y = 0; y < beauty.height(); ++y) {
-    for (int x = 0; x < beauty.width(); ++x) {
-      for (int c = 0; c < beauty.channels(); ++c) {
-        if (std::isfinite(beauty.at(x, y, c))) continue;
+void refuse_non_finite(const RenderedFrame& frame, const std::string& texture, const std::string& which) {
+  const Image image = frame.read(texture);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      for (int c = 0; c < image.channels(); ++c) {
+        if (std::isfinite(image.at(x, y, c))) continue;
         throw Error(ExitCode::NumericFault,
-                    which + "beauty is " + significant(beauty.at(x, y, c), 3) + " at pixel " +
-                        std::to_string(x) + "," + std::to_string(beauty.height() - 1 - y) +
+                    which + texture + " is " + significant(image.at(x, y, c), 3) + " at pixel " +
+                        std::to_string(x) + "," + std::to_string(image.height() - 1 - y) +
                         " from the top left, channel " + "RGBA"[c] +
                         "; no picture is written, --dump DIR shows every pass");
       }
@@ -228,7 +238,10 @@ class Renderer {
       prepare();
       for (const int n : todo_) {
         draw(n);
-        refuse_non_finite(*frame_, request_.several() ? "frame " + std::to_string(n) + ": " : "");
+        const std::string which = request_.several() ? "frame " + std::to_string(n) + ": " : "";
+        const std::vector<std::string> checked =
+            frame_->has("beauty") ? std::vector<std::string>{"beauty"} : textures_for(request_.outputs);
+        for (const std::string& texture : checked) refuse_non_finite(*frame_, texture, which);
         write(n);
         ++done_;
       }
@@ -358,6 +371,8 @@ class Renderer {
     }
     progress_.clear();
     if (request_.quiet) return;
+    if (!wants_caustics(request_) && frame_->effects().caustics.active)
+      std::fputs("no flux ledger and no estimated error: nothing that is asked for depends on the caustics\n", stderr);
     if (found_) std::fputs(demand_text(request_.demand, *expected_, *found_, choosing_).c_str(), stderr);
     print_summary(*frame_, ledgers, timing_, request_.outputs.files,
                   request_.several() ? static_cast<int>(todo_.size()) : 0);

@@ -8,12 +8,17 @@ set(libraries pipeline passes raster gl_backend reference)
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/caustics)
 
 foreach(library IN LISTS libraries)
+  set(folder ${library})
+  if(library STREQUAL "reference")
+    set(folder lab/reference)
+  endif()
   set_target_properties(caustics_${library} PROPERTIES EXPORT_NAME ${library})
   install(TARGETS caustics_${library} EXPORT caustics-targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   # Headers, and the texts of the shader subset, which pass authors include.
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${library}
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/caustics
+  cmake_path(GET folder PARENT_PATH parent)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/caustics/${parent}
     FILES_MATCHING PATTERN *.hpp PATTERN *.glsl
     PATTERN gltf EXCLUDE PATTERN lanes EXCLUDE PATTERN template EXCLUDE
     # Of the OpenGL device only what its users need.

@@ -12,7 +12,11 @@ namespace caustics::app {
 namespace {
 
 // "caustic_map[sun]" -> "caustic_map"
-std::string pass_name(const std::string& label) { return label.substr(0, label.find('[')); }
+// "landing.far" of "landing[sun].far".
+std::string pass_name(const std::string& label) {
+  const std::size_t owner = label.find('['), end = label.rfind(']');
+  return owner == label.npos ? label : label.substr(0, owner) + label.substr(end + 1);
+}
 
 // The labels of what these textures depend on.
 std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goal) {

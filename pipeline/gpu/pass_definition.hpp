@@ -20,6 +20,8 @@ struct TextureRead {
   bool of_material = false;
   // A resource that this frame may lack; the device then binds one texel of zeros.
   bool optional = false;
+  // The only attachment that depends on it; empty: all do. Where nobody wants that one, nothing is read.
+  std::string only_towards{};
 };
 
 // A colour attachment. The order is the location of the shader's OUTPUT(location, type, name).

@@ -48,6 +48,9 @@ void validate(const PassDefinition& definition) {
   const ShaderInterface& interface = interface_of(*definition.shader);
   require_same_names(definition, definition.reads, interface.textures, "read", "TEXTURE");
   require_same_names(definition, definition.writes, interface.outputs, "write", "OUTPUT");
+  for (const TextureRead& read : definition.reads)
+    if (!read.only_towards.empty() && !read.optional)
+      refuse(definition, "needs '" + read.name + "' for '" + read.only_towards + "' alone; mark it optional");
   if (definition.writes.empty() && !definition.depth)
     refuse(definition, "writes nothing; add an attachment");
   if (definition.writes.size() > 8)

@@ -249,22 +249,34 @@ bool is_wanted(const std::string& full_name, const std::vector<std::string>& goa
   });
 }
 
-// Walks backwards: a pass stays when something needed is written by it; what it reads, and the
-// contents that it keeps, are needed from then on.
-std::vector<bool> needed_passes(const FramePlan& plan, const PlanGoal& goal) {
+// Is the attachment that the read is for among those needed?
+bool is_towards_needed(const PlannedPass& pass, const TextureRead& read, const std::set<int>& needed) {
+  if (read.only_towards.empty()) return true;
+  for (std::size_t i = 0; i < pass.writes.size(); ++i)
+    if (pass.definition.writes[i].name == read.only_towards) return needed.count(pass.writes[i]) > 0;
+  return true;
+}
+
+// Walks backwards: a pass stays when something needed is written by it; what it reads towards that, and the
+// contents that it keeps, are needed from then on. Other reads of it become nothing.
+std::vector<bool> needed_passes(FramePlan& plan, const PlanGoal& goal) {
   std::set<int> needed;
   for (std::size_t i = 0; i < plan.textures.size(); ++i)
     if (is_wanted(plan.textures[i].name, goal.textures)) needed.insert(static_cast<int>(i));
   std::vector<bool> stays(plan.passes.size(), false);
   for (std::size_t i = plan.passes.size(); i-- > 0;) {
-    const PlannedPass& pass = plan.passes[i];
+    PlannedPass& pass = plan.passes[i];
     std::vector<int> attachments = pass.writes;
     if (pass.depth >= 0) attachments.push_back(pass.depth);
     stays[i] = std::any_of(attachments.begin(), attachments.end(),
                            [&](int texture) { return needed.count(texture) > 0; });
     if (!stays[i]) continue;
-    for (std::size_t a = 0; a < attachments.size(); ++a)
-      pass.keep[a] ? (void)needed.insert(attachments[a]) : (void)needed.erase(attachments[a]);
+    for (std::size_t r = 0; r < pass.reads.size(); ++r)
+      if (!is_towards_needed(pass, pass.definition.reads[r], needed)) pass.reads[r] = PlannedPass::kNothing;
+    for (std::size_t a = 0; a < pass.writes.size(); ++a)
+      if (!pass.keep[a]) needed.erase(pass.writes[a]);
+    // What the depth test meets decides what is drawn into the others.
+    if (pass.depth >= 0) pass.keep.back() ? (void)needed.insert(pass.depth) : (void)needed.erase(pass.depth);
     for (const int texture : pass.reads)
       if (texture >= 0) needed.insert(texture);
   }

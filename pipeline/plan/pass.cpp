@@ -36,7 +36,8 @@ PassDefinition definition_of(const Pass& pass, const Effects& effects, const Dra
       definition.reads.push_back({.name = std::string(read.name),
                                   .meaning = std::string(read.meaning),
                                   .of_material = read.of_material,
-                                  .optional = read.optional || !read.only_for.empty()});
+                                  .optional = read.optional || !read.only_for.empty(),
+                                  .only_towards = std::string(read.only_towards)});
   for (const Write& write : pass.writes)
     if (wanted(write.only_with, effects))
       definition.writes.push_back({.name = std::string(write.name),

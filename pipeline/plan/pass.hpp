@@ -141,6 +141,7 @@ struct Read {
   bool optional = false;             // the frame may lack it; one texel of zeros is bound then
   Condition only_with = nullptr;     // the shader declares it only then
   std::string_view only_for{};       // read only by the instance with this label; the others get zeros
+  std::string_view only_towards{};   // an optional read: the only attachment that depends on it
 };
 
 // A colour attachment: `name` is that of the shader's OUTPUT line.
