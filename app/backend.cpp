@@ -14,8 +14,7 @@ namespace {
 Backend parse_backend(const std::string& name) {
   if (name == "software") return Backend::Software;
   if (name == "gl") return Backend::OpenGl;
-  throw Error(ExitCode::WrongUsage,
-              "--backend cannot be '" + name.substr(0, 60) + "': software or gl");
+  throw Error(ExitCode::WrongUsage, "--backend cannot be '" + name.substr(0, 60) + "': software or gl");
 }
 
 void add_one(std::vector<Backend>& backends, Backend backend) {
@@ -36,9 +35,10 @@ void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Ba
                     {"what executes the passes; may stand several times", "software|gl|both", "software"},
                     [several](const std::string& value) { add_several(*several, value); });
   } else {
-    parser.option("--backend", "NAME",
-                  {"what executes the passes, gl by OpenGL 4.5; both draw the same", "software|gl", "software"},
-                  [&](const std::string& value) { request.backend = parse_backend(value); });
+    parser.option(
+        "--backend", "NAME",
+        {"what executes the passes, gl by OpenGL 4.5; both draw the same", "software|gl", "software"},
+        [&](const std::string& value) { request.backend = parse_backend(value); });
   }
   parser.number("--gl-device", "N",
                 {"the OpenGL device, as 'caustics doctor' numbers them", "", "the first that works"},
@@ -59,8 +59,8 @@ std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request) {
                                                                .compiling = request.compiling});
   static std::set<std::string> told;  // a study makes many devices
   if (!device->passed_over().empty() && told.insert(device->passed_over()).second) {
-    complain("OpenGL runs on " + device->description() + ", because others cannot be used: " +
-             device->passed_over());
+    complain("OpenGL runs on " + device->description() +
+             ", because others cannot be used: " + device->passed_over());
   }
   return device;
 }

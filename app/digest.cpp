@@ -23,8 +23,8 @@ void print_digest(const FrameRequest& request) {
   const std::string scene = word(request.scene.filename().string());
   frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
     for_each_attachment(frame, pass, [&](const PlannedTexture& texture, const Image& image) {
-      std::printf("%s %s %s %s\n", scene.c_str(), word(pass.label).c_str(),
-                  word(texture.name).c_str(), sha256(image).c_str());
+      std::printf("%s %s %s %s\n", scene.c_str(), word(pass.label).c_str(), word(texture.name).c_str(),
+                  sha256(image).c_str());
     });
     return true;
   });
@@ -38,7 +38,8 @@ ExitCode run_digest(const Arguments& arguments) {
   Parser parser("digest",
                 "Prints 'scene pass attachment sha256' for every attachment of every pass. Equal\n"
                 "lines mean equal texels, whatever the machine, compiler or number of threads.\n"
-                "Sizes are small unless given: " + differing(request.settings) + ".",
+                "Sizes are small unless given: " +
+                    differing(request.settings) + ".",
                 "  caustics digest                       the sample scenes\n"
                 "  caustics digest scene.glb -t 1 > a.txt\n");
   std::vector<std::string> scenes;

@@ -10,20 +10,18 @@
 #include "app/shell/parser.hpp"
 #include "app/shell/version.hpp"
 #include "gl_backend/gl_device.hpp"
+#include "lab/reference/tracer/rays.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/shader.hpp"
 #include "raster/software_device.hpp"
-#include "lab/reference/tracer/rays.hpp"
 
 namespace caustics::app {
 
 namespace {
 
-void line(const char* what, const std::string& value) {
-  std::printf("%-22s %s\n", what, value.c_str());
-}
+void line(const char* what, const std::string& value) { std::printf("%-22s %s\n", what, value.c_str()); }
 
 std::string instruction_sets(const std::vector<Lanes>& lanes) {
   std::string text;
@@ -54,9 +52,8 @@ std::string fused_multiply_add() {
 void describe_gl() {
   try {
     for (const GlDeviceInfo& gl : list_gl_devices()) {
-      const std::string found = gl.reason.empty()
-                                    ? gl.renderer + ", " + gl.vendor + ", OpenGL " + gl.version
-                                    : "cannot be used: " + gl.reason;
+      const std::string found = gl.reason.empty() ? gl.renderer + ", " + gl.vendor + ", OpenGL " + gl.version
+                                                  : "cannot be used: " + gl.reason;
       line(("gl backend " + std::to_string(gl.index)).c_str(), gl.platform + ": " + found);
     }
   } catch (const Error& error) {
@@ -88,7 +85,8 @@ ExitCode run_doctor(const Arguments& arguments) {
                             std::to_string(NLOHMANN_JSON_VERSION_PATCH));
   line("GLM", std::to_string(GLM_VERSION_MAJOR) + "." + std::to_string(GLM_VERSION_MINOR) + "." +
                   std::to_string(GLM_VERSION_PATCH) + "." + std::to_string(GLM_VERSION_REVISION));
-  line("Embree", tracer::has_ray_queries() ? tracer::ray_queries_version() : "not in this build: no 'caustics reference'");
+  line("Embree", tracer::has_ray_queries() ? tracer::ray_queries_version()
+                                           : "not in this build: no 'caustics reference'");
 #if defined(CAUSTICS_TBB_VERSION)
   line("oneTBB", CAUSTICS_TBB_VERSION);
 #else

@@ -32,9 +32,8 @@ std::vector<Expectation> known_expectations(const Scene& scene, const Effects& e
     if (!outcome) continue;
     const std::string why_not = why_no_caustic(*outcome);
     e.expected = why_not.empty();
-    e.reason = e.expected
-                   ? e.reason + "; " + percent(outcome->share(LandingStatus::Landed)) + " of it lands"
-                   : why_not;
+    e.reason = e.expected ? e.reason + "; " + percent(outcome->share(LandingStatus::Landed)) + " of it lands"
+                          : why_not;
   }
   return known;
 }

@@ -12,8 +12,8 @@ constexpr char kViewPosition[] = "view_position";
 
 std::vector<std::string> ledger_textures() {
   std::vector<std::string> textures{kCasterNormal, kLandingMedium, kCascadeMap, kViewPosition};
-  for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar, kCellFlux,
-                           kCausticMap}) {
+  for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar,
+                           kCellFlux, kCausticMap}) {
     textures.emplace_back(name);
     textures.push_back(far_texture(name));
   }
@@ -42,15 +42,16 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   const LightViews& views = frame.views()[static_cast<std::size_t>(light)];
   const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
   const std::vector<CellImages> cells = cell_images(light, frame.effects().branches, has, read);
-  const Ledger ledger = make_ledger(branches, cells, map, if_any(light_texture(far_texture(kCausticMap), light)),
-                                    views.caustic, frame.settings());
+  const Ledger ledger =
+      make_ledger(branches, cells, map, if_any(light_texture(far_texture(kCausticMap), light)), views.caustic,
+                  frame.settings());
   const double pixel = frame.settings().pixel_means && has(kViewPosition)
                            ? pixel_side(read(kViewPosition), map, views.caustic)
                            : 0.0;
   add(sum.ledger, ledger, share);
   add(sum.error,
-      estimate_error(branches, cells, map,
-                     if_any(light_texture(kCascadeMap, light)), views, frame.settings(), ledger, pixel),
+      estimate_error(branches, cells, map, if_any(light_texture(kCascadeMap, light)), views, frame.settings(),
+                     ledger, pixel),
       share);
   const std::vector<Outcome> outcomes = outcomes_of(
       sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));
@@ -112,8 +113,6 @@ const char* flux_unit(const Light& light) {
   return light.type == LightType::Directional ? "m2 (lumen per lux)" : "sr (lumen per candela)";
 }
 
-const char* intensity_unit(const Light& light) {
-  return light.type == LightType::Directional ? "lx" : "cd";
-}
+const char* intensity_unit(const Light& light) { return light.type == LightType::Directional ? "lx" : "cd"; }
 
 }  // namespace caustics::app

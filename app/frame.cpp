@@ -26,8 +26,7 @@ std::uint64_t machine_memory() {
   if (pages > 0 && size > 0) {
     bytes = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size);
   }
-  for (const char* file :
-       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+  for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
     std::uint64_t limit = 0;
     if (std::ifstream(file) >> limit) bytes = std::min(bytes, limit);
   }
@@ -50,9 +49,8 @@ void check_memory(std::uint64_t needed, const std::string& advice) {
   const std::uint64_t allowed = machine_memory() / 4 * 3;
   if (needed <= allowed) return;
   throw Error(ExitCode::WrongUsage,
-              "these sizes need " + bytes_text(static_cast<double>(needed)) +
-                  " of memory, more than the " + bytes_text(static_cast<double>(allowed)) +
-                  " that this machine can spare; lower " + advice);
+              "these sizes need " + bytes_text(static_cast<double>(needed)) + " of memory, more than the " +
+                  bytes_text(static_cast<double>(allowed)) + " that this machine can spare; lower " + advice);
 }
 
 void check_memory(const FramePlan& plan, const Effects& effects) {
@@ -64,7 +62,8 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
   return make_software_device({.threads = backend.threads});
 }
 
-RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded, const PlanGoal& goal)
+RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded,
+                             const PlanGoal& goal)
     : loaded_(std::move(loaded)), device_(make_device(request.backend)) {
   if (request.backend.backend != Backend::Software) pilot_device_ = make_pilot_device(request.backend);
   renderer_ = std::make_unique<FrameRenderer>(
@@ -87,9 +86,10 @@ void RenderedFrame::move_to(double seconds) {
 }
 
 std::vector<PassReport> RenderedFrame::run(const AfterPass& after) {
-  return renderer_->run([&](const PlannedPass& pass, const PassResult& result, std::size_t done, std::size_t total) {
-    return (!after || after(pass, result, done, total)) && interruption() == ExitCode::Done;
-  });
+  return renderer_->run(
+      [&](const PlannedPass& pass, const PassResult& result, std::size_t done, std::size_t total) {
+        return (!after || after(pass, result, done, total)) && interruption() == ExitCode::Done;
+      });
 }
 
 }  // namespace caustics::app

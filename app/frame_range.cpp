@@ -38,8 +38,8 @@ FrameRange parse_frames(const std::string& text) {
                    ? range.first
                    : parse_number("--frames", text.substr(dots + 2), Limits<int>{0, kLastFrame});
   if (range.last < range.first) {
-    throw Error(ExitCode::WrongUsage, "--frames cannot be '" + text.substr(0, 60) +
-                                          "': the first frame comes first, as in 0..9");
+    throw Error(ExitCode::WrongUsage,
+                "--frames cannot be '" + text.substr(0, 60) + "': the first frame comes first, as in 0..9");
   }
   return range;
 }

@@ -5,13 +5,12 @@
 #include "app/shell/interrupt.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/renderer/light_pilot.hpp"
-#include "pipeline/settings/nearest.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/far_lights.hpp"
-#include "pipeline/scene/light_samples.hpp"
 #include "pipeline/scene/gltf/load_environment.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
+#include "pipeline/scene/light_samples.hpp"
 #include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
@@ -32,22 +31,21 @@ const Camera& camera_called(const Scene& scene, const std::string& wanted) {
   }
   throw Error(ExitCode::WrongUsage, "there is no camera '" + one_line(wanted).substr(0, 60) +
                                         "'; the scene has " + std::to_string(names.size()) +
-                                        ", the nearest name is '" +
-                                        one_line(nearest_name(wanted, names)) + "'");
+                                        ", the nearest name is '" + one_line(nearest_name(wanted, names)) +
+                                        "'");
 }
 
 // More would plan for minutes before the memory that they need is refused.
 constexpr std::size_t kMostSamples = 4096;
 
 void sample_area_lights(Scene& scene, int count) {
-  const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-    return light.shape != LightShape::None;
-  });
+  const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(),
+                                   [](const Light& light) { return light.shape != LightShape::None; });
   const std::size_t samples = static_cast<std::size_t>(sized) * static_cast<std::size_t>(count);
   if (samples > kMostSamples) {
     throw Error(ExitCode::WrongUsage, std::to_string(sized) + " lights with a size would need " +
-                                          grouped(samples) + " samples, more than " +
-                                          grouped(kMostSamples) + "; lower -D light.samples");
+                                          grouped(samples) + " samples, more than " + grouped(kMostSamples) +
+                                          "; lower -D light.samples");
   }
   sample_lights(scene, count);
   make_far_lights_parallel(scene);

@@ -12,7 +12,8 @@ namespace caustics::app {
 // animation. So they do not depend on which moments are shown.
 class LoadedScene {
  public:
-  // Stands at request.seconds, or 0 s. Throws Error: BadInput, or WrongUsage for an unknown camera or animation.
+  // Stands at request.seconds, or 0 s. Throws Error: BadInput, or WrongUsage for an unknown camera or
+  // animation.
   explicit LoadedScene(const FrameRequest& request);
   LoadedScene(const LoadedScene&) = delete;
   LoadedScene& operator=(const LoadedScene&) = delete;

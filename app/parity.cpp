@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/frame.hpp"
-#include "app/shell/interrupt.hpp"
+#include "app/output/stats.hpp"
 #include "app/parity_dump.hpp"
 #include "app/parity_report.hpp"
-#include "app/shell/progress.hpp"
 #include "app/sample_scenes.hpp"
-#include "app/output/stats.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/progress.hpp"
 #include "app/shell/setting_options.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
@@ -34,14 +34,18 @@ bool parse(const Arguments& arguments, ParityRequest& request) {
                 "Draws every pass on the software device and on OpenGL, from the same inputs, and then\n"
                 "the whole frame, and compares every attachment. Exit code 1 when something differs by\n"
                 "more than is allowed for this driver (docs/parity.md).\n"
-                "Sizes are small unless given: " + differing(request.frame.settings) + ".",
+                "Sizes are small unless given: " +
+                    differing(request.frame.settings) + ".",
                 "  caustics parity                       the sample scenes\n"
                 "  caustics parity scene.glb -r 1280x720 --grid 512 --map 512\n"
                 "  caustics parity scene.glb --dump differences --json\n");
   parser.positionals("SCENE", "glTF 2.0 files (default: the sample scenes)", request.scenes);
   parser.flag("--json", request.json, "the report as JSON");
-  parser.option("--dump", "DIR", {"of one scene, for each attachment that differs: .software.exr, .gl.exr, .mask.exr, and manifest.json", "", "none"},
-                [&](const std::string& folder) { request.dump = folder; });
+  parser.option(
+      "--dump", "DIR",
+      {"of one scene, for each attachment that differs: .software.exr, .gl.exr, .mask.exr, and manifest.json",
+       "", "none"},
+      [&](const std::string& folder) { request.dump = folder; });
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.all_samples = request.scenes.empty();
@@ -55,8 +59,7 @@ bool parse(const Arguments& arguments, ParityRequest& request) {
 // The definition's name of a planned pass's label.
 std::string pass_name(const FramePlan& plan, const std::string& label) {
   for (const PlannedPass& pass : plan.passes)
-    if (pass.label == label)
-      return pass.definition.name;
+    if (pass.label == label) return pass.definition.name;
   return label;
 }
 
@@ -82,8 +85,8 @@ class ParityCommand {
           if (dump) dump->add(found, reference, tested);
         },
         [&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
-          progress_.show(frame.scene().file + ": pass " + std::to_string(done) + " of " +
-                        std::to_string(of) + ": " + pass.label);
+          progress_.show(frame.scene().file + ": pass " + std::to_string(done) + " of " + std::to_string(of) +
+                         ": " + pass.label);
           return interruption() == ExitCode::Done;
         });
     const auto name = [&](const std::string& label) { return pass_name(frame.plan(), label); };
@@ -156,8 +159,7 @@ ExitCode run_parity(const Arguments& arguments) {
     if (request.scenes.size() == 1 || !report.passes()) std::printf("%s\n", parity_text(report).c_str());
     std::printf("%s\n", verdict_line(report).c_str());
   }
-  const nlohmann::ordered_json document = {
-      {"format", 1}, {"program", version_line()}, {"scenes", reports}};
+  const nlohmann::ordered_json document = {{"format", 1}, {"program", version_line()}, {"scenes", reports}};
   if (dump) dump->finish(document);
   if (request.json) std::printf("%s", json_text(document).c_str());
   if (!is_measured_driver(command.driver())) {

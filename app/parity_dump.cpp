@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/shell/atomic_file.hpp"
 #include "app/output/dump.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/stats.hpp"
+#include "app/shell/atomic_file.hpp"
 
 namespace caustics::app {
 
@@ -22,14 +22,12 @@ Image mask_of(const Image& a, const Image& b) {
 
 }  // namespace
 
-ParityDump::ParityDump(const std::filesystem::path& folder) : folder_(folder) {
-  make_dump_folder(folder);
-}
+ParityDump::ParityDump(const std::filesystem::path& folder) : folder_(folder) { make_dump_folder(folder); }
 
 void ParityDump::add(const AttachmentParity& parity, const Image& reference, const Image& tested) {
   if (parity.difference.differing_texels == 0) return;
-  const std::string stem = (count_ < 10 ? "0" : "") + std::to_string(count_) + "_" +
-                           file_part(parity.pass) + "." + file_part(parity.attachment);
+  const std::string stem = (count_ < 10 ? "0" : "") + std::to_string(count_) + "_" + file_part(parity.pass) +
+                           "." + file_part(parity.attachment);
   ++count_;
   write_exr(folder_ / (stem + ".software.exr"), channels_of(reference));
   write_exr(folder_ / (stem + ".gl.exr"), channels_of(tested));

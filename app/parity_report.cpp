@@ -15,9 +15,8 @@ namespace {
 std::string without_light(const std::string& name) { return name.substr(0, name.find('[')); }
 
 bool any_beyond(const std::vector<JudgedAttachment>& judged) {
-  return std::any_of(judged.begin(), judged.end(), [](const JudgedAttachment& a) {
-    return a.verdict == ParityVerdict::Beyond;
-  });
+  return std::any_of(judged.begin(), judged.end(),
+                     [](const JudgedAttachment& a) { return a.verdict == ParityVerdict::Beyond; });
 }
 
 std::string nan_text(const ValueDifference& all) {
@@ -45,16 +44,16 @@ std::string first_text(const ImageDifference& d) {
 
 std::string attachments_text(const std::vector<JudgedAttachment>& judged) {
   Table table({false, false, true, true, true, true, true, true, true, false, false});
-  table.row({"pass", "attachment", "texels", "differ", "coverage", "ulp max", "99.9%", "rel. max",
-             "99.9%", "NaN", ""});
+  table.row({"pass", "attachment", "texels", "differ", "coverage", "ulp max", "99.9%", "rel. max", "99.9%",
+             "NaN", ""});
   std::string firsts;
   for (const JudgedAttachment& a : judged) {
     const ImageDifference& d = a.parity.difference;
     table.row({one_line(a.parity.pass), one_line(a.parity.attachment), grouped(d.texels),
                grouped(d.differing_texels), grouped(d.coverage_mismatches),
                significant(d.all.ulps.largest, 4), significant(d.all.ulps.p999, 4),
-               significant(d.all.relative.largest, 3), significant(d.all.relative.p999, 3),
-               nan_text(d.all), name_of(a.verdict)});
+               significant(d.all.relative.largest, 3), significant(d.all.relative.p999, 3), nan_text(d.all),
+               name_of(a.verdict)});
     if (a.verdict == ParityVerdict::Equal) continue;
     firsts += "  " + one_line(a.parity.pass) + " " + one_line(a.parity.attachment) +
               (a.reason.empty() ? "" : " (" + a.reason + ")") + "\n" + first_text(d);
@@ -94,10 +93,7 @@ Json attachment_json(const JudgedAttachment& a) {
                {"coverage_mismatches", d.coverage_mismatches},
                {"ulps", {{"max", d.all.ulps.largest}, {"p99.9", d.all.ulps.p999}}},
                {"relative", {{"max", d.all.relative.largest}, {"p99.9", d.all.relative.p999}}},
-               {"nan",
-                {{"both", d.all.nan_both},
-                 {"software", d.all.nan_only_a},
-                 {"gl", d.all.nan_only_b}}},
+               {"nan", {{"both", d.all.nan_both}, {"software", d.all.nan_only_a}, {"gl", d.all.nan_only_b}}},
                {"verdict", name_of(a.verdict)}};
   if (!a.reason.empty()) json["reason"] = a.reason;
   if (d.all.first) {
@@ -145,15 +141,14 @@ std::size_t ParityReport::differing_values() const {
   return sum;
 }
 
-std::vector<JudgedAttachment> judge(
-    const std::vector<AttachmentParity>& found, AllowanceBook& book,
-    const std::function<std::string(const std::string& label)>& pass_name) {
+std::vector<JudgedAttachment> judge(const std::vector<AttachmentParity>& found, AllowanceBook& book,
+                                    const std::function<std::string(const std::string& label)>& pass_name) {
   std::vector<JudgedAttachment> judged;
   for (const AttachmentParity& parity : found) {
     JudgedAttachment a{parity, ParityVerdict::Equal, {}};
     if (!parity.difference.same_shape || parity.difference.differing_texels > 0) {
-      const Allowance* allowance = book.covers(
-          pass_name(parity.pass), without_light(parity.attachment), parity.difference);
+      const Allowance* allowance =
+          book.covers(pass_name(parity.pass), without_light(parity.attachment), parity.difference);
       a.verdict = allowance ? ParityVerdict::Allowed : ParityVerdict::Beyond;
       if (allowance) a.reason = allowance->reason;
     }
@@ -163,8 +158,8 @@ std::vector<JudgedAttachment> judge(
 }
 
 std::string parity_text(const ParityReport& report) {
-  std::string text = one_line(report.scene) + "\n  software  " + report.reference +
-                     "\n  gl        " + report.tested + "\n\n";
+  std::string text = one_line(report.scene) + "\n  software  " + report.reference + "\n  gl        " +
+                     report.tested + "\n\n";
   text += "each pass on the software device's inputs\n" + attachments_text(report.isolated);
   text += "\ncounts (software | gl)\n" + counts_text(report.counts);
   text += "\nthe whole frame, each backend by itself\n" + attachments_text(report.whole_frame);

@@ -30,9 +30,8 @@ struct ParityReport {
 };
 
 // `pass_names`: the definition's name of each label.
-std::vector<JudgedAttachment> judge(
-    const std::vector<AttachmentParity>& found, AllowanceBook& book,
-    const std::function<std::string(const std::string& label)>& pass_name);
+std::vector<JudgedAttachment> judge(const std::vector<AttachmentParity>& found, AllowanceBook& book,
+                                    const std::function<std::string(const std::string& label)>& pass_name);
 
 std::string parity_text(const ParityReport& report);
 nlohmann::ordered_json parity_json(const ParityReport& report);

@@ -2,8 +2,8 @@
 
 #include "app/expectations.hpp"
 #include "app/output/light_groups.hpp"
-#include "app/plan_report.hpp"
 #include "app/output/stats.hpp"
+#include "app/plan_report.hpp"
 #include "app/shell/version.hpp"
 #include "pipeline/scene/exact.hpp"
 
@@ -35,14 +35,13 @@ Json surfaces_json(const Scene& scene, const Effects& effects) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
     const SurfaceRole& surface = effects.surfaces[i];
-    list.push_back(
-        {{"mesh", mesh.name},
-         {"material", scene.materials[static_cast<std::size_t>(mesh.material)].name},
-         {"triangles", mesh.indices.size() / 3},
-         {"closedness", mesh.closedness},
-         {"role", caustics::name_of(surface.role)},
-         {"interfaces", surface.role == Role::Refractor ? surface.two_interfaces + 1 : 0},
-         {"reason", surface.reason}});
+    list.push_back({{"mesh", mesh.name},
+                    {"material", scene.materials[static_cast<std::size_t>(mesh.material)].name},
+                    {"triangles", mesh.indices.size() / 3},
+                    {"closedness", mesh.closedness},
+                    {"role", caustics::name_of(surface.role)},
+                    {"interfaces", surface.role == Role::Refractor ? surface.two_interfaces + 1 : 0},
+                    {"reason", surface.reason}});
   }
   return list;
 }
@@ -55,11 +54,9 @@ Json size_json(const Light& light) {
     case LightShape::Sphere:
       return {{"shape", "sphere"}, {"radius_metres", light.radius}};
     case LightShape::Rectangle:
-      return {{"shape", "rectangle"},
-              {"metres", {exact::length(light.width), exact::length(light.height)}}};
+      return {{"shape", "rectangle"}, {"metres", {exact::length(light.width), exact::length(light.height)}}};
     case LightShape::Disk:
-      return {{"shape", "disk"},
-              {"angular_diameter_degrees", light.angular_radius * (360.0 / exact::kPi)}};
+      return {{"shape", "disk"}, {"angular_diameter_degrees", light.angular_radius * (360.0 / exact::kPi)}};
     case LightShape::Mesh:
       return {{"shape", "mesh"}, {"mesh", light.emitter}};
   }
@@ -107,8 +104,7 @@ Json passes_json(const FramePlan& plan) {
     if (pass.depth >= 0) {
       writes.push_back(texture_json(plan.textures[static_cast<std::size_t>(pass.depth)]));
     }
-    list.push_back(
-        {{"pass", pass.label}, {"reason", pass.reason}, {"reads", reads}, {"writes", writes}});
+    list.push_back({{"pass", pass.label}, {"reason", pass.reason}, {"reads", reads}, {"writes", writes}});
   }
   return list;
 }

@@ -2,8 +2,8 @@
 
 #include "app/expectations.hpp"
 #include "app/output/light_groups.hpp"
-#include "app/plan_report.hpp"
 #include "app/output/summary.hpp"
+#include "app/plan_report.hpp"
 #include "app/shell/table.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
@@ -89,8 +89,7 @@ class TextReport {
     heading("surfaces");
     Table table;
     for (const Group& group : groups) {
-      const std::string more =
-          group.count == 1 ? "" : " and " + std::to_string(group.count - 1) + " more";
+      const std::string more = group.count == 1 ? "" : " and " + std::to_string(group.count - 1) + " more";
       table.row({mesh_label(of(), static_cast<int>(group.first)) + more,
                  std::string(caustics::name_of(called_for().surfaces[group.first].role)),
                  one_line(called_for().surfaces[group.first].reason)});
@@ -115,8 +114,7 @@ class TextReport {
     Table table;
     for (const Expectation& e : known_expectations(of(), called_for(), report_.ledgers)) {
       table.row({yes_no(e.expected),
-                 "light " + light_label(of(), e.light) + " through " + mesh_label(of(), e.mesh),
-                 e.reason});
+                 "light " + light_label(of(), e.light) + " through " + mesh_label(of(), e.mesh), e.reason});
     }
     if (called_for().expectations.empty()) {
       table.row({yes_no(false), "nothing in the scene bends or mirrors light"});
@@ -177,8 +175,8 @@ class TextReport {
     const std::string& name = of().sources[static_cast<std::size_t>(source(pass))].name;
     const std::string_view label = pass.drawn_for->label;
     return std::string(pass_registry()[static_cast<std::size_t>(pass.pass)].name) + "[" +
-           (name.empty() ? std::to_string(source(pass)) : name) + "]" + (label.empty() ? "" : ".") + std::string(label) +
-           " x " + std::to_string(count);
+           (name.empty() ? std::to_string(source(pass)) : name) + "]" + (label.empty() ? "" : ".") +
+           std::string(label) + " x " + std::to_string(count);
   }
 
   void passes() {
@@ -190,14 +188,14 @@ class TextReport {
       table.row({one_line(steps.label),
                  std::to_string(steps.writes.width) + "x" + std::to_string(steps.writes.height),
                  one_line(steps.reason) + ", before the frame"});
-      table.row({"", "", "writes " + one_line(steps.writes.name) + " " +
-                             std::string(format_name(steps.writes.format))});
+      table.row(
+          {"", "",
+           "writes " + one_line(steps.writes.name) + " " + std::string(format_name(steps.writes.format))});
     }
     for (std::size_t i = 0; i < plan.passes.size(); i += alike(i)) {
       const PlannedPass& pass = plan.passes[i];
       table.row({one_line(pass_label(pass, alike(i))),
-                 std::to_string(pass.width) + "x" + std::to_string(pass.height),
-                 one_line(pass.reason)});
+                 std::to_string(pass.width) + "x" + std::to_string(pass.height), one_line(pass.reason)});
       table.row({"", "", "writes " + one_line(written(pass, plan.passes[i + alike(i) - 1]))});
     }
     text_ += table.text();
@@ -226,8 +224,6 @@ class TextReport {
 
 }  // namespace
 
-std::string plan_text(const PlanReport& report, bool colour) {
-  return TextReport(report, colour).text();
-}
+std::string plan_text(const PlanReport& report, bool colour) { return TextReport(report, colour).text(); }
 
 }  // namespace caustics::app

@@ -18,16 +18,16 @@ struct ProbeRequest {
 };
 
 bool parse(const Arguments& arguments, ProbeRequest& request) {
-  Parser parser(
-      "probe",
-      "Follows the light of one grid vertex: what the landing pass reads, every value it\n"
-      "computes, and what it stores.",
-      "  caustics probe scene.glb --texel 256,256\n"
-      "  caustics probe scene.glb --texel 100,60 --light 1 --estimator paper\n");
+  Parser parser("probe",
+                "Follows the light of one grid vertex: what the landing pass reads, every value it\n"
+                "computes, and what it stores.",
+                "  caustics probe scene.glb --texel 256,256\n"
+                "  caustics probe scene.glb --texel 100,60 --light 1 --estimator paper\n");
   std::string scene;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("What to probe");
-  parser.option("--texel", "X,Y", {"the grid vertex, counted from the left and the bottom", "each 0..grid - 1"},
+  parser.option("--texel", "X,Y",
+                {"the grid vertex, counted from the left and the bottom", "each 0..grid - 1"},
                 [&](const std::string& value) {
                   const Pair texel = parse_pair("--texel", value, {0, setting("grid").most() - 1});
                   request.x = texel.first;
@@ -71,10 +71,9 @@ void check_light(const Scene& scene, const ProbeRequest& request) {
   }
   const std::size_t samples = samples_of(scene, request.light).size();
   if (static_cast<std::size_t>(request.sample) >= samples) {
-    throw Error(ExitCode::WrongUsage,
-                "--sample must be 0.." + std::to_string(samples - 1) + ": light " +
-                    light_label(scene, request.light) + " has " + std::to_string(samples) +
-                    (samples == 1 ? " sample" : " samples"));
+    throw Error(ExitCode::WrongUsage, "--sample must be 0.." + std::to_string(samples - 1) + ": light " +
+                                          light_label(scene, request.light) + " has " +
+                                          std::to_string(samples) + (samples == 1 ? " sample" : " samples"));
   }
 }
 
@@ -89,10 +88,9 @@ void print_values(const std::string& label, const float* values, int count) {
   std::printf("%s\n", line.c_str());
 }
 
-void print_probe(const RenderedFrame& frame, const ProbeRequest& request,
-                 const ProbedTexel& probed) {
-  std::printf("grid vertex %d,%d of light %s, grid %dx%d; metres, scene space\n", request.x,
-              request.y, light_label(frame.scene(), request.light).c_str(), frame.settings().grid,
+void print_probe(const RenderedFrame& frame, const ProbeRequest& request, const ProbedTexel& probed) {
+  std::printf("grid vertex %d,%d of light %s, grid %dx%d; metres, scene space\n", request.x, request.y,
+              light_label(frame.scene(), request.light).c_str(), frame.settings().grid,
               frame.settings().grid);
   std::printf("\nthis texel of what the pass reads\n");
   for (const NamedValues& v : probed.inputs) print_values(v.name, v.values.data(), v.count);
@@ -102,8 +100,7 @@ void print_probe(const RenderedFrame& frame, const ProbeRequest& request,
   for (const NamedValues& v : probed.stored) print_values(v.name, v.values.data(), v.count);
   const auto status = static_cast<LandingStatus>(static_cast<int>(probed.stored[0].values[3]));
   std::printf("\nstatus: %s\n", std::string(name_of(status)).c_str());
-  std::printf("the probe and the rendered texel %s\n",
-              probed.agrees ? "agree to the bit" : "DIFFER");
+  std::printf("the probe and the rendered texel %s\n", probed.agrees ? "agree to the bit" : "DIFFER");
 }
 
 }  // namespace

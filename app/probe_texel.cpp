@@ -21,8 +21,7 @@ struct Recorder final : TraceSink {
 
 // A texture that the frame lacks is one texel of zeros.
 Image input_image(const RenderedFrame& frame, TextureId texture) {
-  return texture == TextureId::None ? Image(Format::RGBA32F, 1, 1)
-                                    : frame.device().read_back(texture);
+  return texture == TextureId::None ? Image(Format::RGBA32F, 1, 1) : frame.device().read_back(texture);
 }
 
 std::vector<TextureView> views_of(const std::vector<Image>& images) {
@@ -38,7 +37,7 @@ using LaneRow = std::array<float, kBlock>;
 
 // One block whose 16 fragments are all this texel; the trace of the first is kept.
 std::vector<LaneRow> run_kernel(const PassRun& run, const std::vector<TextureView>& views, int x, int y,
-                            std::vector<NamedValues>& trace) {
+                                std::vector<NamedValues>& trace) {
   const std::size_t outputs = run.definition->writes.size() * 4;
   const ShaderInterface& interface = interface_of(*run.definition->shader);
   std::vector<LaneRow> output_rows(outputs),
@@ -95,9 +94,8 @@ ProbedTexel probe_texel(const RenderedFrame& frame, const PlannedPass& pass, int
     for (int c = 0; c < image.channels(); ++c) {
       const std::size_t channel = static_cast<std::size_t>(c);
       const float computed = stored_value(image.shape.format, outputs[4 * w + channel][0]);
-      probed.agrees =
-          probed.agrees && std::bit_cast<std::uint32_t>(computed) ==
-                               std::bit_cast<std::uint32_t>(probed.stored[w].values[channel]);
+      probed.agrees = probed.agrees && std::bit_cast<std::uint32_t>(computed) ==
+                                           std::bit_cast<std::uint32_t>(probed.stored[w].values[channel]);
     }
   }
   return probed;

@@ -4,14 +4,14 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/shell/atomic_file.hpp"
 #include "app/frame.hpp"
-#include "app/shell/interrupt.hpp"
 #include "app/loaded_scene.hpp"
-#include "app/shell/progress.hpp"
 #include "app/reference_layers.hpp"
 #include "app/reference_options.hpp"
 #include "app/reference_report.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "lab/reference/tracer/state_file.hpp"
 
@@ -23,7 +23,8 @@ constexpr double kBetweenSaves = 60'000.0;  // milliseconds
 // With fewer the spread of the batches tells little of the error.
 constexpr std::uint64_t kLeastForError = 4;
 // A pixel's surface, its sums, a batch's, all layers, and the state's bytes.
-constexpr std::uint64_t kBytesPerPixel = sizeof(tracer::Seen) + 15 * sizeof(double) + std::uint64_t{32} * sizeof(float);
+constexpr std::uint64_t kBytesPerPixel =
+    sizeof(tracer::Seen) + 15 * sizeof(double) + std::uint64_t{32} * sizeof(float);
 
 bool is_exr(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -49,10 +50,10 @@ class ReferenceRun {
     effects_ = effects_of(loaded_->scene(), request_.frame.settings);
     request_.trace.exact = exact_shapes(loaded_->scene(), request_.exact);
     progress_.show("what the camera sees");
-    check_memory(static_cast<std::uint64_t>(request_.trace.width) * static_cast<std::uint64_t>(request_.trace.height) *
-                     kBytesPerPixel, "-r");
-    tracer_ = std::make_unique<tracer::Tracer>(loaded_->scene(), effects_, loaded_->camera(),
-                                               request_.trace);
+    check_memory(static_cast<std::uint64_t>(request_.trace.width) *
+                     static_cast<std::uint64_t>(request_.trace.height) * kBytesPerPixel,
+                 "-r");
+    tracer_ = std::make_unique<tracer::Tracer>(loaded_->scene(), effects_, loaded_->camera(), request_.trace);
     stop_if_interrupted();
     text_ = tracer::request_text(loaded_->scene(), effects_, loaded_->camera(), request_.trace);
     if (request_.resume) restore();
@@ -126,7 +127,8 @@ class ReferenceRun {
       save();
       if (!request_.quiet)
         std::fprintf(stderr, "%s batches are kept in %s; --resume goes on\n",
-                     grouped(tracer_->state().batches).c_str(), one_line(request_.state_file().string()).c_str());
+                     grouped(tracer_->state().batches).c_str(),
+                     one_line(request_.state_file().string()).c_str());
     }
     throw Error(interruption(), "interrupted");
   }
@@ -188,8 +190,8 @@ ExitCode run_reference(const Arguments& arguments) {
   ReferenceRequest request;
   if (!parse_reference(arguments, request)) return ExitCode::Done;
   if (!is_exr(request.output))
-    throw Error(ExitCode::WrongUsage, request.output.string() +
-                                          ": the reference is light in lux, written as .exr only");
+    throw Error(ExitCode::WrongUsage,
+                request.output.string() + ": the reference is light in lux, written as .exr only");
   require_writable(request.output);
   if (!request.stats.empty()) require_writable(request.stats);
   return ReferenceRun(std::move(request)).run();

@@ -5,9 +5,9 @@
 
 #include "app/output/image_file.hpp"
 #include "app/shell/terminal.hpp"
+#include "lab/reference/tracer/direct.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/settings/nearest.hpp"
-#include "lab/reference/tracer/direct.hpp"
 
 namespace caustics::app {
 
@@ -34,9 +34,10 @@ const ReferenceLayer& find_reference_layer(const std::string& name) {
                                   [&](const ReferenceLayer& layer) { return layer.name == name; });
   if (found != std::end(kReferenceLayers)) return *found;
   if (name == "beauty")
-    throw Error(ExitCode::WrongUsage,
-                "the reference has no layer 'beauty': it traces light onto surfaces, not what the camera sees in "
-                "glass; 'caustic' and 'direct' are what to compare");
+    throw Error(
+        ExitCode::WrongUsage,
+        "the reference has no layer 'beauty': it traces light onto surfaces, not what the camera sees in "
+        "glass; 'caustic' and 'direct' are what to compare");
   std::vector<std::string> names;
   for (const ReferenceLayer& layer : kReferenceLayers) names.emplace_back(layer.name);
   throw Error(ExitCode::WrongUsage, "--aov has no layer '" + one_line(name).substr(0, 60) +
@@ -72,10 +73,10 @@ Image image_for(const std::string& name, const tracer::Tracer& t, int threads) {
   if (name == "caustic_error") return colors(t.caustic_error());
   if (name == "direct") return colors(direct_light(t.world(), film, threads));
   if (name == "position" || name == "coverage")
-    return surface_image(film, [](const tracer::Seen& s) { return s.position; },
-                         [](const tracer::Seen&) { return 1.0; });
-  return surface_image(film, [](const tracer::Seen& s) { return s.normal; },
-                       [](const tracer::Seen& s) { return s.depth; });
+    return surface_image(
+        film, [](const tracer::Seen& s) { return s.position; }, [](const tracer::Seen&) { return 1.0; });
+  return surface_image(
+      film, [](const tracer::Seen& s) { return s.normal; }, [](const tracer::Seen& s) { return s.depth; });
 }
 
 }  // namespace
@@ -110,7 +111,8 @@ void write_reference_layers(const std::filesystem::path& path, const std::vector
     const ReferenceLayer& layer = find_reference_layer(name);
     const Image& image = images[name] = image_for(name, tracer, threads);
     if (count_non_finite(image) > 0)
-      throw Error(ExitCode::NumericFault, "the layer '" + name + "' has values that are not finite; no picture is written");
+      throw Error(ExitCode::NumericFault,
+                  "the layer '" + name + "' has values that are not finite; no picture is written");
     const bool in_world = name == "position";
     for (int c = 0; c < layer.count; ++c)
       channels.push_back({name + "." + "RGBA"[c], &image, layer.count == 1 ? 3 : c,

@@ -18,9 +18,7 @@ using Json = nlohmann::ordered_json;
 
 double total(const glm::dvec3& v) { return v.x + v.y + v.z; }
 
-const char* name_of(tracer::Physics physics) {
-  return physics == tracer::Physics::Full ? "full" : "single";
-}
+const char* name_of(tracer::Physics physics) { return physics == tracer::Physics::Full ? "full" : "single"; }
 
 double rays_of(const tracer::Tracer& tracer) {
   double rays = 0.0;
@@ -40,9 +38,10 @@ bool has_normal_textures(const Scene& scene, const Effects& effects) {
 void print_notes(const Scene& scene, const Effects& effects) {
   for (const std::string& note : scene.notes) std::fprintf(stderr, "note: %s\n", one_line(note).c_str());
   if (has_normal_textures(scene, effects))
-    std::fputs("note: normal textures of receivers are left out: 'direct', 'normal' and 'caustic' have the "
-               "smooth surface\n",
-               stderr);
+    std::fputs(
+        "note: normal textures of receivers are left out: 'direct', 'normal' and 'caustic' have the "
+        "smooth surface\n",
+        stderr);
   for (const std::string& why : missing_caustics(scene, effects.expectations))
     std::fprintf(stderr, "no caustic: %s\n", one_line(why).c_str());
 }
@@ -83,10 +82,14 @@ Json account_json(const Scene& scene, int source, const tracer::Account& account
 }  // namespace
 
 std::vector<std::pair<const char*, glm::dvec3>> accounts(const tracer::Account& a) {
-  return {{"entered", a.entered},   {"landed", a.landed},
-          {"fresnel", a.fresnel},   {"absorbed", a.absorbed},
-          {"total_reflection", a.total_reflection}, {"missed", a.missed},
-          {"lost", a.lost},         {"cut", a.cut}};
+  return {{"entered", a.entered},
+          {"landed", a.landed},
+          {"fresnel", a.fresnel},
+          {"absorbed", a.absorbed},
+          {"total_reflection", a.total_reflection},
+          {"missed", a.missed},
+          {"lost", a.lost},
+          {"cut", a.cut}};
 }
 
 void print_reference(const ReferenceRequest& request, const Scene& scene, const Effects& effects,
@@ -95,7 +98,9 @@ void print_reference(const ReferenceRequest& request, const Scene& scene, const 
   for (std::size_t i = 0; i < tracer.state().accounts.size(); ++i)
     print_ledger(scene, static_cast<int>(i), tracer.state().accounts[i]);
   const auto rays = static_cast<std::uint64_t>(rays_of(tracer));
-  std::fprintf(stderr, "%s: %dx%d, %s batches of %d x %d rays a light (%s rays), standard error %s of the caustics' light, %s\n",
+  std::fprintf(stderr,
+               "%s: %dx%d, %s batches of %d x %d rays a light (%s rays), standard error %s of the caustics' "
+               "light, %s\n",
                one_line(request.output.string()).c_str(), request.trace.width, request.trace.height,
                grouped(tracer.state().batches).c_str(), request.trace.side, request.trace.side,
                grouped(rays).c_str(), percent(tracer.relative_error()).c_str(),
@@ -103,7 +108,8 @@ void print_reference(const ReferenceRequest& request, const Scene& scene, const 
   std::error_code error;
   const auto bytes = std::filesystem::file_size(request.state_file(), error);
   if (!error)
-    std::fprintf(stderr, "%s: %s, to go on from with --resume\n", one_line(request.state_file().string()).c_str(),
+    std::fprintf(stderr, "%s: %s, to go on from with --resume\n",
+                 one_line(request.state_file().string()).c_str(),
                  bytes_text(static_cast<double>(bytes)).c_str());
 }
 
@@ -113,21 +119,21 @@ std::string reference_stats(const ReferenceRequest& request, const Scene& scene,
   Json settings = settings_json(request.frame.settings, traced_parts());
   settings["rays"] = request.trace.side;
   settings["physics"] = name_of(request.trace.physics);
-  Json document = {{"format", 1},
-                   {"program", version_line()},
-                   {"scene", scene.file},
-                   {"embree", tracer::ray_queries_version()},
-                   {"settings", settings},
-                   {"batches", tracer.state().batches},
-                   {"batches_of_this_run", timing.batches},
-                   {"rays", rays_of(tracer)},
-                   {"relative_error", tracer.relative_error()},
-                   {"milliseconds",
-                    {{"prepare", timing.prepare}, {"trace", timing.trace}, {"total", timing.total}}}};
+  Json document = {
+      {"format", 1},
+      {"program", version_line()},
+      {"scene", scene.file},
+      {"embree", tracer::ray_queries_version()},
+      {"settings", settings},
+      {"batches", tracer.state().batches},
+      {"batches_of_this_run", timing.batches},
+      {"rays", rays_of(tracer)},
+      {"relative_error", tracer.relative_error()},
+      {"milliseconds", {{"prepare", timing.prepare}, {"trace", timing.trace}, {"total", timing.total}}}};
   document["exact"] = Json::array();
   for (const tracer::ExactShape& shape : request.trace.exact)
-    document["exact"].push_back({{"mesh", scene.meshes[static_cast<std::size_t>(shape.mesh)].name},
-                                 {"shape", name_of(shape)}});
+    document["exact"].push_back(
+        {{"mesh", scene.meshes[static_cast<std::size_t>(shape.mesh)].name}, {"shape", name_of(shape)}});
   document["lights"] = Json::array();
   for (std::size_t i = 0; i < tracer.state().accounts.size(); ++i)
     if (tracer.state().accounts[i].rays > 0.0)

@@ -13,11 +13,13 @@ namespace {
 constexpr const char* kNames[] = {"sphere", "cylinder", "waves"};  // by ShapeKind, and by ExactShape::form
 
 bool has_shape(const std::vector<tracer::ExactShape>& shapes, int mesh) {
-  return std::any_of(shapes.begin(), shapes.end(), [&](const tracer::ExactShape& s) { return s.mesh == mesh; });
+  return std::any_of(shapes.begin(), shapes.end(),
+                     [&](const tracer::ExactShape& s) { return s.mesh == mesh; });
 }
 
 // Of each mesh that has this name.
-void add_named(const Scene& scene, const ExactRequest::Named& wanted, std::vector<tracer::ExactShape>& shapes) {
+void add_named(const Scene& scene, const ExactRequest::Named& wanted,
+               std::vector<tracer::ExactShape>& shapes) {
   std::vector<std::string> names;
   bool found = false;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
@@ -26,12 +28,14 @@ void add_named(const Scene& scene, const ExactRequest::Named& wanted, std::vecto
     found = true;
     const int mesh = static_cast<int>(i);
     if (has_shape(shapes, mesh))
-      throw Error(ExitCode::WrongUsage, "--exact names the mesh '" + one_line(wanted.mesh).substr(0, 60) + "' twice");
+      throw Error(ExitCode::WrongUsage,
+                  "--exact names the mesh '" + one_line(wanted.mesh).substr(0, 60) + "' twice");
     shapes.push_back(tracer::exact_shape_of(scene, mesh, wanted.kind));
   }
   if (!found)
     throw Error(ExitCode::WrongUsage, "--exact names no mesh: '" + one_line(wanted.mesh).substr(0, 60) +
-                                          "', did you mean '" + one_line(nearest_name(wanted.mesh, names)) + "'?");
+                                          "', did you mean '" + one_line(nearest_name(wanted.mesh, names)) +
+                                          "'?");
 }
 
 }  // namespace
@@ -55,11 +59,13 @@ std::vector<tracer::ExactShape> exact_shapes(const Scene& scene, const ExactRequ
   for (const ExactRequest::Named& named : request.named) add_named(scene, named, shapes);
   if (!request.stated_by_scene) return shapes;
   if (scene.stated_shapes.empty())
-    throw Error(ExitCode::WrongUsage, "--exact scene: the file states no shape in extras.exact_shape "
-                                      "(docs/reference.md); name one, as in --exact ball=sphere");
+    throw Error(ExitCode::WrongUsage,
+                "--exact scene: the file states no shape in extras.exact_shape "
+                "(docs/reference.md); name one, as in --exact ball=sphere");
   // What is named here counts more.
   for (const StatedShape& stated : scene.stated_shapes)
-    if (!has_shape(shapes, stated.mesh)) shapes.push_back(tracer::exact_shape_of(scene, stated.mesh, stated.kind));
+    if (!has_shape(shapes, stated.mesh))
+      shapes.push_back(tracer::exact_shape_of(scene, stated.mesh, stated.kind));
   return shapes;
 }
 

@@ -20,8 +20,8 @@ struct ExactRequest {
   void add(const std::string& text);
 };
 
-// Throws Error: WrongUsage for a name that no mesh has, two shapes for one mesh, or a scene that states none; BadInput
-// for a mesh that is no such shape.
+// Throws Error: WrongUsage for a name that no mesh has, two shapes for one mesh, or a scene that states none;
+// BadInput for a mesh that is no such shape.
 std::vector<tracer::ExactShape> exact_shapes(const Scene& scene, const ExactRequest& request);
 
 const char* name_of(const tracer::ExactShape& shape);  // "sphere", as --exact has it

@@ -4,14 +4,14 @@
 #include <memory>
 #include <set>
 
-#include "app/shell/atomic_file.hpp"
-#include "app/output/dump.hpp"
 #include "app/frame_range.hpp"
+#include "app/output/dump.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/outputs.hpp"
 #include "app/output/stats.hpp"
 #include "app/output/summary.hpp"
 #include "app/output/video_file.hpp"
+#include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/shell/on_demand.hpp"
 #include "app/shell/progress.hpp"
@@ -43,9 +43,7 @@ struct RenderRequest {
   Demand demand;
   bool quiet = false;
 
-  bool films() const {
-    return std::any_of(outputs.files.begin(), outputs.files.end(), is_video);
-  }
+  bool films() const { return std::any_of(outputs.files.begin(), outputs.files.end(), is_video); }
   // Is there a row of frames, rather than one?
   bool several() const { return frames ? frames->count() > 1 : films(); }
   double seconds(int frame) const { return frame / rate; }
@@ -54,17 +52,17 @@ struct RenderRequest {
 // Several frames need a file each, but for films.
 void check_frames(const RenderRequest& request) {
   if (request.timed && (request.frames || request.films()))
-    throw Error(ExitCode::WrongUsage, "--time is for one still; --frames and --fps say the moments "
-                                      "of several");
-  if (request.resume && request.films())
     throw Error(ExitCode::WrongUsage,
-                "--resume is for pictures: a film is written as a whole or not at all");
-  if (request.resume && !request.frames)
-    throw Error(ExitCode::WrongUsage, "--resume needs --frames A..B");
+                "--time is for one still; --frames and --fps say the moments "
+                "of several");
+  if (request.resume && request.films())
+    throw Error(ExitCode::WrongUsage, "--resume is for pictures: a film is written as a whole or not at all");
+  if (request.resume && !request.frames) throw Error(ExitCode::WrongUsage, "--resume needs --frames A..B");
   if (!request.several()) return;
   if (request.demand.any())
-    throw Error(ExitCode::WrongUsage, "--target-error and --time-budget are for one frame; take the --grid and --map that "
-                                      "they choose for several");
+    throw Error(ExitCode::WrongUsage,
+                "--target-error and --time-budget are for one frame; take the --grid and --map that "
+                "they choose for several");
   for (const std::filesystem::path& file : request.outputs.files) {
     if (has_number(file) || is_video(file)) continue;
     throw Error(ExitCode::WrongUsage, one_line(file.string()) +
@@ -77,13 +75,15 @@ void check_frames(const RenderRequest& request) {
 }
 
 void add_frame_row_options(Parser& parser, RenderRequest& request) {
-  parser.option("--frames", "A..B",
-                {"frames A to B, both included, of a scene that moves; %d or %04d in a file's name becomes the number",
-                 "", "one; of a film all"},
-                [&](const std::string& range) { request.frames = parse_frames(range); });
+  parser.option(
+      "--frames", "A..B",
+      {"frames A to B, both included, of a scene that moves; %d or %04d in a file's name becomes the number",
+       "", "one; of a film all"},
+      [&](const std::string& range) { request.frames = parse_frames(range); });
   parser.number("--fps", "F", {"frames a second: frame n shows the moment n / F seconds"},
                 Limits<double>{0.01, 1000.0}, request.rate);
-  parser.flag("--resume", request.resume, "leave out frames whose files are all there, whole and of this size");
+  parser.flag("--resume", request.resume,
+              "leave out frames whose files are all there, whole and of this size");
 }
 
 // False when only the help was asked for.
@@ -93,8 +93,8 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("Output");
   parser.repeated("-o,--output", "FILE",
-                  {"a picture, or with ffmpeg a film; may stand several times", ".png, .exr, .mp4, .mkv, .webm, .gif",
-                   "SCENE.png in the current folder"},
+                  {"a picture, or with ffmpeg a film; may stand several times",
+                   ".png, .exr, .mp4, .mkv, .webm, .gif", "SCENE.png in the current folder"},
                   [&](const std::string& file) { request.outputs.files.emplace_back(file); });
   parser.option("--aov", "LIST", {"layers of EXR files, listed below, with commas between", "", "beauty"},
                 [&](const std::string& list) { request.outputs.layers = parse_layers(list); });
@@ -106,12 +106,13 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   parser.flag("--quiet", request.quiet, "say nothing but errors");
   list_layers(parser);
   parser.group("On demand");
-  parser.option("--target-error", "P%",
-                {"choose grid and map for this estimated error (docs/accuracy.md); exit code 6 where it is missed",
-                 text_of(kTargetError), "none"},
-                [&](const std::string& value) {
-                  request.demand.error = parse_percent("--target-error", value, kTargetError);
-                });
+  parser.option(
+      "--target-error", "P%",
+      {"choose grid and map for this estimated error (docs/accuracy.md); exit code 6 where it is missed",
+       text_of(kTargetError), "none"},
+      [&](const std::string& value) {
+        request.demand.error = parse_percent("--target-error", value, kTargetError);
+      });
   parser.number("--time-budget", "MS",
                 {"or the most accurate whose passes take no longer, milliseconds; likewise", "", "none"},
                 Limits<double>{0.01, 1e7}, request.demand.milliseconds);
@@ -133,15 +134,16 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
 
 // Whether anything that is asked for depends on the caustics: a picture, their own layer, figures of them.
 bool wants_caustics(const RenderRequest& request) {
-  if (!request.stats.empty() || !request.dump.empty() || request.demand.error || request.demand.milliseconds) return true;
+  if (!request.stats.empty() || !request.dump.empty() || request.demand.error || request.demand.milliseconds)
+    return true;
   const std::vector<std::string> textures = textures_for(request.outputs);
   return std::any_of(textures.begin(), textures.end(), [](const std::string& name) {
     return name == "picture" || name == "beauty" || name == "aov_caustic";
   });
 }
 
-// With --dump everything that the effects call for; otherwise what the outputs depend on. Where caustics are wanted, the
-// flux ledgers are, and `beauty`, to be checked.
+// With --dump everything that the effects call for; otherwise what the outputs depend on. Where caustics are
+// wanted, the flux ledgers are, and `beauty`, to be checked.
 PlanGoal goal_of(const RenderRequest& request) {
   PlanGoal goal;
   if (!request.dump.empty()) return goal;
@@ -154,8 +156,7 @@ PlanGoal goal_of(const RenderRequest& request) {
 
 std::set<std::string> shaders_of(const FramePlan& plan) {
   std::set<std::string> names;
-  for (const PlannedPass& pass : plan.passes)
-    names.emplace(pass.definition.shader->name);
+  for (const PlannedPass& pass : plan.passes) names.emplace(pass.definition.shader->name);
   return names;
 }
 
@@ -166,11 +167,11 @@ void refuse_non_finite(const RenderedFrame& frame, const std::string& texture, c
     for (int x = 0; x < image.width(); ++x) {
       for (int c = 0; c < image.channels(); ++c) {
         if (std::isfinite(image.at(x, y, c))) continue;
-        throw Error(ExitCode::NumericFault,
-                    which + texture + " is " + significant(image.at(x, y, c), 3) + " at pixel " +
-                        std::to_string(x) + "," + std::to_string(image.height() - 1 - y) +
-                        " from the top left, channel " + "RGBA"[c] +
-                        "; no picture is written, --dump DIR shows every pass");
+        throw Error(ExitCode::NumericFault, which + texture + " is " + significant(image.at(x, y, c), 3) +
+                                                " at pixel " + std::to_string(x) + "," +
+                                                std::to_string(image.height() - 1 - y) +
+                                                " from the top left, channel " + "RGBA"[c] +
+                                                "; no picture is written, --dump DIR shows every pass");
       }
     }
   }
@@ -190,10 +191,9 @@ OutputRequest outputs_of(const RenderRequest& request, int frame) {
 bool is_there(const RenderRequest& request, int frame) {
   const Settings& settings = request.frame.settings;
   const OutputRequest outputs = outputs_of(request, frame);
-  return std::all_of(outputs.files.begin(), outputs.files.end(),
-                     [&](const std::filesystem::path& file) {
-                       return is_image_of_size(file, settings.width, settings.height);
-                     });
+  return std::all_of(outputs.files.begin(), outputs.files.end(), [&](const std::filesystem::path& file) {
+    return is_image_of_size(file, settings.width, settings.height);
+  });
 }
 
 // Those that are to be drawn.
@@ -224,8 +224,7 @@ class Renderer {
  public:
   explicit Renderer(RenderRequest request)
       : request_(std::move(request)), progress_(request_.quiet), todo_(frames_to_draw(request_)) {
-    if (request_.frames && !todo_.empty())
-      request_.frame.seconds = request_.seconds(todo_.front());
+    if (request_.frames && !todo_.empty()) request_.frame.seconds = request_.seconds(todo_.front());
     request_.frame.backend.compiling = [this](std::string_view shader) { show_compiling(shader); };
   }
 
@@ -253,10 +252,11 @@ class Renderer {
  private:
   void choose_sizes() {
     const Stopwatch watch;
-    std::optional<CostModel> model = measure_costs(request_.frame, request_.demand, [&](const std::string& text) {
-      stop_if_interrupted();
-      progress_.show(text);
-    });
+    std::optional<CostModel> model =
+        measure_costs(request_.frame, request_.demand, [&](const std::string& text) {
+          stop_if_interrupted();
+          progress_.show(text);
+        });
     if (!model) return;
     // What is found with the sizes chosen corrects the model, and the choice where it has to.
     double longest = kFarther * model->expect(2 * kPilotSide, kPilotSide).milliseconds;
@@ -264,7 +264,8 @@ class Renderer {
       expected_ = choose(*model, request_.demand, longest);
       const Trial free = choose(*model, request_.demand);
       const bool hopeless = !meets(free, request_.demand) && free.milliseconds <= longest;
-      progress_.show("trying grid " + std::to_string(expected_->grid) + " and map " + std::to_string(expected_->map));
+      progress_.show("trying grid " + std::to_string(expected_->grid) + " and map " +
+                     std::to_string(expected_->map));
       found_ = try_sizes(request_.frame, expected_->grid, expected_->map);
       if (!found_ || meets(*found_, request_.demand) || hopeless) break;
       model->learn(*found_);
@@ -306,8 +307,7 @@ class Renderer {
     const Settings& size = request_.frame.settings;
     for (const std::filesystem::path& file : request_.outputs.files)
       if (is_video(file))
-        films_.push_back(
-            std::make_unique<VideoFile>(file, size.width, size.height, request_.rate));
+        films_.push_back(std::make_unique<VideoFile>(file, size.width, size.height, request_.rate));
     started_ = Stopwatch();
   }
 
@@ -327,11 +327,10 @@ class Renderer {
       timing_.prepare += watch.milliseconds();
     }
     const Stopwatch watch;
-    reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done,
-                               std::size_t of) {
+    reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
       if (dump_) dump_->add(*frame_, pass);
-      progress_.show(frame_text(n) + "pass " + std::to_string(done) + " of " + std::to_string(of) +
-                     ": " + pass.label);
+      progress_.show(frame_text(n) + "pass " + std::to_string(done) + " of " + std::to_string(of) + ": " +
+                     pass.label);
       return true;
     });
     frame_->device().finish();
@@ -372,7 +371,8 @@ class Renderer {
     progress_.clear();
     if (request_.quiet) return;
     if (!wants_caustics(request_) && frame_->effects().caustics.active)
-      std::fputs("no flux ledger and no estimated error: nothing that is asked for depends on the caustics\n", stderr);
+      std::fputs("no flux ledger and no estimated error: nothing that is asked for depends on the caustics\n",
+                 stderr);
     if (found_) std::fputs(demand_text(request_.demand, *expected_, *found_, choosing_).c_str(), stderr);
     print_summary(*frame_, ledgers, timing_, request_.outputs.files,
                   request_.several() ? static_cast<int>(todo_.size()) : 0);

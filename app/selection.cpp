@@ -12,9 +12,7 @@ namespace caustics::app {
 
 namespace {
 
-std::string size_text(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height);
-}
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 // Where a channel of the file is above 0.
 void add_mask(Selection& selection, const std::filesystem::path& path) {
@@ -22,10 +20,10 @@ void add_mask(Selection& selection, const std::filesystem::path& path) {
   std::vector<std::uint8_t> lit(selection.mask.size(), 0);
   for (const Plane& plane : file.planes) {
     if (plane.view.width != selection.width || plane.view.height != selection.height) {
-      throw Error(ExitCode::BadInput,
-                  path.string() + ": is " + size_text(plane.view.width, plane.view.height) +
-                      ", the images are " + size_text(selection.width, selection.height) +
-                      "; a mask must have their size");
+      throw Error(ExitCode::BadInput, path.string() + ": is " +
+                                          size_text(plane.view.width, plane.view.height) +
+                                          ", the images are " + size_text(selection.width, selection.height) +
+                                          "; a mask must have their size");
     }
     if (channel_in_layer(plane.name) == "A" && file.planes.size() > 1) continue;
     for (int y = 0; y < selection.height; ++y) {
@@ -47,8 +45,8 @@ void add_region(Selection& selection, const Region& region) {
   }
   for (int y = 0; y < selection.height; ++y) {
     for (int x = 0; x < selection.width; ++x) {
-      const bool inside = x >= region.x && x < region.x + region.width && y >= region.y &&
-                          y < region.y + region.height;
+      const bool inside =
+          x >= region.x && x < region.x + region.width && y >= region.y && y < region.y + region.height;
       if (inside) continue;
       selection.mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(selection.width) +
                      static_cast<std::size_t>(x)] = 0;
@@ -67,8 +65,8 @@ Region parse_region(const std::string& text) {
     start = end + 1;
   }
   if (numbers.size() != 4) {
-    throw Error(ExitCode::WrongUsage, "--region cannot be '" + one_line(text).substr(0, 80) +
-                                          "': four integers, X,Y,WIDTH,HEIGHT");
+    throw Error(ExitCode::WrongUsage,
+                "--region cannot be '" + one_line(text).substr(0, 80) + "': four integers, X,Y,WIDTH,HEIGHT");
   }
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
@@ -83,22 +81,19 @@ std::vector<std::uint8_t> Selection::from_bottom() const {
   return turned;
 }
 
-Selection select(const ImagePlanes& image, const std::filesystem::path& mask,
-                 const Region& region) {
+Selection select(const ImagePlanes& image, const std::filesystem::path& mask, const Region& region) {
   Selection selection;
   if (mask.empty() && region.width == 0) return selection;
   const ChannelView& first = image.planes.front().view;
   for (const Plane& plane : image.planes) {
     if (plane.view.width != first.width || plane.view.height != first.height) {
       throw Error(ExitCode::BadInput, "channels " + one_line(image.planes.front().name) + " and " +
-                                          one_line(plane.name) +
-                                          " are of two sizes; name one with --layer");
+                                          one_line(plane.name) + " are of two sizes; name one with --layer");
     }
   }
   selection.width = first.width;
   selection.height = first.height;
-  selection.mask.assign(
-      static_cast<std::size_t>(first.width) * static_cast<std::size_t>(first.height), 1);
+  selection.mask.assign(static_cast<std::size_t>(first.width) * static_cast<std::size_t>(first.height), 1);
   if (!mask.empty()) add_mask(selection, mask);
   if (region.width > 0) add_region(selection, region);
   for (const std::uint8_t each : selection.mask) selection.texels += each;

@@ -1,6 +1,7 @@
 # Installing the libraries, so that another project can say find_package(caustics) and link
 # caustics::raster, caustics::gl_backend, caustics::passes, caustics::pipeline and caustics::reference. They
-# need GLM, and oneTBB and libepoxy where they were built with them. The program and the sample scenes are installed by app/room.cmake.
+# need GLM, and oneTBB and libepoxy where they were built with them. The program and the sample scenes are
+# installed by app/room.cmake.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,5 +1,6 @@
-# caustics_add_room(name [folder]): a static library caustics_<name> of every source in the folder (<name> where none
-# is given), tests left out. caustics_target_options(target): the flags that every target of the project compiles with.
+# caustics_add_room(name [folder]): a static library caustics_<name> of every source in the folder (<name>
+# where none is given), tests left out. caustics_target_options(target): the flags that every target of the
+# project compiles with.
 function(caustics_target_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE ${CAUSTICS_EXACT_FLAGS} -Wall -Wextra)

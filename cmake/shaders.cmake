@@ -9,7 +9,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CAUSTICS_PLAIN_LANES)
   list(APPEND CAUSTICS_WIDTHS sse41 avx2 avx512)
   set(CAUSTICS_FLAGS_sse41 -msse4.1)
   set(CAUSTICS_FLAGS_avx2 -mavx2 -mfma)
-  set(CAUSTICS_FLAGS_avx512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw -Wno-uninitialized)  # GCC 12 headers
+  set(CAUSTICS_FLAGS_avx512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw
+    -Wno-uninitialized)  # GCC 12 headers
 endif()
 set(CAUSTICS_LANES_scalar 1)
 set(CAUSTICS_LANES_plain4 4)
@@ -30,8 +31,8 @@ function(caustics_expand_includes file result)
   set(${result} "${content}" PARENT_SCOPE)
 endfunction()
 
-# The consteval functions that hold C++'s layout against std140's: of the uniform block, and of the structs of uniform
-# types (`int`, `vec3`, ...) that it is made of. Conditions (#ifdef) stay as they are.
+# The consteval functions that hold C++'s layout against std140's: of the uniform block, and of the structs of
+# uniform types (`int`, `vec3`, ...) that it is made of. Conditions (#ifdef) stay as they are.
 function(caustics_uniform_checks text result)
   set(checks "")
   string(REGEX REPLACE "//[^\n]*" "" text "${text}")

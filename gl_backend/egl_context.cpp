@@ -95,8 +95,7 @@ std::vector<EglCandidate> egl_candidates() {
 EglDisplay::EglDisplay(const EglCandidate& candidate) : display_(find_display(candidate)) {
   if (display_ == EGL_NO_DISPLAY) refuse("EGL has no such display");
   EGLint major = 0, minor = 0;
-  if (!eglInitialize(display_, &major, &minor))
-    refuse("eglInitialize failed (" + egl_error() + ")");
+  if (!eglInitialize(display_, &major, &minor)) refuse("eglInitialize failed (" + egl_error() + ")");
 }
 
 bool EglDisplay::has(const char* extension) const {
@@ -111,8 +110,7 @@ EglContext::EglContext(const EglCandidate& candidate, bool debug) : display_(can
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     if (major * 10 + minor < 45)
-      refuse("OpenGL " + std::to_string(major) + "." + std::to_string(minor) +
-             " is older than 4.5");
+      refuse("OpenGL " + std::to_string(major) + "." + std::to_string(minor) + " is older than 4.5");
   } catch (...) {
     release();
     throw;
@@ -124,8 +122,7 @@ EglContext::~EglContext() { release(); }
 EGLConfig EglContext::choose_config() const {
   if (display_.has("EGL_KHR_no_config_context") && display_.has("EGL_KHR_surfaceless_context"))
     return nullptr;  // EGL_NO_CONFIG_KHR
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                           EGL_NONE};
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(display_.handle(), wanted, &config, 1, &count) || count < 1)
@@ -149,11 +146,10 @@ void EglContext::create(bool debug) {
           EGL_CONTEXT_MAJOR_VERSION_KHR,       4,
           EGL_CONTEXT_MINOR_VERSION_KHR,       5,
           EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR};
-      if (with_debug)
-        wanted.insert(wanted.end(), {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
+      if (with_debug) wanted.insert(wanted.end(), {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
       if (tell_resets)
-        wanted.insert(wanted.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR,
-                                     EGL_LOSE_CONTEXT_ON_RESET_KHR});
+        wanted.insert(wanted.end(),
+                      {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR, EGL_LOSE_CONTEXT_ON_RESET_KHR});
       wanted.push_back(EGL_NONE);
       context_ = eglCreateContext(display_.handle(), config, EGL_NO_CONTEXT, wanted.data());
       if (context_ != EGL_NO_CONTEXT) return;
@@ -163,8 +159,7 @@ void EglContext::create(bool debug) {
 
 bool EglContext::try_make_current() noexcept {
   if (eglGetCurrentContext() == context_) return true;
-  return eglBindAPI(EGL_OPENGL_API) &&
-         eglMakeCurrent(display_.handle(), surface_, surface_, context_);
+  return eglBindAPI(EGL_OPENGL_API) && eglMakeCurrent(display_.handle(), surface_, surface_, context_);
 }
 
 void EglContext::make_current() {

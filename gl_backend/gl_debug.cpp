@@ -13,8 +13,8 @@ namespace caustics::gl {
 namespace {
 
 // The driver may be any language: nothing may be thrown through it.
-void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
-                           const GLchar* message, const void* log) noexcept {
+void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                           const void* log) noexcept {
   if (type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH)
     static_cast<DebugLog*>(const_cast<void*>(log))->add(message);
 }
@@ -73,9 +73,8 @@ void DebugLog::check(const std::string& what) {
   if (error == GL_NO_ERROR && message.empty()) return;
   char code[16];
   std::snprintf(code, sizeof code, "0x%04x", error);
-  throw Error(
-      ExitCode::InternalError,
-      what + ": OpenGL reports " + (message.empty() ? "error " + std::string(code) : message));
+  throw Error(ExitCode::InternalError,
+              what + ": OpenGL reports " + (message.empty() ? "error " + std::string(code) : message));
 }
 
 }  // namespace caustics::gl

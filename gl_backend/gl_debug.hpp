@@ -17,8 +17,8 @@ class DebugLog {
   // Throws what has gone wrong since the last call, `what` in front ("pass 'caustic_map'"): Error
   // (BackendUnavailable) for a lost context and for memory that has run out, else (InternalError).
   void check(const std::string& what);
-  // Drops what has been collected, where the caller reports the fault itself; but a lost context and memory that has run
-  // out, which are the reason then, it throws as check() does.
+  // Drops what has been collected, where the caller reports the fault itself; but a lost context and memory
+  // that has run out, which are the reason then, it throws as check() does.
   void forget(const std::string& what);
   // Drops everything, after calls whose failure takes nothing from anyone: an object that is not deleted.
   void drop();

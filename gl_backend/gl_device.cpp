@@ -205,8 +205,7 @@ class OpenGlDevice final : public GlDevice {
 
   const Mesh& mesh_of(MeshId id) const {
     const auto found = meshes_.find(id);
-    if (found == meshes_.end())
-      throw Error(ExitCode::InternalError, "a mesh that does not exist is used");
+    if (found == meshes_.end()) throw Error(ExitCode::InternalError, "a mesh that does not exist is used");
     return found->second;
   }
 
@@ -214,7 +213,8 @@ class OpenGlDevice final : public GlDevice {
     try {
       return make_program(shader);
     } catch (...) {
-      debug_.forget("shader '" + std::string(shader.name) + "'");  // the compiler's messages, which the Error repeats
+      debug_.forget("shader '" + std::string(shader.name) +
+                    "'");  // the compiler's messages, which the Error repeats
       throw;
     }
   }
@@ -235,8 +235,7 @@ class OpenGlDevice final : public GlDevice {
     const auto found = framebuffers_.find(key);
     if (found != framebuffers_.end()) return found->second.id();
     std::vector<GLuint> names;
-    for (const TextureId id : key)
-      names.push_back(id == TextureId::None ? 0 : texture_of(id).object.id());
+    for (const TextureId id : key) names.push_back(id == TextureId::None ? 0 : texture_of(id).object.id());
     ++made_.framebuffers;
     return framebuffers_.emplace(std::move(key), make_framebuffer(names)).first->second.id();
   }

@@ -21,17 +21,15 @@ BufferObject make_buffer(const std::vector<T>& values) {
 template <class T>
 void write_buffer(const BufferObject& buffer, const std::vector<T>& values) {
   if (values.empty()) return;
-  glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)),
-                       values.data());
+  glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
 }
 
 void check_indices(const MeshData& data) {
   const std::size_t count = data.vertex_count();
   for (const std::uint32_t index : data.indices)
     if (index >= count)
-      throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
-                                               " is beyond its " + std::to_string(count) +
-                                               " vertices");
+      throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) + " is beyond its " +
+                                               std::to_string(count) + " vertices");
 }
 
 // Bytes from a vertex's start to its attribute.

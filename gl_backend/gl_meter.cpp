@@ -64,8 +64,7 @@ void RunMeter::end(PassResult& result) {
   if (wall_clock_) {
     glFinish();
     result.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_)
-            .count();
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
   } else {
     result.milliseconds = static_cast<double>(answer(time_)) * 1e-6;
   }

@@ -19,8 +19,7 @@ std::string complaint(const std::vector<char>& log) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     std::string line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (line.find("error") != std::string::npos || line.find("ERROR") != std::string::npos)
-      return line;
+    if (line.find("error") != std::string::npos || line.find("ERROR") != std::string::npos) return line;
     if (first.empty()) first = line;
   }
   return first.empty() ? "no reason given" : first;

@@ -19,9 +19,7 @@ void set_depth(const DepthState& state) {
 }
 
 void set_color(GLuint attachment, const ColorWrite& write) {
-  const auto channel = [&](std::size_t c) -> GLboolean {
-    return write.mask[c] ? GL_TRUE : GL_FALSE;
-  };
+  const auto channel = [&](std::size_t c) -> GLboolean { return write.mask[c] ? GL_TRUE : GL_FALSE; };
   glColorMaski(attachment, channel(0), channel(1), channel(2), channel(3));
   if (!write.blend.enabled) {
     glDisablei(GL_BLEND, attachment);
@@ -52,9 +50,7 @@ TexelLayout texel_layout(Format format) {
   return {};
 }
 
-GLenum gl_topology(Topology topology) {
-  return topology == Topology::Points ? GL_POINTS : GL_TRIANGLES;
-}
+GLenum gl_topology(Topology topology) { return topology == Topology::Points ? GL_POINTS : GL_TRIANGLES; }
 
 GLenum gl_compare(Compare compare) {
   switch (compare) {
@@ -109,8 +105,8 @@ GLenum gl_factor(BlendFactor factor) {
 void set_common_state() {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  for (const GLenum off : {GL_DITHER, GL_FRAMEBUFFER_SRGB, GL_MULTISAMPLE, GL_SCISSOR_TEST,
-                           GL_STENCIL_TEST, GL_PRIMITIVE_RESTART})
+  for (const GLenum off : {GL_DITHER, GL_FRAMEBUFFER_SRGB, GL_MULTISAMPLE, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+                           GL_PRIMITIVE_RESTART})
     glDisable(off);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

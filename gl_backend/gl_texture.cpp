@@ -78,8 +78,8 @@ void write_texels(const Texture& texture, const Image& image) {
   const TexelLayout layout = texel_layout(shape.format);
   in_bands(shape, [&](int y, int rows, std::size_t first, std::size_t count) {
     const std::vector<std::byte> bytes = packed(shape.format, &image.values[first], count);
-    glTextureSubImage2D(texture.object.id(), 0, 0, y, shape.width, rows, layout.channels,
-                        layout.type, bytes.data());
+    glTextureSubImage2D(texture.object.id(), 0, 0, y, shape.width, rows, layout.channels, layout.type,
+                        bytes.data());
   });
 }
 
@@ -88,11 +88,10 @@ Image read_texels(const Texture& texture) {
   const TexelLayout layout = texel_layout(shape.format);
   Image image(shape.format, shape.width, shape.height);
   in_bands(shape, [&](int y, int rows, std::size_t first, std::size_t count) {
-    std::vector<std::byte> bytes(bytes_per_texel(shape.format) *
-                                 static_cast<std::size_t>(shape.width) *
+    std::vector<std::byte> bytes(bytes_per_texel(shape.format) * static_cast<std::size_t>(shape.width) *
                                  static_cast<std::size_t>(rows));
-    glGetTextureSubImage(texture.object.id(), 0, 0, y, 0, shape.width, rows, 1, layout.channels,
-                         layout.type, static_cast<GLsizei>(bytes.size()), bytes.data());
+    glGetTextureSubImage(texture.object.id(), 0, 0, y, 0, shape.width, rows, 1, layout.channels, layout.type,
+                         static_cast<GLsizei>(bytes.size()), bytes.data());
     unpack(shape.format, bytes, &image.values[first], count);
   });
   return image;

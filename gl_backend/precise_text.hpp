@@ -1,10 +1,12 @@
-// Marks the float operations of a GLSL text `precise`, so that no driver contracts a * b + c or reorders sums.
+// Marks the float operations of a GLSL text `precise`, so that no driver contracts a * b + c or reorders
+// sums.
 //
 // `precise` reaches only those expressions of its own function whose result ends in a variable that bears it
 // (GLSL 4.60, section 4.9): not the functions that are called there, and no conditions. So every variable
-// must bear it, and every result must pass through a variable. Authors of shaders write none of this: the text
-// is rewritten on its way to the driver. Macros cannot do it: one for `Float` would also reach constructors,
-// `Float(1.0f)`, and return types, where Mesa refuses qualifiers, and `return` and `if` are keywords.
+// must bear it, and every result must pass through a variable. Authors of shaders write none of this: the
+// text is rewritten on its way to the driver. Macros cannot do it: one for `Float` would also reach
+// constructors, `Float(1.0f)`, and return types, where Mesa refuses qualifiers, and `return` and `if` are
+// keywords.
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
-# The OpenGL Device needs libepoxy, which finds EGL and OpenGL at run time. Without it the room is a stub, but for
-# the texts that it would hand to OpenGL.
+# The OpenGL Device needs libepoxy, which finds EGL and OpenGL at run time. Without it the room is a stub, but
+# for the texts that it would hand to OpenGL.
 find_package(PkgConfig QUIET)
 if(PkgConfig_FOUND)
   pkg_check_modules(EPOXY QUIET IMPORTED_TARGET epoxy)

@@ -3,9 +3,12 @@ caustics_add_shader(caustics_passes copy TEXT passes/template/copy.glsl)
 caustics_add_shader(caustics_passes occluder_depth TEXT passes/occluder_depth/occluder_depth.glsl)
 caustics_add_shader(caustics_passes caster_map TEXT passes/caster_map/caster_map.glsl)
 caustics_add_shader(caustics_passes caster_exit_map TEXT passes/caster_exit_map/caster_exit_map.glsl)
-caustics_add_shader(caustics_passes caster_map_detailed TEXT passes/caster_map/caster_map.glsl DEFINES DETAILED=1)
-caustics_add_shader(caustics_passes caster_map_tinted TEXT passes/caster_map/caster_map.glsl DEFINES DETAILED=1 TINTED=1)
-caustics_add_shader(caustics_passes caster_exit_map_detailed TEXT passes/caster_exit_map/caster_exit_map.glsl DEFINES DETAILED=1)
+caustics_add_shader(caustics_passes caster_map_detailed TEXT passes/caster_map/caster_map.glsl
+  DEFINES DETAILED=1)
+caustics_add_shader(caustics_passes caster_map_tinted TEXT passes/caster_map/caster_map.glsl
+  DEFINES DETAILED=1 TINTED=1)
+caustics_add_shader(caustics_passes caster_exit_map_detailed TEXT passes/caster_exit_map/caster_exit_map.glsl
+  DEFINES DETAILED=1)
 caustics_add_shader(caustics_passes receiver_map TEXT passes/receiver_map/receiver_map.glsl)
 caustics_add_shader(caustics_passes impostor_map TEXT passes/impostor_map/impostor_map.glsl)
 caustics_add_shader(caustics_passes landing TEXT passes/landing/landing.glsl)
@@ -24,7 +27,8 @@ caustics_add_shader(caustics_passes first_hit TEXT passes/first_hit/first_hit.gl
 caustics_add_shader(caustics_passes water_step TEXT passes/water_step/water_step.glsl)
 caustics_add_shader(caustics_passes tone_map TEXT passes/tone_map/tone_map.glsl)
 caustics_add_shader(caustics_passes landing_in_medium TEXT passes/landing/landing.glsl DEFINES HAZE=1)
-caustics_add_shader(caustics_passes light_shading_in_medium TEXT passes/light_shading/light_shading.glsl DEFINES HAZE=1)
+caustics_add_shader(caustics_passes light_shading_in_medium TEXT passes/light_shading/light_shading.glsl
+  DEFINES HAZE=1)
 caustics_add_shader(caustics_passes beams TEXT passes/beams/beams.glsl)
 caustics_add_shader(caustics_passes view_medium TEXT passes/view_medium/view_medium.glsl)
 caustics_add_shader(caustics_passes light_haze TEXT passes/light_haze/light_haze.glsl)

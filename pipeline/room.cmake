@@ -4,7 +4,8 @@ if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST OR CAUSTI
   find_package(nlohmann_json 3 REQUIRED)
   option(CAUSTICS_TINYGLTF_HEADER_ONLY "Compile tinygltf's header even if there is a library" OFF)
   # For digests on machines without OpenImageIO; the program itself needs it.
-  option(CAUSTICS_PLAIN_PNG "Decode PNG files of 8 bits by tests/determinism/plain_png.cpp, and no others" OFF)
+  option(CAUSTICS_PLAIN_PNG "Decode PNG files of 8 bits by tests/determinism/plain_png.cpp, and no others"
+    OFF)
 
   file(GLOB gltf_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/pipeline/scene/gltf/*.cpp)
   if(CAUSTICS_PLAIN_PNG)

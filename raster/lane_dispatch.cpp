@@ -51,8 +51,8 @@ Lanes default_lanes() {
     names += ' ';
     names += lanes_name(lanes);
   }
-  throw Error(ExitCode::WrongUsage, "CAUSTICS_LANES is '" + std::string(wanted) +
-                                        "'; this build and processor have:" + names);
+  throw Error(ExitCode::WrongUsage,
+              "CAUSTICS_LANES is '" + std::string(wanted) + "'; this build and processor have:" + names);
 }
 
 TileKernel tile_kernel(Lanes lanes) {

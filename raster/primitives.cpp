@@ -60,8 +60,7 @@ class ChunkBuilder {
         clip_triangle(corner[0], corner[1], corner[2], stage_.vertices->stride, storage);
     if (polygon.count < 3) return;
     WindowVertex v[ClippedPolygon::kMaxVertices];
-    for (int k = 0; k < polygon.count; ++k)
-      v[k] = to_window(polygon.vertices[k], polygon.made[k], viewport_);
+    for (int k = 0; k < polygon.count; ++k) v[k] = to_window(polygon.vertices[k], polygon.made[k], viewport_);
     for (int k = 2; k < polygon.count; ++k) set_up({v[k - 1], v[k], v[0]}, provoking);
   }
 
@@ -103,8 +102,8 @@ std::vector<BinnedChunk> bin_primitives(const PrimitiveStage& stage, const TileG
   std::vector<BinnedChunk> result(chunks);
   workers.run(static_cast<int>(chunks), [&](int chunk) {
     const std::size_t first = static_cast<std::size_t>(chunk) * kPrimitivesPerChunk;
-    result[static_cast<std::size_t>(chunk)] = ChunkBuilder(stage, grid).build(
-        first, std::min(first + kPrimitivesPerChunk, stage.primitive_count));
+    result[static_cast<std::size_t>(chunk)] =
+        ChunkBuilder(stage, grid).build(first, std::min(first + kPrimitivesPerChunk, stage.primitive_count));
   });
   return result;
 }

@@ -46,9 +46,7 @@ class SoftwareDevice final : public Device {
     return insert(Texture(ImageShape{format, width, height}));
   }
 
-  TextureId upload(const Image& image) override {
-    return insert(Texture(image));
-  }
+  TextureId upload(const Image& image) override { return insert(Texture(image)); }
 
   void destroy(TextureId texture) override { textures_.erase(texture); }
 
@@ -109,22 +107,20 @@ class SoftwareDevice final : public Device {
     const std::size_t count = mesh.vertex_count();
     for (const std::uint32_t index : mesh.indices)
       if (index >= count)
-        throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) +
-                                                 " is beyond its " + std::to_string(count) +
-                                                 " vertices");
+        throw Error(ExitCode::InternalError, "a mesh's index " + std::to_string(index) + " is beyond its " +
+                                                 std::to_string(count) + " vertices");
   }
 
   static void check_same_extent(const MeshData& old, const MeshData& data) {
-    if (old.floats_per_vertex() == data.floats_per_vertex() &&
-        old.vertices.size() == data.vertices.size() && old.indices.size() == data.indices.size())
+    if (old.floats_per_vertex() == data.floats_per_vertex() && old.vertices.size() == data.vertices.size() &&
+        old.indices.size() == data.indices.size())
       return;
     throw Error(ExitCode::InternalError, "a mesh is updated by one of another layout or size");
   }
 
   const MeshData& mesh_of(MeshId id) const {
     const auto found = meshes_.find(id);
-    if (found == meshes_.end())
-      throw Error(ExitCode::InternalError, "a mesh that does not exist is used");
+    if (found == meshes_.end()) throw Error(ExitCode::InternalError, "a mesh that does not exist is used");
     return found->second;
   }
 
@@ -132,8 +128,8 @@ class SoftwareDevice final : public Device {
     const PassDefinition& definition = *run.definition;
     RenderTarget target;
     for (std::size_t i = 0; i < run.colors.size(); ++i)
-      target.colors.push_back({&textures_.at(run.colors[i]), &definition.writes[i],
-                               !run.keep.empty() && run.keep[i]});
+      target.colors.push_back(
+          {&textures_.at(run.colors[i]), &definition.writes[i], !run.keep.empty() && run.keep[i]});
     if (definition.depth) {
       target.depth = &textures_.at(run.depth);
       target.depth_clear = definition.depth->clear;
@@ -150,20 +146,18 @@ class SoftwareDevice final : public Device {
     return result;
   }
 
-  void execute_draw(const PassRun& run, const Draw& draw, const RenderTarget& target,
-                    const TileGrid& grid, PassResult& result) {
+  void execute_draw(const PassRun& run, const Draw& draw, const RenderTarget& target, const TileGrid& grid,
+                    PassResult& result) {
     const PassDefinition& definition = *run.definition;
     const ShaderInterface& interface = interface_of(*definition.shader);
     const std::vector<TextureView> views = bound_textures(draw);
     const MeshData* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
     const auto lanes = static_cast<std::size_t>(lanes_);
     const ShadedVertices vertices = shade_vertices(
-        {&interface, definition.shader->kernels.vertex[lanes], draw.uniforms.data(), views.data(),
-         mesh,
+        {&interface, definition.shader->kernels.vertex[lanes], draw.uniforms.data(), views.data(), mesh,
          mesh ? mesh->vertex_count() : static_cast<std::size_t>(std::max(0, draw.vertex_count))},
         workers_);
-    const std::size_t corners =
-        mesh && !mesh->indices.empty() ? mesh->indices.size() : vertices.count;
+    const std::size_t corners = mesh && !mesh->indices.empty() ? mesh->indices.size() : vertices.count;
     const std::vector<std::uint8_t> flat = flat_components(interface);
     const PrimitiveStage stage{
         .topology = definition.topology,
@@ -172,15 +166,14 @@ class SoftwareDevice final : public Device {
         .indices = mesh ? &mesh->indices : nullptr,
         .primitive_count = definition.topology == Topology::Points ? corners : corners / 3};
     const std::vector<BinnedChunk> chunks = bin_primitives(stage, grid, workers_);
-    const FragmentWork work{
-        .definition = &definition,
-        .fragment = definition.shader->kernels.fragment[lanes],
-        .uniforms = draw.uniforms.data(),
-        .textures = views.data(),
-        .varying_count = interface.varying_components(),
-        .varying_flat = flat.data(),
-        .may_discard = interface.discards,
-        .kernel = tile_kernel(lanes_)};
+    const FragmentWork work{.definition = &definition,
+                            .fragment = definition.shader->kernels.fragment[lanes],
+                            .uniforms = draw.uniforms.data(),
+                            .textures = views.data(),
+                            .varying_count = interface.varying_components(),
+                            .varying_flat = flat.data(),
+                            .may_discard = interface.discards,
+                            .kernel = tile_kernel(lanes_)};
     const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
     result.vertices += corners;
     result.primitives += stage.primitive_count;
@@ -197,8 +190,7 @@ class SoftwareDevice final : public Device {
         continue;
       }
       const Texture& texture = texture_of(id);
-      views.push_back({texture.values.get(), texture.shape.width, texture.shape.height,
-                       texture.channels()});
+      views.push_back({texture.values.get(), texture.shape.width, texture.shape.height, texture.channels()});
     }
     return views;
   }
@@ -225,8 +217,8 @@ class SoftwareDevice final : public Device {
 
 std::unique_ptr<Device> make_software_device(const SoftwareOptions& options) {
   if (options.threads < 0)
-    throw Error(ExitCode::WrongUsage, "the number of threads is " +
-                                          std::to_string(options.threads) + "; give 0 or more");
+    throw Error(ExitCode::WrongUsage,
+                "the number of threads is " + std::to_string(options.threads) + "; give 0 or more");
   return std::make_unique<raster::SoftwareDevice>(options);
 }
 

@@ -49,8 +49,7 @@ class Tile {
     }
     if (!target_.depth) return;
     for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x)
-        *target_.depth->texel(x_ + x, y_ + y) = storage_.depth[y * kTile + x];
+      for (int x = 0; x < width_; ++x) *target_.depth->texel(x_ + x, y_ + y) = storage_.depth[y * kTile + x];
   }
 
   TileJob job(const FragmentWork& work, const std::vector<PrimitiveChunk>& chunks) {
@@ -100,14 +99,13 @@ class Tile {
   int x_ = 0, y_ = 0, width_ = 0, height_ = 0;
 };
 
-std::vector<PrimitiveChunk> chunks_of_tile(const std::vector<BinnedChunk>& chunks,
-                                           std::size_t tile) {
+std::vector<PrimitiveChunk> chunks_of_tile(const std::vector<BinnedChunk>& chunks, std::size_t tile) {
   std::vector<PrimitiveChunk> result;
   for (const BinnedChunk& chunk : chunks) {
     const std::uint32_t first = chunk.first[tile], last = chunk.first[tile + 1];
     if (first == last) continue;
-    result.push_back({chunk.triangles.data(), chunk.points.data(), chunk.touching.data() + first,
-                      last - first});
+    result.push_back(
+        {chunk.triangles.data(), chunk.points.data(), chunk.touching.data() + first, last - first});
   }
   return result;
 }
@@ -134,8 +132,7 @@ void RenderTarget::clear() {
     for (std::size_t i = 0; i < color.texture->value_count(); ++i)
       color.texture->values[i] = cleared(*color.write, static_cast<int>(i % channels));
   }
-  if (depth && !keep_depth)
-    std::fill_n(depth->values.get(), depth->value_count(), depth_clear);
+  if (depth && !keep_depth) std::fill_n(depth->values.get(), depth->value_count(), depth_clear);
 }
 
 void RenderTarget::keep_all() {
@@ -153,8 +150,7 @@ TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>
   workers.run(static_cast<int>(order.size()), [&](int i) {
     thread_local const std::unique_ptr<TileStorage> storage = std::make_unique<TileStorage>();
     const int index = order[static_cast<std::size_t>(i)];
-    const std::vector<PrimitiveChunk> touching =
-        chunks_of_tile(chunks, static_cast<std::size_t>(index));
+    const std::vector<PrimitiveChunk> touching = chunks_of_tile(chunks, static_cast<std::size_t>(index));
     if (touching.empty() && all_kept) return;
     Tile tile(grid, index, target, *storage);
     tile.load();

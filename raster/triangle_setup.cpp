@@ -34,8 +34,7 @@ struct PlaneSetup {
 };
 
 void add_planes(const WindowVertex* v, const TriangleOptions& options, std::vector<Plane>& planes) {
-  PlaneSetup s{v[0].x - v[1].x, v[0].y - v[1].y, v[2].x - v[0].x, v[2].y - v[0].y, 0.0f,
-               v[0].x,          v[0].y};
+  PlaneSetup s{v[0].x - v[1].x, v[0].y - v[1].y, v[2].x - v[0].x, v[2].y - v[0].y, 0.0f, v[0].x, v[0].y};
   s.reciprocal_area = 1.0f / (s.dx01 * s.dy20 - s.dx20 * s.dy01);
   planes.push_back(s.through(v[0].z, v[1].z, v[2].z));
   planes.push_back(s.through(v[0].reciprocal_w, v[1].reciprocal_w, v[2].reciprocal_w));
@@ -44,8 +43,7 @@ void add_planes(const WindowVertex* v, const TriangleOptions& options, std::vect
       planes.push_back({0.0f, 0.0f, 0.0f});
       continue;
     }
-    planes.push_back(s.through(v[0].varyings[c] * v[0].reciprocal_w,
-                               v[1].varyings[c] * v[1].reciprocal_w,
+    planes.push_back(s.through(v[0].varyings[c] * v[0].reciprocal_w, v[1].varyings[c] * v[1].reciprocal_w,
                                v[2].varyings[c] * v[2].reciprocal_w));
   }
 }
@@ -71,8 +69,7 @@ WindowVertex to_window(const float* p, bool made, const Viewport& viewport) {
 }
 
 bool set_up_triangle(const WindowVertex (&v)[3], const float* provoking, const Viewport& viewport,
-                     const TriangleOptions& options, TriangleRecord& record,
-                     std::vector<Plane>& planes) {
+                     const TriangleOptions& options, TriangleRecord& record, std::vector<Plane>& planes) {
   std::int64_t x[3], y[3];
   for (int i = 0; i < 3; ++i) {
     x[i] = snapped(v[i].x);

@@ -29,8 +29,7 @@ struct TriangleOptions {
 // Snaps, culls and sets up a triangle. Returns false when it covers nothing. On success `planes` has
 // grown by 2 + varying_count planes and record.planes is left null for the caller to fill in.
 bool set_up_triangle(const WindowVertex (&v)[3], const float* provoking, const Viewport& viewport,
-                     const TriangleOptions& options, TriangleRecord& record,
-                     std::vector<Plane>& planes);
+                     const TriangleOptions& options, TriangleRecord& record, std::vector<Plane>& planes);
 
 // Returns false when the point is discarded: its centre lies outside the view volume.
 bool set_up_point(const float* shaded, const Viewport& viewport, PointRecord& record);

@@ -16,8 +16,7 @@ void shade_range(const VertexStage& stage, const std::vector<int>& offsets, std:
   alignas(64) float point_size[kBlock];
   alignas(64) float varyings[kMaxComponents][kBlock] = {};
   std::int32_t id[kBlock];
-  const std::size_t floats =
-      stage.mesh ? static_cast<std::size_t>(stage.mesh->floats_per_vertex()) : 0;
+  const std::size_t floats = stage.mesh ? static_cast<std::size_t>(stage.mesh->floats_per_vertex()) : 0;
   const int varying_count = stage.interface->varying_components();
   for (std::size_t block = first; block < last; block += kBlock) {
     const std::size_t used = std::min<std::size_t>(kBlock, last - block);
@@ -28,8 +27,7 @@ void shade_range(const VertexStage& stage, const std::vector<int>& offsets, std:
       point_size[lane] = 1.0f;
       if (stage.mesh)
         for (std::size_t c = 0; c < offsets.size(); ++c)
-          attributes[c][lane] =
-              stage.mesh->vertices[vertex * floats + static_cast<std::size_t>(offsets[c])];
+          attributes[c][lane] = stage.mesh->vertices[vertex * floats + static_cast<std::size_t>(offsets[c])];
     }
     stage.kernel({stage.uniforms, stage.textures, attributes, id, position, point_size, varyings});
     for (std::size_t lane = 0; lane < used; ++lane) {

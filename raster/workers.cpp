@@ -22,7 +22,8 @@ FlushDenormals::FlushDenormals() {
   _mm_setcsr((static_cast<unsigned>(saved_) & ~0x6000u) | 0x8040u | 0x1f80u);
 #elif defined(__aarch64__)
   asm volatile("mrs %0, fpcr" : "=r"(saved_));
-  // FZ, bit 24, flushes operands and results; the rounding mode is in bits 22 and 23, FEAT_FP16's flushing in bit 19.
+  // FZ, bit 24, flushes operands and results; the rounding mode is in bits 22 and 23, FEAT_FP16's flushing in
+  // bit 19.
   asm volatile("msr fpcr, %0" : : "r"((saved_ & ~0xc80000ull) | 0x1000000ull) : "memory");
 #endif
 }
@@ -70,9 +71,7 @@ struct Workers::Arena {
 };
 
 Workers::Workers(int threads)
-    : threads_(threads > 0
-                   ? threads
-                   : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
+    : threads_(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
       arena_(std::make_unique<Arena>(threads_)) {}
 
 void Workers::run(int count, const std::function<void(int)>& task) const {

@@ -36,7 +36,8 @@ else()
   list(FILTER with_random EXCLUDE REGEX "/random_scenes_test[.]cpp$")
   set_target_properties(caustics_tests PROPERTIES SOURCES "${with_random}")
 endif()
-# tinygltf ends the process when memory runs out inside it; where it is a library of its own, its allocations can be left out.
+# tinygltf ends the process when memory runs out inside it; where it is a library of its own, its allocations
+# can be left out.
 if(NOT tinygltf_target)
   get_target_property(without_memory caustics_tests SOURCES)
   list(FILTER without_memory EXCLUDE REGEX "/load_memory_test[.]cpp$")

@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/shell/atomic_file.hpp"
 #include "app/compare/difference_images.hpp"
 #include "app/compare/difference_report.hpp"
 #include "app/compare/flip_picture.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/image_layers.hpp"
+#include "app/shell/atomic_file.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 
@@ -93,8 +93,8 @@ bool check(const CompareRequest& request) {
 // Prints the report; the answer becomes the exit code.
 template <typename Result>
 ExitCode answer(const CompareRequest& request, const Result& result, bool passed) {
-  const std::string report = request.json ? report_json(request.comparison, result)
-                                          : report_text(request.comparison, result);
+  const std::string report =
+      request.json ? report_json(request.comparison, result) : report_text(request.comparison, result);
   std::fputs(report.c_str(), stdout);
   return passed ? ExitCode::Done : ExitCode::AnswerIsNo;
 }
@@ -116,13 +116,11 @@ void draw_flip(const CompareRequest& request, const Measurement& measurement) {
   if (!request.flip) return;
   for (const LayerMeasure& layer : measurement.layers) {
     if (!layer.flip) continue;
-    write_png(flip_path(request.prefix, layer.layer),
-              flip_picture(layer.flip->map, measurement.selection));
+    write_png(flip_path(request.prefix, layer.layer), flip_picture(layer.flip->map, measurement.selection));
   }
 }
 
-void draw(const std::string& prefix, const PlanesDifference& difference,
-          const Selection& selection) {
+void draw(const std::string& prefix, const PlanesDifference& difference, const Selection& selection) {
   if (const std::string reason = why_not_drawable(difference); !reason.empty()) {
     complain("no difference images: " + reason);
     return;
@@ -163,24 +161,27 @@ void add_options(Parser& parser, CompareRequest& request) {
   parser.positional("A", "an image, or a folder of render --dump", request.comparison.a);
   parser.positional("B", "what it is compared with", request.comparison.b);
   parser.group("Allowed difference, either bound suffices");
-  parser.option(
-      "--tolerance", "T", {"allowed: |A-B| up to T, in the images' unit", "0..", "0"},
-      [&](const std::string& value) { tolerance.absolute = parse_bound("--tolerance", value); });
-  parser.option(
-      "--relative", "R", {"allowed: |A-B| up to R times the larger of |A| and |B|", "0..", "0"},
-      [&](const std::string& value) { tolerance.relative = parse_bound("--relative", value); });
+  parser.option("--tolerance", "T", {"allowed: |A-B| up to T, in the images' unit", "0..", "0"},
+                [&](const std::string& value) { tolerance.absolute = parse_bound("--tolerance", value); });
+  parser.option("--relative", "R", {"allowed: |A-B| up to R times the larger of |A| and |B|", "0..", "0"},
+                [&](const std::string& value) { tolerance.relative = parse_bound("--relative", value); });
   parser.group("What is looked at, in two images");
-  parser.option("--layer", "NAME", {"the channels NAME.R, NAME.G, ... alone; those without a layer are beauty", "", "all"},
+  parser.option("--layer", "NAME",
+                {"the channels NAME.R, NAME.G, ... alone; those without a layer are beauty", "", "all"},
                 [&](const std::string& value) { request.layer = value; });
-  parser.option("--mask", "FILE", {"texels where a channel of this image other than A is above 0; it has the images' size", "", "all"},
-                [&](const std::string& value) { request.mask = value; });
+  parser.option(
+      "--mask", "FILE",
+      {"texels where a channel of this image other than A is above 0; it has the images' size", "", "all"},
+      [&](const std::string& value) { request.mask = value; });
   parser.option("--region", "X,Y,W,H", {"a rectangle of texels, counted from the top left", "", "all"},
                 [&](const std::string& value) { request.region = parse_region(value); });
   parser.group("Figures, in two images");
-  parser.flag("--flip", request.flip, "FLIP of each layer of colours as a screen shows them; with --diff also its map");
+  parser.flag("--flip", request.flip,
+              "FLIP of each layer of colours as a screen shows them; with --diff also its map");
   parser.repeated(
       "--fail-above", "METRIC=VALUE",
-      {"exit code 1 where a layer's figure is above this, instead of by the values; may stand several times", "", "none"},
+      {"exit code 1 where a layer's figure is above this, instead of by the values; may stand several times",
+       "", "none"},
       [&](const std::string& value) { request.bounds.push_back(parse_metric_bound(value)); });
   parser.group("Output");
   parser.flag("--json", request.json, "the report as JSON");
@@ -200,20 +201,18 @@ void add_options(Parser& parser, CompareRequest& request) {
 }  // namespace
 
 ExitCode run_compare(const Arguments& arguments) {
-  Parser parser(
-      "compare",
-      "Compares two images in values and figures, or two dumps of all passes value by value.",
-      "  caustics compare mine.exr reference.exr\n"
-      "  caustics compare mine.exr reference.exr --relative 1e-5 --diff where\n"
-      "  caustics compare mine.exr truth.exr --layer caustic --fail-above relative_l1=0.02\n"
-      "  caustics compare my_passes/ passes/      two folders of render --dump\n");
+  Parser parser("compare",
+                "Compares two images in values and figures, or two dumps of all passes value by value.",
+                "  caustics compare mine.exr reference.exr\n"
+                "  caustics compare mine.exr reference.exr --relative 1e-5 --diff where\n"
+                "  caustics compare mine.exr truth.exr --layer caustic --fail-above relative_l1=0.02\n"
+                "  caustics compare my_passes/ passes/      two folders of render --dump\n");
   CompareRequest request;
   add_options(parser, request);
   if (!parser.parse(arguments)) return ExitCode::Done;
   if (!check(request)) return compare_images(request);
   const Comparison& comparison = request.comparison;
-  const FolderDifference difference =
-      compare_folders(comparison.a, comparison.b, comparison.tolerance);
+  const FolderDifference difference = compare_folders(comparison.a, comparison.b, comparison.tolerance);
   return answer(request, difference, difference.verdict() != Verdict::Different);
 }
 

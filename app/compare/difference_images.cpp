@@ -85,8 +85,8 @@ double largest_magnitude(const std::vector<Image>& images) {
 
 std::string scale_text(double largest) {
   if (largest == 0.0) return "black is equal, magenta is NaN or infinite";
-  return "black is equal, white is a difference of " + significant(largest, 3) +
-         ", darkest before black " + significant(largest * std::pow(10.0, -kDecades), 3) +
+  return "black is equal, white is a difference of " + significant(largest, 3) + ", darkest before black " +
+         significant(largest * std::pow(10.0, -kDecades), 3) +
          " and less, logarithmic; magenta is NaN or infinite";
 }
 
@@ -105,8 +105,7 @@ std::string why_not_drawable(const PlanesDifference& difference) {
   return "";
 }
 
-std::string write_difference_images(const DifferencePaths& paths,
-                                    const PlanesDifference& difference,
+std::string write_difference_images(const DifferencePaths& paths, const PlanesDifference& difference,
                                     const Selection& selection) {
   const std::vector<const ChannelDifference*> channels = drawable(difference);
   std::vector<Image> images;

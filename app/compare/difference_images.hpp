@@ -21,8 +21,7 @@ std::string why_not_drawable(const PlanesDifference& difference);
 // Writes both, of the channels that could be compared (black and 0 where texels are not selected),
 // and returns the scale of the colours in words. Only where they are drawable; throws Error
 // (CannotWrite).
-std::string write_difference_images(const DifferencePaths& paths,
-                                    const PlanesDifference& difference,
+std::string write_difference_images(const DifferencePaths& paths, const PlanesDifference& difference,
                                     const Selection& selection = {});
 
 }  // namespace caustics::app

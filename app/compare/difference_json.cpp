@@ -65,14 +65,13 @@ Json channels_json(const PlanesDifference& difference) {
 }
 
 Json head(const Comparison& comparison, Verdict verdict) {
-  return {
-      {"format", 1},
-      {"program", version_line()},
-      {"a", comparison.a},
-      {"b", comparison.b},
-      {"tolerance",
-       {{"absolute", comparison.tolerance.absolute}, {"relative", comparison.tolerance.relative}}},
-      {"verdict", name_of(verdict)}};
+  return {{"format", 1},
+          {"program", version_line()},
+          {"a", comparison.a},
+          {"b", comparison.b},
+          {"tolerance",
+           {{"absolute", comparison.tolerance.absolute}, {"relative", comparison.tolerance.relative}}},
+          {"verdict", name_of(verdict)}};
 }
 
 }  // namespace

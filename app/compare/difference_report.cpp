@@ -42,9 +42,7 @@ std::string exact(float value) {
   return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
 }
 
-std::string place(const ValuePair& pair) {
-  return std::to_string(pair.x) + "," + std::to_string(pair.y);
-}
+std::string place(const ValuePair& pair) { return std::to_string(pair.x) + "," + std::to_string(pair.y); }
 
 bool is_finite(const ValuePair& pair) { return std::isfinite(pair.a) && std::isfinite(pair.b); }
 
@@ -70,8 +68,7 @@ const ChannelDifference* worst_channel(const PlanesDifference& difference) {
 
 std::string worst_text(const ChannelDifference& channel) {
   const ValuePair& pair = *channel.values.worst;
-  return one_line(channel.name) + " at " + place(pair) + ": A " + exact(pair.a) + ", B " +
-         exact(pair.b);
+  return one_line(channel.name) + " at " + place(pair) + ": A " + exact(pair.a) + ", B " + exact(pair.b);
 }
 
 TextRow channel_row(const ChannelDifference& channel) {
@@ -81,10 +78,10 @@ TextRow channel_row(const ChannelDifference& channel) {
     return row;
   }
   const ValueDifference& d = channel.values;
-  row.insert(row.end(), {grouped(d.differing), significant(d.absolute.largest, 4),
-                         significant(d.absolute.p999, 4), significant(d.absolute.mean, 4),
-                         significant(d.relative.largest, 4),
-                         grouped(static_cast<std::uint64_t>(d.ulps.largest))});
+  row.insert(row.end(),
+             {grouped(d.differing), significant(d.absolute.largest, 4), significant(d.absolute.p999, 4),
+              significant(d.absolute.mean, 4), significant(d.relative.largest, 4),
+              grouped(static_cast<std::uint64_t>(d.ulps.largest))});
   row.push_back(d.worst ? place(*d.worst) : "-");
   row.push_back(d.worst ? exact(d.worst->a) : "-");
   row.push_back(d.worst ? exact(d.worst->b) : "-");
@@ -126,9 +123,8 @@ std::string verdict_line(const PlanesDifference& difference) {
     return line + grouped(difference.differing_values()) + " of " + values +
            " differ, none by more than is allowed\n";
   }
-  const auto unmatched =
-      std::count_if(difference.channels.begin(), difference.channels.end(),
-                    [](const ChannelDifference& each) { return !each.mismatch.empty(); });
+  const auto unmatched = std::count_if(difference.channels.begin(), difference.channels.end(),
+                                       [](const ChannelDifference& each) { return !each.mismatch.empty(); });
   if (unmatched > 0)
     line += counted(static_cast<std::size_t>(unmatched), "channel") + " without a counterpart; ";
   line += grouped(difference.failing_values()) + " of " + values + " fail";
@@ -172,14 +168,14 @@ std::string ImageAnswer::fatal() const {
 
 bool ImageAnswer::passed() const {
   if (bounds.empty()) return difference.verdict() != Verdict::Different;
-  return fatal().empty() && std::all_of(bounds.begin(), bounds.end(),
-                                        [](const BoundAnswer& each) { return each.holds; });
+  return fatal().empty() &&
+         std::all_of(bounds.begin(), bounds.end(), [](const BoundAnswer& each) { return each.holds; });
 }
 
 std::string report_text(const Comparison& comparison, const ImageAnswer& answer) {
   const PlanesDifference& difference = answer.difference;
   std::vector<TextRow> rows = {{"channel", "differing", "max |A-B|", "99.9%", "mean", "max relative",
-                            "max ULPs", "worst x,y", "A", "B"}};
+                                "max ULPs", "worst x,y", "A", "B"}};
   std::string non_finite;
   for (const ChannelDifference& channel : difference.channels) {
     rows.push_back(channel_row(channel));
@@ -187,8 +183,7 @@ std::string report_text(const Comparison& comparison, const ImageAnswer& answer)
   }
   return table(rows) + non_finite + "x,y counts from the top left\n" +
          measurement_text(difference, answer.measurement) + tolerance_text(comparison.tolerance) +
-         verdict_line(difference) +
-         (answer.bounds.empty() ? "" : bounds_line(answer.bounds, answer.fatal()));
+         verdict_line(difference) + (answer.bounds.empty() ? "" : bounds_line(answer.bounds, answer.fatal()));
 }
 
 std::string report_text(const Comparison& comparison, const FolderDifference& difference) {
@@ -199,8 +194,8 @@ std::string report_text(const Comparison& comparison, const FolderDifference& di
     rows.push_back(attachment_row(attachment));
     different += attachment.verdict() == Verdict::Different;
   }
-  std::string text = table(rows) + "x,y counts from the top left\n" +
-                     tolerance_text(comparison.tolerance) + name_of(difference.verdict()) + ": ";
+  std::string text = table(rows) + "x,y counts from the top left\n" + tolerance_text(comparison.tolerance) +
+                     name_of(difference.verdict()) + ": ";
   const std::string attachments = counted(difference.attachments.size(), "attachment");
   if (different == 0) return text + attachments + "\n";
   return text + std::to_string(different) + " of " + attachments +

@@ -34,13 +34,12 @@ DumpedAttachment attachment_of(const fs::path& manifest, const Json& entry) {
     refuse(manifest, "'" + file.string() + "' is no file of this folder");
   }
   return {text_of(manifest, entry, "pass") + "/" + text_of(manifest, entry, "attachment"),
-          entry.contains("format") ? text_of(manifest, entry, "format") : "",
-          manifest.parent_path() / file};
+          entry.contains("format") ? text_of(manifest, entry, "format") : "", manifest.parent_path() / file};
 }
 
 const DumpedAttachment* find(const std::vector<DumpedAttachment>& list, const std::string& name) {
-  const auto found = std::find_if(list.begin(), list.end(),
-                                  [&](const DumpedAttachment& each) { return each.name == name; });
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const DumpedAttachment& each) { return each.name == name; });
   return found == list.end() ? nullptr : &*found;
 }
 
@@ -86,8 +85,7 @@ std::vector<DumpedAttachment> read_manifest(const fs::path& folder) {
   }
   std::ifstream stream(manifest, std::ios::binary);
   const Json document = Json::parse(stream, nullptr, false);
-  if (!document.is_object() || !document.contains("attachments") ||
-      !document["attachments"].is_array()) {
+  if (!document.is_object() || !document.contains("attachments") || !document["attachments"].is_array()) {
     refuse(manifest, "is no JSON with a list 'attachments'");
   }
   std::vector<DumpedAttachment> attachments;

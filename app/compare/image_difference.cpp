@@ -31,8 +31,8 @@ std::string mismatch_of(const Plane* a, const Plane* b) {
   return shape_a == shape_b ? "" : "A is " + shape_a + ", B is " + shape_b;
 }
 
-ValueDifference difference_within(const Selection& selection, const ChannelView& a,
-                                  const ChannelView& b, const Tolerance& tolerance) {
+ValueDifference difference_within(const Selection& selection, const ChannelView& a, const ChannelView& b,
+                                  const Tolerance& tolerance) {
   if (selection.all()) return difference(a, b, tolerance);
   DifferenceCounter counter(tolerance);
   for (int y = 0; y < a.height; ++y) {
@@ -104,8 +104,8 @@ std::size_t PlanesDifference::differing_values() const {
   return sum;
 }
 
-PlanesDifference compare_planes(const ImagePlanes& a, const ImagePlanes& b,
-                                const Tolerance& tolerance, const Selection& selection) {
+PlanesDifference compare_planes(const ImagePlanes& a, const ImagePlanes& b, const Tolerance& tolerance,
+                                const Selection& selection) {
   PlanesDifference result;
   for (const Plane& plane : a.planes) {
     result.channels.push_back(compare_channel(&plane, find(b, plane.name), tolerance, selection));

@@ -39,8 +39,8 @@ struct PlanesDifference {
 };
 
 // Of the selected texels alone.
-PlanesDifference compare_planes(const ImagePlanes& a, const ImagePlanes& b,
-                                const Tolerance& tolerance, const Selection& selection = {});
+PlanesDifference compare_planes(const ImagePlanes& a, const ImagePlanes& b, const Tolerance& tolerance,
+                                const Selection& selection = {});
 
 // Values of a channel that make it fail: beyond the tolerance, or NaN in both.
 std::size_t failing(const ValueDifference& difference);

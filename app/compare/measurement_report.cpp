@@ -11,9 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string shown(const std::optional<double>& value) {
-  return value ? significant(*value, 4) : "-";
-}
+std::string shown(const std::optional<double>& value) { return value ? significant(*value, 4) : "-"; }
 
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
@@ -48,8 +46,7 @@ std::string flip_text(const LayerMeasure& layer) {
   return "FLIP of " + name + ": mean " + significant(f.mean, 4) + ", weighted median " +
          significant(f.median, 4) + " (quartiles " + significant(f.first_quartile, 4) + ", " +
          significant(f.third_quartile, 4) + "), largest " + significant(f.largest, 4) +
-         (layer.flip->exposure ? "; exposure " + significant(*layer.flip->exposure, 4)
-                               : "; display values") +
+         (layer.flip->exposure ? "; exposure " + significant(*layer.flip->exposure, 4) : "; display values") +
          "\n";
 }
 
@@ -84,8 +81,8 @@ Json flip_json(const LayerFlip& flip) {
 std::string measurement_text(const PlanesDifference& difference, const Measurement& measurement) {
   if (measurement.layers.empty()) return "";
   Table table({false, true, true, true, true, true, true, true, true, true, true});
-  table.row({"A from B", "relative L1", "RMSE", "relMSE 1", "4", "16", "clipped 1", "4", "16",
-             "flux A/B", "PSNR dB"});
+  table.row({"A from B", "relative L1", "RMSE", "relMSE 1", "4", "16", "clipped 1", "4", "16", "flux A/B",
+             "PSNR dB"});
   for (std::size_t i = 0; i < difference.channels.size(); ++i) {
     const ChannelDifference& channel = difference.channels[i];
     if (!channel.mismatch.empty()) continue;

@@ -31,7 +31,6 @@ struct BoundAnswer {
 };
 
 // One for each bound. A bound of FLIP is about layers of colours.
-std::vector<BoundAnswer> judge(const std::vector<MetricBound>& bounds,
-                               const Measurement& measurement);
+std::vector<BoundAnswer> judge(const std::vector<MetricBound>& bounds, const Measurement& measurement);
 
 }  // namespace caustics::app

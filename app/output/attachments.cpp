@@ -2,9 +2,8 @@
 
 namespace caustics::app {
 
-void for_each_attachment(
-    const RenderedFrame& frame, const PlannedPass& pass,
-    const std::function<void(const PlannedTexture& texture, const Image& image)>& use) {
+void for_each_attachment(const RenderedFrame& frame, const PlannedPass& pass,
+                         const std::function<void(const PlannedTexture& texture, const Image& image)>& use) {
   std::vector<int> attachments = pass.writes;
   if (pass.depth >= 0) attachments.push_back(pass.depth);
   for (const int index : attachments) {

@@ -7,8 +7,7 @@
 namespace caustics::app {
 
 // Calls `use` with each attachment that the pass wrote, colours first, depth last.
-void for_each_attachment(
-    const RenderedFrame& frame, const PlannedPass& pass,
-    const std::function<void(const PlannedTexture& texture, const Image& image)>& use);
+void for_each_attachment(const RenderedFrame& frame, const PlannedPass& pass,
+                         const std::function<void(const PlannedTexture& texture, const Image& image)>& use);
 
 }  // namespace caustics::app

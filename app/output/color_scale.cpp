@@ -9,8 +9,8 @@ Color cubehelix(double level) {
   const double angle = 2.0 * std::numbers::pi * (0.5 / 3.0 + 1.0 - 1.5 * level);
   const double amplitude = level * (1.0 - level) / 2.0;
   const double c = std::cos(angle), s = std::sin(angle);
-  return {level + amplitude * (-0.14861 * c + 1.78277 * s),
-          level + amplitude * (-0.29227 * c - 0.90649 * s), level + amplitude * 1.97294 * c};
+  return {level + amplitude * (-0.14861 * c + 1.78277 * s), level + amplitude * (-0.29227 * c - 0.90649 * s),
+          level + amplitude * 1.97294 * c};
 }
 
 }  // namespace caustics::app

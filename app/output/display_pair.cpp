@@ -29,8 +29,7 @@ bool find_colors(const std::vector<const ChannelDifference*>& channels, Colors& 
 }
 
 bool any_integers(const Colors& colors) {
-  return std::any_of(colors.begin(), colors.end(),
-                     [](const Plane* each) { return each->integers; });
+  return std::any_of(colors.begin(), colors.end(), [](const Plane* each) { return each->integers; });
 }
 
 Image image_of(const Colors& colors) {
@@ -47,8 +46,7 @@ Image image_of(const Colors& colors) {
 }
 
 double luminance_at(const Image& image, int x, int y) {
-  return 0.2126 * static_cast<double>(image.at(x, y, 0)) +
-         0.7152 * static_cast<double>(image.at(x, y, 1)) +
+  return 0.2126 * static_cast<double>(image.at(x, y, 0)) + 0.7152 * static_cast<double>(image.at(x, y, 1)) +
          0.0722 * static_cast<double>(image.at(x, y, 2));
 }
 
@@ -73,10 +71,9 @@ Image toned(Device& device, const Image& linear, double exposure) {
   const OwnedTexture input(device, device.upload(linear));
   const OwnedTexture output(device, device.create_texture(Format::RGBA8, linear.width(), linear.height()));
   PassRun run{.definition = &definition, .colors = {output.id()}};
-  run.draws.push_back(
-      {.vertex_count = 3,
-       .uniforms = pass.uniforms(PassContext{.exposure = static_cast<float>(exposure)}),
-       .textures = {input.id()}});
+  run.draws.push_back({.vertex_count = 3,
+                       .uniforms = pass.uniforms(PassContext{.exposure = static_cast<float>(exposure)}),
+                       .textures = {input.id()}});
   device.run(run);
   return device.read_back(output.id());
 }
@@ -97,8 +94,7 @@ DisplayPair display_pair(const Image& a, const Image& b, const Selection& select
   return pair;
 }
 
-DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels,
-                         const Selection& selection) {
+DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels, const Selection& selection) {
   DisplayPair pair;
   Colors a{}, b{};
   if (!find_colors(channels, a, b)) {

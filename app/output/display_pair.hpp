@@ -25,7 +25,6 @@ DisplayPair display_pair(const Image& a, const Image& b, const Selection& select
 
 // Of the channels R, G and B of one layer, which both images have in one size. Channels stored as
 // integers are display values already, others linear light.
-DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels,
-                         const Selection& selection);
+DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels, const Selection& selection);
 
 }  // namespace caustics::app

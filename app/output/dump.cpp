@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/shell/atomic_file.hpp"
 #include "app/output/attachments.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/stats.hpp"
+#include "app/shell/atomic_file.hpp"
 
 namespace caustics::app {
 
@@ -30,7 +30,8 @@ void make_dump_folder(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / "manifest.json", error);
 }
 
-Dump::Dump(const std::filesystem::path& folder) : folder_(folder), manifest_(std::make_unique<nlohmann::ordered_json>()) {
+Dump::Dump(const std::filesystem::path& folder)
+    : folder_(folder), manifest_(std::make_unique<nlohmann::ordered_json>()) {
   make_dump_folder(folder);
   (*manifest_)["attachments"] = nlohmann::ordered_json::array();
 }
@@ -40,16 +41,16 @@ Dump::~Dump() = default;
 void Dump::add(const RenderedFrame& frame, const PlannedPass& pass) {
   for_each_attachment(frame, pass, [&](const PlannedTexture& texture, const Image& image) {
     const std::size_t number = (*manifest_)["attachments"].size();
-    const std::string file = (number < 10 ? "0" : "") + std::to_string(number) + "_" +
-                             file_part(pass.label) + "." + file_part(texture.name) + ".exr";
+    const std::string file = (number < 10 ? "0" : "") + std::to_string(number) + "_" + file_part(pass.label) +
+                             "." + file_part(texture.name) + ".exr";
     write_exr(folder_ / file, channels_of(image));
     (*manifest_)["attachments"].push_back({{"pass", pass.label},
-                                        {"attachment", texture.name},
-                                        {"format", format_name(texture.format)},
-                                        {"width", texture.width},
-                                        {"height", texture.height},
-                                        {"sha256", sha256(image)},
-                                        {"file", file}});
+                                           {"attachment", texture.name},
+                                           {"format", format_name(texture.format)},
+                                           {"width", texture.width},
+                                           {"height", texture.height},
+                                           {"sha256", sha256(image)},
+                                           {"file", file}});
   });
 }
 

@@ -33,9 +33,7 @@ std::string layer_of(const std::string& channel) {
   return dot == std::string::npos ? "" : channel.substr(0, dot);
 }
 
-std::string channel_in_layer(const std::string& channel) {
-  return channel.substr(channel.rfind('.') + 1);
-}
+std::string channel_in_layer(const std::string& channel) { return channel.substr(channel.rfind('.') + 1); }
 
 bool is_color(const std::string& channel) {
   const std::string name = channel_in_layer(channel);

@@ -49,15 +49,14 @@ void require_readable(const fs::path& path, const OIIO::ImageSpec& spec) {
   if (spec.depth > 1) refuse_image(path, "is a volume; only flat images are compared");
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse_image(path, "has no pixels");
   if (std::int64_t{spec.width} * spec.height > kMostValues / spec.nchannels) {
-    refuse_image(path, "says that it is " + std::to_string(spec.width) + "x" +
-                     std::to_string(spec.height) + " with " + std::to_string(spec.nchannels) +
-                     " channels, which is too large");
+    refuse_image(path, "says that it is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+                           " with " + std::to_string(spec.nchannels) + " channels, which is too large");
   }
   for (int c = 0; c < spec.nchannels; ++c) {
     if (is_wide_integer(spec.channelformat(c))) {
       refuse_image(path, "channel " + std::string(spec.channel_name(c)) +
-                       " holds 32-bit integers; only floats, halves and 8- or 16-bit integers are "
-                       "compared");
+                             " holds 32-bit integers; only floats, halves and 8- or 16-bit integers are "
+                             "compared");
     }
   }
 }
@@ -68,13 +67,12 @@ std::string plane_name(const OIIO::ImageSpec& spec, int channel, const std::stri
   return part.empty() || name.rfind(part + ".", 0) == 0 ? name : part + "." + name;
 }
 
-void add_part(const fs::path& path, OIIO::ImageInput& input, int number, bool several,
-              ImagePlanes& image) {
+void add_part(const fs::path& path, OIIO::ImageInput& input, int number, bool several, ImagePlanes& image) {
   const OIIO::ImageSpec& spec = input.spec();
   require_readable(path, spec);
   const auto channels = static_cast<std::size_t>(spec.nchannels);
-  std::vector<float>& values = image.storage.emplace_back(
-      static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * channels);
+  std::vector<float>& values = image.storage.emplace_back(static_cast<std::size_t>(spec.width) *
+                                                          static_cast<std::size_t>(spec.height) * channels);
   if (!input.read_image(number, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
     refuse_image(path, "cannot be decoded: " + reason(input.geterror()));
   }

@@ -23,14 +23,13 @@ std::string ledger_sentence(const Scene& scene, const LightLedger& entry) {
   const std::string light = "light " + light_label(scene, entry.light) + ": ";
   const double entered = sum(entry.ledger.entered);
   if (!(entered > 0.0)) return light + "no light reaches a caster";
-  std::string line = light + percent(sum(entry.ledger.in_map) / entered) +
-                     " of the light onto its casters is in the map";
+  std::string line =
+      light + percent(sum(entry.ledger.in_map) / entered) + " of the light onto its casters is in the map";
   std::string losses;
   for (const auto& [name, flux] : accounts(entry.ledger)) {
     const bool loss = std::string(name) != "entered" && std::string(name) != "in_map";
     if (!loss || !(sum(flux) > 0.001 * entered)) continue;
-    losses +=
-        (losses.empty() ? "; lost: " : ", ") + words(name) + " " + percent(sum(flux) / entered);
+    losses += (losses.empty() ? "; lost: " : ", ") + words(name) + " " + percent(sum(flux) / entered);
   }
   return line + losses;
 }
@@ -38,8 +37,9 @@ std::string ledger_sentence(const Scene& scene, const LightLedger& entry) {
 // "estimated error 1.2% (map 0.9%, grid 0.2%, missing 0.1%)"; empty where there is no estimate.
 std::string error_text(const ErrorEstimate& error) {
   if (!(error.landed > 0.0)) return {};
-  return "; estimated error " + percent(error.total()) + " (map " + percent(error.relative(error.map)) + ", grid " +
-         percent(error.relative(error.grid)) + ", missing " + percent(error.relative(error.missing)) + ")";
+  return "; estimated error " + percent(error.total()) + " (map " + percent(error.relative(error.map)) +
+         ", grid " + percent(error.relative(error.grid)) + ", missing " +
+         percent(error.relative(error.missing)) + ")";
 }
 
 void print_some(const char* kind, const std::vector<std::string>& sentences) {
@@ -73,8 +73,7 @@ std::vector<std::string> missing_caustics(const Scene& scene, const std::vector<
       ++same->more;
     } else {
       groups.push_back(
-          {e.reason,
-           "light " + light_label(scene, e.light) + " through " + mesh_label(scene, e.mesh), 0});
+          {e.reason, "light " + light_label(scene, e.light) + " through " + mesh_label(scene, e.mesh), 0});
     }
   }
   std::vector<std::string> sentences;
@@ -82,16 +81,14 @@ std::vector<std::string> missing_caustics(const Scene& scene, const std::vector<
     sentences.emplace_back("nothing in the scene bends or mirrors light");
   }
   for (const Group& group : groups) {
-    const std::string others =
-        group.more == 0 ? "" : " (and " + std::to_string(group.more) + " more)";
+    const std::string others = group.more == 0 ? "" : " (and " + std::to_string(group.more) + " more)";
     sentences.push_back(group.first + others + ": " + group.reason);
   }
   return sentences;
 }
 
-void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
-                   const Timing& timing, const std::vector<std::filesystem::path>& outputs,
-                   int drawn) {
+void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers, const Timing& timing,
+                   const std::vector<std::filesystem::path>& outputs, int drawn) {
   print_some("note", frame.scene().notes);
   print_some("no caustic",
              missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)));
@@ -105,8 +102,8 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
     files += (files.empty() ? "" : ", ") + one_line(file.string());
   }
   const std::string frames = drawn > 0 ? ", " + std::to_string(drawn) + " frames" : "";
-  std::fprintf(stderr, "%s: %dx%d%s in %s (load %s, prepare %s, passes %s, write %s) on %s\n",
-               files.c_str(), frame.settings().width, frame.settings().height, frames.c_str(),
+  std::fprintf(stderr, "%s: %dx%d%s in %s (load %s, prepare %s, passes %s, write %s) on %s\n", files.c_str(),
+               frame.settings().width, frame.settings().height, frames.c_str(),
                duration_text(timing.total).c_str(), duration_text(timing.load).c_str(),
                duration_text(timing.prepare).c_str(), duration_text(timing.passes).c_str(),
                duration_text(timing.write).c_str(), one_line(frame.device().description()).c_str());

@@ -8,9 +8,8 @@
 namespace caustics::app {
 
 // `drawn` is the number of frames of a row, 0 for a single picture.
-void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
-                   const Timing& timing, const std::vector<std::filesystem::path>& outputs,
-                   int drawn);
+void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers, const Timing& timing,
+                   const std::vector<std::filesystem::path>& outputs, int drawn);
 
 // Why some caster throws no caustic, one sentence each, equal reasons gathered: "light 'sun'
 // through 'pane': thin wall ...".

@@ -19,10 +19,16 @@ struct VideoFormat {
 };
 
 // sRGB's red, green and blue are those of BT.709; players are told what is stored.
-const std::vector<std::string> kColours = {
-    "-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
-    "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1",
-    "-color_range", "tv"};
+const std::vector<std::string> kColours = {"-vf",
+                                           "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+                                           "-colorspace",
+                                           "bt709",
+                                           "-color_primaries",
+                                           "bt709",
+                                           "-color_trc",
+                                           "iec61966-2-1",
+                                           "-color_range",
+                                           "tv"};
 
 std::vector<std::string> with_colours(std::vector<std::string> options) {
   options.insert(options.end(), kColours.begin(), kColours.end());
@@ -41,7 +47,9 @@ const std::vector<VideoFormat>& formats() {
       {".mkv", "matroska", true, with_colours(x264)},
       {".webm", "webm", true,
        with_colours({"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1"})},
-      {".gif", "gif", false,
+      {".gif",
+       "gif",
+       false,
        {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse", "-loop", "0"}}};
   return list;
 }
@@ -49,21 +57,37 @@ const std::vector<VideoFormat>& formats() {
 const VideoFormat* format_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  const auto found =
-      std::find_if(formats().begin(), formats().end(),
-                   [&](const VideoFormat& format) { return extension == format.extension; });
+  const auto found = std::find_if(formats().begin(), formats().end(),
+                                  [&](const VideoFormat& format) { return extension == format.extension; });
   return found == formats().end() ? nullptr : &*found;
 }
 
 // No dates, no versions: as far as ffmpeg allows, the same frames give the same bytes.
-std::vector<std::string> arguments_for(const VideoFormat& format, const std::string& output,
-                                       int width, int height, double rate) {
-  std::vector<std::string> arguments = {
-      find_program("ffmpeg").string(), "-hide_banner", "-loglevel", "error", "-nostdin", "-y",
-      "-f", "rawvideo", "-pixel_format", "rgb24",
-      "-video_size", std::to_string(width) + "x" + std::to_string(height),
-      "-framerate", significant(rate, 9), "-i", "pipe:0", "-an", "-map_metadata", "-1",
-      "-fflags", "+bitexact", "-flags:v", "+bitexact"};
+std::vector<std::string> arguments_for(const VideoFormat& format, const std::string& output, int width,
+                                       int height, double rate) {
+  std::vector<std::string> arguments = {find_program("ffmpeg").string(),
+                                        "-hide_banner",
+                                        "-loglevel",
+                                        "error",
+                                        "-nostdin",
+                                        "-y",
+                                        "-f",
+                                        "rawvideo",
+                                        "-pixel_format",
+                                        "rgb24",
+                                        "-video_size",
+                                        std::to_string(width) + "x" + std::to_string(height),
+                                        "-framerate",
+                                        significant(rate, 9),
+                                        "-i",
+                                        "pipe:0",
+                                        "-an",
+                                        "-map_metadata",
+                                        "-1",
+                                        "-fflags",
+                                        "+bitexact",
+                                        "-flags:v",
+                                        "+bitexact"};
   arguments.insert(arguments.end(), format.options.begin(), format.options.end());
   // "file:" keeps ffmpeg from reading a protocol into the name.
   arguments.insert(arguments.end(), {"-f", format.container, "file:" + output});
@@ -78,9 +102,9 @@ bool is_video(const std::filesystem::path& file) { return format_of(file) != nul
 
 void require_ffmpeg(const std::filesystem::path& file) {
   if (!find_program("ffmpeg").empty()) return;
-  throw Error(ExitCode::WrongUsage,
-              file.string() + ": films need the program ffmpeg, which is not installed here; write "
-                              "pictures instead, as in -o frame.%04d.png");
+  throw Error(ExitCode::WrongUsage, file.string() +
+                                        ": films need the program ffmpeg, which is not installed here; write "
+                                        "pictures instead, as in -o frame.%04d.png");
 }
 
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height, double rate)
@@ -93,8 +117,7 @@ VideoFile::VideoFile(const std::filesystem::path& file, int width, int height, d
 }
 
 void VideoFile::fail() {
-  throw Error(ExitCode::CannotWrite,
-              file_.string() + ": ffmpeg failed: " + one_line(ffmpeg_->complaint()));
+  throw Error(ExitCode::CannotWrite, file_.string() + ": ffmpeg failed: " + one_line(ffmpeg_->complaint()));
 }
 
 void VideoFile::add(const Image& picture) {

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/output/stats.hpp"
+#include "app/paper/row.hpp"
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
-#include "app/paper/row.hpp"
-#include "app/output/stats.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
@@ -52,8 +52,8 @@ std::vector<Row> wanted_rows(const PaperRequest& request) {
   for (const Row& row : rows) ids.push_back(row.id);
   for (const std::string& id : request.rows)
     if (std::find(ids.begin(), ids.end(), id) == ids.end())
-      throw Error(ExitCode::WrongUsage, "there is no row '" + one_line(id).substr(0, 60) + "'; the nearest is '" +
-                                            nearest_name(id, ids) + "'");
+      throw Error(ExitCode::WrongUsage, "there is no row '" + one_line(id).substr(0, 60) +
+                                            "'; the nearest is '" + nearest_name(id, ids) + "'");
   if (!request.rows.empty())
     std::erase_if(rows, [&](const Row& row) {
       return std::find(request.rows.begin(), request.rows.end(), row.id) == request.rows.end();
@@ -66,8 +66,8 @@ std::string markdown(const std::vector<Done>& done, const Shots& shots) {
                      ", `caustics paper`. Times are of this machine.\n\n"
                      "| row | what | expected | found | |\n|---|---|---|---|---|\n";
   for (const Done& d : done)
-    text += "| " + d.row.id + " | " + d.row.thing + " | " + d.row.expected + " | " + d.finding.figure + " | " +
-            (d.finding.holds ? "holds" : "**does not hold**") + " |\n";
+    text += "| " + d.row.id + " | " + d.row.thing + " | " + d.row.expected + " | " + d.finding.figure +
+            " | " + (d.finding.holds ? "holds" : "**does not hold**") + " |\n";
   for (const Done& d : done) {
     text += "\n## " + d.row.id + ": " + d.row.thing + "\n\n";
     for (const Shot& shot : d.row.shots) text += "    " + shots.command(shot.name) + "\n";

@@ -15,10 +15,11 @@ struct Finding {
 };
 
 struct Row {
-  std::string id;      // of docs/paper.md
-  std::string thing;   // what the paper names
+  std::string id;     // of docs/paper.md
+  std::string thing;  // what the paper names
   std::vector<Shot> shots;
-  std::string picture; // the name of the picture that shows it, a shot's or one that `check` draws; empty: none does
+  std::string
+      picture;  // the name of the picture that shows it, a shot's or one that `check` draws; empty: none does
   std::string expected;
   std::function<Finding(const Shots&)> check;
 };

@@ -17,8 +17,8 @@ namespace {
 fs::path find_scene(const std::string& name) {
   for (const std::string& scene : sample_scenes())
     if (fs::path(scene).filename() == name) return scene;
-  throw Error(ExitCode::BadInput, "the sample scene '" + name + "' is missing; 'scenes/make_scenes.py " + name +
-                                      "' makes it");
+  throw Error(ExitCode::BadInput,
+              "the sample scene '" + name + "' is missing; 'scenes/make_scenes.py " + name + "' makes it");
 }
 
 std::string joined(const Arguments& words) {
@@ -32,7 +32,8 @@ Image image_of(const FloorLayer& layer) {
   for (int y = 0; y < layer.height; ++y)
     for (int x = 0; x < layer.width; ++x)
       for (int c = 0; c < 3; ++c)
-        image.at(x, layer.height - 1 - y, c) = static_cast<float>(layer.at(x, y)[static_cast<std::size_t>(c)]);
+        image.at(x, layer.height - 1 - y, c) =
+            static_cast<float>(layer.at(x, y)[static_cast<std::size_t>(c)]);
   return image;
 }
 
@@ -56,7 +57,8 @@ void Shots::take(const Shot& shot) {
   commands_[shot.name] = "caustics render scenes/" + shot.scene + joined(arguments) + outputs;
   arguments.insert(arguments.begin(), find_scene(shot.scene).string());
   const fs::path stats = file(shot.name, ".json");
-  arguments.insert(arguments.end(), {"-o", file(shot.name, ".png").string(), "--stats", stats.string(), "--quiet"});
+  arguments.insert(arguments.end(),
+                   {"-o", file(shot.name, ".png").string(), "--stats", stats.string(), "--quiet"});
   if (!shot.layers.empty()) arguments.insert(arguments.end(), {"-o", file(shot.name, ".exr").string()});
   run_render(arguments);
   std::ifstream in(stats);
@@ -65,7 +67,8 @@ void Shots::take(const Shot& shot) {
 
 void Shots::trace(const Shot& shot) {
   Arguments arguments = shot.options;
-  commands_[shot.name] = "caustics reference scenes/" + shot.scene + joined(arguments) + " -o " + shot.name + ".exr";
+  commands_[shot.name] =
+      "caustics reference scenes/" + shot.scene + joined(arguments) + " -o " + shot.name + ".exr";
   arguments.insert(arguments.begin(), find_scene(shot.scene).string());
   arguments.insert(arguments.end(), {"-o", file(shot.name, ".exr").string(), "--quiet"});
   run_reference(arguments);
@@ -92,8 +95,12 @@ void Shots::draw_side_by_side(const std::vector<std::string>& tested, const std:
 }
 
 double Shots::flux(const std::string& name, const std::string& account, int channel, int light) const {
-  return stats(name).at("lights").at(static_cast<std::size_t>(light)).at("flux").at(account).at(
-      static_cast<std::size_t>(channel));
+  return stats(name)
+      .at("lights")
+      .at(static_cast<std::size_t>(light))
+      .at("flux")
+      .at(account)
+      .at(static_cast<std::size_t>(channel));
 }
 
 double Shots::share(const std::string& name, const std::string& account, int light) const {
@@ -107,7 +114,8 @@ double Shots::share(const std::string& name, const std::string& account, int lig
 
 double Shots::residual(const std::string& name) const {
   double worst = 0.0;
-  for (const auto& light : stats(name).at("lights")) worst = std::max<double>(worst, light.at("flux").at("residual"));
+  for (const auto& light : stats(name).at("lights"))
+    worst = std::max<double>(worst, light.at("flux").at("residual"));
   return worst;
 }
 
@@ -129,8 +137,7 @@ FloorLayer Shots::layer(const std::string& name, const std::string& wanted) cons
     channel.append(".").append(1, "RGB"[c]);
     const auto found = std::find_if(planes.planes.begin(), planes.planes.end(),
                                     [&](const Plane& plane) { return plane.name == channel; });
-    if (found == planes.planes.end())
-      lacks_layer(name, wanted);
+    if (found == planes.planes.end()) lacks_layer(name, wanted);
     const ChannelView& view = found->view;
     result.width = view.width;
     result.height = view.height;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/shell/command.hpp"
 #include "app/output/image_planes.hpp"
+#include "app/shell/command.hpp"
 
 namespace caustics::app {
 
@@ -25,7 +25,8 @@ struct FloorLayer {
   int width = 0, height = 0;
   std::vector<std::array<double, 3>> pixels;
   const std::array<double, 3>& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
   }
 };
 
@@ -47,9 +48,10 @@ class Shots {
   FloorLayer layer(const std::string& name, const std::string& layer) const;
   // Sum of |a - b| over the sum of b, of all channels of a layer.
   double relative_l1(const std::string& a, const std::string& b, const std::string& layer) const;
-  // NAME.png: a layer of shots of one view beside that of `truth`, and their differences below (side_by_side.hpp).
-  void draw_side_by_side(const std::vector<std::string>& tested, const std::string& truth, const std::string& layer,
-                         const std::string& name) const;
+  // NAME.png: a layer of shots of one view beside that of `truth`, and their differences below
+  // (side_by_side.hpp).
+  void draw_side_by_side(const std::vector<std::string>& tested, const std::string& truth,
+                         const std::string& layer, const std::string& name) const;
   std::filesystem::path file(const std::string& name, const std::string& extension) const;
   // "caustics render scenes/glass_sphere.glb --grid 64 -o sphere.png", as a person would type it.
   std::string command(const std::string& name) const { return commands_.at(name); }

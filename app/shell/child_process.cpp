@@ -64,8 +64,7 @@ fs::path find_program(const std::string& name) {
     const std::size_t end = std::min(list.find(':', start), list.size());
     fs::path file = fs::path(list.substr(start, end - start)) / name;
     std::error_code error;
-    if (end > start && fs::is_regular_file(file, error) && access(file.c_str(), X_OK) == 0)
-      return file;
+    if (end > start && fs::is_regular_file(file, error) && access(file.c_str(), X_OK) == 0) return file;
     start = end + 1;
   }
   return {};
@@ -86,8 +85,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) list.push_back(const_cast<char*>(argument.c_str()));
   list.push_back(nullptr);
   const SpawnSetup setup(ends[0], fileno(complaints_));
-  const int error = posix_spawn(&process_, arguments[0].c_str(), &setup.files, &setup.attributes,
-                                list.data(), environ);
+  const int error =
+      posix_spawn(&process_, arguments[0].c_str(), &setup.files, &setup.attributes, list.data(), environ);
   close(ends[0]);
   input_ = ends[1];
   if (error == 0) return;

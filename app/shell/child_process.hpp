@@ -32,7 +32,7 @@ class ChildProcess {
 
  private:
   pid_t process_ = -1;
-  int input_ = -1;   // the end that this program writes to
+  int input_ = -1;  // the end that this program writes to
   int status_ = 0;
   std::FILE* complaints_ = nullptr;
 };

@@ -21,15 +21,17 @@ std::optional<Trial> try_sizes(FrameRequest request, int grid, int map) {
   return trial_of(frame, std::min(once, sum_of_passes(frame.run())));
 }
 
-std::string demand_text(const Demand& demand, const Trial& expected, const Trial& found, double milliseconds) {
+std::string demand_text(const Demand& demand, const Trial& expected, const Trial& found,
+                        double milliseconds) {
   const auto figures = [](const Trial& trial) {
     return percent(trial.error()) + " in " + duration_text(trial.milliseconds);
   };
   const std::string asked = demand.error ? "an error of " + percent(*demand.error)
                                          : "passes within " + duration_text(*demand.milliseconds);
   return std::string(meets(found, demand) ? "" : "missed: ") + "asked for " + asked + ": chose --grid " +
-         std::to_string(found.grid) + " --map " + std::to_string(found.map) + ", expected " + figures(expected) +
-         ", found " + figures(found) + " (choosing took " + duration_text(milliseconds) + ")\n";
+         std::to_string(found.grid) + " --map " + std::to_string(found.map) + ", expected " +
+         figures(expected) + ", found " + figures(found) + " (choosing took " + duration_text(milliseconds) +
+         ")\n";
 }
 
 double sum_of_passes(const std::vector<PassReport>& reports) {
@@ -41,7 +43,8 @@ double sum_of_passes(const std::vector<PassReport>& reports) {
 ErrorEstimate error_of(const Scene& scene, const std::vector<LightLedger>& ledgers) {
   ErrorEstimate all;
   for (const LightLedger& entry : ledgers)
-    add(all, entry.error, static_cast<double>(scene.sources[static_cast<std::size_t>(entry.light)].intensity));
+    add(all, entry.error,
+        static_cast<double>(scene.sources[static_cast<std::size_t>(entry.light)].intensity));
   return all;
 }
 
@@ -59,13 +62,15 @@ std::optional<Trial> trial_of(const RenderedFrame& frame, double milliseconds) {
 std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand& demand,
                                        const std::function<void(const std::string&)>& progress) {
   std::vector<Trial> trials;
-  for (const auto& [grid, map] : {std::pair(kPilotSide, kPilotSide), std::pair(2 * kPilotSide, kPilotSide), std::pair(kPilotSide, 2 * kPilotSide)}) {
+  for (const auto& [grid, map] : {std::pair(kPilotSide, kPilotSide), std::pair(2 * kPilotSide, kPilotSide),
+                                  std::pair(kPilotSide, 2 * kPilotSide)}) {
     progress("measuring what accuracy costs here: " + std::to_string(trials.size() + 1) + " of 3");
     const std::optional<Trial> trial = try_sizes(request, grid, map);
     if (!trial) {
       if (demand.error && effects_of(load_scene(request)->scene(), request.settings).caustics.active)
-        throw Error(ExitCode::WrongUsage, "--target-error: the error of this caustic cannot be told, as none of its "
-                                          "light lands, or as points that see all around; choose --grid and --map");
+        throw Error(ExitCode::WrongUsage,
+                    "--target-error: the error of this caustic cannot be told, as none of its "
+                    "light lands, or as points that see all around; choose --grid and --map");
       return {};
     }
     trials.push_back(*trial);

@@ -1,5 +1,5 @@
-// `render --target-error` and `--time-budget`: chooses the sizes of grid and maps for an error or a time that was
-// asked for, from frames measured on this machine (docs/accuracy.md).
+// `render --target-error` and `--time-budget`: chooses the sizes of grid and maps for an error or a time that
+// was asked for, from frames measured on this machine (docs/accuracy.md).
 #pragma once
 #include <functional>
 #include <optional>
@@ -27,8 +27,8 @@ std::string demand_text(const Demand& demand, const Trial& expected, const Trial
 // The pilots' sizes: the finer ones are twice as large.
 inline constexpr int kPilotSide = 128;
 
-// Renders small frames of the request to learn what sizes cost here. None where there is no caustic. Throws Error
-// (WrongUsage) where a caustic's error cannot be told and the demand is for one.
+// Renders small frames of the request to learn what sizes cost here. None where there is no caustic. Throws
+// Error (WrongUsage) where a caustic's error cannot be told and the demand is for one.
 std::optional<CostModel> measure_costs(const FrameRequest& request, const Demand& demand,
                                        const std::function<void(const std::string&)>& progress);
 

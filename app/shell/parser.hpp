@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/shell/help_page.hpp"
 #include "app/shell/command.hpp"
+#include "app/shell/help_page.hpp"
 
 namespace CLI {
 class App;

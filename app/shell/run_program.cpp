@@ -42,7 +42,8 @@ int run_program(int count, char** values, ExitCode (*work)(const Arguments& argu
   watch_for_interruption();
   const int code = guarded(Arguments(values + std::min(count, 1), values + count), work);
   // Standard output may be a full disk or a closed pipe; then what was printed did not arrive.
-  const bool answered = code == static_cast<int>(ExitCode::Done) || code == static_cast<int>(ExitCode::AnswerIsNo);
+  const bool answered =
+      code == static_cast<int>(ExitCode::Done) || code == static_cast<int>(ExitCode::AnswerIsNo);
   if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && answered) {
     complain("standard output cannot be written");
     return static_cast<int>(ExitCode::CannotWrite);

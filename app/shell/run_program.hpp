@@ -1,4 +1,5 @@
-// What every program here does around its work: signals, and one line and an exit code for whatever is thrown.
+// What every program here does around its work: signals, and one line and an exit code for whatever is
+// thrown.
 #pragma once
 #include "app/shell/command.hpp"
 

@@ -24,9 +24,7 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-void complain(std::string_view line) {
-  std::fprintf(stderr, "caustics: %s\n", one_line(line).c_str());
-}
+void complain(std::string_view line) { std::fprintf(stderr, "caustics: %s\n", one_line(line).c_str()); }
 
 std::string significant(double value, int digits) {
   char buffer[64];

@@ -16,8 +16,6 @@ std::string compiler() {
 #endif
 }
 
-std::string version_line() {
-  return "caustics " + version() + " (" + compiler() + ", backends: software)";
-}
+std::string version_line() { return "caustics " + version() + " (" + compiler() + ", backends: software)"; }
 
 }  // namespace caustics::app

@@ -10,7 +10,7 @@ namespace caustics::app {
 namespace {
 
 constexpr int kColors = 3;
-constexpr double kPictureDecades = 3.0;  // from full colour down to black
+constexpr double kPictureDecades = 3.0;                                // from full colour down to black
 constexpr Color kMore = {1.0, 0.62, 0.12}, kLess = {0.25, 0.62, 1.0};  // told apart by all kinds of eyes
 
 int box_side(const Image& image) {
@@ -28,7 +28,8 @@ double box_mean(const Image& image, int x, int y, int side, int channel) {
 
 Color sign_color(double difference, double white) {
   if (difference == 0.0) return {0.0, 0.0, 0.0};
-  const double level = std::clamp(1.0 + std::log10(std::fabs(difference) / white) / kPictureDecades, 0.0, 1.0);
+  const double level =
+      std::clamp(1.0 + std::log10(std::fabs(difference) / white) / kPictureDecades, 0.0, 1.0);
   const Color& full = difference > 0.0 ? kMore : kLess;
   return {full.r * level, full.g * level, full.b * level};
 }
@@ -41,7 +42,8 @@ Image small_picture(const Image& image) {
   Image small(Format::RGBA32F, (image.width() + side - 1) / side, (image.height() + side - 1) / side);
   for (int y = 0; y < small.height(); ++y)
     for (int x = 0; x < small.width(); ++x)
-      for (int c = 0; c < kColors; ++c) small.at(x, y, c) = static_cast<float>(box_mean(image, x, y, side, c));
+      for (int c = 0; c < kColors; ++c)
+        small.at(x, y, c) = static_cast<float>(box_mean(image, x, y, side, c));
   return small;
 }
 

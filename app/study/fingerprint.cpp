@@ -55,8 +55,7 @@ Json scene_fingerprint(const std::filesystem::path& path) {
     // What cannot be found as it is written (escaped uris) is the loader's business.
     std::error_code error;
     const std::filesystem::path beside = path.parent_path() / file;
-    if (std::filesystem::is_regular_file(beside, error))
-      result["files"].push_back(fingerprint(beside));
+    if (std::filesystem::is_regular_file(beside, error)) result["files"].push_back(fingerprint(beside));
   }
   return result;
 }

@@ -21,9 +21,8 @@ std::string pass_name(const std::string& label) {
 // The labels of what these textures depend on.
 std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goal) {
   std::set<std::string> labels;
-  for (const PlannedPass& pass : make_plan(frame.scene(), frame.effects(), frame.settings(),
-                                           pass_registry(), goal)
-                                     .passes)
+  for (const PlannedPass& pass :
+       make_plan(frame.scene(), frame.effects(), frame.settings(), pass_registry(), goal).passes)
     labels.insert(pass.label);
   return labels;
 }
@@ -32,7 +31,8 @@ std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goa
 // nor are the steps of water, whose number depends on the moment shown before.
 struct Division {
   explicit Division(const RenderedFrame& frame)
-      : picture(labels_for(frame, {{"picture"}})), caustic(labels_for(frame, {{kCausticMap, kCascadeMap, far_texture(kCausticMap)}})) {}
+      : picture(labels_for(frame, {{"picture"}})),
+        caustic(labels_for(frame, {{kCausticMap, kCascadeMap, far_texture(kCausticMap)}})) {}
   std::set<std::string> picture, caustic;
 };
 
@@ -88,14 +88,13 @@ class Clock {
 
 void refuse_non_finite(const Image& caustic) {
   if (const std::size_t count = count_non_finite(caustic); count > 0) {
-    throw Error(ExitCode::NumericFault, "the layer caustic has " + grouped(count) +
-                                            " values that are not finite");
+    throw Error(ExitCode::NumericFault,
+                "the layer caustic has " + grouped(count) + " values that are not finite");
   }
 }
 
 std::uint64_t bytes_of(const RenderedFrame& frame) {
-  return make_plan(frame.scene(), frame.effects(), frame.settings(), pass_registry(), {{"picture"}})
-      .bytes();
+  return make_plan(frame.scene(), frame.effects(), frame.settings(), pass_registry(), {{"picture"}}).bytes();
 }
 
 }  // namespace
@@ -103,7 +102,9 @@ std::uint64_t bytes_of(const RenderedFrame& frame) {
 Rendered render_setting(FrameRequest request, int repeat,
                         const std::function<void(const std::string&)>& say) {
   request.backend.measure = repeat > 0;
-  request.backend.compiling = [&](std::string_view shader) { say("compiling shader " + std::string(shader)); };
+  request.backend.compiling = [&](std::string_view shader) {
+    say("compiling shader " + std::string(shader));
+  };
   say("finding where the light goes");
   RenderedFrame frame(request, load_scene(request), {{"picture", "aov_caustic"}});
   Rendered result;

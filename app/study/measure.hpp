@@ -20,7 +20,6 @@ struct Rendered {
 // Renders once to warm up and for the image, then `repeat` times for the times, of which there are
 // none with 0. `say` hears what is going on. Throws Error as `render` does, NumericFault where the
 // caustic has a NaN or an infinity.
-Rendered render_setting(FrameRequest request, int repeat,
-                        const std::function<void(const std::string&)>& say);
+Rendered render_setting(FrameRequest request, int repeat, const std::function<void(const std::string&)>& say);
 
 }  // namespace caustics::app

@@ -26,7 +26,8 @@ TEST_CASE("study front: a slower row that is hardly better is not worth it") {
 }
 
 TEST_CASE("study front: rows without figures and figures that are not finite take no part") {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
   CHECK(pareto_front({std::nullopt, Cost{nan, 1.0}, Cost{0.1, infinity}, Cost{0.4, 2.0}}) == Front{3});
   CHECK(pareto_front({}).empty());
 }

@@ -17,7 +17,8 @@ constexpr double kLegendRow = 22.0, kMark = 6.5, kLetter = 7.0, kLine = 15.0;
 
 // A logarithmic axis between two marks.
 struct Axis {
-  Axis(double least, double most, double from, double to) : marks(log_marks(least, most)), from(from), to(to) {}
+  Axis(double least, double most, double from, double to)
+      : marks(log_marks(least, most)), from(from), to(to) {}
   double at(double value) const {
     const double low = std::log(marks.front()), high = std::log(marks.back());
     return from + (to - from) * (std::log(value) - low) / (high - low);
@@ -28,8 +29,8 @@ struct Axis {
 
 std::string text_at(double x, double y, const std::string& anchor, const std::string& text,
                     const std::string& more = "") {
-  return "<text x=\"" + length_text(x) + "\" y=\"" + length_text(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
-         escaped(text) + "</text>\n";
+  return "<text x=\"" + length_text(x) + "\" y=\"" + length_text(y) + "\" text-anchor=\"" + anchor + "\"" +
+         more + ">" + escaped(text) + "</text>\n";
 }
 
 std::string line_from(double x1, double y1, double x2, double y2, const std::string& kind) {
@@ -59,7 +60,8 @@ std::string plus(double x, double y, double turn) {
   constexpr std::pair<double, double> kArm[] = {{kThick, kThick}, {kThick, kLong}, {-kThick, kLong}};
   std::string path;
   for (int arm = 0; arm < 4; ++arm) {
-    const double angle = (turn + 90.0 * arm) * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
+    const double angle = (turn + 90.0 * arm) * std::numbers::pi / 180.0, c = std::cos(angle),
+                 s = std::sin(angle);
     for (const auto& [across, along] : kArm)
       move_to(path, path.empty() ? 'M' : 'L', x + c * across - s * along, y + s * across + c * along);
   }
@@ -68,20 +70,29 @@ std::string plus(double x, double y, double turn) {
 
 std::string outline(std::size_t shape, double x, double y) {
   switch (shape % kPlotShapes) {
-    case 0: return corners(x, y, 24, 1.0, 0.0);   // about a circle
-    case 1: return corners(x, y, 4, 1.0, 45.0);   // square
-    case 2: return corners(x, y, 3, 1.0, 0.0);    // triangle
-    case 3: return corners(x, y, 4, 1.0, 0.0);    // diamond
-    case 4: return corners(x, y, 3, 1.0, 180.0);  // triangle on its tip
-    case 5: return corners(x, y, 10, 0.45, 0.0);  // star
-    case 6: return plus(x, y, 0.0);
-    default: return plus(x, y, 45.0);
+    case 0:
+      return corners(x, y, 24, 1.0, 0.0);  // about a circle
+    case 1:
+      return corners(x, y, 4, 1.0, 45.0);  // square
+    case 2:
+      return corners(x, y, 3, 1.0, 0.0);  // triangle
+    case 3:
+      return corners(x, y, 4, 1.0, 0.0);  // diamond
+    case 4:
+      return corners(x, y, 3, 1.0, 180.0);  // triangle on its tip
+    case 5:
+      return corners(x, y, 10, 0.45, 0.0);  // star
+    case 6:
+      return plus(x, y, 0.0);
+    default:
+      return plus(x, y, 45.0);
   }
 }
 
 std::string shape_at(std::size_t group, bool hollow, double x, double y, const std::string& title) {
   const std::string number = std::to_string(group % kPlotShapes);
-  std::string text = "<path class=\"mark g" + number + (hollow ? " hollow" : "") + "\" d=\"" + outline(group, x, y) + "\"";
+  std::string text =
+      "<path class=\"mark g" + number + (hollow ? " hollow" : "") + "\" d=\"" + outline(group, x, y) + "\"";
   if (title.empty()) return text + "/>\n";
   return text + "><title>" + escaped(title) + "</title></path>\n";
 }
@@ -102,8 +113,9 @@ class Drawing {
 
   std::string text() {
     std::string svg = "<svg viewBox=\"0 0 " + length_text(kWidth) + " " +
-                      length_text(kHeight + kLegendRow * static_cast<double>(legend_rows())) + "\" role=\"img\" aria-label=\"" +
-                      escaped(plot_.title) + "\" xmlns=\"http://www.w3.org/2000/svg\">\n";
+                      length_text(kHeight + kLegendRow * static_cast<double>(legend_rows())) +
+                      "\" role=\"img\" aria-label=\"" + escaped(plot_.title) +
+                      "\" xmlns=\"http://www.w3.org/2000/svg\">\n";
     svg += axes() + floor_line() + fronts();
     for (const PlotPoint& point : plot_.points) svg += mark(point);
     svg += labels() + legend();
@@ -114,16 +126,23 @@ class Drawing {
   template <class Value>
   double extreme(bool most, const Value& value) const {
     double result = value(plot_.points.front());
-    for (const PlotPoint& p : plot_.points) result = most ? std::max(result, value(p)) : std::min(result, value(p));
+    for (const PlotPoint& p : plot_.points)
+      result = most ? std::max(result, value(p)) : std::min(result, value(p));
     return result;
   }
-  double least_x() const { return extreme(false, [](const PlotPoint& p) { return p.x_least; }); }
-  double most_x() const { return extreme(true, [](const PlotPoint& p) { return p.x_most; }); }
+  double least_x() const {
+    return extreme(false, [](const PlotPoint& p) { return p.x_least; });
+  }
+  double most_x() const {
+    return extreme(true, [](const PlotPoint& p) { return p.x_most; });
+  }
   double least_y() const {
     const double least = extreme(false, [](const PlotPoint& p) { return p.y; });
     return plot_.floor > 0.0 ? std::min(least, plot_.floor) : least;
   }
-  double most_y() const { return extreme(true, [](const PlotPoint& p) { return p.y; }); }
+  double most_y() const {
+    return extreme(true, [](const PlotPoint& p) { return p.y; });
+  }
 
   std::string axes() const {
     std::string svg;
@@ -145,7 +164,8 @@ class Drawing {
     if (!(plot_.floor > 0.0)) return {};
     const double y = y_.at(plot_.floor);
     taken_.push_back({kLeft, y - kLine, kLeft + kLetter * static_cast<double>(plot_.floor_name.size()), y});
-    return line_from(kLeft, y, kWidth - kRight, y, "floor") + text_at(kLeft + 6.0, y - 5.0, "start", plot_.floor_name);
+    return line_from(kLeft, y, kWidth - kRight, y, "floor") +
+           text_at(kLeft + 6.0, y - 5.0, "start", plot_.floor_name);
   }
 
   // Steps: what one gets within a time is the best of what is quicker.
@@ -163,8 +183,8 @@ class Drawing {
         const bool first = path.empty();
         path.append(first ? "M" : "H").append(x).append(first ? " " : "V").append(y);
       }
-      svg += "<path class=\"front" + std::string(front.dashed ? " dashed" : "") + "\" d=\"" + path + "\"><title>" +
-             escaped(front.name) + "</title></path>\n";
+      svg += "<path class=\"front" + std::string(front.dashed ? " dashed" : "") + "\" d=\"" + path +
+             "\"><title>" + escaped(front.name) + "</title></path>\n";
     }
     return svg;
   }
@@ -179,7 +199,8 @@ class Drawing {
   std::string mark(const PlotPoint& p) {
     const double x = x_.at(p.x), y = y_.at(p.y);
     taken_.push_back({x - kMark, y - kMark, x + kMark, y + kMark});
-    return line_from(x_.at(p.x_least), y, x_.at(p.x_most), y, "spread g" + std::to_string(p.group % kPlotShapes)) +
+    return line_from(x_.at(p.x_least), y, x_.at(p.x_most), y,
+                     "spread g" + std::to_string(p.group % kPlotShapes)) +
            shape_at(p.group, p.hollow, x, y, p.title);
   }
 
@@ -194,11 +215,20 @@ class Drawing {
   std::string label(const PlotPoint& p) {
     const double x = x_.at(p.x), y = y_.at(p.y), wide = kLetter * static_cast<double>(p.label.size());
     for (const double away : {10.0, 24.0, 40.0, 58.0, 78.0, 100.0}) {
-      for (const auto& [dx, dy] : {std::pair{1.0, -0.8}, {0.2, -1.1}, {-1.0, 1.0}, {1.0, 1.3}, {-1.0, 0.0}, {-1.0, -0.8}, {-0.2, 1.5}}) {
+      for (const auto& [dx, dy] : {std::pair{1.0, -0.8},
+                                   {0.2, -1.1},
+                                   {-1.0, 1.0},
+                                   {1.0, 1.3},
+                                   {-1.0, 0.0},
+                                   {-1.0, -0.8},
+                                   {-0.2, 1.5}}) {
         const double left = dx > 0.0 ? x + dx * away : x + dx * away - wide, base = y + dy * away + 4.0;
         const Box box{left - 2.0, base - kLine + 3.0, left + wide + 2.0, base + 4.0};
-        if (box.left < kLeft || box.right > kWidth - kRight || box.top < kTop || box.bottom > kHeight - kBottom) continue;
-        if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.meets(other); })) continue;
+        if (box.left < kLeft || box.right > kWidth - kRight || box.top < kTop ||
+            box.bottom > kHeight - kBottom)
+          continue;
+        if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.meets(other); }))
+          continue;
         taken_.push_back(box);
         const double end = dx > 0.0 ? left - 1.0 : left + wide + 1.0;
         return (away > 10.0 ? line_from(x, y, end, base - 4.0, "leader") : "") +
@@ -240,7 +270,8 @@ class Drawing {
 }  // namespace
 
 std::vector<double> log_marks(double least, double most) {
-  const int low = static_cast<int>(std::floor(std::log10(least))), high = static_cast<int>(std::ceil(std::log10(most)));
+  const int low = static_cast<int>(std::floor(std::log10(least))),
+            high = static_cast<int>(std::ceil(std::log10(most)));
   std::vector<double> marks;
   for (int power = low; power <= std::max(high, low + 1); ++power)
     for (const double step : {1.0, 2.0, 5.0})
@@ -251,7 +282,8 @@ std::vector<double> log_marks(double least, double most) {
 }
 
 std::string draw(const Plot& plot) {
-  if (plot.points.empty()) return "<p>No row has both an error and a time above 0: there is nothing to plot.</p>\n";
+  if (plot.points.empty())
+    return "<p>No row has both an error and a time above 0: there is nothing to plot.</p>\n";
   return Drawing(plot).text();
 }
 

@@ -6,12 +6,12 @@
 namespace caustics::app {
 
 struct PlotPoint {
-  double x = 0.0, y = 0.0;       // above 0
+  double x = 0.0, y = 0.0;             // above 0
   double x_least = 0.0, x_most = 0.0;  // a bar; above 0
-  std::size_t group = 0;         // into Plot::groups: shape and colour
-  bool hollow = false;           // of the second backend
-  std::string title;             // what a pointer that rests on it says
-  std::string label;             // beside it; "" for none
+  std::size_t group = 0;               // into Plot::groups: shape and colour
+  bool hollow = false;                 // of the second backend
+  std::string title;                   // what a pointer that rests on it says
+  std::string label;                   // beside it; "" for none
 };
 
 // Points that nothing beats, joined from the quickest to the most accurate.

@@ -35,9 +35,7 @@ TEST_CASE("study plot: names are escaped and every point has its words") {
   CHECK(svg.find("nan") == std::string::npos);
 }
 
-TEST_CASE("study plot: without points it is a sentence") {
-  CHECK(draw(Plot{}).rfind("<p>", 0) == 0);
-}
+TEST_CASE("study plot: without points it is a sentence") { CHECK(draw(Plot{}).rfind("<p>", 0) == 0); }
 
 TEST_CASE("study pages: text cannot break out of its place") {
   CHECK(escaped("a<b>&\"'\n") == "a&lt;b&gt;&amp;&quot;&#39;?");

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
 #include "app/study/difference_picture.hpp"
 #include "app/study/html.hpp"
 #include "app/study/sentence.hpp"
 #include "app/study/study_plot.hpp"
-#include "app/shell/terminal.hpp"
-#include "app/shell/version.hpp"
 
 namespace caustics::app {
 
@@ -48,13 +48,19 @@ code { overflow-wrap: anywhere; }
 )";
 
 constexpr char kPlotLegend[] =
-    "relative L1: the share of the light that is missing or in the wrong place. relMSE 1, 4, 16: relative squared error "
-    "in boxes of so many pixels; where it falls steeply from 1 to 16, light is a little shifted or noisy, where it stays, "
-    "whole regions have another amount. Flux: all light over all light of the truth. FLIP: the mean of what an eye sees "
-    "that flips between both pictures, 0 to 1. ms frame: all passes of a picture. ms caustic: those that the caustic maps "
+    "relative L1: the share of the light that is missing or in the wrong place. relMSE 1, 4, 16: relative "
+    "squared error "
+    "in boxes of so many pixels; where it falls steeply from 1 to 16, light is a little shifted or noisy, "
+    "where it stays, "
+    "whole regions have another amount. Flux: all light over all light of the truth. FLIP: the mean of what "
+    "an eye sees "
+    "that flips between both pictures, 0 to 1. ms frame: all passes of a picture. ms caustic: those that the "
+    "caustic maps "
     "depend on, the maps included.";
 
-std::string cell(const std::string& text, const char* kind = "") { return "<td" + std::string(kind) + ">" + escaped(text) + "</td>"; }
+std::string cell(const std::string& text, const char* kind = "") {
+  return "<td" + std::string(kind) + ">" + escaped(text) + "</td>";
+}
 std::string left(const std::string& text) { return cell(text, " class=\"left\""); }
 std::string head(const std::string& text, const char* more = "") {
   return "<th scope=\"col\"" + std::string(more) + ">" + escaped(text) + "</th>";
@@ -72,8 +78,8 @@ std::string remarks(const StudyRow& row) {
 std::string row_heads(const Study& study) {
   std::string html = "<tr>" + head("backend", " class=\"left\"");
   for (const Knob& knob : study.knobs) html += head(knob.key);
-  for (const char* name : {"relative L1", "relMSE 1", "relMSE 4", "relMSE 16", "flux", "FLIP", "ms frame", "ms caustic",
-                           "textures"})
+  for (const char* name : {"relative L1", "relMSE 1", "relMSE 4", "relMSE 16", "flux", "FLIP", "ms frame",
+                           "ms caustic", "textures"})
     html += head(name);
   return html + head("", " class=\"left\"") + "</tr>\n";
 }
@@ -86,7 +92,8 @@ std::string table_row(const StudyRow& row) {
     html += cell(figure_text(figure));
   html += cell(ratio_text(f.flux_ratio)) + cell(figure_text(f.flip_mean));
   const bool timed = row.problem.empty();
-  for (const Times* times : {&row.frame, &row.caustic}) html += cell(timed ? short_number(times->median) : "n/a");
+  for (const Times* times : {&row.frame, &row.caustic})
+    html += cell(timed ? short_number(times->median) : "n/a");
   html += cell(timed ? bytes_text(static_cast<double>(row.texture_bytes)) : "n/a");
   return html + left(remarks(row)) + "</tr>\n";
 }
@@ -123,7 +130,8 @@ const PassTime* pass_of(const StudyRow& row, const std::string& name) {
 
 std::string pass_table(const Study& study) {
   const std::vector<std::string> names = pass_names(study);
-  std::string html = "<div class=\"wide\"><table>\n<thead><tr>" + head("row", " class=\"left\"") + head("backend");
+  std::string html =
+      "<div class=\"wide\"><table>\n<thead><tr>" + head("row", " class=\"left\"") + head("backend");
   for (const std::string& name : names) html += head(name);
   html += "</tr></thead>\n<tbody>\n";
   for (const StudyRow& row : study.rows) {
@@ -135,26 +143,33 @@ std::string pass_table(const Study& study) {
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n" +
-         paragraph("Milliseconds a frame, the median, of all runs of a pass together (for each light, sample and branch). "
-                   "* counts as caustic.");
+         paragraph(
+             "Milliseconds a frame, the median, of all runs of a pass together (for each light, sample and "
+             "branch). "
+             "* counts as caustic.");
 }
 
 std::string picture(const std::filesystem::path& folder, const std::string& file, bool inlined,
                     const std::string& description, const std::string& caption) {
   const std::string inside = inlined ? png_address(folder / file) : "";
   return "<figure><img loading=\"lazy\" alt=\"" + escaped(description) + "\" src=\"" +
-         (inside.empty() ? escaped(file) : inside) + "\"/><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+         (inside.empty() ? escaped(file) : inside) + "\"/><figcaption>" + escaped(caption) +
+         "</figcaption></figure>\n";
 }
 
 std::string pictures(const Study& study, const std::filesystem::path& folder) {
   const bool inlined = study.rows.size() <= kMostInlined;
-  std::string html = paragraph(
-      "Orange: more light than the truth; blue: less; black: the same. Full colour is " + short_number(study.white) +
-      " lux and more, which only a hundredth of the truth's lit pixels exceeds; two thirds of it a tenth of that, one third "
-      "a hundredth, black a thousandth and less. Of each pixel the channel that differs most; larger pictures are averaged to " +
-      std::to_string(kPictureSide) + " pixels a side.");
-  html += "<div class=\"pictures\">\n" + picture(folder, "img/truth.png", inlined, "the truth's caustic, tone-mapped",
-                                                "the truth, tone-mapped");
+  std::string html =
+      paragraph("Orange: more light than the truth; blue: less; black: the same. Full colour is " +
+                short_number(study.white) +
+                " lux and more, which only a hundredth of the truth's lit pixels exceeds; two thirds of it a "
+                "tenth of that, one third "
+                "a hundredth, black a thousandth and less. Of each pixel the channel that differs most; "
+                "larger pictures are averaged to " +
+                std::to_string(kPictureSide) + " pixels a side.");
+  html +=
+      "<div class=\"pictures\">\n" +
+      picture(folder, "img/truth.png", inlined, "the truth's caustic, tone-mapped", "the truth, tone-mapped");
   for (const StudyRow& row : study.rows) {
     if (row.picture.empty()) continue;
     const std::string name = point_text(study.knobs, row.point) + " (" + row.backend + ")";
@@ -175,10 +190,11 @@ std::string introduction(const Study& study) {
   std::string html = "<h1>Error against time: " + escaped(study.scene) + "</h1>\n<p><strong>" +
                      escaped(truth_text(study)) + "</strong></p>\n<p>" + std::to_string(study.width) + " x " +
                      std::to_string(study.height) + " pixels. Base: " + escaped(base_text(study)) +
-                     "; rows are named by what differs from it. <code>" + escaped(study.command) + "</code></p>\n";
+                     "; rows are named by what differs from it. <code>" + escaped(study.command) +
+                     "</code></p>\n";
   if (!study.complete())
-    html += paragraph("Not complete: " + std::to_string(study.rows.size()) + " of " + std::to_string(study.planned) +
-                      " rows are here; --resume goes on.");
+    html += paragraph("Not complete: " + std::to_string(study.rows.size()) + " of " +
+                      std::to_string(study.planned) + " rows are here; --resume goes on.");
   std::vector<std::string> devices;
   for (const StudyRow& row : study.rows)
     if (std::find(devices.begin(), devices.end(), row.device) == devices.end()) devices.push_back(row.device);
@@ -192,15 +208,17 @@ std::string sentence_list(const Study& study) {
   html += "</ul>\n";
   for (const Drift& drift : study.drifts) html += paragraph(drift_text(study, drift));
   return html +
-         paragraph("Error is relative L1, time that of the caustic passes; the other keys stand at their base.");
+         paragraph(
+             "Error is relative L1, time that of the caustic passes; the other keys stand at their base.");
 }
 
 }  // namespace
 
 std::string report_page(const Study& study, const std::filesystem::path& folder) {
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>Study of " +
-                     escaped(study.scene) + "</title>\n" + kStyle + "</head>\n<body>\n<main>\n";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>Study of " +
+      escaped(study.scene) + "</title>\n" + kStyle + "</head>\n<body>\n<main>\n";
   html += introduction(study);
   html += section("Error and time") + draw(plot_of(study));
   html += section("What nothing beats in both error and time") + front_rows(study);

@@ -1,8 +1,8 @@
 #include "app/study/report_text.hpp"
 
-#include "app/study/sentence.hpp"
 #include "app/shell/table.hpp"
 #include "app/shell/terminal.hpp"
+#include "app/study/sentence.hpp"
 
 namespace caustics::app {
 
@@ -31,9 +31,10 @@ std::string base_words(const Study& study) {
 }  // namespace
 
 std::string report_text(const Study& study) {
-  std::string text = one_line(study.scene) + ", " + std::to_string(study.width) + "x" + std::to_string(study.height) +
-                     ", " + std::to_string(study.rows.size()) + " of " + std::to_string(study.planned) + " rows\n" +
-                     truth_text(study) + "\nbase: " + base_words(study) + "\n";
+  std::string text = one_line(study.scene) + ", " + std::to_string(study.width) + "x" +
+                     std::to_string(study.height) + ", " + std::to_string(study.rows.size()) + " of " +
+                     std::to_string(study.planned) + " rows\n" + truth_text(study) +
+                     "\nbase: " + base_words(study) + "\n";
   for (const std::string& backend : backends_of(study))
     text += "\nnothing beats these in both error and time (" + backend + "):\n" + front_table(study, backend);
   text += "\nknob by knob, error relative L1, time of the caustic passes:\n";
@@ -41,7 +42,8 @@ std::string report_text(const Study& study) {
   for (const Drift& drift : study.drifts) text += drift_text(study, drift) + "\n";
   for (const StudyRow& row : study.rows)
     if (!row.problem.empty())
-      text += "  " + point_text(study.knobs, row.point) + " (" + row.backend + "): not measured, " + row.problem + "\n";
+      text += "  " + point_text(study.knobs, row.point) + " (" + row.backend + "): not measured, " +
+              row.problem + "\n";
   return text;
 }
 

@@ -33,32 +33,39 @@ constexpr char kStudyExamples[] =
 void add_varied(StudyRequest& request, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    throw Error(ExitCode::WrongUsage, "--vary cannot be '" + one_line(text).substr(0, 60) +
-                                          "': KEY=a,b,c, as in grid=64,128,256");
+    throw Error(ExitCode::WrongUsage,
+                "--vary cannot be '" + one_line(text).substr(0, 60) + "': KEY=a,b,c, as in grid=64,128,256");
   }
   const std::string key = text.substr(0, equals);
   for (const Varied& each : request.varied)
     if (each.first == key)
-      throw Error(ExitCode::WrongUsage, "--vary " + one_line(key).substr(0, 60) + " is given twice; give all of its "
+      throw Error(ExitCode::WrongUsage, "--vary " + one_line(key).substr(0, 60) +
+                                            " is given twice; give all of its "
                                             "values at once, with commas between");
   request.varied.emplace_back(key, text.substr(equals + 1));
 }
 
 void add_study_options(Parser& parser, StudyRequest& request) {
   parser.group("Study");
-  parser.repeated("--vary", "KEY=a,b,c", {"values of a key of -D; may stand several times, once for each key", "not of width, height, camera, exposure", "below"},
+  parser.repeated("--vary", "KEY=a,b,c",
+                  {"values of a key of -D; may stand several times, once for each key",
+                   "not of width, height, camera, exposure", "below"},
                   [&](const std::string& text) { add_varied(request, text); });
-  parser.flag("--cross", request.cross, "all values with all others, instead of one key at a time and grid with map");
+  parser.flag("--cross", request.cross,
+              "all values with all others, instead of one key at a time and grid with map");
   parser.number("--repeat", "N", {"frames timed for each setting"}, Limits<int>{1, 1000}, request.repeat);
-  parser.option("--truth", "WHAT", {"what the caustic is held against: a file's layer caustic, and caustic_error where it has one; light traced "
-                 "by 'caustics reference' into DIR/truth.exr, of the meshes or of the exact shapes that the file "
-                 "states; or the sweep's finest setting with grid and map doubled, which shares this program's errors",
-                 "FILE.exr|traced|exact|finest", "finest"},
-                [&](const std::string& value) {
-                  request.traced.wanted = value == "traced" || value == "exact";
-                  request.traced.exact = value == "exact";
-                  request.truth = request.traced.wanted || value == "finest" ? "" : value;
-                });
+  parser.option(
+      "--truth", "WHAT",
+      {"what the caustic is held against: a file's layer caustic, and caustic_error where it has one; light "
+       "traced "
+       "by 'caustics reference' into DIR/truth.exr, of the meshes or of the exact shapes that the file "
+       "states; or the sweep's finest setting with grid and map doubled, which shares this program's errors",
+       "FILE.exr|traced|exact|finest", "finest"},
+      [&](const std::string& value) {
+        request.traced.wanted = value == "traced" || value == "exact";
+        request.traced.exact = value == "exact";
+        request.truth = request.traced.wanted || value == "finest" ? "" : value;
+      });
   parser.option("--truth-error", "P%",
                 {"of traced and exact: the relative error at which tracing ends", text_of(kErrors),
                  significant(100.0 * request.traced.error, 3) + "%"},
@@ -81,7 +88,8 @@ void add_study_options(Parser& parser, StudyRequest& request) {
                 [&](const std::string& value) { request.folder = value; });
   parser.flag("--resume", request.resume, "keep the rows of DIR/study.json that still hold");
   parser.flag("--quiet", request.quiet, "no progress on stderr");
-  for (const Varied& each : kDefault) parser.list("Varied where no --vary is given", each.first, {each.second});
+  for (const Varied& each : kDefault)
+    parser.list("Varied where no --vary is given", each.first, {each.second});
 }
 
 std::vector<std::string> split(const std::string& list) {
@@ -95,12 +103,16 @@ std::vector<std::string> split(const std::string& list) {
 }
 
 // One truth is one view of one picture.
-bool is_fixed(const Setting& row) { return row.part == Setting::Part::View || row.part == Setting::Part::Picture; }
+bool is_fixed(const Setting& row) {
+  return row.part == Setting::Part::View || row.part == Setting::Part::Picture;
+}
 
 void refuse_fixed(const std::string& key) {
   if (!is_fixed(setting(key))) return;
-  throw Error(ExitCode::WrongUsage, "--vary cannot change " + key + ": all pictures of a study show the same as the "
-                                        "truth; give it once, with -D " + key + "=...");
+  throw Error(ExitCode::WrongUsage, "--vary cannot change " + key +
+                                        ": all pictures of a study show the same as the "
+                                        "truth; give it once, with -D " +
+                                        key + "=...");
 }
 
 Knob knob_of(const Settings& base, const Varied& varied) {
@@ -111,7 +123,8 @@ Knob knob_of(const Settings& base, const Varied& varied) {
     Settings settings = base;
     set_option(settings, key, value);
     const std::string text = row.get(settings);
-    if (std::find(knob.values.begin(), knob.values.end(), text) == knob.values.end()) knob.values.push_back(text);
+    if (std::find(knob.values.begin(), knob.values.end(), text) == knob.values.end())
+      knob.values.push_back(text);
   }
   refuse_fixed(key);
   return knob;
@@ -135,7 +148,8 @@ bool parse_study(const Arguments& arguments, StudyRequest& request) {
   request.frame.scene = scene;
   check_request(request.frame, "study");
   if (request.says_how_long && !request.traced.wanted)
-    throw Error(ExitCode::WrongUsage, "--truth-error and --truth-seconds are for --truth traced and --truth exact");
+    throw Error(ExitCode::WrongUsage,
+                "--truth-error and --truth-seconds are for --truth traced and --truth exact");
   request.command = typed(arguments);
   if (request.backends.empty()) request.backends.push_back(request.frame.backend.backend);
   return true;

@@ -15,16 +15,16 @@ inline constexpr std::size_t kMostRuns = 1000;
 
 struct StudyRequest {
   FrameRequest frame;
-  std::vector<Backend> backends;      // empty: frame.backend's
+  std::vector<Backend> backends;                            // empty: frame.backend's
   std::vector<std::pair<std::string, std::string>> varied;  // key, "a,b,c"
   std::filesystem::path folder = "study";
-  std::filesystem::path truth;        // "": the finest setting, or `traced`
+  std::filesystem::path truth;  // "": the finest setting, or `traced`
   TracedTruth traced;
-  bool says_how_long = false;         // --truth-error, --truth-seconds
-  std::filesystem::path mask;         // "": everything counts
+  bool says_how_long = false;  // --truth-error, --truth-seconds
+  std::filesystem::path mask;  // "": everything counts
   int repeat = 5;
   bool cross = false, resume = false, quiet = false;
-  std::string command;                // as it was typed
+  std::string command;  // as it was typed
 };
 
 // False when only the help was asked for. Throws Error (WrongUsage).

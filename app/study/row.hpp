@@ -20,9 +20,9 @@ Times times_of(std::vector<double> milliseconds);
 // A pass, all of its runs in a frame together (one for each light, sample and branch).
 struct PassTime {
   std::string name;
-  int runs = 0;           // a frame
-  bool caustic = false;   // a caustic map depends on it
-  double median = 0.0;    // milliseconds a frame
+  int runs = 0;          // a frame
+  bool caustic = false;  // a caustic map depends on it
+  double median = 0.0;   // milliseconds a frame
 };
 
 // Against the truth; a figure that does not exist is none (lab/metrics/image_metrics.hpp).
@@ -41,11 +41,11 @@ struct StudyRow {
   Figures figures{};
   Times frame{}, caustic{};
   std::uint64_t texture_bytes = 0;
-  std::vector<PassTime> passes{};   // in the order in which they first ran
-  std::string picture{};            // "img/grid256_map128.png", beside the page; "" for none
+  std::vector<PassTime> passes{};  // in the order in which they first ran
+  std::string picture{};           // "img/grid256_map128.png", beside the page; "" for none
   // Found when all rows are there.
-  bool on_front = false;            // of its backend
-  bool reference_limited = false;   // the truth's own noise is more than a third of relative_l1
+  bool on_front = false;           // of its backend
+  bool reference_limited = false;  // the truth's own noise is more than a third of relative_l1
 };
 
 }  // namespace caustics::app

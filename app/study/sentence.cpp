@@ -37,8 +37,7 @@ std::string time_part(const Times& from, const Times& to) {
 }
 
 bool plain(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' ||
-         c == '-';
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '-';
 }
 
 }  // namespace
@@ -54,8 +53,8 @@ std::string change_text(double from, double to) {
 
 std::string step_sentence(const Knob& knob, std::size_t knob_index, const StudyRow& from,
                           const StudyRow& to) {
-  const std::string head = knob.key + " from " + from.point.values[knob_index] + " to " +
-                           to.point.values[knob_index] + ": ";
+  const std::string head =
+      knob.key + " from " + from.point.values[knob_index] + " to " + to.point.values[knob_index] + ": ";
   for (const StudyRow* row : {&from, &to})
     if (!row->problem.empty()) return head + "no answer, " + row->problem;
   return head + error_part(from, to) + ", " + time_part(from.caustic, to.caustic);
@@ -76,7 +75,8 @@ std::string point_file(const std::vector<Knob>& knobs, const Point& point) {
     if (point.values[k] == knobs[k].base) continue;
     name += (name.empty() ? "" : "_") + knobs[k].key + point.values[k];
   }
-  std::replace_if(name.begin(), name.end(), [](char c) { return !plain(c) && c != '_'; }, '-');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !plain(c) && c != '_'; }, '-');
   if (name.size() <= kLongestName) return name.empty() ? "base" : name;
   Sha256 hash;
   hash.add(name.data(), name.size());
@@ -92,9 +92,7 @@ std::string ratio_text(const std::optional<double>& value) {
   return value ? significant(*value, *value < 1.0 ? 4 : 5) : "n/a";
 }
 
-std::string figure_text(const std::optional<double>& value) {
-  return value ? short_number(*value) : "n/a";
-}
+std::string figure_text(const std::optional<double>& value) { return value ? short_number(*value) : "n/a"; }
 
 Times times_of(std::vector<double> values) {
   if (values.empty()) return {};

@@ -12,8 +12,7 @@ std::string change_text(double from, double to);
 
 // "grid from 256 to 512: error -12 % (0.0038 to 0.0033), time +70 % (22 to 38 ms)". The error is
 // relative L1, the time that of the caustic passes. Times whose frames overlap are said to be alike.
-std::string step_sentence(const Knob& knob, std::size_t knob_index, const StudyRow& from,
-                          const StudyRow& to);
+std::string step_sentence(const Knob& knob, std::size_t knob_index, const StudyRow& from, const StudyRow& to);
 
 // "grid 256, map 128": the knobs that differ from their base, or "base".
 std::string point_text(const std::vector<Knob>& knobs, const Point& point);

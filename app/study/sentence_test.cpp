@@ -24,7 +24,8 @@ TEST_CASE("study sentence: what a step brings and costs") {
 
 TEST_CASE("study sentence: times whose frames overlap are said to be alike") {
   CHECK(step_sentence(kGrid, 0, row("256", 0.5, {22, 20, 30}), row("512", 0.5, {24, 21, 26})) ==
-        "grid from 256 to 512: error +0 % (0.5 to 0.5), time +9 % (22 to 24 ms), within the spread of the frames");
+        "grid from 256 to 512: error +0 % (0.5 to 0.5), time +9 % (22 to 24 ms), within the spread of the "
+        "frames");
 }
 
 TEST_CASE("study sentence: no share of nothing, and no error where there is none") {
@@ -38,18 +39,21 @@ TEST_CASE("study sentence: where the truth's noise rules, it says so") {
   StudyRow to = row("512", 0.001, {9, 9, 9});
   to.reference_limited = true;
   CHECK(step_sentence(kGrid, 0, row("256", 0.002, {5, 5, 5}), to) ==
-        "grid from 256 to 512: error -50 % (0.002 to 0.001), as small as the truth's own noise can tell, time +80 % (5 "
+        "grid from 256 to 512: error -50 % (0.002 to 0.001), as small as the truth's own noise can tell, "
+        "time +80 % (5 "
         "to 9 ms)");
 }
 
 TEST_CASE("study sentence: a row that could not be measured is named") {
   StudyRow to = row("512", std::nullopt, {});
   to.problem = "too large";
-  CHECK(step_sentence(kGrid, 0, row("256", 0.1, {5, 5, 5}), to) == "grid from 256 to 512: no answer, too large");
+  CHECK(step_sentence(kGrid, 0, row("256", 0.1, {5, 5, 5}), to) ==
+        "grid from 256 to 512: no answer, too large");
 }
 
 TEST_CASE("study names: points are named by what differs from the base") {
-  const std::vector<Knob> knobs{kGrid, {"splat.sigma", {"0.5"}, "0.7", true}, {"splat", {"point"}, "cell", false}};
+  const std::vector<Knob> knobs{
+      kGrid, {"splat.sigma", {"0.5"}, "0.7", true}, {"splat", {"point"}, "cell", false}};
   CHECK(point_text(knobs, {{"512", "0.7", "cell"}, ""}) == "base");
   CHECK(point_text(knobs, {{"256", "0.7", "point"}, ""}) == "grid 256, splat point");
   CHECK(point_file(knobs, {{"256", "0.5", "cell"}, ""}) == "grid256_splat.sigma0.5");

@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/shell/atomic_file.hpp"
 #include "app/output/display_pair.hpp"
 #include "app/output/image_file.hpp"
+#include "app/output/stats.hpp"
+#include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/shell/progress.hpp"
-#include "app/output/stats.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
 #include "app/study/difference_picture.hpp"
 #include "app/study/fingerprint.hpp"
 #include "app/study/measure.hpp"
@@ -21,8 +23,6 @@
 #include "app/study/study.hpp"
 #include "app/study/study_plot.hpp"
 #include "app/study/truth.hpp"
-#include "app/shell/terminal.hpp"
-#include "app/shell/version.hpp"
 
 namespace caustics::app {
 
@@ -63,9 +63,9 @@ double work_of(const Settings& s) {
 }
 
 std::string finest_text(const Settings& s) {
-  return "this program's own finest setting (grid " + std::to_string(s.grid) + ", map " + std::to_string(s.map) +
-         ", estimator " + std::string(name_of(s.estimator)) + ", splat " + std::string(name_of(s.splat)) +
-         ", on the software device)";
+  return "this program's own finest setting (grid " + std::to_string(s.grid) + ", map " +
+         std::to_string(s.map) + ", estimator " + std::string(name_of(s.estimator)) + ", splat " +
+         std::string(name_of(s.splat)) + ", on the software device)";
 }
 
 // Also after an interruption, so that what is done stays.
@@ -112,21 +112,22 @@ class StudyRun {
     if (request_.resume) read_earlier();
   }
 
-  // From here on what is traced is a file like any other. Rows that are to be kept need the truth that they were
-  // measured against.
+  // From here on what is traced is a file like any other. Rows that are to be kept need the truth that they
+  // were measured against.
   void trace() {
     make_folder();
     const fs::path file = request_.folder / "truth.exr";
     require_writable(file);
     FrameRequest frame = request_.frame;
     frame.settings.wavelengths = finest_.wavelengths;
-    const TraceFrom from = !request_.resume                                  ? TraceFrom::Nothing
+    const TraceFrom from = !request_.resume                                      ? TraceFrom::Nothing
                            : fs::is_regular_file(request_.folder / "study.json") ? TraceFrom::Finished
                                                                                  : TraceFrom::State;
     try {
       check_mask(study_.width, study_.height, request_.mask);
-      say_traced(trace_truth(frame, request_.traced, file, from, [&](const std::string& step) { progress_.show(step); },
-                             [&](const std::string& line) { progress_.clear(), note(line); }));
+      say_traced(trace_truth(
+          frame, request_.traced, file, from, [&](const std::string& step) { progress_.show(step); },
+          [&](const std::string& line) { progress_.clear(), note(line); }));
     } catch (...) {
       progress_.clear();
       leave_what_is_done();
@@ -142,7 +143,8 @@ class StudyRun {
     for (const std::string& each : light.notes) note("the truth: " + each);
     if (!light.good)
       note("the truth's relative error is " + significant(100.0 * light.error, 3) + "% after " +
-           std::to_string(light.batches) + " batches, not the " + significant(100.0 * request_.traced.error, 3) +
+           std::to_string(light.batches) + " batches, not the " +
+           significant(100.0 * request_.traced.error, 3) +
            "% of --truth-error, after four at least; --truth-seconds gives it longer");
   }
 
@@ -167,8 +169,8 @@ class StudyRun {
     study_.command = request_.command;
     study_.own_limit = request_.truth.empty();
     study_.truth = study_.own_limit ? finest_text(finest_) : one_line(request_.truth.string());
-    // One after the other, because any of the files may be missing: an exception out of the middle of one expression with
-    // choices destroys what is not there yet (g++ 12).
+    // One after the other, because any of the files may be missing: an exception out of the middle of one
+    // expression with choices destroys what is not there yet (g++ 12).
     Json truth = Json::object();
     if (study_.own_limit) {
       truth["finest"] = settings_json(finest_);
@@ -189,10 +191,12 @@ class StudyRun {
   void make_folder() {
     std::error_code error;
     made_folder_ |= fs::create_directories(request_.folder, error);
-    if (error) throw Error(ExitCode::CannotWrite, one_line(request_.folder.string()) + ": " + error.message());
+    if (error)
+      throw Error(ExitCode::CannotWrite, one_line(request_.folder.string()) + ": " + error.message());
     fs::create_directories(request_.folder / "img", error);
     require_writable(request_.folder / "img" / "truth.png");
-    for (const char* file : {"study.json", "study.csv", "report.html", "error_time.svg"}) require_writable(request_.folder / file);
+    for (const char* file : {"study.json", "study.csv", "report.html", "error_time.svg"})
+      require_writable(request_.folder / file);
   }
 
   void read_earlier() {
@@ -256,7 +260,8 @@ class StudyRun {
     FrameRequest frame = request_.frame;
     frame.settings = job.settings;
     frame.backend.backend = job.backend;
-    return render_setting(frame, request_.repeat, [&](const std::string& step) { progress_.show(head + step); });
+    return render_setting(frame, request_.repeat,
+                          [&](const std::string& step) { progress_.show(head + step); });
   }
 
   void do_one(std::size_t i) {
@@ -328,13 +333,15 @@ class StudyRun {
     progress_.show(head_ + "measuring");
     row.figures = measure_against(*truth_, rendered.caustic);
     const std::string picture = "img/" + point_file(study_.knobs, job.point) + "_" + row.backend + ".png";
-    write_png(request_.folder / picture, difference_picture(rendered.caustic, truth_->caustic, truth_->white));
+    write_png(request_.folder / picture,
+              difference_picture(rendered.caustic, truth_->caustic, truth_->white));
     row.picture = picture;
   }
 
   // "row 12 of 17, 34 s left: grid 256, map 128 (software): "
   std::string head_text(const Job& job, double left) const {
-    std::string text = "row " + std::to_string(study_.rows.size() + 1) + " of " + std::to_string(jobs_.size());
+    std::string text =
+        "row " + std::to_string(study_.rows.size() + 1) + " of " + std::to_string(jobs_.size());
     if (left > 0.0) text += ", " + duration_text(left) + " left";
     return text + ": " + point_text(study_.knobs, job.point) + " (" + name_of(job.backend) + "): ";
   }

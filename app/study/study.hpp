@@ -22,13 +22,13 @@ struct Study {
   int width = 0, height = 0;
   // What everything was measured against and drawn from: two studies with the same have comparable rows.
   nlohmann::ordered_json identity;
-  std::string truth;           // in words
-  bool own_limit = false;      // the truth is this program's own, no independent one
-  std::optional<double> noise; // of the truth, relative (Truth::noise)
-  double white = 0.0;          // lux: full colour of the difference pictures
-  std::size_t planned = 0;     // rows of the whole study
-  std::vector<StudyRow> rows;  // those that are done
-  std::vector<Drift> drifts;   // of the backends, once all rows are there
+  std::string truth;            // in words
+  bool own_limit = false;       // the truth is this program's own, no independent one
+  std::optional<double> noise;  // of the truth, relative (Truth::noise)
+  double white = 0.0;           // lux: full colour of the difference pictures
+  std::size_t planned = 0;      // rows of the whole study
+  std::vector<StudyRow> rows;   // those that are done
+  std::vector<Drift> drifts;    // of the backends, once all rows are there
 
   bool complete() const { return rows.size() == planned; }
 };

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output/stats.hpp"
-#include "app/study/study.hpp"
 #include "app/shell/version.hpp"
+#include "app/study/study.hpp"
 
 namespace caustics::app {
 
@@ -137,7 +137,8 @@ std::string study_json(const Study& study) {
   for (const StudyRow& row : study.rows) document["rows"].push_back(json_of(study.knobs, row));
   document["drift"] = Json::array();
   for (const Drift& drift : study.drifts)
-    document["drift"].push_back({{"backend", drift.backend}, {"before", drift.before}, {"after", drift.after}});
+    document["drift"].push_back(
+        {{"backend", drift.backend}, {"before", drift.before}, {"after", drift.after}});
   document["sentences"] = sentences_of(study);
   return json_text(document);
 }

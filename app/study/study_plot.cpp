@@ -24,7 +24,8 @@ text { fill: #1b1b1b; font: 13px sans-serif; } .gridline { stroke: #d8d8d8; } .l
 )";
 
 bool drawable(const StudyRow& row) {
-  return row.problem.empty() && row.figures.relative_l1 && *row.figures.relative_l1 > 0.0 && row.caustic.least > 0.0;
+  return row.problem.empty() && row.figures.relative_l1 && *row.figures.relative_l1 > 0.0 &&
+         row.caustic.least > 0.0;
 }
 
 std::size_t group_of(Plot& plot, const std::string& name) {
@@ -52,8 +53,9 @@ Plot plot_of(const Study& study) {
     const bool hollow = !backends.empty() && row.backend != backends.front();
     plot.points.push_back({row.caustic.median, *row.figures.relative_l1, row.caustic.least, row.caustic.most,
                            group_of(plot, row.point.group), hollow,
-                           name + " (" + row.backend + "): relative L1 " + figure_text(row.figures.relative_l1) +
-                               ", " + short_number(row.caustic.median) + " ms",
+                           name + " (" + row.backend + "): relative L1 " +
+                               figure_text(row.figures.relative_l1) + ", " +
+                               short_number(row.caustic.median) + " ms",
                            row.on_front ? name : ""});
     shown.push_back(&row);
   }

@@ -1,10 +1,10 @@
 // What follows from a study's rows: the fronts and the sentences.
 #include <algorithm>
 
+#include "app/shell/terminal.hpp"
 #include "app/study/pareto.hpp"
 #include "app/study/sentence.hpp"
 #include "app/study/study.hpp"
-#include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 
@@ -52,7 +52,8 @@ std::vector<const StudyRow*> front_of(const Study& study, const std::string& bac
 std::vector<std::string> backends_of(const Study& study) {
   std::vector<std::string> backends;
   for (const StudyRow& row : study.rows)
-    if (std::find(backends.begin(), backends.end(), row.backend) == backends.end()) backends.push_back(row.backend);
+    if (std::find(backends.begin(), backends.end(), row.backend) == backends.end())
+      backends.push_back(row.backend);
   return backends;
 }
 
@@ -64,7 +65,8 @@ std::vector<std::string> sentences_of(const Study& study) {
   std::vector<std::string> sentences;
   for (const Step& step : steps(study.knobs, points)) {
     for (const std::string& backend : backends) {
-      const StudyRow *from = row_of(study, backend, points[step.from]), *to = row_of(study, backend, points[step.to]);
+      const StudyRow *from = row_of(study, backend, points[step.from]),
+                     *to = row_of(study, backend, points[step.to]);
       if (!from || !to) continue;
       sentences.push_back((backends.size() > 1 ? backend + ": " : "") +
                           step_sentence(study.knobs[step.knob], step.knob, *from, *to));
@@ -84,11 +86,13 @@ std::string drift_text(const Study& study, const Drift& drift) {
 
 std::string truth_text(const Study& study) {
   if (study.own_limit)
-    return "Truth: " + study.truth + ". That is the program's own limit, not an independent truth: an error that "
+    return "Truth: " + study.truth +
+           ". That is the program's own limit, not an independent truth: an error that "
            "all settings share does not show.";
   std::string text = "Truth: " + study.truth + ".";
   if (study.noise)
-    return text + " Its own noise is " + short_number(*study.noise) + " (sum of caustic_error over sum of caustic); "
+    return text + " Its own noise is " + short_number(*study.noise) +
+           " (sum of caustic_error over sum of caustic); "
            "rows whose error is below three times that are marked reference-limited.";
   return text + " It says nothing of its own noise.";
 }

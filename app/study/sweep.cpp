@@ -14,8 +14,7 @@ std::size_t times(std::size_t a, std::size_t b, std::size_t limit) {
 }
 
 const Knob* find(const std::vector<Knob>& knobs, const std::string& key) {
-  const auto found =
-      std::find_if(knobs.begin(), knobs.end(), [&](const Knob& k) { return k.key == key; });
+  const auto found = std::find_if(knobs.begin(), knobs.end(), [&](const Knob& k) { return k.key == key; });
   return found == knobs.end() ? nullptr : &*found;
 }
 
@@ -67,8 +66,7 @@ void add_grid_and_map(const std::vector<Knob>& knobs, std::vector<Point>& points
 std::size_t count_points(const std::vector<Knob>& knobs, bool cross, std::size_t limit) {
   std::size_t count = 1;
   for (const Knob& knob : knobs) {
-    count = cross ? times(count, knob.values.size(), limit)
-                  : std::min(count + knob.values.size(), limit + 1);
+    count = cross ? times(count, knob.values.size(), limit) : std::min(count + knob.values.size(), limit + 1);
   }
   const Knob *grid = find(knobs, "grid"), *map = find(knobs, "map");
   if (cross || !grid || !map) return count;
@@ -95,9 +93,8 @@ namespace {
 Values standpoint(const std::vector<Knob>& knobs, const std::vector<Point>& points) {
   Values values;
   for (std::size_t k = 0; k < knobs.size(); ++k) {
-    const bool ran = std::any_of(points.begin(), points.end(), [&](const Point& point) {
-      return point.values[k] == knobs[k].base;
-    });
+    const bool ran = std::any_of(points.begin(), points.end(),
+                                 [&](const Point& point) { return point.values[k] == knobs[k].base; });
     values.push_back(ran || knobs[k].values.empty() ? knobs[k].base : knobs[k].values.back());
   }
   return values;
@@ -109,9 +106,8 @@ Values told(const Knob& knob) {
   Values values = knob.values;
   if (!has_value(values, knob.base)) values.insert(values.begin(), knob.base);
   if (knob.ordered) {
-    std::stable_sort(values.begin(), values.end(), [](const std::string& a, const std::string& b) {
-      return std::stod(a) < std::stod(b);
-    });
+    std::stable_sort(values.begin(), values.end(),
+                     [](const std::string& a, const std::string& b) { return std::stod(a) < std::stod(b); });
   } else {
     std::stable_partition(values.begin(), values.end(),
                           [&](const std::string& value) { return value == knob.base; });

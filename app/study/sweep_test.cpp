@@ -40,7 +40,8 @@ TEST_CASE("study sweep: grid and map make a product beside the single keys") {
 
 TEST_CASE("study sweep: a product has every value beside every other") {
   CHECK(values_of(expand({kGrid, kSplat}, true)) ==
-        std::vector<std::vector<std::string>>{{"64", "point"}, {"64", "cell"}, {"128", "point"}, {"128", "cell"}});
+        std::vector<std::vector<std::string>>{
+            {"64", "point"}, {"64", "cell"}, {"128", "point"}, {"128", "cell"}});
 }
 
 TEST_CASE("study sweep: the count never wraps round") {

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/output/stats.hpp"
 #include "app/shell/command.hpp"
 #include "app/shell/progress.hpp"
-#include "app/output/stats.hpp"
 #include "app/shell/terminal.hpp"
 
 namespace caustics::app {
@@ -17,8 +17,9 @@ constexpr double kFirstPiece = 0.25, kLongestPiece = 5.0;  // seconds
 // With fewer batches their spread tells little of the error.
 constexpr int kLeastBatches = 4;
 // What the picture's settings tell the tracer.
-constexpr const char* kShared[] = {"emissive.lights", "interfaces", "wavelengths", "reflections", "assume_solid",
-                                   "mirror.metallic", "mirror.roughness", "glass.roughness"};
+constexpr const char* kShared[] = {"emissive.lights",  "interfaces",     "wavelengths",
+                                   "reflections",      "assume_solid",   "mirror.metallic",
+                                   "mirror.roughness", "glass.roughness"};
 
 std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_string()) return value;
@@ -27,7 +28,8 @@ std::string text_of(const nlohmann::ordered_json& value) {
 }
 
 // As a person would type it, but for how long it runs.
-Arguments reference_arguments(const FrameRequest& frame, const TracedTruth& truth, const std::filesystem::path& file) {
+Arguments reference_arguments(const FrameRequest& frame, const TracedTruth& truth,
+                              const std::filesystem::path& file) {
   const Settings& settings = frame.settings;
   Arguments arguments{frame.scene.string(),
                       "-o",
@@ -39,11 +41,13 @@ Arguments reference_arguments(const FrameRequest& frame, const TracedTruth& trut
                       "--quiet"};
   const nlohmann::ordered_json json = settings_json(settings);
   for (const char* key : kShared)
-    if (json.contains(key)) arguments.insert(arguments.end(), {"-D", std::string(key) + "=" + text_of(json[key])});
+    if (json.contains(key))
+      arguments.insert(arguments.end(), {"-D", std::string(key) + "=" + text_of(json[key])});
   if (!settings.camera.empty()) arguments.insert(arguments.end(), {"--camera", settings.camera});
   if (!frame.animation.empty()) arguments.insert(arguments.end(), {"--animation", frame.animation});
   if (frame.seconds) arguments.insert(arguments.end(), {"--time", significant(*frame.seconds, 9)});
-  if (frame.backend.threads > 0) arguments.insert(arguments.end(), {"-t", std::to_string(frame.backend.threads)});
+  if (frame.backend.threads > 0)
+    arguments.insert(arguments.end(), {"-t", std::to_string(frame.backend.threads)});
   if (truth.exact) arguments.insert(arguments.end(), {"--exact", "scene"});
   arguments.insert(arguments.end(), {"--stats", file.string() + ".json"});
   return arguments;
@@ -57,15 +61,17 @@ TracedLight trace_piece(Arguments arguments, const TracedTruth& truth, const std
   run_reference(arguments);
   std::ifstream in(file.string() + ".json");
   const nlohmann::ordered_json stats = nlohmann::ordered_json::parse(in);
-  TracedLight light{.error = stats.at("relative_error"), .batches = stats.at("batches"), .notes = stats.at("notes")};
+  TracedLight light{
+      .error = stats.at("relative_error"), .batches = stats.at("batches"), .notes = stats.at("notes")};
   light.good = light.batches >= kLeastBatches && light.error <= truth.error;
   return light;
 }
 
 }  // namespace
 
-TracedLight trace_truth(const FrameRequest& frame, const TracedTruth& truth, const std::filesystem::path& file,
-                        TraceFrom from, const std::function<void(const std::string&)>& say,
+TracedLight trace_truth(const FrameRequest& frame, const TracedTruth& truth,
+                        const std::filesystem::path& file, TraceFrom from,
+                        const std::function<void(const std::string&)>& say,
                         const std::function<void(const std::string&)>& note) {
   const Arguments arguments = reference_arguments(frame, truth, file);
   TracedLight light;

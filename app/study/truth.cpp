@@ -45,7 +45,8 @@ Image layer_image(const ImagePlanes& planes, const std::string& layer, const std
   Image image(Format::RGBA32F, first.width, first.height);
   for (int c = 0; c < kTruthColors; ++c) {
     const ChannelView& view = colors[c]->view;
-    if (view.width != first.width || view.height != first.height || colors[c]->left != 0 || colors[c]->top != 0)
+    if (view.width != first.width || view.height != first.height || colors[c]->left != 0 ||
+        colors[c]->top != 0)
       refuse(name, "the channels of its layer " + layer + " do not cover the picture alike");
     for (int y = 0; y < view.height; ++y)
       for (int x = 0; x < view.width; ++x) image.at(x, view.height - 1 - y, c) = view.at(x, y);
@@ -101,19 +102,23 @@ Truth make_truth(Image caustic, const std::filesystem::path& mask, const std::st
   if (count_non_finite(truth.caustic) > 0) refuse(name, "its caustic has values that are not finite");
   truth.white = white_of(truth.caustic, truth.selection);
   if (!(truth.white > 0.0))
-    refuse(name, "its caustic is black where it is looked at, so no error can be measured; 'caustics plan' says why "
-                 "a scene has none, --camera and --mask where to look");
+    refuse(
+        name,
+        "its caustic is black where it is looked at, so no error can be measured; 'caustics plan' says why "
+        "a scene has none, --camera and --mask where to look");
   return truth;
 }
 
-Truth read_truth(const std::filesystem::path& file, int width, int height, const std::filesystem::path& mask) {
+Truth read_truth(const std::filesystem::path& file, int width, int height,
+                 const std::filesystem::path& mask) {
   const std::string name = file.string();
   const ImagePlanes planes = read_planes(file);
   Image caustic = layer_image(planes, "caustic", name);
   const auto check_size = [&](const Image& image) {
     if (image.width() == width && image.height() == height) return;
     refuse(name, "is " + truth_size_text(image.width(), image.height()) + ", the study renders " +
-                     truth_size_text(width, height) + "; use -r " + truth_size_text(image.width(), image.height()));
+                     truth_size_text(width, height) + "; use -r " +
+                     truth_size_text(image.width(), image.height()));
   };
   check_size(caustic);
   Truth truth = make_truth(std::move(caustic), mask, name);

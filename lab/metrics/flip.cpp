@@ -27,9 +27,7 @@ struct Field {
 
   Field(int w, int h)
       : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
-  double* row(int y) {
-    return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-  }
+  double* row(int y) { return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
   const double* row(int y) const { return const_cast<Field*>(this)->row(y); }
 };
 
@@ -77,8 +75,7 @@ Field along_columns(const Field& field, const Kernel& kernel) {
   for (int y = 0; y < field.height; ++y) {
     double* to = result.row(y);
     for (std::size_t k = 0; k < kernel.size(); ++k) {
-      const double* from =
-          field.row(std::clamp(y + static_cast<int>(k) - radius, 0, field.height - 1));
+      const double* from = field.row(std::clamp(y + static_cast<int>(k) - radius, 0, field.height - 1));
       for (int x = 0; x < field.width; ++x) to[x] += kernel[k] * from[x];
     }
   }
@@ -98,8 +95,7 @@ struct Sensitivity {
 // The filter of one opponent channel: a sum of round Gaussians, whose weights add up to 1.
 Field blurred(const Field& field, const std::vector<Sensitivity>& gaussians, double per_degree) {
   // All filters are as wide as the widest one: three standard deviations of b = 0.04.
-  const int radius =
-      static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * kPi * kPi)) * per_degree));
+  const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * kPi * kPi)) * per_degree));
   Field result(field.width, field.height);
   double total = 0.0;
   for (const Sensitivity& each : gaussians) {
@@ -143,8 +139,7 @@ std::vector<Color> seen(const Opponent& picture, double per_degree) {
                          blurred(picture[2], {{34.1, 0.04}, {13.5, 0.025}}, per_degree)};
   std::vector<Color> colors(soft[0].values.size());
   for (std::size_t i = 0; i < colors.size(); ++i) {
-    Color linear =
-        flip::linear_from_ycxcz({soft[0].values[i], soft[1].values[i], soft[2].values[i]});
+    Color linear = flip::linear_from_ycxcz({soft[0].values[i], soft[1].values[i], soft[2].values[i]});
     for (double& channel : linear) channel = std::clamp(channel, 0.0, 1.0);
     colors[i] = flip::hunt_lab_from_linear(linear);
   }
@@ -153,9 +148,9 @@ std::vector<Color> seen(const Opponent& picture, double per_degree) {
 
 // 0..1, of a distance in Hunt-adjusted L*a*b*.
 double color_error(double distance) {
-  static const double largest = std::pow(flip::hyab(flip::hunt_lab_from_linear({0.0, 1.0, 0.0}),
-                                                    flip::hunt_lab_from_linear({0.0, 0.0, 1.0})),
-                                         kColorExponent);
+  static const double largest = std::pow(
+      flip::hyab(flip::hunt_lab_from_linear({0.0, 1.0, 0.0}), flip::hunt_lab_from_linear({0.0, 0.0, 1.0})),
+      kColorExponent);
   const double power = std::pow(distance, kColorExponent), knee = kKnee * largest;
   if (power < knee) return kKneeValue / knee * power;
   return std::min(1.0, kKneeValue + (power - knee) / (largest - knee) * (1.0 - kKneeValue));
@@ -179,8 +174,7 @@ Field strength(const Field& luma, const Kernel& detector, const Kernel& smooth) 
   Field across = convolved(luma, detector, smooth);
   const Field down = convolved(luma, smooth, detector);
   for (std::size_t i = 0; i < across.values.size(); ++i) {
-    across.values[i] =
-        std::sqrt(across.values[i] * across.values[i] + down.values[i] * down.values[i]);
+    across.values[i] = std::sqrt(across.values[i] * across.values[i] + down.values[i] * down.values[i]);
   }
   return across;
 }
@@ -195,8 +189,8 @@ Features features_of(const Field& y_channel, double per_degree) {
   const double sum = sum_of(smooth);
   for (double& weight : smooth) weight /= sum;
   const Kernel edge = balanced(sampled(radius, [&](double x) { return -x * gauss(x); }));
-  const Kernel point = balanced(sampled(
-      radius, [&](double x) { return (x * x / (deviation * deviation) - 1.0) * gauss(x); }));
+  const Kernel point =
+      balanced(sampled(radius, [&](double x) { return (x * x / (deviation * deviation) - 1.0) * gauss(x); }));
   return {strength(luma, edge, smooth), strength(luma, point, smooth)};
 }
 

@@ -20,8 +20,7 @@ inline constexpr double kFlipPixelsPerDegree = 3840.0 * 3.14159265358979323846 /
 // The first three channels are sRGB-encoded display values, 0..1 (others are clamped to that, a NaN
 // to 0); both pictures have one size. R32F, each texel 0 (the same) to 1. Swapping the pictures
 // changes nothing.
-Image flip_map(const Image& test, const Image& reference,
-               double pixels_per_degree = kFlipPixelsPerDegree);
+Image flip_map(const Image& test, const Image& reference, double pixels_per_degree = kFlipPixelsPerDegree);
 
 // Of the selected texels of a map. Quartiles and median are weighted by the error itself: texels up
 // to the median hold half of the sum of all errors. All 0 where nothing is selected or all errors

@@ -48,9 +48,7 @@ Color times(const Matrix& m, const Color& v) {
 }
 
 // What L*a*b* and YCxCz share, of compressed or plain relative XYZ.
-Color opponent(const Color& v) {
-  return {116.0 * v[1] - 16.0, 500.0 * (v[0] - v[1]), 200.0 * (v[1] - v[2])};
-}
+Color opponent(const Color& v) { return {116.0 * v[1] - 16.0, 500.0 * (v[0] - v[1]), 200.0 * (v[1] - v[2])}; }
 
 double compressed(double t) {
   constexpr double kDelta = 6.0 / 29.0;
@@ -81,8 +79,7 @@ Color hunt_lab_from_linear(const Color& rgb) {
 }
 
 double hyab(const Color& a, const Color& b) {
-  return std::abs(a[0] - b[0]) +
-         std::sqrt((a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+  return std::abs(a[0] - b[0]) + std::sqrt((a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
 }  // namespace caustics::flip

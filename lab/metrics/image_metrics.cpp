@@ -12,8 +12,7 @@ using Mask = std::span<const std::uint8_t>;
 
 // Calls use(a, b) for the selected values of one channel within a rectangle of texels.
 template <typename Use>
-void each_value(const PlanePair& plane, Mask mask, int left, int top, int right, int bottom,
-                const Use& use) {
+void each_value(const PlanePair& plane, Mask mask, int left, int top, int right, int bottom, const Use& use) {
   const auto width = static_cast<std::size_t>(plane.a.width);
   for (int y = top; y < bottom; ++y) {
     for (int x = left; x < right; ++x) {
@@ -93,8 +92,7 @@ double box_errors(const PlanePair& plane, Mask mask, int side, double eps, doubl
   return sum;
 }
 
-std::array<std::optional<double>, 3> relative_mse(std::span<const PlanePair> planes, Mask mask,
-                                                  double most) {
+std::array<std::optional<double>, 3> relative_mse(std::span<const PlanePair> planes, Mask mask, double most) {
   std::array<std::optional<double>, 3> result;
   const Sums sums = sum_up(planes, mask, most);
   const auto count = static_cast<double>(sums.values);
@@ -168,8 +166,7 @@ ImageMetrics image_metrics(const Image& a, const Image& b, Mask mask) {
   const std::vector<std::vector<float>> of_a = planes_of(a), of_b = planes_of(b);
   std::vector<PlanePair> pairs;
   for (std::size_t c = 0; c < of_a.size(); ++c) {
-    pairs.push_back(
-        {{of_a[c].data(), 1, a.width(), a.height()}, {of_b[c].data(), 1, b.width(), b.height()}});
+    pairs.push_back({{of_a[c].data(), 1, a.width(), a.height()}, {of_b[c].data(), 1, b.width(), b.height()}});
   }
   return image_metrics(pairs, turned_over(mask, a.width()));
 }

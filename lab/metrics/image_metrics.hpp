@@ -52,8 +52,7 @@ struct PlanePair {
 
 // All pairs have one size. `mask` has a value for each texel, row by row from the top, and selects
 // those that are not 0; empty, it selects all.
-ImageMetrics image_metrics(std::span<const PlanePair> planes,
-                           std::span<const std::uint8_t> mask = {});
+ImageMetrics image_metrics(std::span<const PlanePair> planes, std::span<const std::uint8_t> mask = {});
 
 // Of the red, green and blue channels of two images of one shape; an image of fewer has those. Rows
 // of `mask` run as those of the images, from the bottom. The figures are those of the images'

@@ -37,8 +37,7 @@ TEST_CASE("image metrics: sums and squares of four values") {
 TEST_CASE("image metrics: relative squared error over boxes of 1 and 4 texels") {
   // The mean of |b| is 2.5, so eps is 0.025^2 = 0.000625.
   const ImageMetrics m = measured({1, 3, 2, 6}, {1, 2, 3, 4}, 2);
-  CHECK(m.relative_mse[0].value() ==
-        Approx((1.0 / 4.000625 + 1.0 / 9.000625 + 4.0 / 16.000625) / 4.0));
+  CHECK(m.relative_mse[0].value() == Approx((1.0 / 4.000625 + 1.0 / 9.000625 + 4.0 / 16.000625) / 4.0));
   // One box, cut by the border: means 3 and 2.5.
   CHECK(m.relative_mse[1].value() == Approx(0.25 / 6.250625));
   CHECK(m.relative_mse[2] == m.relative_mse[1]);
@@ -108,8 +107,7 @@ TEST_CASE("image metrics: equal images have no error and no peak signal-to-noise
   CHECK_FALSE(m.psnr.has_value());
 }
 
-TEST_CASE(
-    "image metrics: a value that is not finite leaves no figure unless the mask leaves it out") {
+TEST_CASE("image metrics: a value that is not finite leaves no figure unless the mask leaves it out") {
   for (const float wrong :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     const Values a = {1, 2, wrong, 5}, b = {1, 2, 3, 4};

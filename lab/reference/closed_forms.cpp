@@ -64,8 +64,7 @@ double slab_floor_shift(double incidence, double n, double thickness) {
 
 double slab_transmittance(double incidence, double n, double thickness, double absorption) {
   const double inside = std::asin(std::sin(incidence) / n);
-  return squared(transmittance_at(incidence, n)) *
-         beer_lambert(absorption, thickness / std::cos(inside));
+  return squared(transmittance_at(incidence, n)) * beer_lambert(absorption, thickness / std::cos(inside));
 }
 
 // The geometric series of internal reflections: (1 - R)^2 (1 + R^2 + R^4 + ...) = (1 - R) / (1 +
@@ -84,8 +83,8 @@ double LightOverWater::irradiance(double theta) const {
   const double transmitted = transmittance_at(theta, index);
   if (theta < 1e-9) return transmitted / squared(height + depth / index);
   const double inside = std::asin(std::sin(theta) / index);
-  const double slope = height / squared(std::cos(theta)) +
-                       depth * std::cos(theta) / (index * std::pow(std::cos(inside), 3));
+  const double slope =
+      height / squared(std::cos(theta)) + depth * std::cos(theta) / (index * std::pow(std::cos(inside), 3));
   return transmitted * std::sin(theta) / (landing(theta) * slope);
 }
 

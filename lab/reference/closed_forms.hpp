@@ -105,8 +105,7 @@ struct GlassSphere {
 FloorIrradiance irradiance_average(const GlassSphere& sphere, const FloorSquare& floor,
                                    int rings_per_pixel = 16, int ray_rings = 400'000);
 // Mean irradiance of the annulus inner <= r <= outer on the plane, by the same counting.
-double annulus_average(const GlassSphere& sphere, double inner, double outer,
-                       int ray_rings = 400'000);
+double annulus_average(const GlassSphere& sphere, double inner, double outer, int ray_rings = 400'000);
 // Mean of exp(-absorption * chord) over the sphere's disc, without loss at the interfaces.
 double mean_absorption(const GlassSphere& sphere);
 
@@ -136,8 +135,7 @@ struct WaterWave {
 
 // Mean irradiance of each of `pixels` strips that divide the floor from `lower` to `upper`; the
 // sheet of water reaches from -half_width to half_width. By counting, so valid behind foci, too.
-std::vector<double> irradiance_average(const WaterWave& wave, double lower, double upper,
-                                       int pixels,
+std::vector<double> irradiance_average(const WaterWave& wave, double lower, double upper, int pixels,
                                        double half_width = std::numeric_limits<double>::infinity());
 
 // ---- Flat surfaces

@@ -116,10 +116,9 @@ TEST_CASE("Sphere: landing agrees with a traced ray, its derivative with differe
     for (int i = 0; i < 40; ++i) {
       const double b = s.largest_impact() * 0.995 * i / 40.0;
       CHECK(s.landing(b) == Approx(traced_sphere_landing(b, s)).margin(1e-11));
-      CHECK(
-          s.landing_derivative(b) ==
-          Approx(slope_of([&](double x) { return s.landing(std::fabs(x)) * (x < 0 ? -1 : 1); }, b))
-              .epsilon(1e-5));
+      CHECK(s.landing_derivative(b) ==
+            Approx(slope_of([&](double x) { return s.landing(std::fabs(x)) * (x < 0 ? -1 : 1); }, b))
+                .epsilon(1e-5));
     }
   }
 }
@@ -171,8 +170,7 @@ TEST_CASE("A disc's area inside a box") {
   CHECK(disc_in_box(1.0, {0.0, -2.0}, {2.0, 0.0}) == Approx(kPi / 4).epsilon(1e-14));
   CHECK(disc_in_box(2.0, {0.1, 0.2}, {0.4, 0.3}) == Approx(0.03).epsilon(1e-13));
   CHECK(disc_in_box(0.2, {0.3, 0.3}, {0.4, 0.4}) == Approx(0.0).margin(1e-16));
-  CHECK(disc_in_box(1.0, {0.5, -2.0}, {2.0, 2.0}) ==
-        Approx(kPi / 3 - std::sqrt(3.0) / 4).epsilon(1e-13));
+  CHECK(disc_in_box(1.0, {0.5, -2.0}, {2.0, 2.0}) == Approx(kPi / 3 - std::sqrt(3.0) / 4).epsilon(1e-13));
 }
 
 TEST_CASE("Sphere: pixel means agree with the profile, with traced rays, and keep the flux") {
@@ -200,14 +198,12 @@ TEST_CASE("Sphere: pixel means agree with the profile, with traced rays, and kee
       const int py = static_cast<int>(std::floor((y * scale + 0.5) * 40.0));
       if (px < 0 || px >= 40 || py < 0 || py >= 40) continue;
       const double amount = 4.0 / (double(kSide) * kSide) * s.transmittance(b);
-      traced[static_cast<std::size_t>(py) * 40 + static_cast<std::size_t>(px)] +=
-          amount / (0.025 * 0.025);
+      traced[static_cast<std::size_t>(py) * 40 + static_cast<std::size_t>(px)] += amount / (0.025 * 0.025);
       flux += amount;
     }
     CHECK(exact.flux == Approx(flux).epsilon(5e-4));
     double difference = 0.0;
-    for (std::size_t k = 0; k < traced.size(); ++k)
-      difference += std::fabs(traced[k] - exact.values[k]);
+    for (std::size_t k = 0; k < traced.size(); ++k) difference += std::fabs(traced[k] - exact.values[k]);
     CHECK(difference / sum_of(exact.values) < 0.004);  // the noise of four million rays
   }
   const GlassSphere s{.radius = 1.0, .index = 1.5, .distance = 2.2};
@@ -283,8 +279,7 @@ TEST_CASE("A point light over flat water") {
     const double t0 = 1.2 * i / kSteps, t1 = 1.2 * (i + 1) / kSteps, t = 0.5 * (t0 + t1);
     const double x0 = l.landing(t0), x1 = l.landing(t1);
     landed += l.irradiance(t) * kPi * (x1 - x0) * (x1 + x0);
-    sent +=
-        (1.0 - fresnel(std::cos(t), 1.0, 1.33).mean()) * 2 * kPi * (std::cos(t0) - std::cos(t1));
+    sent += (1.0 - fresnel(std::cos(t), 1.0, 1.33).mean()) * 2 * kPi * (std::cos(t0) - std::cos(t1));
   }
   CHECK(landed == Approx(sent).epsilon(1e-6));
 }
@@ -329,8 +324,7 @@ TEST_CASE("Ring: envelope, cusp and floor irradiance") {
   // Jacobian of (t, s) -> place on the floor, by differences; R cos(t) is that of the incoming
   // light.
   const auto place = [](double t, double s) {
-    return 2.0 * glm::dvec2(std::cos(t), std::sin(t)) -
-           s * glm::dvec2(std::cos(2 * t), std::sin(2 * t));
+    return 2.0 * glm::dvec2(std::cos(t), std::sin(t)) - s * glm::dvec2(std::cos(2 * t), std::sin(2 * t));
   };
   const double t = 0.4, s = 0.5, step = 1e-6;
   const glm::dvec2 by_t = (place(t + step, s) - place(t - step, s)) / (2 * step);
@@ -345,8 +339,7 @@ TEST_CASE("A hyperbolic lens sends every ray to one point") {
     const double z = lens.surface(r);
     CHECK(r * r == Approx(1.25 * z * z + 2.0 * 0.5 * 2.0 * -z).epsilon(1e-13));
     const double dz = slope_of([&](double x) { return lens.surface(x); }, r);
-    const glm::dvec3 out =
-        bent({0.0, 0.0, 1.0}, glm::normalize(glm::dvec3(-dz, 0.0, 1.0)), 1.5, 1.0);
+    const glm::dvec3 out = bent({0.0, 0.0, 1.0}, glm::normalize(glm::dvec3(-dz, 0.0, 1.0)), 1.5, 1.0);
     CHECK(r + out.x * (2.0 - z) / out.z == Approx(0.0).margin(1e-8));
     CHECK(lens.landing(r, 1.2) == Approx(r + out.x * (1.2 - z) / out.z).epsilon(1e-8));
     const double slope = slope_of([&](double x) { return lens.landing(x, 1.2); }, r);

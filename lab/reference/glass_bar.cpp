@@ -56,8 +56,8 @@ std::optional<Patch> patch_of(const GlassBar& bar, const Side& entry, const Side
     return p.x - outside->x / outside->y * p.y;
   };
   const double lit = glm::length(entry.to - entry.from) * (last - first) / std::fabs(b - a);
-  const double passed = (1.0 - fresnel(incidence, 1.0, bar.index).mean()) *
-                        (1.0 - fresnel(leaving, bar.index, 1.0).mean());
+  const double passed =
+      (1.0 - fresnel(incidence, 1.0, bar.index).mean()) * (1.0 - fresnel(leaving, bar.index, 1.0).mean());
   Patch patch{landing(first), landing(last)};
   patch.irradiance = passed * incidence * lit / std::fabs(patch.to - patch.from);
   return patch;
@@ -75,7 +75,8 @@ std::vector<double> irradiance_average(const GlassBar& bar, const FloorSquare& f
       for (int y = 0; y < floor.pixels; ++y)
         for (int x = 0; x < floor.pixels; ++x) {
           const glm::dvec2 p = floor.lower + pixel * glm::dvec2(x, y);
-          values[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.pixels) + static_cast<std::size_t>(x)] +=
+          values[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.pixels) +
+                 static_cast<std::size_t>(x)] +=
               patch->irradiance * overlap(patch->from, patch->to, p.x, p.x + pixel) / pixel *
               overlap(-bar.half_length, bar.half_length, p.y, p.y + pixel) / pixel;
         }

@@ -33,9 +33,12 @@ Light light_of(const GlassBar& bar, const FloorSquare& floor) {
 
 TEST_CASE("glass bar: a wide slab dims and shifts the light as its closed forms say") {
   const double lean = 40.0 * kDegree;
-  const GlassBar bar{.corners = {{-5.0, 0.5}, {5.0, 0.5}, {5.0, 0.8}, {-5.0, 0.8}}, .half_length = 5.0,
-                     .travel = {std::sin(lean), -std::cos(lean)}, .index = 1.5};
-  const std::vector<double> values = irradiance_average(bar, {.lower = {-1.0, -1.0}, .side = 2.0, .pixels = 4});
+  const GlassBar bar{.corners = {{-5.0, 0.5}, {5.0, 0.5}, {5.0, 0.8}, {-5.0, 0.8}},
+                     .half_length = 5.0,
+                     .travel = {std::sin(lean), -std::cos(lean)},
+                     .index = 1.5};
+  const std::vector<double> values =
+      irradiance_average(bar, {.lower = {-1.0, -1.0}, .side = 2.0, .pixels = 4});
   for (const double value : values)
     CHECK(value == Approx(std::cos(lean) * slab_transmittance(lean, 1.5, 0.3)).epsilon(1e-12));
   // The far end of what is lit: the lower side's edge, straight on to the floor.
@@ -43,7 +46,8 @@ TEST_CASE("glass bar: a wide slab dims and shifts the light as its closed forms 
   CHECK(edge[0] / values[0] == Approx(0.5 * std::tan(lean)).epsilon(1e-12));
   // The near end lies where the upper side's edge would be lit, less the slab's shift.
   const std::vector<double> near = irradiance_average(bar, {.lower = {-5.0, -0.5}, .side = 1.0, .pixels = 1});
-  CHECK(near[0] / values[0] == Approx(1.0 - (0.8 * std::tan(lean) - slab_floor_shift(lean, 1.5, 0.3))).epsilon(1e-12));
+  CHECK(near[0] / values[0] ==
+        Approx(1.0 - (0.8 * std::tan(lean) - slab_floor_shift(lean, 1.5, 0.3))).epsilon(1e-12));
 }
 
 TEST_CASE("glass bar: a wedge turns light as a prism of its angle does") {
@@ -52,11 +56,15 @@ TEST_CASE("glass bar: a wedge turns light as a prism of its angle does") {
   Light light[2];
   for (int i = 0; i < 2; ++i) {
     const double low = 0.5 + i;  // one metre higher, light lands tan(deviation) farther
-    light[i] = light_of({.corners = {{0.0, low}, {0.2, low + 0.2 * std::tan(apex)}, {0.0, low + 0.2 * std::tan(apex)}},
-                         .half_length = 0.3, .index = 1.5}, floor);
+    light[i] = light_of(
+        {.corners = {{0.0, low}, {0.2, low + 0.2 * std::tan(apex)}, {0.0, low + 0.2 * std::tan(apex)}},
+         .half_length = 0.3,
+         .index = 1.5},
+        floor);
   }
   CHECK(std::fabs(light[1].middle - light[0].middle) == Approx(std::tan(deviation)).epsilon(1e-3));
-  const double passed = (1.0 - fresnel(1.0, 1.0, 1.5).mean()) * (1.0 - fresnel(std::cos(apex), 1.5, 1.0).mean());
+  const double passed =
+      (1.0 - fresnel(1.0, 1.0, 1.5).mean()) * (1.0 - fresnel(std::cos(apex), 1.5, 1.0).mean());
   CHECK(light[0].flux == Approx(0.2 * 0.6 * passed).epsilon(1e-12));
 }
 

@@ -130,8 +130,8 @@ double GlassSphere::landing(double b) const {
 
 double GlassSphere::landing_derivative(double b) const {
   const double delta = deviation(b), cosine = std::cos(delta);
-  const double slope = 2.0 * (1.0 / std::sqrt((radius - b) * (radius + b)) -
-                              1.0 / std::sqrt(squared(index * radius) - b * b));
+  const double slope =
+      2.0 * (1.0 / std::sqrt((radius - b) * (radius + b)) - 1.0 / std::sqrt(squared(index * radius) - b * b));
   return 1.0 / cosine + slope * (b * std::sin(delta) - distance) / squared(cosine);
 }
 
@@ -191,8 +191,7 @@ double GlassSphere::irradiance(double r) const {
 }
 
 double GlassSphere::transmitted_share() const {
-  return disc_integral(*this, radius * std::min(1.0, index),
-                       [this](double b) { return transmittance(b); });
+  return disc_integral(*this, radius * std::min(1.0, index), [this](double b) { return transmittance(b); });
 }
 
 double mean_absorption(const GlassSphere& sphere) {
@@ -205,13 +204,12 @@ double disc_in_box(double radius, const glm::dvec2& lower, const glm::dvec2& upp
          disc_in_quadrant(radius, upper.x, lower.y) + disc_in_quadrant(radius, lower.x, lower.y);
 }
 
-FloorIrradiance irradiance_average(const GlassSphere& sphere, const FloorSquare& floor,
-                                   int rings_per_pixel, int ray_rings) {
+FloorIrradiance irradiance_average(const GlassSphere& sphere, const FloorSquare& floor, int rings_per_pixel,
+                                   int ray_rings) {
   const double pixel = floor.side / floor.pixels;
   const glm::dvec2 upper = floor.lower + floor.side;
   Rings rings{.width = pixel / rings_per_pixel};
-  rings.flux.resize(static_cast<std::size_t>(reach_of(floor.lower, upper).farthest / rings.width) +
-                    1);
+  rings.flux.resize(static_cast<std::size_t>(reach_of(floor.lower, upper).farthest / rings.width) + 1);
   book_rays(sphere, ray_rings, rings);
   FloorIrradiance result;
   for (int j = 0; j < floor.pixels; ++j) {

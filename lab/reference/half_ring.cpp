@@ -12,15 +12,13 @@ glm::dvec2 HalfRing::landing(double t, double s) const {
 
 // The wall's strip dt takes a strip of light R cos t dt wide, and what lands ds farther lies ds
 // higher on the wall: the floor gets R cos t dt ds of its direct light.
-std::vector<double> irradiance_average(const HalfRing& ring, const FloorSquare& floor,
-                                       int samples) {
+std::vector<double> irradiance_average(const HalfRing& ring, const FloorSquare& floor, int samples) {
   const double pixel = floor.side / floor.pixels, fine = pixel / samples;
   const double arc = ring.radius + 2.0 * ring.reach;  // at most d landing / dt
   const int across = static_cast<int>(std::ceil(std::numbers::pi * arc / fine));
   const int along = static_cast<int>(std::ceil(ring.reach / fine));
   const double dt = std::numbers::pi / across, ds = ring.reach / along;
-  std::vector<double> values(static_cast<std::size_t>(floor.pixels) *
-                             static_cast<std::size_t>(floor.pixels));
+  std::vector<double> values(static_cast<std::size_t>(floor.pixels) * static_cast<std::size_t>(floor.pixels));
   for (int i = 0; i < across; ++i) {
     const double t = -0.5 * std::numbers::pi + (i + 0.5) * dt;
     const double share = ring.reflectance * ring.radius * std::cos(t) * dt * ds / (pixel * pixel);

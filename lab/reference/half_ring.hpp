@@ -18,7 +18,6 @@ struct HalfRing {
 
 // Mean over each pixel, relative to the floor's direct light; rows from the lower corner on.
 // `samples`: rays to a pixel's side.
-std::vector<double> irradiance_average(const HalfRing& ring, const FloorSquare& floor,
-                                       int samples = 16);
+std::vector<double> irradiance_average(const HalfRing& ring, const FloorSquare& floor, int samples = 16);
 
 }  // namespace caustics

@@ -27,9 +27,7 @@ TEST_CASE("Half ring: pixel means are those of the single branch near the wall")
 TEST_CASE("Half ring: its light ends at the nephroid") {
   // Beyond the cusp, on the axis, three rays meet: more light than just before it.
   const HalfRing ring{.radius = 1.0, .reach = 0.8};
-  const auto at = [&](double x) {
-    return irradiance_average(ring, {glm::dvec2(x, -0.005), 0.01, 1}, 64)[0];
-  };
+  const auto at = [&](double x) { return irradiance_average(ring, {glm::dvec2(x, -0.005), 0.01, 1}, 64)[0]; };
   CHECK(at(0.51) > 2.0 * at(0.45));
   CHECK(at(0.51) > 2.0 * at(0.6));
 }

@@ -8,9 +8,7 @@ double landing_towards_focus(double r, double z, double focus, double plane) {
   return r * (focus - plane) / (focus - z);
 }
 
-double EllipsoidalEntry::largest_radius() const {
-  return focus * std::sqrt((index - 1.0) / (index + 1.0));
-}
+double EllipsoidalEntry::largest_radius() const { return focus * std::sqrt((index - 1.0) / (index + 1.0)); }
 
 double EllipsoidalEntry::surface(double r) const {
   const double a = index * index - 1.0, b = index * (index - 1.0) * focus, nr = index * r;

@@ -14,8 +14,7 @@ TEST_CASE("An ellipsoidal entry face sends every ray to one point inside the gla
   for (const double r : {0.05, 0.3, 0.6, 0.85}) {
     const double z = face.surface(r);
     CHECK(2.25 * r * r + 1.25 * z * z == Approx(2.0 * 1.5 * 0.5 * 2.0 * z).epsilon(1e-13));
-    CHECK(face.slope(r) ==
-          Approx((face.surface(r + 1e-6) - face.surface(r - 1e-6)) / 2e-6).epsilon(1e-7));
+    CHECK(face.slope(r) == Approx((face.surface(r + 1e-6) - face.surface(r - 1e-6)) / 2e-6).epsilon(1e-7));
     const glm::dvec3 normal = glm::normalize(glm::dvec3(face.slope(r), 0.0, -1.0));
     const glm::dvec3 d = *refract_direction({0.0, 0.0, 1.0}, normal, 1.0 / 1.5);
     CHECK(r + d.x * (2.0 - z) / d.z == Approx(0.0).margin(1e-12));

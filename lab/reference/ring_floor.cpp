@@ -42,8 +42,8 @@ class Pixels {
   }
 
  private:
-  // The next place behind s where the line crosses a border across this axis. A step behind the last one, so that
-  // rounding does not stop there.
+  // The next place behind s where the line crosses a border across this axis. A step behind the last one, so
+  // that rounding does not stop there.
   double border(const Line& line, int axis, double s) const {
     const double slope = line.direction[axis];
     if (slope == 0.0) return std::numeric_limits<double>::infinity();
@@ -64,8 +64,8 @@ double schlick(double straight_on, double cosine) {
 
 }  // namespace
 
-// The wall's strip R dt of height dh takes cos(elevation) |cos t| R dt dh; its light lands ds = dh cot(elevation)
-// farther.
+// The wall's strip R dt of height dh takes cos(elevation) |cos t| R dt dh; its light lands ds = dh
+// cot(elevation) farther.
 std::vector<double> irradiance_average(const MetalRing& ring, const FloorSquare& floor, int strips) {
   Pixels pixels(floor);
   const double reach = ring.height / std::tan(ring.elevation);
@@ -75,11 +75,12 @@ std::vector<double> irradiance_average(const MetalRing& ring, const FloorSquare&
       const double t = (inside ? -0.5 : 0.5) * std::numbers::pi + (i + 0.5) * dt;
       const double radius = inside ? ring.inner : ring.outer, facing = std::fabs(std::cos(t));
       Line line{.start = radius * glm::dvec2(std::cos(t), std::sin(t)),
-                .direction = -glm::dvec2(std::cos(2.0 * t), std::sin(2.0 * t)), .to = reach};
+                .direction = -glm::dvec2(std::cos(2.0 * t), std::sin(2.0 * t)),
+                .to = reach};
       // The rim across, a chord away, shadows what is lower.
       if (inside) line.from = std::max(reach - 2.0 * radius * facing, 0.0);
-      line.density = schlick(ring.reflectance, std::cos(ring.elevation) * facing) * std::sin(ring.elevation) * radius *
-                     facing * dt;
+      line.density = schlick(ring.reflectance, std::cos(ring.elevation) * facing) * std::sin(ring.elevation) *
+                     radius * facing * dt;
       pixels.add(line);
     }
   return pixels.means();

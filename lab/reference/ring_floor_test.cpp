@@ -32,8 +32,8 @@ TEST_CASE("ring floor: all light that meets its walls lands, and metal mirrors m
   const auto flux = [&](const MetalRing& ring) {
     return sum(irradiance_average(ring, all)) * std::pow(4.0 / 7.0, 2.0);
   };
-  // Outside a rectangle across the light, 2 R wide; inside that of the inner wall, less what lies in shadow: where a
-  // chord is shorter than the wall's reach, 2 R cos t < 0.3, a part 1 - 2 R cos t / 0.3 of it.
+  // Outside a rectangle across the light, 2 R wide; inside that of the inner wall, less what lies in shadow:
+  // where a chord is shorter than the wall's reach, 2 R cos t < 0.3, a part 1 - 2 R cos t / 0.3 of it.
   const double turn = std::acos(0.15);  // the shadow begins
   const double shadow =
       2.0 * (1.0 - std::sin(turn)) - 2.0 * (0.5 * std::numbers::pi - turn - 0.15 * std::sin(turn)) / 0.3;

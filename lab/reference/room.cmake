@@ -1,4 +1,5 @@
-# The light tracer's ray queries and threads. Without Embree the rest of the room builds, and the tracer says so.
+# The light tracer's ray queries and threads. Without Embree the rest of the room builds, and the tracer says
+# so.
 if(TARGET TBB::tbb)
   target_link_libraries(caustics_reference PRIVATE TBB::tbb)
   target_compile_definitions(caustics_reference PRIVATE CAUSTICS_HAS_TBB=1)

@@ -4,7 +4,8 @@
 
 namespace caustics {
 
-SphereFloorError compare_with_sphere(const std::vector<double>& picture, const GlassSphere& sphere, double side) {
+SphereFloorError compare_with_sphere(const std::vector<double>& picture, const GlassSphere& sphere,
+                                     double side) {
   const int pixels = static_cast<int>(std::lround(std::sqrt(static_cast<double>(picture.size()))));
   const FloorSquare square{.lower = glm::dvec2(-0.5 * side), .side = side, .pixels = pixels};
   const FloorIrradiance truth = irradiance_average(sphere, square);
@@ -13,7 +14,8 @@ SphereFloorError compare_with_sphere(const std::vector<double>& picture, const G
   std::size_t lit = 0, dark = 0;
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) {
-      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x);
+      const auto i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x);
       const glm::dvec2 lower = square.lower + pixel * glm::dvec2(x, y), upper = lower + pixel;
       const double shadowed = disc_in_box(sphere.radius, lower, upper) / (pixel * pixel);
       const double expected = truth.values[i] + 1.0 - shadowed;

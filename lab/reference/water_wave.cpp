@@ -39,16 +39,12 @@ double WaterWave::transmittance(double x) const {
   return fresnel ? 1.0 - caustics::fresnel(std::cos(incidence(x)), 1.0, index).mean() : 1.0;
 }
 
-double WaterWave::irradiance(double x) const {
-  return transmittance(x) / std::fabs(landing_derivative(x));
-}
+double WaterWave::irradiance(double x) const { return transmittance(x) / std::fabs(landing_derivative(x)); }
 
-double WaterWave::first_focus() const {
-  return index / ((index - 1.0) * amplitude * squared(wave_number));
-}
+double WaterWave::first_focus() const { return index / ((index - 1.0) * amplitude * squared(wave_number)); }
 
-std::vector<double> irradiance_average(const WaterWave& wave, double lower, double upper,
-                                       int pixels, double half_width) {
+std::vector<double> irradiance_average(const WaterWave& wave, double lower, double upper, int pixels,
+                                       double half_width) {
   const double pixel = (upper - lower) / pixels;
   // No ray runs farther sideways than that of the steepest slope from the highest crest.
   const double steepest = std::atan(std::fabs(wave.amplitude * wave.wave_number));

@@ -25,9 +25,8 @@ Pass beams_pass() {
       .shaders = {{&beams_shader}},
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(std140::Beams{
-                .grid_side = context.settings->grid,
-                .vertices_per_beam = vertices_per_beam(*context.settings)});
+            return uniform_bytes(std140::Beams{.grid_side = context.settings->grid,
+                                               .vertices_per_beam = vertices_per_beam(*context.settings)});
           },
   };
 }

@@ -10,7 +10,8 @@ namespace {
 
 PassImages join(int grid, int vertices, int beams, const Image& start, const Image& way, const Image& flux) {
   return run_pass(definition_of(beams_pass()),
-                  {.width = beams, .height = beams,
+                  {.width = beams,
+                   .height = beams,
                    .uniforms = uniform_bytes(std140::Beams{.grid_side = grid, .vertices_per_beam = vertices}),
                    .textures = {start, way, flux}});
 }
@@ -18,7 +19,8 @@ PassImages join(int grid, int vertices, int beams, const Image& start, const Ima
 }  // namespace
 
 TEST_CASE("beams: one grid vertex a beam is the vertex itself") {
-  const PassImages out = join(1, 1, 1, filled(1, 1, {1, 2, 3, 4}), filled(1, 1, {0, -1, 0, 1}), filled(1, 1, {2, 4, 6, 0}));
+  const PassImages out =
+      join(1, 1, 1, filled(1, 1, {1, 2, 3, 4}), filled(1, 1, {0, -1, 0, 1}), filled(1, 1, {2, 4, 6, 0}));
   CHECK(texel(out["beam_start"], 0, 0) == glm::vec4(1, 2, 3, 4));
   CHECK(texel(out["beam_way"], 0, 0) == glm::vec4(0, -1, 0, 1));
   CHECK(texel(out["beam_flux"], 0, 0) == glm::vec4(2, 4, 6, 0));
@@ -44,7 +46,8 @@ TEST_CASE("beams: where no light leaves there is no beam, and the grid's edge is
   const Image none = filled(1, 1, glm::vec4(0.0f));
   CHECK(texel(join(1, 1, 1, none, none, none)["beam_way"], 0, 0) == glm::vec4(0.0f));
   // A grid of 3 in beams of 2 x 2: the last beam has one vertex.
-  const PassImages out = join(3, 2, 2, filled(3, 3, {1, 1, 1, 1}), filled(3, 3, {0, 0, 1, 1}), filled(3, 3, {1, 0, 0, 0}));
+  const PassImages out =
+      join(3, 2, 2, filled(3, 3, {1, 1, 1, 1}), filled(3, 3, {0, 0, 1, 1}), filled(3, 3, {1, 0, 0, 0}));
   CHECK(out["beam_flux"].at(0, 0, 0) == 4.0f);
   CHECK(out["beam_flux"].at(1, 0, 0) == 2.0f);
   CHECK(out["beam_flux"].at(1, 1, 0) == 1.0f);

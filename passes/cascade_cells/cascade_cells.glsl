@@ -17,7 +17,8 @@ Vec4 in_cascade(Vec4 corners) {
               corners.z * u.scale.x + u.offset.x, corners.w * u.scale.y + u.offset.y);
 }
 
-// A rectangle of two triangles around the texels that the cell touches: a cell may be larger here than any point.
+// A rectangle of two triangles around the texels that the cell touches: a cell may be larger here than any
+// point.
 void main() {
   Int id = vertex_id();
   Int cell = id / Int(6);
@@ -35,7 +36,8 @@ void main() {
   Float top = min_of(floor(max_of(max_of(near.y, near.w), max_of(far.y, far.w))) + 1.0f, side);
   Bool to_right = corner == 1 || corner == 2 || corner == 4;
   Bool upwards = corner == 2 || corner == 4 || corner == 5;
-  Vec4 at = Vec4(sel(to_right, right, left) * 2.0f / side - 1.0f, sel(upwards, top, bottom) * 2.0f / side - 1.0f,
+  Vec4 at = Vec4(sel(to_right, right, left) * 2.0f / side - 1.0f,
+                 sel(upwards, top, bottom) * 2.0f / side - 1.0f,
                  Float(0.5f), Float(1.0f));
   // Outside the volume: not drawn.
   Bool touches = is_cell(carried) && right > left && top > bottom;

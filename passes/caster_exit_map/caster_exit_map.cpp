@@ -13,7 +13,8 @@ namespace {
 
 UniformBytes uniforms(const PassContext& context) {
   const View& view = context.views ? context.views->caster : *context.camera;
-  if (!detailed_exits(*context.effects)) return uniform_bytes(caster_map_uniforms(view, context.material_row));
+  if (!detailed_exits(*context.effects))
+    return uniform_bytes(caster_map_uniforms(view, context.material_row));
   const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
   return uniform_bytes(textured_casters_uniforms(view, *context.material, role, context.material_row));
 }
@@ -30,16 +31,22 @@ Pass caster_exit_map_pass() {
       .only_lights_with_caustics = true,
       .draws = DrawSet::SolidCasters,
       .size = grid_size,
-      .reads = {{.name = "base_color", .meaning = "opacity; alpha masks cut holes", .of_material = true,
+      .reads = {{.name = "base_color",
+                 .meaning = "opacity; alpha masks cut holes",
+                 .of_material = true,
                  .only_with = detailed_exits},
-                {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true,
+                {.name = "normal_texture",
+                 .meaning = "tangent-space normals",
+                 .of_material = true,
                  .only_with = detailed_exits}},
-      .writes = {{.name = "caster_exit_position",
-                  .meaning = "xyz: position of the nearest back face, metres, scene space; w: 1 "
-                             "where there is one, else 0"},
-                 {.name = "caster_exit_normal",
-                  .meaning = "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: 1 where "
-                             "there is one, else 0"}},
+      .writes =
+          {{.name = "caster_exit_position",
+            .meaning = "xyz: position of the nearest back face, metres, scene space; w: 1 "
+                       "where there is one, else 0"},
+           {.name = "caster_exit_normal",
+            .meaning =
+                "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: 1 where "
+                "there is one, else 0"}},
       .depth = DepthWrite{.name = "caster_exit_depth", .meaning = "window depth of the nearest back face"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .cull = Cull::Front,

@@ -14,11 +14,10 @@ const glm::vec3 kFront[4] = {{-0.5, 1, 0.5}, {0.5, 1, 0.5}, {0.5, 1, -0.5}, {-0.
 const glm::vec3 kBack[4] = {{-0.5, 1, -0.5}, {0.5, 1, -0.5}, {0.5, 1, 0.5}, {-0.5, 1, 0.5}};
 
 PassImages draw(const PassDefinition& definition, const glm::vec3 (&corners)[4]) {
-  return run_pass(definition,
-                  {.width = 8,
-                   .height = 8,
-                   .uniforms = uniform_bytes(caster_map_uniforms(down(1.0, 4.0, 8.0), 3)),
-                   .mesh = quad(corners, {0.0f, 2.0f, 0.0f})});
+  return run_pass(definition, {.width = 8,
+                               .height = 8,
+                               .uniforms = uniform_bytes(caster_map_uniforms(down(1.0, 4.0, 8.0), 3)),
+                               .mesh = quad(corners, {0.0f, 2.0f, 0.0f})});
 }
 
 }  // namespace
@@ -35,10 +34,11 @@ TEST_CASE("caster_exit_map: of the camera, only back faces are seen") {
   const Pass pass = caster_exit_map_pass();
   const Effects effects;
   const auto draw = [&](const MeshData& mesh) {
-    return run_pass(definition_of(pass, {}, kCamera), {.width = 4,
-                                      .height = 4,
-                                      .uniforms = pass.uniforms({.effects = &effects, .camera = &view, .material_row = 3}),
-                                      .mesh = mesh});
+    return run_pass(definition_of(pass, {}, kCamera),
+                    {.width = 4,
+                     .height = 4,
+                     .uniforms = pass.uniforms({.effects = &effects, .camera = &view, .material_row = 3}),
+                     .mesh = mesh});
   };
   const glm::vec3 up[4] = {{-1, 2, 1}, {1, 2, 1}, {1, 2, -1}, {-1, 2, -1}};
   const glm::vec3 under[4] = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};

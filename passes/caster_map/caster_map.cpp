@@ -10,7 +10,8 @@ extern const Shader caster_map_detailed_shader;
 extern const Shader caster_map_tinted_shader;
 
 std140::CasterMap caster_map_uniforms(const View& view, int material_row) {
-  return {.view = shader_view(view), .material_row = material_row, .map_side = view.cube ? view.cube->side : 0};
+  return {
+      .view = shader_view(view), .material_row = material_row, .map_side = view.cube ? view.cube->side : 0};
 }
 
 namespace {
@@ -30,32 +31,43 @@ UniformBytes uniforms(const PassContext& context) {
 Pass caster_map_pass() {
   return {
       .name = "caster_map",
-      .purpose = "turns what the light sees of the casters into a grid of vertices; shows the camera where they are",
+      .purpose =
+          "turns what the light sees of the casters into a grid of vertices; shows the camera where they are",
       .reason = "each texel that a caster covers becomes a grid vertex, or a place to look through",
       .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}, kCamera},
       .only_lights_with_caustics = true,
       .draws = DrawSet::Casters,
       .size = grid_size,
-      .reads = {{.name = "base_color", .meaning = "colour and opacity; alpha masks cut holes", .of_material = true,
+      .reads = {{.name = "base_color",
+                 .meaning = "colour and opacity; alpha masks cut holes",
+                 .of_material = true,
                  .only_with = are_detailed},
-                {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true,
+                {.name = "normal_texture",
+                 .meaning = "tangent-space normals",
+                 .of_material = true,
                  .only_with = are_detailed},
-                {.name = "transmission_texture", .meaning = "r: share that is let through", .of_material = true,
+                {.name = "transmission_texture",
+                 .meaning = "r: share that is let through",
+                 .of_material = true,
                  .only_with = are_tinted}},
       .writes = {{.name = "caster_position",
                   .meaning = "xyz: position of the caster's surface, metres, scene space; w: 1 a "
                              "front face, -1 a back face, 0 no caster"},
                  {.name = kCasterNormal,
-                  .meaning = "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: row of "
-                             "the material in caster_materials"},
+                  .meaning =
+                      "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: row of "
+                      "the material in caster_materials"},
                  {.name = "caster_tint",
-                  .meaning = "rgb: what glass lets through, or metal mirrors at normal incidence, 0..1; w: 1 where "
-                             "there is a caster, else 0",
+                  .meaning =
+                      "rgb: what glass lets through, or metal mirrors at normal incidence, 0..1; w: 1 where "
+                      "there is a caster, else 0",
                   .only_with = are_tinted}},
       .depth = DepthWrite{.name = "caster_depth", .meaning = "window depth of the nearest surface"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .count_samples = true,
-      .shaders = {{&caster_map_shader}, {&caster_map_detailed_shader, are_detailed}, {&caster_map_tinted_shader, are_tinted}},
+      .shaders = {{&caster_map_shader},
+                  {&caster_map_detailed_shader, are_detailed},
+                  {&caster_map_tinted_shader, are_tinted}},
       .uniforms = uniforms,
   };
 }

@@ -1,5 +1,6 @@
-// The nearest caster surface seen from the light, or the camera: of the light's view every texel is a grid vertex.
-// DETAILED: with the normals and holes of its textures; TINTED: and their colours (textured_casters.md).
+// The nearest caster surface seen from the light, or the camera: of the light's view every texel is a grid
+// vertex. DETAILED: with the normals and holes of its textures; TINTED: and their colours
+// (textured_casters.md).
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #ifdef DETAILED

@@ -13,11 +13,10 @@ const glm::vec3 kFront[4] = {{-0.5, 1, 0.5}, {0.5, 1, 0.5}, {0.5, 1, -0.5}, {-0.
 const glm::vec3 kBack[4] = {{-0.5, 1, -0.5}, {0.5, 1, -0.5}, {0.5, 1, 0.5}, {-0.5, 1, 0.5}};
 
 PassImages draw(const PassDefinition& definition, const glm::vec3 (&corners)[4]) {
-  return run_pass(definition,
-                  {.width = 8,
-                   .height = 8,
-                   .uniforms = uniform_bytes(caster_map_uniforms(down(1.0, 4.0, 8.0), 3)),
-                   .mesh = quad(corners, {0.0f, 2.0f, 0.0f})});
+  return run_pass(definition, {.width = 8,
+                               .height = 8,
+                               .uniforms = uniform_bytes(caster_map_uniforms(down(1.0, 4.0, 8.0), 3)),
+                               .mesh = quad(corners, {0.0f, 2.0f, 0.0f})});
 }
 
 }  // namespace
@@ -45,16 +44,18 @@ TEST_CASE("caster_map: a back face is kept and marked") {
   CHECK(draw(definition_of(caster_map_pass()), kBack)["caster_position"].at(3, 3, 3) == -1.0f);
 }
 
-TEST_CASE("caster_map: of the camera, a pixel holds position, side, normal and material of the nearest glass") {
+TEST_CASE(
+    "caster_map: of the camera, a pixel holds position, side, normal and material of the nearest glass") {
   const View view = down(1.0, 10.0, 20.0);
   const Pass pass = caster_map_pass();
   const Effects effects;
   const glm::vec3 corners[4] = {{-1, 2, 1}, {0, 2, 1}, {0, 2, -1}, {-1, 2, -1}};
   const auto draw = [&](const MeshData& mesh) {
-    return run_pass(definition_of(pass, {}, kCamera), {.width = 4,
-                                      .height = 4,
-                                      .uniforms = pass.uniforms({.effects = &effects, .camera = &view, .material_row = 3}),
-                                      .mesh = mesh});
+    return run_pass(definition_of(pass, {}, kCamera),
+                    {.width = 4,
+                     .height = 4,
+                     .uniforms = pass.uniforms({.effects = &effects, .camera = &view, .material_row = 3}),
+                     .mesh = mesh});
   };
   MeshData mesh = quad(corners, {0.0f, 2.0f, 0.0f});
   const PassImages front = draw(mesh);

@@ -13,12 +13,13 @@ using namespace caustics::test;
 
 namespace {
 
-// A level square of 1 m in a window of 2 m, 8 x 8 texels: it covers the middle 4 x 4. Its texture coordinates run
-// from 0 to 1 along +x and -z, its tangent is +x, so the bitangent is -z.
+// A level square of 1 m in a window of 2 m, 8 x 8 texels: it covers the middle 4 x 4. Its texture coordinates
+// run from 0 to 1 along +x and -z, its tangent is +x, so the bitangent is -z.
 const glm::vec3 kFront[4] = {{-0.5, 1, 0.5}, {0.5, 1, 0.5}, {0.5, 1, -0.5}, {-0.5, 1, -0.5}};
 const glm::vec3 kBack[4] = {{-0.5, 1, -0.5}, {0.5, 1, -0.5}, {0.5, 1, 0.5}, {-0.5, 1, 0.5}};
 
-// What is bound as base colour, normal texture and transmission texture; the material uses those that are there.
+// What is bound as base colour, normal texture and transmission texture; the material uses those that are
+// there.
 struct Bench {
   Material material = glass(1.5f);
   Role role = Role::Refractor;
@@ -42,9 +43,13 @@ struct Bench {
   }
 };
 
-PassDefinition detailed_casters() { return definition_with(caster_map_pass(), &Effects::normal_mapped_casters); }
+PassDefinition detailed_casters() {
+  return definition_with(caster_map_pass(), &Effects::normal_mapped_casters);
+}
 PassDefinition tinted_casters() { return definition_with(caster_map_pass(), &Effects::textured_casters); }
-PassDefinition detailed_exits_map() { return definition_with(caster_exit_map_pass(), &Effects::cut_out_casters); }
+PassDefinition detailed_exits_map() {
+  return definition_with(caster_exit_map_pass(), &Effects::cut_out_casters);
+}
 
 Image two_by_two(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, const glm::vec4& d) {
   Image image(Format::RGBA32F, 2, 2);
@@ -91,9 +96,10 @@ TEST_CASE("textured_casters: without textures all is as the plain passes draw it
 }
 
 TEST_CASE("textured_casters: a 2 x 2 normal texture leans the normals, interpolated between its texels") {
-  // Left texels (1, ., 1) lean towards +x, right ones (-1, ., 1) back; the upper row leans 1 towards -z as well.
-  // The first covered texel's centre lies at u = v = 0.125, a quarter of a texel left of and below the first
-  // texel's centre: 0.75 of it and 0.25 of the one before it, which is the last. So x = 0.75 - 0.25, y = 0.25 * 1.
+  // Left texels (1, ., 1) lean towards +x, right ones (-1, ., 1) back; the upper row leans 1 towards -z as
+  // well. The first covered texel's centre lies at u = v = 0.125, a quarter of a texel left of and below the
+  // first texel's centre: 0.75 of it and 0.25 of the one before it, which is the last. So x = 0.75 - 0.25, y
+  // = 0.25 * 1.
   Bench bench;
   bench.normals = two_by_two({1.0f, 0.5f, 1.0f, 1.0f}, {0.0f, 0.5f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f, 1.0f},
                              {0.0f, 1.0f, 1.0f, 1.0f});
@@ -110,7 +116,8 @@ TEST_CASE("textured_casters: a 2 x 2 normal texture leans the normals, interpola
 }
 
 TEST_CASE("textured_casters: KHR_texture_transform moves the normal texture") {
-  // Twice as often along u, and moved by half a texel: u' = 2 u + 0.25 is 0.5 at the first centre, between both.
+  // Twice as often along u, and moved by half a texel: u' = 2 u + 0.25 is 0.5 at the first centre, between
+  // both.
   Bench bench;
   bench.normals = two_by_two({1.0f, 0.5f, 1.0f, 1.0f}, {0.0f, 0.5f, 1.0f, 1.0f}, {1.0f, 0.5f, 1.0f, 1.0f},
                              {0.0f, 0.5f, 1.0f, 1.0f});
@@ -161,8 +168,7 @@ TEST_CASE("textured_casters: glass is tinted by factor, texture and transmission
   CHECK(texel(out, 4, 3) == glm::vec4(0.125f, 1.0f, 0.75f, 1.0f));
   CHECK(texel(out, 1, 3) == glm::vec4(0.0f));
   bench.transmission = filled(1, 1, {0.5f, 0.0f, 0.0f, 1.0f});
-  CHECK(texel(bench.run(tinted_casters())["caster_tint"], 3, 3) ==
-        glm::vec4(0.1875f, 0.5f, 0.125f, 1.0f));
+  CHECK(texel(bench.run(tinted_casters())["caster_tint"], 3, 3) == glm::vec4(0.1875f, 0.5f, 0.125f, 1.0f));
 }
 
 TEST_CASE("textured_casters: a mirror's reflectance is its dielectric share and the texture's metal share") {

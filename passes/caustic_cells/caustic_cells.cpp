@@ -25,8 +25,8 @@ Pass caustic_cells_pass() {
       .shaders = {{&caustic_cells_shader}},
       .uniforms =
           [](const PassContext& context) {
-            return uniform_bytes(std140::CausticCells{
-                .cells_a_side = context.settings->grid - 1, .map_side = context.settings->map});
+            return uniform_bytes(std140::CausticCells{.cells_a_side = context.settings->grid - 1,
+                                                      .map_side = context.settings->map});
           },
   };
 }

@@ -28,7 +28,8 @@ void main() {
   Float right = floor(max_of(max_of(near.x, near.z), max_of(far.x, far.z))) + 1.0f;
   Float top = floor(max_of(max_of(near.y, near.w), max_of(far.y, far.w))) + 1.0f;
   Float side = max_of(right - left, top - bottom);
-  // At the map's edge the square leans inwards, so that its centre, by which points are clipped, stays inside.
+  // At the map's edge the square leans inwards, so that its centre, by which points are clipped, stays
+  // inside.
   Float x = max_of(min_of(left, float(u.map_side) - side), Float(0.0f)) * 2.0f + side;
   Float y = max_of(min_of(bottom, float(u.map_side) - side), Float(0.0f)) * 2.0f + side;
   Vec4 at = Vec4(x / float(u.map_side) - 1.0f, y / float(u.map_side) - 1.0f, Float(0.5f), Float(1.0f));

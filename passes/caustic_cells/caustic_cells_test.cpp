@@ -13,13 +13,13 @@ namespace {
 
 // Lays one cell with corners a, b, c, d (texels) and flux (1, 2, 4) into a map of 8 x 8.
 Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
-  return run_pass(definition_with(caustic_cells_pass(), &Effects::coloured_caustics),
-                  {.width = 8,
-                   .height = 8,
-                   .uniforms = uniform_bytes(std140::CausticCells{.cells_a_side = 1, .map_side = 8}),
-                   .textures = {filled(1, 1, {a, b}), filled(1, 1, {c, d}),
-                                filled(1, 1, {1.0f, 2.0f, 4.0f, 1.0f})},
-                   .vertex_count = 1})["caustic_map"];
+  return run_pass(
+      definition_with(caustic_cells_pass(), &Effects::coloured_caustics),
+      {.width = 8,
+       .height = 8,
+       .uniforms = uniform_bytes(std140::CausticCells{.cells_a_side = 1, .map_side = 8}),
+       .textures = {filled(1, 1, {a, b}), filled(1, 1, {c, d}), filled(1, 1, {1.0f, 2.0f, 4.0f, 1.0f})},
+       .vertex_count = 1})["caustic_map"];
 }
 
 double sum(const Image& map, int channel = 0) {
@@ -38,7 +38,8 @@ TEST_CASE("caustic_cells: a cell that is a texel gives it all") {
 }
 
 TEST_CASE("caustic_cells: texels get a rectangle's light by area") {
-  // 2 x 1 texels from (2.5, 3.25): columns 2, 3, 4 hold 1/4, 1/2, 1/4 of the width, rows 3 and 4 hold 3/4 and 1/4.
+  // 2 x 1 texels from (2.5, 3.25): columns 2, 3, 4 hold 1/4, 1/2, 1/4 of the width, rows 3 and 4 hold 3/4 and
+  // 1/4.
   const Image map = lay({2.5f, 3.25f}, {4.5f, 3.25f}, {2.5f, 4.25f}, {4.5f, 4.25f});
   CHECK(map.at(2, 3, 0) == Approx(0.25 * 0.75));
   CHECK(map.at(3, 3, 0) == Approx(0.5 * 0.75));
@@ -78,7 +79,8 @@ TEST_CASE("caustic_cells: a cell without height is a line, one without extent a 
   const Image line = lay({1.5f, 3.5f}, {2.5f, 3.5f}, {4.5f, 3.5f}, {5.5f, 3.5f});
   CHECK(sum(line) == Approx(1.0));
   for (int x = 0; x < 8; ++x) CHECK(line.at(x, 2, 0) == 0.0f);
-  // Triangle a, b, c spans 1.5 to 4.5 with its third corner at 1/3: up to x = 2 (t = 1/6) lies t^2 / s = 1/12.
+  // Triangle a, b, c spans 1.5 to 4.5 with its third corner at 1/3: up to x = 2 (t = 1/6) lies t^2 / s =
+  // 1/12.
   CHECK(line.at(1, 3, 0) == Approx(0.5 / 12.0));
   const Image point = lay({3.7f, 2.2f}, {3.7f, 2.2f}, {3.7f, 2.2f}, {3.7f, 2.2f});
   CHECK(point.at(3, 2, 0) == 1.0f);

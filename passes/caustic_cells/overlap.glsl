@@ -1,4 +1,5 @@
-// What a cell gives to one texel: of both its triangles the flux times the share of the area that lies on the texel.
+// What a cell gives to one texel: of both its triangles the flux times the share of the area that lies on the
+// texel.
 OUTPUT(0, Vec4, caustic_map)
 
 // The mean of clamp(y, 0, 1) on the way from y0 to y1.

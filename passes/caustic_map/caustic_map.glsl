@@ -44,8 +44,8 @@ void main() {
   Vec2 uv = view_uv(u.map, q);
   flux = Vec3(carried) * part;
   centre = Vec2(uv.x * float(u.map_side), uv.y * float(u.map_side));
-  // One texel is meant where there is no kernel: its middle is drawn, for a place on a border would be rounded to either
-  // side of it, and off the map at the map's.
+  // One texel is meant where there is no kernel: its middle is drawn, for a place on a border would be
+  // rounded to either side of it, and off the map at the map's.
   Float last = Float(float(u.map_side)) - 0.5f;
   if (u.radius == 0.0f) {
     centre = Vec2(clamp_to(floor(centre.x) + 0.5f, 0.5f, last), clamp_to(floor(centre.y) + 0.5f, 0.5f, last));

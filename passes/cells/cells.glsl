@@ -53,8 +53,8 @@ Vec3 landing_direction(Place where) {
 Int face_of(IN(Square) at) {
   Int face = Int(FACE_FORWARD);
   if (u.caustic.kind == VIEW_CUBE) {
-    // A row of cells that straddles an edge evenly, as undeviated light does, must lie in one tile all along: z is
-    // preferred to x and x to y by more than rounding.
+    // A row of cells that straddles an edge evenly, as undeviated light does, must lie in one tile all along:
+    // z is preferred to x and x to y by more than rounding.
     Vec3 towards = (landing_direction(at.a) + landing_direction(at.d)) +
                    (landing_direction(at.b) + landing_direction(at.c));
     face = cube_face(Vec3(towards.x, towards.y * 0.9998f, towards.z * 1.0002f));
@@ -163,7 +163,8 @@ Float material_at(Place where) { return fetch_clamped(caster_normal, where.x, wh
 // Are the four landings of one sheet of light, on one surface?
 Bool one_sheet(IN(Square) at, IN(Cell) cell, Int face) {
   Float material = material_at(at.a);
-  Bool whole = material_at(at.b) == material && material_at(at.c) == material && material_at(at.d) == material;
+  Bool whole = material_at(at.b) == material && material_at(at.c) == material &&
+               material_at(at.d) == material;
   whole = whole && goes_on(corner_from(at, -1, 0, face), cell.a, cell.b, corner_from(at, 2, 0, face));
   whole = whole && goes_on(corner_from(at, -1, 1, face), cell.c, cell.d, corner_from(at, 2, 1, face));
   whole = whole && goes_on(corner_from(at, 0, -1, face), cell.a, cell.c, corner_from(at, 0, 2, face));
@@ -224,9 +225,9 @@ void join_triangle(IN(Square) at, Int face, INOUT(Cell) cell) {
     cell.b = chosen(triangle, t.own, cell.b);
     cell.c = chosen(triangle, middle, cell.c);
     cell.d = chosen(triangle, t.q, cell.d);
-    // As the light sees it the triangle is half as large as three quarters of cells: the sides from face to face are
-    // bent away from it at the edges, drawn straight. So it takes an eighth of each
-    // vertex's flux; the other eighth is left to a point.
+    // As the light sees it the triangle is half as large as three quarters of cells: the sides from face to
+    // face are bent away from it at the edges, drawn straight. So it takes an eighth of each vertex's flux;
+    // the other eighth is left to a point.
     cell.part = sel(triangle, Float(0.5f), cell.part);
   }
 }
@@ -247,8 +248,8 @@ Vec3 flux_around(Int x, Int y) {
 void write_cell(IN(Cell) cell, Vec3 flux, Int face) {
   Bool whole = cell.whole;
   if (u.caustic.kind == VIEW_CUBE) {
-    // Only the face's own vertices give here: across a border each of the two faces draws the same cell with the
-    // half of its flux that its own vertices carry. The guard's carry nothing.
+    // Only the face's own vertices give here: across a border each of the two faces draws the same cell with
+    // the half of its flux that its own vertices carry. The guard's carry nothing.
     whole = whole && max_of(max_of(flux.x, flux.y), flux.z) > 0.0f && in_tile(cell.a, face) &&
             in_tile(cell.b, face) && in_tile(cell.c, face) && in_tile(cell.d, face);
   }

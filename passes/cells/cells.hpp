@@ -19,7 +19,7 @@ struct CellLimits {
   // Of the map's side, that a cell may span; and texels: points are drawn up to this size everywhere.
   float largest_share = 0.25f;
   float largest = 254.0f;
-  float gap = 2.0f;            // between the receiver and the cell's middle, in texels' extents
+  float gap = 2.0f;  // between the receiver and the cell's middle, in texels' extents
 };
 
 // cells.md says what this pass is for, what it reads and writes, and what can go wrong.

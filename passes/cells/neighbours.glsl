@@ -1,6 +1,6 @@
-// Where the neighbours of a grid vertex are stored. Over the border of a cube's tile the grid goes on with the vertices
-// of the face beyond the edge, at the same distance from it. Needs cube_atlas.glsl and the uniforms caustic, grid_side,
-// grid_tile and grid_guard.
+// Where the neighbours of a grid vertex are stored. Over the border of a cube's tile the grid goes on with
+// the vertices of the face beyond the edge, at the same distance from it. Needs cube_atlas.glsl and the
+// uniforms caustic, grid_side, grid_tile and grid_guard.
 struct Place {
   Int x;
   Int y;

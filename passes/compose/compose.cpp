@@ -40,7 +40,9 @@ UniformBytes uniforms(const View& view, int width, int height, const PassContext
 }
 
 // Without glass before it the shaded scene is the picture.
-std::string_view shaded(const Effects& effects) { return effects.seen_casters.active ? "scene_color" : "beauty"; }
+std::string_view shaded(const Effects& effects) {
+  return effects.seen_casters.active ? "scene_color" : "beauty";
+}
 
 }  // namespace
 

@@ -26,16 +26,15 @@ struct Bench {
   Image image() const {
     const auto all = [&](const glm::vec3& rgb, float w) { return filled(width, height, {rgb, w}); };
     const Pass pass = compose_pass();
-    return run_pass(definition_of(pass),
-                    {.width = width,
-                     .height = height,
-                     .uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = width,
-                                                .height = height}),
-                     .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f),
-                                  all(albedo, 1.0f), all(emission, 1.0f),
-                                  lights ? all(direct, 0.0f) : Image{},
-                                  lights ? all(caustic, 0.0f) : Image{},
-                                  scene.environment.image.value_or(Image{})}})["scene_color"];
+    return run_pass(
+        definition_of(pass),
+        {.width = width,
+         .height = height,
+         .uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = width, .height = height}),
+         .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f), all(albedo, 1.0f),
+                      all(emission, 1.0f), lights ? all(direct, 0.0f) : Image{},
+                      lights ? all(caustic, 0.0f) : Image{},
+                      scene.environment.image.value_or(Image{})}})["scene_color"];
   }
   glm::vec3 color(int x = 0, int y = 0) const { return glm::vec3(texel(image(), x, y)); }
 };
@@ -154,9 +153,13 @@ TEST_CASE("compose: an environment that grows with height lights surfaces by two
 
 TEST_CASE("compose: the picture and its surroundings are composed by the same rule") {
   // Irradiance pi on albedo 0.5.
-  const std::vector<Image> textures = {filled(1, 1, glm::vec4(1.0f)), filled(1, 1, {0, 1, 0, 1}),
-                                       filled(1, 1, glm::vec4(0.5f)), filled(1, 1, glm::vec4(0.0f)),
-                                       filled(1, 1, glm::vec4(kPi)), Image{}, Image{}};
+  const std::vector<Image> textures = {filled(1, 1, glm::vec4(1.0f)),
+                                       filled(1, 1, {0, 1, 0, 1}),
+                                       filled(1, 1, glm::vec4(0.5f)),
+                                       filled(1, 1, glm::vec4(0.0f)),
+                                       filled(1, 1, glm::vec4(kPi)),
+                                       Image{},
+                                       Image{}};
   const Scene scene;
   const View view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
   const PassContext context{.scene = &scene, .camera = &view, .surroundings = &wide, .width = 1, .height = 1};
@@ -164,6 +167,7 @@ TEST_CASE("compose: the picture and its surroundings are composed by the same ru
   PassContext around = context;
   around.camera = &wide;
   for (const PassContext& each : {context, around})
-    CHECK(run_pass(definition_of(pass), {.uniforms = pass.uniforms(each), .textures = textures})["scene_color"]
-              .at(0, 0, 1) == Approx(0.5));
+    CHECK(
+        run_pass(definition_of(pass), {.uniforms = pass.uniforms(each), .textures = textures})["scene_color"]
+            .at(0, 0, 1) == Approx(0.5));
 }

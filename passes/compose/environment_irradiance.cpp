@@ -23,11 +23,10 @@ std::array<glm::vec3, 9> environment_irradiance(const Image& environment) {
     }
   }
   // Means over the sphere, times the basis' norm and the cosine lobe's factor over pi (1, 2/3, 1/4).
-  const double factors[9] = {1.0,         2.0,         2.0,          2.0,        15.0 * 0.25,
+  const double factors[9] = {1.0,         2.0,         2.0,         2.0,        15.0 * 0.25,
                              15.0 * 0.25, 1.25 * 0.25, 15.0 * 0.25, 3.75 * 0.25};
   std::array<glm::vec3, 9> result;
-  for (std::size_t i = 0; i < 9; ++i)
-    result[i] = glm::vec3(sums[i] * (factors[i] / solid_angle));
+  for (std::size_t i = 0; i < 9; ++i) result[i] = glm::vec3(sums[i] * (factors[i] / solid_angle));
   return result;
 }
 

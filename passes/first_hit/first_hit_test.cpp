@@ -21,15 +21,14 @@ struct Bench {
     const View view = down(1.0, 10.0, 20.0);
     const Pass pass = first_hit_pass();
     const auto all = [&](const glm::vec4& value) { return filled(size, size, value); };
-    return run_pass(definition_of(pass),
-                    {.width = size,
-                     .height = size,
-                     .uniforms = pass.uniforms({.camera = &view}),
-                     .textures = {all(position), all(normal),
-                                  lights ? all({100.0f, 50.0f, 25.0f, 0.0f}) : Image{},
-                                  lights ? all({10.0f, 20.0f, 30.0f, 0.0f}) : Image{},
-                                  casters ? all(caster) : Image{},
-                                  casters ? all(caster_normal) : Image{}}});
+    return run_pass(
+        definition_of(pass),
+        {.width = size,
+         .height = size,
+         .uniforms = pass.uniforms({.camera = &view}),
+         .textures = {all(position), all(normal), lights ? all({100.0f, 50.0f, 25.0f, 0.0f}) : Image{},
+                      lights ? all({10.0f, 20.0f, 30.0f, 0.0f}) : Image{}, casters ? all(caster) : Image{},
+                      casters ? all(caster_normal) : Image{}}});
   }
 };
 

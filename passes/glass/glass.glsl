@@ -74,7 +74,8 @@ Exit leave_glass(IN(Ray) inside, Float ior, Bool solid) {
   Exit exit;
   exit.inside_length = sel(solid, max_of(hit.distance, 0.0f), Float(0.0f));
   exit.ray.start = point_along(inside, exit.inside_length);
-  Vec3 normal = facing_normal(exit_normal_at(exit.ray.start, -inside.direction), inside.direction, Bool(true));
+  Vec3 outward = exit_normal_at(exit.ray.start, -inside.direction);
+  Vec3 normal = facing_normal(outward, inside.direction, Bool(true));
   Refraction bent = refraction_at(inside.direction, normal, ior);
   // What cannot leave is mirrored inside once and then followed straight on.
   Vec3 leaving = sel(solid && bent.total, reflected(inside.direction, normal, bent.cosine), bent.direction);
@@ -113,11 +114,14 @@ Vec3 radiance_of(IN(Front) front) {
   Bool solid = material.solid && !front.from_inside;
   Exit exit = leave_glass(ray_from(front.point, bent.direction), material.ior, solid);
 
-  Vec3 behind = radiance_along(exit.ray) * material.color * transmittance(material.absorption, exit.inside_length);
+  Vec3 behind =
+      radiance_along(exit.ray) * material.color * transmittance(material.absorption, exit.inside_length);
   Vec3 mirrored = radiance_along(ray_from(front.point, reflected(sight, normal, bent.cosine)));
   Vec3 metal = mirrored * metal_reflectance(material.color, bent.cosine);
-  // The share that the second surface sends back is taken to leave as it would have: nothing is lost to black.
-  Vec3 glass = mirrored * bent.reflectance + behind * (1.0f - bent.reflectance) * (1.0f - 0.5f * exit.reflectance);
+  // The share that the second surface sends back is taken to leave as it would have: nothing is lost to
+  // black.
+  Vec3 glass = mirrored * bent.reflectance +
+               behind * (1.0f - bent.reflectance) * (1.0f - 0.5f * exit.reflectance);
   return sel(material.mirror, metal, glass);
 }
 

@@ -57,17 +57,17 @@ struct Bench {
     const Pass pass = glass_pass();
     Effects effects;
     effects.textured_casters.active = pixel_tint.has_value();
-    return run_pass(definition_of(pass),
-                    {.width = 8,
-                     .height = 8,
-                     .uniforms = pass.uniforms(
-                         {.scene = &scene, .effects = &effects, .camera = &view, .surroundings = &wide}),
-                     .textures = {scene_color, floor, wide_color, wide_floor,
-                                  level(view, glass_height, facing), filled(8, 8, {normal, 1.0f}),
-                                  solid ? level(view, 4.0, 1.0f) : Image{},
-                                  solid ? filled(8, 8, {0.0f, -1.0f, 0.0f, 1.0f}) : Image{},
-                                  materials, scene.environment.image.value_or(Image{}),
-                                  pixel_tint ? filled(8, 8, {*pixel_tint, 1.0f}) : Image{}}})["beauty"];
+    return run_pass(
+        definition_of(pass),
+        {.width = 8,
+         .height = 8,
+         .uniforms =
+             pass.uniforms({.scene = &scene, .effects = &effects, .camera = &view, .surroundings = &wide}),
+         .textures = {scene_color, floor, wide_color, wide_floor, level(view, glass_height, facing),
+                      filled(8, 8, {normal, 1.0f}), solid ? level(view, 4.0, 1.0f) : Image{},
+                      solid ? filled(8, 8, {0.0f, -1.0f, 0.0f, 1.0f}) : Image{}, materials,
+                      scene.environment.image.value_or(Image{}),
+                      pixel_tint ? filled(8, 8, {*pixel_tint, 1.0f}) : Image{}}})["beauty"];
   }
 };
 
@@ -150,9 +150,9 @@ TEST_CASE("glass: the path inside absorbs, the base colour tints") {
 }
 
 TEST_CASE("glass: a leaning surface shifts the view by Snell's law") {
-  // Normal 45 degrees towards +x: the refracted ray leans by 45 - asin(sin 45 / 1.5) = 16.874 degrees towards -x
-  // and lands 5 tan = 1.51669 m, as many pixels, further left. Red counts pixels, so 7 becomes 5.48331. R at 45
-  // degrees is 0.050240. What is mirrored flies level to the right, into a black sky.
+  // Normal 45 degrees towards +x: the refracted ray leans by 45 - asin(sin 45 / 1.5) = 16.874 degrees towards
+  // -x and lands 5 tan = 1.51669 m, as many pixels, further left. Red counts pixels, so 7 becomes 5.48331. R
+  // at 45 degrees is 0.050240. What is mirrored flies level to the right, into a black sky.
   Bench bench;
   bench.solid = false;
   bench.normal = {std::sqrt(0.5f), std::sqrt(0.5f), 0.0f};
@@ -179,8 +179,8 @@ TEST_CASE("glass: what leaves the picture is found in the wide view, and beyond 
 }
 
 TEST_CASE("glass: from inside at a flat angle all is mirrored") {
-  // A back face leaning by 60 degrees, beyond the critical angle of 41.8. Mirrored, the view leaves 30 degrees
-  // below level, passes the floor's edge (5 m down take 8.66 m) and sees the ground; nothing is lost.
+  // A back face leaning by 60 degrees, beyond the critical angle of 41.8. Mirrored, the view leaves 30
+  // degrees below level, passes the floor's edge (5 m down take 8.66 m) and sees the ground; nothing is lost.
   Bench bench;
   bench.facing = -1.0f;
   bench.normal = {std::sqrt(0.75f), -0.5f, 0.0f};

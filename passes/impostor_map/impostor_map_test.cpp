@@ -31,7 +31,8 @@ PassImages draw(int face) {
 }  // namespace
 
 TEST_CASE("impostor_map: a face draws its own tile and nothing beside it") {
-  // Tiles of 16 x 24 texels; face 3 looks along -y and lies at column 0, row 1. There every texel sees the floor.
+  // Tiles of 16 x 24 texels; face 3 looks along -y and lies at column 0, row 1. There every texel sees the
+  // floor.
   const Image map = draw(3)["impostor_position"];
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 48; ++x) CHECK((map.at(x, y, 3) != 0.0f) == (x < 16 && y >= 24));

@@ -29,7 +29,8 @@ std140::Landing landing_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
   const Branch& branch = *context.branch;
-  const bool impostors = settings.estimator == Estimator::Impostor && context.effects->distance_impostors.active;
+  const bool impostors =
+      settings.estimator == Estimator::Impostor && context.effects->distance_impostors.active;
   const CubeAtlas tiles = views.caster.cube.value_or(CubeAtlas{});
   const Bounds receivers = receivers_box(context);
   const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
@@ -59,7 +60,8 @@ std140::Landing landing_uniforms(const PassContext& context) {
       .wyman_thickness = settings.thickness == Thickness::Wyman,
       .has_caster_tint = context.effects->textured_casters.active,
       .only_unconverged = context.farthest(),
-      .impostor = impostors ? shader_view(with_atlas(context.effects->impostors, settings.map)) : std140::View{},
+      .impostor =
+          impostors ? shader_view(with_atlas(context.effects->impostors, settings.map)) : std140::View{},
   };
 }
 

@@ -53,8 +53,8 @@ struct Entry {
   Vec3 point;
   Vec3 outward;      // the surface's normal
   Material material;
-  Int face;          // of a cube's caster map: whose tile the vertex is in, and whether beyond that face, where it
-  Bool guard;        // belongs to another and carries no flux
+  Int face;          // of a cube's caster map: whose tile the vertex is in, and whether beyond
+  Bool guard;        // that face, where it belongs to another and carries no flux
 };
 
 // In which tile of a cube's caster map does the grid vertex lie, and where in it?
@@ -79,7 +79,8 @@ Entry entry_at(Int column, Int row) {
   entry.face = Int(FACE_FORWARD);
   entry.guard = Bool(false);
   if (u.only_unconverged != 0)
-    entry.covered = entry.covered && has_status(texel_fetch(landed_before, column, row), STATUS_NOT_CONVERGED);
+    Vec4 before = texel_fetch(landed_before, column, row);
+    entry.covered = entry.covered && has_status(before, STATUS_NOT_CONVERGED);
   if (u.caster.kind == VIEW_CUBE) find_tile(column, row, entry);
   return entry;
 }
@@ -101,7 +102,8 @@ struct Incident {
   Float flux;  // relative to the light's intensity
 };
 
-// The solid angle of a grid vertex's cell from a point light, by the midpoint form. q: the vertex, in view coordinates.
+// The solid angle of a grid vertex's cell from a point light, by the midpoint form. q: the vertex, in view
+// coordinates.
 Float solid_angle(Vec3 q, Int face, Bool covered) {
   Vec3 t = in_face(u.caster, q, face);
   Float w = sel(covered, t.z, Float(1.0f));
@@ -111,7 +113,8 @@ Float solid_angle(Vec3 q, Int face, Bool covered) {
   return u.cell_area / (squared * sqrt(squared));
 }
 
-// The flux onto the cell is its area across parallel light; its solid angle from a point, times the cone's falloff.
+// The flux onto the cell is its area across parallel light; its solid angle from a point, times the cone's
+// falloff.
 Incident light_onto(IN(Entry) entry) {
   Incident light;
   light.direction = Vec3(u.light);
@@ -178,8 +181,9 @@ Hit find_surface(Texture positions, IN(View) view, IN(Ray) ray, bool beyond_is_b
 
 Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot3(a, b)); }
 
-// The way inside that Wyman (2005) takes: between the thickness along the light, d_V, and that along the normal,
-// d_N, in the ratio of the angles of refraction and incidence. He finds d_N beforehand; here it is met in the exit map.
+// The way inside that Wyman (2005) takes: between the thickness along the light, d_V, and that along the
+// normal, d_N, in the ratio of the angles of refraction and incidence. He finds d_N beforehand; here it is
+// met in the exit map.
 Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
   Vec2 uv = view_uv(u.caster, view_coordinates(u.caster, p));
   Vec4 behind = fetch_nearest(caster_exit_position, uv.x, uv.y);
@@ -195,8 +199,9 @@ Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
   return hit;
 }
 
-// The smooth normal where the ray leaves: interpolated where all four texels are covered and lean the same way. A
-// mixture of the normals of two faces, shorter than either, is no face's own: light would leave by a crease where none goes.
+// The smooth normal where the ray leaves: interpolated where all four texels are covered and lean the same
+// way. A mixture of the normals of two faces, shorter than either, is no face's own: light would leave by a
+// crease where none goes.
 Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
   Vec2 uv = view_uv(u.caster, view_coordinates(u.caster, p));
   Vec4 smooth_normal = fetch_bilinear(caster_exit_normal, uv.x, uv.y);
@@ -243,7 +248,8 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
     exit.ray.start = sel(solid, point_along(exit.ray, length), entry.point);
     Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.point);
     exit.unknown = solid && !(hit.residual <= tolerance);
-    Vec3 normal = facing_normal(exit_normal_at(exit.ray.start, -first.direction), first.direction, Bool(true));
+    Vec3 outward = exit_normal_at(exit.ray.start, -first.direction);
+    Vec3 normal = facing_normal(outward, first.direction, Bool(true));
     Refraction bent = refraction_at(first.direction, normal, first.ior);
     exit.blocked = first.blocked || (solid && bent.total);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
@@ -346,7 +352,8 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
 }
 
 #ifdef HAZE
-// How far light has come through the medium to p: from its position, which lies in the box, or from where it enters it.
+// How far light has come through the medium to p: from its position, which lies in the box, or from where it
+// enters it.
 Float air_before(Vec3 p, Vec3 travel) {
   Float way = Float(0.0f);
   if (u.caster.kind == VIEW_PARALLEL) {
@@ -358,13 +365,14 @@ Float air_before(Vec3 p, Vec3 travel) {
 }
 
 // What the air takes before the caster; then on the way from it to the landing, or out of the medium.
-void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing) end, INOUT(Account) account) {
+void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing) end,
+              INOUT(Account) account) {
   Vec3 arriving = transmittance(Vec3(u.medium.extinction), air_before(entry_point, light_direction));
   Vec3 taken = Vec3(account.entered) - arriving * account.entered;
   account.mirrored = account.mirrored * arriving;
   account.absorbed = account.absorbed * arriving;
-  // What is mirrored off a dielectric came with the light that is let in, and has been booked there: what it lost
-  // before is not Fresnel's.
+  // What is mirrored off a dielectric came with the light that is let in, and has been booked there: what it
+  // lost before is not Fresnel's.
   if (u.is_reflection != 0) {
     account.mirrored = taken;
     taken = Vec3(0.0f);
@@ -380,7 +388,9 @@ void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing)
 
 // Decide the status.
 
-Float inverse(Float x) { return sel(abs(x) > 1.0e-20f, 1.0f / sel(x != 0.0f, x, Float(1.0f)), Float(1.0e20f)); }
+Float inverse(Float x) {
+  return sel(abs(x) > 1.0e-20f, 1.0f / sel(x != 0.0f, x, Float(1.0f)), Float(1.0e20f));
+}
 
 // Does the ray, from its start on, meet the box around all receivers? (Slabs: Kay and Kajiya 1986.)
 Bool meets_receivers(IN(Ray) ray) {
@@ -394,7 +404,8 @@ Bool meets_receivers(IN(Ray) ray) {
 
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
-// From the last step of the way to the first: what ends the light earlier overrides what would have happened later.
+// From the last step of the way to the first: what ends the light earlier overrides what would have happened
+// later.
 Float status_of(IN(Entry) entry, IN(Exit) exit, IN(Landing) end, IN(Account) account) {
   Vec2 uv = view_uv(u.caustic, view_coordinates(u.caustic, end.point));
   Bool exhausted = !entry.guard && largest(account.carried) <= account.entered * 1.0e-6f;

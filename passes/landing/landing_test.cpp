@@ -58,32 +58,33 @@ struct Bench {
 
   PassImages run() const {
     const std140::View seen = shader_view(view);
-    const std140::Landing u{.caster = seen,
-                            .receiver = seen,
-                            .caustic = seen,
-                            .cone = {.axis = {0.0f, -1.0f, 0.0f}, .scale = 0.0f, .offset = 0.0f, .lambertian = 0},
-                            .light = {0.0f, -1.0f, 0.0f},
-                            .cell_area = 0.25f,
-                            .channel_share = channel_share,
-                            .bend = bend,
-                            .receivers_lower = receivers_lower,
-                            .exit_tolerance = 2.0f,
-                            .receivers_upper = receivers_upper,
-                            .landing_tolerance = 2.0f,
-                            .impostor_centre = impostors.origin,
-                            .tile_width = 0.0f,
-                            .tile_height = 0.0f,
-                            .tile_guard = 0.0f,
-                            .iterations = iterations,
-                            .estimator = estimator,
-                            .paper_weights = paper_weights,
-                            .is_reflection = reflected,
-                            .has_mirrors = mirror,
-                            .has_exit_maps = solid,
-                            .wyman_thickness = wyman,
-                            .has_caster_tint = tint.has_value(),
-                            .only_unconverged = 0,
-                            .impostor = shader_view(impostors)};
+    const std140::Landing u{
+        .caster = seen,
+        .receiver = seen,
+        .caustic = seen,
+        .cone = {.axis = {0.0f, -1.0f, 0.0f}, .scale = 0.0f, .offset = 0.0f, .lambertian = 0},
+        .light = {0.0f, -1.0f, 0.0f},
+        .cell_area = 0.25f,
+        .channel_share = channel_share,
+        .bend = bend,
+        .receivers_lower = receivers_lower,
+        .exit_tolerance = 2.0f,
+        .receivers_upper = receivers_upper,
+        .landing_tolerance = 2.0f,
+        .impostor_centre = impostors.origin,
+        .tile_width = 0.0f,
+        .tile_height = 0.0f,
+        .tile_guard = 0.0f,
+        .iterations = iterations,
+        .estimator = estimator,
+        .paper_weights = paper_weights,
+        .is_reflection = reflected,
+        .has_mirrors = mirror,
+        .has_exit_maps = solid,
+        .wyman_thickness = wyman,
+        .has_caster_tint = tint.has_value(),
+        .only_unconverged = 0,
+        .impostor = shader_view(impostors)};
     Image materials(Format::RGBA32F, 3, 1);
     for (int c = 0; c < 3; ++c) {
       materials.at(1, 0, c) = absorption[c];
@@ -94,15 +95,14 @@ struct Bench {
     materials.at(0, 0, 3) = mirror ? 1.0f : 0.0f;
     materials.at(1, 0, 3) = solid ? 1.0f : 0.0f;
     Image exit = floor_map(64, static_cast<double>(exit_height), 0.0);
-    return run_pass(definition_of(landing_pass()),
-                    {.width = 2,
-                     .height = 2,
-                     .uniforms = uniform_bytes(u),
-                     .textures = {filled(2, 2, {0.0f, 1.0f, 0.0f, facing}),
-                                  filled(2, 2, glm::vec4(normal, 0.0f)), exit,
-                                  filled(64, 64, glm::vec4(exit_normal, 1.0f)), receiver,
-                                  materials,
-                                  tint ? filled(2, 2, glm::vec4(*tint, 1.0f)) : Image{}, impostor, Image{}}});
+    return run_pass(
+        definition_of(landing_pass()),
+        {.width = 2,
+         .height = 2,
+         .uniforms = uniform_bytes(u),
+         .textures = {filled(2, 2, {0.0f, 1.0f, 0.0f, facing}), filled(2, 2, glm::vec4(normal, 0.0f)), exit,
+                      filled(64, 64, glm::vec4(exit_normal, 1.0f)), receiver, materials,
+                      tint ? filled(2, 2, glm::vec4(*tint, 1.0f)) : Image{}, impostor, Image{}}});
   }
 };
 
@@ -347,8 +347,9 @@ TEST_CASE("landing: the index is n_d and the branch's bend of n_F - n_C") {
 }
 
 TEST_CASE("landing: the reflected branch carries the Fresnel share along the mirrored ray") {
-  // Normal 60 degrees towards +x: light is turned by 120 degrees and falls 30 degrees below the level, and lands
-  // 1 / tan 30 = 1.7321 m to the right. R at 60 degrees for n = 1.5: ct = sqrt(1 - 0.75 / 2.25) = 0.81650, Rs =
+  // Normal 60 degrees towards +x: light is turned by 120 degrees and falls 30 degrees below the level, and
+  // lands 1 / tan 30 = 1.7321 m to the right. R at 60 degrees for n = 1.5: ct = sqrt(1 - 0.75 / 2.25) =
+  // 0.81650, Rs =
   // ((0.5 - 1.22474) / 1.72474)^2 = 0.176577, Rp = ((0.81650 - 0.75) / 1.56650)^2 = 0.001802, mean 0.089190.
   Bench bench;
   bench.normal = tilted(60.0);
@@ -376,8 +377,8 @@ TEST_CASE("landing: the base colour tints what glass lets through") {
 }
 
 TEST_CASE("landing: Newton's method meets a plane whatever its slope") {
-  // f is linear along a ray to a plane, so a forward difference is exact but for rounding, and but for a stencil
-  // that straddles the root, which the guard catches.
+  // f is linear along a ray to a plane, so a forward difference is exact but for rounding, and but for a
+  // stencil that straddles the root, which the guard catches.
   for (const double slope : {0.0, 0.3, -0.3, 0.8}) {
     Bench bench;
     bench.normal = tilted(30.0);
@@ -409,8 +410,9 @@ TEST_CASE("landing: Newton's method is held where its slope is none") {
 }
 
 TEST_CASE("landing: Wyman's thickness is the mean of two, by the angles") {
-  // Exit plane 0.5 m below the entry point: d_V = 0.5 straight down. Normal tilted by 30 degrees: d_N = 0.5 / cos 30 =
-  // 0.577350; incidence 30, refraction 19.4712 degrees: 0.649040 * 0.5 + 0.350960 * 0.577350 = 0.527147.
+  // Exit plane 0.5 m below the entry point: d_V = 0.5 straight down. Normal tilted by 30 degrees: d_N = 0.5 /
+  // cos 30 = 0.577350; incidence 30, refraction 19.4712 degrees: 0.649040 * 0.5 + 0.350960 * 0.577350 =
+  // 0.527147.
   Bench bench;
   bench.normal = tilted(30.0);
   bench.solid = true;
@@ -435,7 +437,8 @@ TEST_CASE("landing: a grid vertex's own colour takes the place of its material's
 }
 
 TEST_CASE("landing: a mirror's own colour at a grid vertex is its reflectance there") {
-  // Light straight onto a mirror that leans by 45 degrees: Schlick's grazing share is (1 - cos 45)^5 = 0.002155.
+  // Light straight onto a mirror that leans by 45 degrees: Schlick's grazing share is (1 - cos 45)^5 =
+  // 0.002155.
   Bench bench;
   bench.mirror = true;
   bench.color = {1.0f, 1.0f, 1.0f};
@@ -483,9 +486,10 @@ TEST_CASE("landing: distance impostors meet a plane by the paper's start alone")
 }
 
 TEST_CASE("landing: distance impostors that fall short go on by the ray's own distance") {
-  // A sphere of 1 m whose centre lies 0.5 m beside the ray: q = sqrt(0.25 + d^2). d0 = 1 - 0.5, q0 = 0.707107;
-  // d1 = 0.5 + (1 - q0) = 0.792893, q1 = 0.937379; d2 = 0.855514, q2 = 0.990920; d3 = 0.864595.
-  Bench bench = impostor_bench({-0.4, 1.3, 0.0}, [](const glm::dvec3& d) { return 1.0 / glm::length(d); }, 2400);
+  // A sphere of 1 m whose centre lies 0.5 m beside the ray: q = sqrt(0.25 + d^2). d0 = 1 - 0.5, q0 =
+  // 0.707107; d1 = 0.5 + (1 - q0) = 0.792893, q1 = 0.937379; d2 = 0.855514, q2 = 0.990920; d3 = 0.864595.
+  Bench bench = impostor_bench(
+      {-0.4, 1.3, 0.0}, [](const glm::dvec3& d) { return 1.0 / glm::length(d); }, 2400);
   const double steps[] = {0.792893, 0.855514, 0.864595};
   for (int k = 1; k <= 3; ++k) {
     bench.iterations = k;
@@ -500,9 +504,9 @@ TEST_CASE("landing: distance impostors that fall short go on by the ray's own di
 }
 
 TEST_CASE("landing: distance impostors that go too far come back by the secant") {
-  // The middle is 1 m above the mirror. Along the ray's direction it sees into a pit of 10 m below: D(R) = 12.5 and
-  // d0 = 12.5 (1 - 1 / 2) = 6.25, where l = (-3.75, -6) points at the floor: q = 6 / 2 = 3, too far. From q = 0.5 at
-  // 0 the secant gives 6.25 (1 - 0.5) / (3 - 0.5) = 1.25, which is the floor.
+  // The middle is 1 m above the mirror. Along the ray's direction it sees into a pit of 10 m below: D(R)
+  // = 12.5 and d0 = 12.5 (1 - 1 / 2) = 6.25, where l = (-3.75, -6) points at the floor: q = 6 / 2 = 3, too
+  // far. From q = 0.5 at 0 the secant gives 6.25 (1 - 0.5) / (3 - 0.5) = 1.25, which is the floor.
   Bench bench = impostor_bench({0.0, 2.0, 0.0}, [](const glm::dvec3& d) {
     const bool pit = d.y < 0.0 && d.x < 0.65 * d.y;
     return to_floor(d, pit ? 10.0 : 2.0);
@@ -514,8 +518,8 @@ TEST_CASE("landing: distance impostors that go too far come back by the secant")
 }
 
 TEST_CASE("landing: distance impostors see all of a box room, over the cube's edges too") {
-  // A room of 4 x 3 x 4 m. Mirrors turned many ways send the light at every wall, past edges and corners of the
-  // cube; it must land on a wall, and in the ray's direction.
+  // A room of 4 x 3 x 4 m. Mirrors turned many ways send the light at every wall, past edges and corners of
+  // the cube; it must land on a wall, and in the ray's direction.
   const glm::dvec3 middle{0.3, 1.4, -0.2};
   const auto walls = [&](const glm::dvec3& from, const glm::dvec3& d) {
     double t = 1e30;

@@ -7,7 +7,7 @@ float cell_area;       // of a grid cell, window units squared
 vec3 channel_share;    // the branch's share of each channel's flux
 float bend;            // the branch's index of refraction is n_d + bend (n_F - n_C)
 vec3 receivers_lower;  // the box around all receivers, scene space
-float exit_tolerance;  // how far from its surface a ray may end and still count as having met it, texels' extents
+float exit_tolerance;  // how far from its surface a ray may end and still have met it, texels' extents
 vec3 receivers_upper;
 float landing_tolerance;
 vec3 impostor_centre;  // scene space

@@ -20,8 +20,7 @@ namespace {
 
 bool throws_caustic(const PassContext& context) {
   for (const Expectation& e : context.effects->expectations)
-    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light)
-      return true;
+    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light) return true;
   return false;
 }
 

@@ -2,8 +2,8 @@
 
 #include <glm/glm.hpp>
 
-#include "passes/shared/medium_uniforms.hpp"
 #include "passes/shared/light_uniforms.hpp"
+#include "passes/shared/medium_uniforms.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics::std140 {
@@ -23,14 +23,14 @@ namespace {
 
 // Texels along a cascade's border whose splats may have their middles beyond it, and one for the look-up.
 constexpr double kBorder = 1.0;
-// Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps. Pixels on one
-// surface share its texels, so there are hardly more samples in all than texels, however wide the pixels are.
+// Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps.
+// Pixels on one surface share its texels, so there are hardly more samples in all than texels, however wide
+// the pixels are.
 constexpr int kMostSamples = 64;
 
 bool throws_caustic(const PassContext& context) {
   for (const Expectation& e : context.effects->expectations)
-    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light)
-      return true;
+    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light) return true;
   return false;
 }
 
@@ -63,7 +63,8 @@ UniformBytes uniforms(const PassContext& context) {
       .has_caustic = caustics ? 1 : 0,
       .has_cascade = cascade ? 1 : 0,
       // Not of lights that see all around.
-      .receivers_are_layered = caustics && context.effects->hidden_receivers.active && !views.caustic.cube ? 1 : 0,
+      .receivers_are_layered =
+          caustics && context.effects->hidden_receivers.active && !views.caustic.cube ? 1 : 0,
       .caustic_is_grey = context.effects->coloured_caustics.active ? 0 : 1,
       .caustic_texel_area = static_cast<float>(views.caustic.window_area() / texels),
       .cascade_texel_area = cascade ? static_cast<float>(cascade_view.window_area() / texels) : 0.0f,
@@ -86,13 +87,21 @@ Pass light_shading_pass() {
       .reads = {{.name = "view_position", .meaning = "the surfaces"},
                 {.name = "view_normal", .meaning = "their normals"},
                 {.name = "shadow_depth", .meaning = "what shadows them", .optional = true},
-                {.name = "caster_position", .meaning = "the casters, which shadow them too", .optional = true},
+                {.name = "caster_position",
+                 .meaning = "the casters, which shadow them too",
+                 .optional = true},
                 {.name = "receiver_position",
                  .meaning = "which surfaces the caustic map belongs to",
                  .optional = true,
                  .only_towards = "caustic"},
-                {.name = kCausticMap, .meaning = "the casters' light", .optional = true, .only_towards = "caustic"},
-                {.name = "cascade_map", .meaning = "a part of it, finer", .texture = kCascadeMap, .optional = true,
+                {.name = kCausticMap,
+                 .meaning = "the casters' light",
+                 .optional = true,
+                 .only_towards = "caustic"},
+                {.name = "cascade_map",
+                 .meaning = "a part of it, finer",
+                 .texture = kCascadeMap,
+                 .optional = true,
                  .only_towards = "caustic"},
                 {.name = "pane_transmittance", .meaning = "what thin panes let through", .optional = true},
                 {.name = "far_receiver_position",
@@ -105,7 +114,9 @@ Pass light_shading_pass() {
                  .texture = "caustic_map.far",
                  .optional = true,
                  .only_towards = "caustic"}},
-      .writes = {{.name = "direct", .meaning = "rgb: direct irradiance after shadows, lux", .blend = kAccumulate},
+      .writes = {{.name = "direct",
+                  .meaning = "rgb: direct irradiance after shadows, lux",
+                  .blend = kAccumulate},
                  {.name = "caustic", .meaning = "rgb: irradiance from caustics, lux", .blend = kAccumulate}},
       .owner = Each::Frame,
       .shaders = {{&light_shading_shader}, {&light_shading_in_medium_shader, with<&Effects::medium>}},

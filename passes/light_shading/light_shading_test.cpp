@@ -46,16 +46,33 @@ struct Bench {
       view.perspective = true;
       view.near = 0.1;
     }
-    LightViews views{.caster = view, .receiver = view, .caustic = view, .shadow = view,
-                       .panes = view, .casters_nearest = casters_nearest, .column = view, .cascade = {}};
+    LightViews views{.caster = view,
+                     .receiver = view,
+                     .caustic = view,
+                     .shadow = view,
+                     .panes = view,
+                     .casters_nearest = casters_nearest,
+                     .column = view,
+                     .cascade = {}};
     if (!cascade_map.values.empty()) views.cascade = widened(view, 0.5);
-    return pass.uniforms({.scene = &scene, .settings = &settings, .effects = &effects,
-                          .views = &views, .light = &scene.lights[0]});
+    return pass.uniforms({.scene = &scene,
+                          .settings = &settings,
+                          .effects = &effects,
+                          .views = &views,
+                          .light = &scene.lights[0]});
   }
 
   std::vector<Image> textures() const {
-    return {filled(1, 1, {position, covered}), filled(1, 1, {normal, 0.0f}), shadow_depth, caster,
-            receiver, caustic_map, cascade_map, panes, far_receiver, far_caustic_map};
+    return {filled(1, 1, {position, covered}),
+            filled(1, 1, {normal, 0.0f}),
+            shadow_depth,
+            caster,
+            receiver,
+            caustic_map,
+            cascade_map,
+            panes,
+            far_receiver,
+            far_caustic_map};
   }
 
   PassImages run() const {
@@ -194,8 +211,7 @@ TEST_CASE("light_shading: a slope does not shadow itself") {
   bench.normal = {2.0f / std::sqrt(5.0f), 1.0f / std::sqrt(5.0f), 0.0f};
   bench.shadow_depth = filled(8, 8, glm::vec4(0.0f));
   for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 8; ++x)
-      bench.shadow_depth.at(x, y, 0) = static_cast<float>(10.0 + 2.0 * (-3.5 + x));
+    for (int x = 0; x < 8; ++x) bench.shadow_depth.at(x, y, 0) = static_cast<float>(10.0 + 2.0 * (-3.5 + x));
   for (const float x : {-1.99f, -0.4f, 0.01f, 0.5f, 0.93f}) {
     bench.position = {x, -2.0f * x, 0.0f};
     CHECK(bench.direct() == Approx(100.0 / std::sqrt(5.0)));
@@ -283,7 +299,8 @@ TEST_CASE("light_shading: two lights add up in one target by blending") {
 
 TEST_CASE("light_shading: a cascade is taken where it reaches, in its own texels") {
   Bench bench = with_caustic();
-  // Half as wide and high as the map: texels of a quarter of the area, so 0.5 is 8 times as much a square metre.
+  // Half as wide and high as the map: texels of a quarter of the area, so 0.5 is 8 times as much a square
+  // metre.
   bench.cascade_map = filled(8, 8, {0.5f, 1.0f, 0.0f, 1.0f});
   const float by_map = bench.caustic();
   bench.position = {0.05f, 0.0f, -0.05f};
@@ -299,10 +316,12 @@ TEST_CASE("light_shading: a cascade is taken where it reaches, in its own texels
   CHECK(finer == Approx(8.0 * bench.caustic()));
 }
 
-TEST_CASE("light_shading: a surface that another hides from the light takes the light of the farthest receivers") {
+TEST_CASE(
+    "light_shading: a surface that another hides from the light takes the light of the farthest receivers") {
   Bench bench = with_caustic();
   const float open = bench.caustic();
-  // The farthest receivers are a floor 5 m below; a texel's extent is a metre at most, of which two may lie between.
+  // The farthest receivers are a floor 5 m below; a texel's extent is a metre at most, of which two may lie
+  // between.
   bench.far_receiver = filled(8, 8, {0.0f, -5.0f, 0.0f, 1.0f});
   bench.far_caustic_map = filled(8, 8, {0.125f, 0.25f, 0.0f, 1.0f});
   CHECK(bench.caustic() == open);
@@ -335,16 +354,16 @@ TEST_CASE("light_shading: thin panes tint the direct light under them, not the c
 TEST_CASE("light_shading: the surroundings are lit by the same rule") {
   const Bench bench = with_caustic();
   const Pass pass = light_shading_pass();
-  const PassImages out =
-      run_pass(definition_of(pass, {}, kLightSurroundings), {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
+  const PassImages out = run_pass(definition_of(pass, {}, kLightSurroundings),
+                                  {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
   CHECK(out["direct"].at(0, 0, 0) == Approx(100.0));
   CHECK(out["caustic"].at(0, 0, 0) == Approx(25.0));
 }
 
 namespace {
 
-// A picture of 2 x 2 pixels, 4 m or 4 texels apart, on the floor under a map with light in one texel only. The pixel
-// in the lower left has its middle at texel coordinates 2, 2.
+// A picture of 2 x 2 pixels, 4 m or 4 texels apart, on the floor under a map with light in one texel only.
+// The pixel in the lower left has its middle at texel coordinates 2, 2.
 PassImages run_wide_pixels(Bench bench, int bright_x, int bright_y, bool level = true) {
   bench.caustic_map = filled(8, 8, glm::vec4(0.0f));
   for (int c = 0; c < 3; ++c) bench.caustic_map.at(bright_x, bright_y, c) = 0.25f;
@@ -358,16 +377,17 @@ PassImages run_wide_pixels(Bench bench, int bright_x, int bright_y, bool level =
   std::vector<Image> textures = bench.textures();
   textures[0] = position;
   textures[1] = filled(2, 2, {0.0f, 1.0f, 0.0f, 0.0f});
-  return run_pass(definition_of(pass), {.width = 2, .height = 2, .uniforms = bench.uniforms(pass), .textures = textures});
+  return run_pass(definition_of(pass),
+                  {.width = 2, .height = 2, .uniforms = bench.uniforms(pass), .textures = textures});
 }
 
 }  // namespace
 
 TEST_CASE("light_shading: a pixel wider than texels shows the mean of the caustic over itself") {
-  // 4 texels: a spread of sqrt(16 - 3) = 3.606 texels, by 5 samples at 0, 0.721 and 1.442 texels to either side. A
-  // texel 1.5 from the middle has a share of 1 - (1.5 - 1.442) = 0.942 in one and of 1 - (1.5 - 0.721) = 0.221 in
-  // another: (0.942 + 0.221) / 5 along each axis. The frame's y runs against the picture's here or along it, so all four
-  // pixels are added up: one of them has the texel.
+  // 4 texels: a spread of sqrt(16 - 3) = 3.606 texels, by 5 samples at 0, 0.721 and 1.442 texels to either
+  // side. A texel 1.5 from the middle has a share of 1 - (1.5 - 1.442) = 0.942 in one and of 1 - (1.5 -
+  // 0.721) = 0.221 in another: (0.942 + 0.221) / 5 along each axis. The frame's y runs against the picture's
+  // here or along it, so all four pixels are added up: one of them has the texel.
   const double share = (2.0 - (1.5 - 0.4 * std::sqrt(13.0)) - (1.5 - 0.2 * std::sqrt(13.0))) / 5.0;
   const PassImages out = run_wide_pixels(with_caustic(), 0, 0);
   double sum = 0.0;
@@ -377,8 +397,8 @@ TEST_CASE("light_shading: a pixel wider than texels shows the mean of the causti
 }
 
 TEST_CASE("light_shading: a pixel's caustic is not averaged over what is no part of its surface") {
-  // The pixels to the right lie 6 m higher: no step along the picture's x, so all samples keep the middle's x, where a
-  // texel 1.5 away has no share.
+  // The pixels to the right lie 6 m higher: no step along the picture's x, so all samples keep the middle's
+  // x, where a texel 1.5 away has no share.
   const PassImages out = run_wide_pixels(with_caustic(), 0, 0, false);
   for (int y = 0; y < 2; ++y) CHECK(out["caustic"].at(0, y, 0) == 0.0f);
 }

@@ -141,8 +141,8 @@ Float share_across(Float at, Vec3 q) {
   return share_below(from_middle + 0.5f, a, b) - share_below(from_middle - 0.5f, a, b);
 }
 
-// A piece's length over the pixel's area across its ray, at a point at `distance` from the camera: in a perspective
-// picture A z^3 / d, integrated along the beam.
+// A piece's length over the pixel's area across its ray, at a point at `distance` from the camera: in a
+// perspective picture A z^3 / d, integrated along the beam.
 Float length_over_area(IN(Piece) piece, Float length, Float z, Float distance) {
   Float over_area = length / u.pixel_area;
   if (u.view.kind != VIEW_PARALLEL) {

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// A camera 10 m up that looks straight down on 8 x 8 pixels of 1 m. Pixel column 0 begins at x = -4, and row 0 at
-// z = +4. A medium that scatters 0.1 per metre to all sides and takes nothing unless told to. Beams lie 5 m up.
+// A camera 10 m up that looks straight down on 8 x 8 pixels of 1 m. Pixel column 0 begins at x = -4, and row
+// 0 at z = +4. A medium that scatters 0.1 per metre to all sides and takes nothing unless told to. Beams lie
+// 5 m up.
 struct Bench {
   View view = down(4.0, 10.0, 20.0);
   int side = 1;
@@ -44,7 +45,9 @@ struct Bench {
         carried.at(i % side, i / side, c) = flux[c];
       }
     return run_pass(definition_of(light_shafts_pass()),
-                    {.width = 8, .height = 8, .uniforms = uniform_bytes(u),
+                    {.width = 8,
+                     .height = 8,
+                     .uniforms = uniform_bytes(u),
                      .textures = {start, heading, carried, filled(8, 8, range)},
                      .vertex_count = 6 * side * side})["haze"];
   }
@@ -63,8 +66,9 @@ constexpr double kUnit = 0.1 * 3.0 / (4.0 * kPi);
 }  // namespace
 
 TEST_CASE("light_shafts: a pixel gets scattering, phase, flux and length over its area") {
-  // From column 1.5 to 5.5: half a metre in columns 1 and 5, a metre between. Alone a beam is a pixel wide both
-  // ways: a triangle with a foot of +-1 pixel, of which 3/4 lie on the row of its middle and 1/8 on each beside.
+  // From column 1.5 to 5.5: half a metre in columns 1 and 5, a metre between. Alone a beam is a pixel wide
+  // both ways: a triangle with a foot of +-1 pixel, of which 3/4 lie on the row of its middle and 1/8 on each
+  // beside.
   const Image haze = Bench{}.run();
   CHECK(haze.at(3, 4, 0) == Approx(0.75 * kUnit));
   CHECK(haze.at(3, 4, 1) == Approx(1.5 * kUnit));
@@ -98,8 +102,8 @@ TEST_CASE("light_shafts: a beam that runs along the camera's ray is a spot with 
 }
 
 TEST_CASE("light_shafts: beams side by side make an even sheet") {
-  // 2 x 2 beams, of which two exist, 3 m apart: each is 3 pixels wide one way and 1 the other. Between them each
-  // row has a third of one beam's light.
+  // 2 x 2 beams, of which two exist, 3 m apart: each is 3 pixels wide one way and 1 the other. Between them
+  // each row has a third of one beam's light.
   Bench bench;
   bench.side = 2;
   bench.starts = {{-2.5f, 5.0f, -1.5f, 4.0f}, {-2.5f, 5.0f, 1.5f, 4.0f}};
@@ -130,7 +134,8 @@ TEST_CASE("light_shafts: the medium takes its share along the beam and on the wa
 }
 
 TEST_CASE("light_shafts: forward scattering is bright towards the camera and dark away from it") {
-  // Henyey and Greenstein at g = 0.5 against the even 1: (1 - g^2) / (1 + g^2 - 2 g cos)^1.5 is 6 ahead, 2/9 back.
+  // Henyey and Greenstein at g = 0.5 against the even 1: (1 - g^2) / (1 + g^2 - 2 g cos)^1.5 is 6 ahead, 2/9
+  // back.
   Bench bench;
   bench.anisotropy = 0.5f;
   bench.starts = {{0.5f, 2.0f, -0.5f, 3.0f}};
@@ -142,8 +147,8 @@ TEST_CASE("light_shafts: forward scattering is bright towards the camera and dar
 }
 
 TEST_CASE("light_shafts: in a perspective picture a pixel's area grows with the distance") {
-  // Pixels of tangent 0.1: 0.5 m wide 5 m below. The beam from x = -1 to 1 fills columns 2 to 5; a pixel's area
-  // across its ray is 0.01 z^3 / d.
+  // Pixels of tangent 0.1: 0.5 m wide 5 m below. The beam from x = -1 to 1 fills columns 2 to 5; a pixel's
+  // area across its ray is 0.01 z^3 / d.
   Bench bench;
   bench.view = down(0.4, 10.0, 20.0);
   bench.view.perspective = true;

@@ -19,8 +19,9 @@ Pass occluder_depth_pass() {
       .reads = {{.name = "base_color",
                  .meaning = "the material's base colour; alpha masks cut holes",
                  .of_material = true}},
-      .depth = DepthWrite{.name = "caster_depth",
-                          .meaning = "window depth of the nearest opaque surface, later of the nearest surface"},
+      .depth =
+          DepthWrite{.name = "caster_depth",
+                     .meaning = "window depth of the nearest opaque surface, later of the nearest surface"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .shaders = {{&occluder_depth_shader}},
       .uniforms =

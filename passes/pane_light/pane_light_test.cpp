@@ -21,15 +21,15 @@ struct LightBench {
     const Scene scene;
     const Light light;
     const Pass pass = pane_light_pass();
-    return texel(run_pass(definition_of(pass),
-                          {.uniforms = pass.uniforms({.scene = &scene,
-                                                      .effects = &effects,
-                                                      .views = &views,
-                                                      .light = &light,
-                                                      .material = &material}),
-                           .textures = {Image{}, filled(1, 1, glm::vec4(opaque_distance))},
-                           .mesh = mesh})["pane_transmittance"],
-                 0, 0);
+    return texel(
+        run_pass(definition_of(pass), {.uniforms = pass.uniforms({.scene = &scene,
+                                                                  .effects = &effects,
+                                                                  .views = &views,
+                                                                  .light = &light,
+                                                                  .material = &material}),
+                                       .textures = {Image{}, filled(1, 1, glm::vec4(opaque_distance))},
+                                       .mesh = mesh})["pane_transmittance"],
+        0, 0);
   }
 };
 

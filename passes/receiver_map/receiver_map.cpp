@@ -4,7 +4,8 @@ namespace caustics {
 
 extern const Shader receiver_map_shader;
 
-std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& material, const LightViews* views) {
+std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& material,
+                                          const LightViews* views) {
   return {
       .view = shader_view(view),
       .column = shader_view(views ? views->column : view),
@@ -28,7 +29,8 @@ void last_of_all(const DrawnFor& drawn_for, PassDefinition& definition) {
 Pass receiver_map_pass() {
   return {
       .name = "receiver_map",
-      .purpose = "finds what lies behind the casters, seen from the light: the nearest of it, and the farthest",
+      .purpose =
+          "finds what lies behind the casters, seen from the light: the nearest of it, and the farthest",
       .reason = "the casters' light must know where it lands",
       .when = {&Effects::caustics},
       .drawn_for = {kLight, kLightFar},

@@ -46,7 +46,8 @@ TEST_CASE("receiver_map: what nothing covers has w = 0") {
   CHECK(map.at(2, 0, 0) == 0.0f);
 }
 
-TEST_CASE("receiver_map: what stands between the light and the casters is left out, what stands beside is not") {
+TEST_CASE(
+    "receiver_map: what stands between the light and the casters is left out, what stands beside is not") {
   // Casters in the middle quarter, their top at height 1; the quad at height 2 covers everything.
   LightViews views;
   views.column = down(0.5, 10.0, 20.0);

@@ -23,8 +23,8 @@ Pass shadow_map_pass() {
                   .meaning = "distance of the nearest opaque surface along the light's axis, "
                              "metres; 1e30 where there is none",
                   .clear = {1e30f, 0.0f, 0.0f, 0.0f}}},
-      .depth = DepthWrite{.name = "shadow_window_depth",
-                          .meaning = "window depth of the nearest opaque surface"},
+      .depth =
+          DepthWrite{.name = "shadow_window_depth", .meaning = "window depth of the nearest opaque surface"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .shaders = {{&shadow_map_shader}},
       .uniforms =

@@ -9,22 +9,23 @@ using namespace caustics::test;
 namespace {
 
 // From 10 m above, a window of 2 m in 4 x 4 texels.
-Image depths(const MeshData& mesh, const View& view = down(1.0, 10.0, 20.0),
-             const Material& material = {}, const Image& base_color = {}) {
+Image depths(const MeshData& mesh, const View& view = down(1.0, 10.0, 20.0), const Material& material = {},
+             const Image& base_color = {}) {
   LightViews views;
   views.shadow = view;
   const Pass pass = shadow_map_pass();
-  return run_pass(definition_of(pass),
-                  {.width = 4,
-                   .height = 4,
-                   .uniforms = pass.uniforms({.views = &views, .material = &material}),
-                   .textures = {base_color},
-                   .mesh = mesh})["shadow_depth"];
+  return run_pass(definition_of(pass), {.width = 4,
+                                        .height = 4,
+                                        .uniforms = pass.uniforms({.views = &views, .material = &material}),
+                                        .textures = {base_color},
+                                        .mesh = mesh})["shadow_depth"];
 }
 
 // A level square of +-half metres, moved along x.
 MeshData level(float height, float half = 4.0f, float x = 0.0f) {
-  return quad({{x - half, height, half}, {x + half, height, half}, {x + half, height, -half},
+  return quad({{x - half, height, half},
+               {x + half, height, half},
+               {x + half, height, -half},
                {x - half, height, -half}},
               {0.0f, 1.0f, 0.0f});
 }

@@ -1,5 +1,5 @@
-// A row of the texture caster_materials (pipeline/renderer/scene_on_device.cpp fills it), which `w` in a texture of
-// casters' normals points to.
+// A row of the texture caster_materials (pipeline/renderer/scene_on_device.cpp fills it), which `w` in a
+// texture of casters' normals points to.
 struct Material {
   Float ior;         // n_d
   Float dispersion;  // n_F - n_C

@@ -1,5 +1,5 @@
-// Whether a point, in view coordinates, stands between the light and the casters: inside the column's window and nearer
-// than the casters' nearest point. Needs view_space.glsl.
+// Whether a point, in view coordinates, stands between the light and the casters: inside the column's window
+// and nearer than the casters' nearest point. Needs view_space.glsl.
 Bool stands_before_casters(IN(View) column, float casters_nearest, Vec3 q) {
   Bool before = Bool(false);
   if (column.kind == VIEW_CUBE) {

@@ -10,11 +10,13 @@ inline Format caustic_map_format(const Effects& effects) {
 }
 
 inline Write caustic_map_write() {
-  return {.name = kCausticMap,
-          .meaning = "rgb: flux in the texel, relative to the light's intensity (square metres, or steradians), r in "
-                     "every channel where there is one; a: number of cells and splats, by weight",
-          .blend = kAccumulate,
-          .format_by = caustic_map_format};
+  return {
+      .name = kCausticMap,
+      .meaning =
+          "rgb: flux in the texel, relative to the light's intensity (square metres, or steradians), r in "
+          "every channel where there is one; a: number of cells and splats, by weight",
+      .blend = kAccumulate,
+      .format_by = caustic_map_format};
 }
 
 }  // namespace caustics

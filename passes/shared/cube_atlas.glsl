@@ -1,5 +1,6 @@
-// The six faces of a cube in one texture: pipeline/scene/cube_atlas.hpp. Face f looks along +x, -x, +y, -y, +z, -z
-// of the view (FACE_RIGHT to FACE_BACKWARD) and lies in tile (f mod 3, f / 3), counted from the lower left.
+// The six faces of a cube in one texture: pipeline/scene/cube_atlas.hpp. Face f looks along +x, -x, +y, -y,
+// +z, -z of the view (FACE_RIGHT to FACE_BACKWARD) and lies in tile (f mod 3, f / 3), counted from the lower
+// left.
 
 // The face that a direction lies in: that of its largest component; of equal ones z wins over x, x over y, so
 // that every direction has one face.
@@ -14,8 +15,8 @@ Int cube_face(Vec3 q) {
   return sel(along_z, face_z, sel(x >= y, face_x, face_y));
 }
 
-// q turned so that the face's axis is z: +x (-z, y, x), -x (z, y, -x), +y (x, -z, y), -y (x, z, -y), -z (-x, y, -z).
-// All are rotations, so that front faces stay front faces.
+// q turned so that the face's axis is z: +x (-z, y, x), -x (z, y, -x), +y (x, -z, y), -y (x, z, -y), -z (-x,
+// y, -z). All are rotations, so that front faces stay front faces.
 Vec3 cube_turned(Vec3 q, Int face) {
   Vec3 turned = sel(face == FACE_BACKWARD, Vec3(-q.x, q.y, -q.z), q);
   turned = sel(face == FACE_RIGHT, Vec3(-q.z, q.y, q.x), turned);

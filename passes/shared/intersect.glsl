@@ -1,13 +1,14 @@
-// Where a ray meets a surface that a view has seen: the surface is known as a texture of positions, one texel a direction
-// of light. Needs view_space.glsl, ray.glsl and position_texel.glsl.
+// Where a ray meets a surface that a view has seen: the surface is known as a texture of positions, one texel
+// a direction of light. Needs view_space.glsl, ray.glsl and position_texel.glsl.
 
 // A ray's search for such a surface.
 struct Search {
   Ray ray;
   Float scale;            // what a perspective view's gaps are measured by: view_w of the ray's start
   int iterations;
-  bool beyond_is_behind;  // whether a point without a surface counts as behind it (a ray leaves a closed body through
-                          // its silhouette) or as before it (a ray over a hole in the floor flies on)
+  // Whether a point without a surface counts as behind it (a ray leaves a closed body through its silhouette)
+  // or as before it (a ray over a hole in the floor flies on).
+  bool beyond_is_behind;
 };
 
 Search search_along(IN(View) view, IN(Ray) ray, int iterations, bool beyond_is_behind) {
@@ -39,7 +40,8 @@ struct Gap {
   Bool covered;  // and there is a surface
 };
 
-// A surface's z (parallel) or 1/z (perspective) at a texel; both are linear over a plane. Of a cube: z along `face`.
+// A surface's z (parallel) or 1/z (perspective) at a texel; both are linear over a plane. Of a cube: z along
+// `face`.
 Float gap_height(IN(View) view, Vec4 texel, Int face) {
   Vec3 q = in_face(view, view_coordinates(view, Vec3(texel)), face);
   Float height = q.z;
@@ -47,16 +49,16 @@ Float gap_height(IN(View) view, Vec4 texel, Int face) {
   return height;
 }
 
-// How much the heights of neighbouring texels may differ, the highest being `high`: that of 83 degrees. A texel's extent
-// on the surface is in metres (parallel), or in units of 1/z per 1/z (perspective).
+// How much the heights of neighbouring texels may differ, the highest being `high`: that of 83 degrees. A
+// texel's extent on the surface is in metres (parallel), or in units of 1/z per 1/z (perspective).
 Float steepest_rise(Texture positions, IN(View) view, Float high) {
   Float rise = 8.0f * texel_extent(positions, view);
   if (view.kind != VIEW_PARALLEL) rise = rise * high;
   return rise;
 }
 
-// The gap at p, against the texel that holds p or, `smoothly`, between the four nearest where all are covered and no
-// steeper than 83 degrees.
+// The gap at p, against the texel that holds p or, `smoothly`, between the four nearest where all are covered
+// and no steeper than 83 degrees.
 Gap gap_at(Texture positions, IN(View) view, Vec3 p, Float scale, bool smoothly) {
   Vec3 at = view_coordinates(view, p);
   Int face = view_face(view, at);
@@ -151,9 +153,10 @@ Vec4 surface_point(Texture positions, IN(View) view, Vec3 p) {
   return sel(inside_unit(uv.x, uv.y), known, Vec4(0.0f));
 }
 
-// Newton-Raphson on f(x) = |P(x) - p(x)|, the distance between the ray's point at x and the surface point under it,
-// with a forward difference for f' (Shah et al. 2007, appendix), from x = 0.10 m as there. Guarded: where f' is
-// less than 1e-3 (the difference straddles f's kink at the root, or the surface is lost) the derivative-free step
+// Newton-Raphson on f(x) = |P(x) - p(x)|, the distance between the ray's point at x and the surface point
+// under it, with a forward difference for f' (Shah et al. 2007, appendix), from x = 0.10 m as there. Guarded:
+// where f' is less than 1e-3 (the difference straddles f's kink at the root, or the surface is lost) the
+// derivative-free step
 // |P(x) - start| is taken, and no step leaves the range of depths.
 Hit intersect_newton(Texture positions, IN(View) view, IN(Search) search) {
   Float reach = Float(view.far - view.near);
@@ -203,8 +206,8 @@ Float regula_falsi(IN(Bracket) bracket) {
                            clamp_to(-bracket.gap_low / sel(span > 0.0f, span, Float(1.0f)), 0.0f, 1.0f);
 }
 
-// Moves an end of the bracket to the guess, whose gap is `gap` where it is known. By the Illinois rule an end that stays
-// put twice loses half its weight; last_side: which end moved last, 1 high, -1 low, 0 none.
+// Moves an end of the bracket to the guess, whose gap is `gap` where it is known. By the Illinois rule an end
+// that stays put twice loses half its weight; last_side: which end moved last, 1 high, -1 low, 0 none.
 void narrow(INOUT(Bracket) bracket, INOUT(Int) last_side, Float gap, Bool known) {
   Bool behind = known && gap >= 0.0f;
   Bool before = known && gap < 0.0f;
@@ -218,8 +221,9 @@ void narrow(INOUT(Bracket) bracket, INOUT(Int) last_side, Float gap, Bool known)
   last_side = sel(behind, Int(1), sel(before, Int(-1), last_side));
 }
 
-// The secant of the guess and the last look before it, held inside the bracket once there is a point behind the surface;
-// where it leaves the bracket, regula falsi. Before there is a bracket a step is at most four times the last.
+// The secant of the guess and the last look before it, held inside the bracket once there is a point behind
+// the surface; where it leaves the bracket, regula falsi. Before there is a bracket a step is at most four
+// times the last.
 Float next_guess(IN(Bracket) bracket, Float gap, Float last, Float last_gap, Float reach) {
   Float step = bracket.guess - last;
   Float rise = gap - last_gap;
@@ -231,8 +235,9 @@ Float next_guess(IN(Bracket) bracket, Float gap, Float last, Float last_gap, Flo
   return sel(bracket.bracketed, sel(within, secant, regula_falsi(bracket)), ahead);
 }
 
-// The bracketed secant on the signed gap: exact in one step on any plane. Every gap interpolates the surface: a texel's
-// own height is off by its slope, and one such gap in the bracket keeps the root out. Leaves the bracket in `from`.
+// The bracketed secant on the signed gap: exact in one step on any plane. Every gap interpolates the surface:
+// a texel's own height is off by its slope, and one such gap in the bracket keeps the root out. Leaves the
+// bracket in `from`.
 Hit close_in(Texture positions, IN(View) view, IN(Search) search, INOUT(Bracket) from) {
   Float reach = Float(view.far - view.near);
   Bool strayed = Bool(false);
@@ -283,9 +288,9 @@ Bracket bracket_at_start(Texture positions, IN(View) view, IN(Search) search) {
   return from;
 }
 
-// Steps along the ray, each half as far again as the last, to where it passes from before a surface to behind one.
-// Behind a surface without having been before it, a ray may be passing under an edge: such a place is taken only
-// where there is no other.
+// Steps along the ray, each half as far again as the last, to where it passes from before a surface to behind
+// one. Behind a surface without having been before it, a ray may be passing under an edge: such a place is
+// taken only where there is no other.
 Bracket bracket_by_steps(Texture positions, IN(View) view, IN(Search) search, IN(Bracket) from) {
   Bracket found = from;
   Bool passed = Bool(false);
@@ -314,8 +319,9 @@ Bracket bracket_by_steps(Texture positions, IN(View) view, IN(Search) search, IN
   return found;
 }
 
-// The secant from the surface under the start. Where that has not ended on a surface, it goes on; where it has
-// lost the surface (which is seen as a narrow strip, and guesses leap over it), from a bracket found by steps.
+// The secant from the surface under the start. Where that has not ended on a surface, it goes on; where it
+// has lost the surface (which is seen as a narrow strip, and guesses leap over it), from a bracket found by
+// steps.
 Hit intersect_secant(Texture positions, IN(View) view, IN(Search) search) {
   Bracket first = bracket_at_start(positions, view, search);
   Bracket from = first;
@@ -335,19 +341,22 @@ Hit intersect_secant(Texture positions, IN(View) view, IN(Search) search) {
   return hit;
 }
 
-// A point's distance from the middle of an impostor over the surface's in the same direction; 0 without a surface.
+// A point's distance from the middle of an impostor over the surface's in the same direction; 0 without a
+// surface.
 Float impostor_quotient(Gap gap) { return sel(gap.covered, gap.value + 1.0f, Float(0.0f)); }
 
-// Distance impostors (Szirmay-Kalos, Aszodi, Lazanyi, Premecz 2005): the view is a cube around a point near the
-// casters. q = |p| / D(p), the point's distance from there over the surface's in the same direction, passes 1 where
-// the ray meets the surface, and is linear along the ray over any plane. Theirs are the start, exact where one plane
-// lies in the ray's direction and in the start's, and the steps: with D of the ray's own direction from the start
-// until the ray has once been too far, after that the secant between the last point before and the last behind.
+// Distance impostors (Szirmay-Kalos, Aszodi, Lazanyi, Premecz 2005): the view is a cube around a point near
+// the casters. q = |p| / D(p), the point's distance from there over the surface's in the same direction,
+// passes 1 where the ray meets the surface, and is linear along the ray over any plane. Theirs are the start,
+// exact where one plane lies in the ray's direction and in the start's, and the steps: with D of the ray's
+// own direction from the start until the ray has once been too far, after that the secant between the last
+// point before and the last behind.
 Hit intersect_impostor(Texture positions, IN(View) view, Vec3 centre, IN(Ray) ray, int iterations) {
   Float reach = Float(view.far);
   Gap ahead = gap_at(positions, view, centre + ray.direction * reach, Float(1.0f), true);
   Float share = ahead.value + 1.0f;
-  Float along = sel(ahead.covered && share > 1.0e-6f, reach / sel(share > 1.0e-6f, share, Float(1.0f)), reach);
+  Bool sound = share > 1.0e-6f;
+  Float along = sel(ahead.covered && sound, reach / sel(sound, share, Float(1.0f)), reach);
   Gap gap = gap_at(positions, view, ray.start, Float(1.0f), true);
   // A start at the very centre has no direction, and q = 0.
   Float q_under = impostor_quotient(gap);

@@ -19,14 +19,16 @@ inline double one_less_cosine(double angle) {
 
 namespace std140 {
 #include "passes/shared/light_cone.glsl"
+
 #include "passes/shared/light.glsl"
 }  // namespace std140
 
-// A spot light's cone: falloff = clamp(offset - (1 - cos(angle)) scale, 0, 1)^2 (KHR_lights_punctual, inner and outer
-// cone angles). Equal cones have an edge a thousandth as wide as the cone, however narrow that is.
+// A spot light's cone: falloff = clamp(offset - (1 - cos(angle)) scale, 0, 1)^2 (KHR_lights_punctual, inner
+// and outer cone angles). Equal cones have an edge a thousandth as wide as the cone, however narrow that is.
 inline std140::LightCone shader_cone(const Light& light) {
   const int lambertian = light.lambertian ? 1 : 0;
-  std140::LightCone cone{.axis = glm::vec3(light.direction), .scale = 0.0f, .offset = 0.0f, .lambertian = lambertian};
+  std140::LightCone cone{
+      .axis = glm::vec3(light.direction), .scale = 0.0f, .offset = 0.0f, .lambertian = lambertian};
   if (light.type != LightType::Spot) return cone;
   const double outer = one_less_cosine(static_cast<double>(light.outer_cone));
   const double inner = one_less_cosine(static_cast<double>(light.inner_cone));

@@ -1,5 +1,6 @@
-// Does a fragment drawn into a cube view lie outside the tile of the face that is drawn? Triangles reach over their
-// tile's border. `side`: of the texture, texels. False where the view is no cube. Needs cube_atlas.glsl.
+// Does a fragment drawn into a cube view lie outside the tile of the face that is drawn? Triangles reach over
+// their tile's border. `side`: of the texture, texels. False where the view is no cube. Needs
+// cube_atlas.glsl.
 Bool outside_tile(IN(View) view, int side) {
   Bool outside = Bool(false);
   if (view.kind == VIEW_CUBE) {

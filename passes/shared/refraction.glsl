@@ -6,7 +6,8 @@ struct Refraction {
   Float reflectance;  // unpolarised; 1 where the reflection is total
 };
 
-// d: unit direction of travel; n: unit normal against it; eta: index where the light comes from over where it goes.
+// d: unit direction of travel; n: unit normal against it; eta: index where the light comes from over where it
+// goes.
 Refraction refraction_at(Vec3 d, Vec3 n, Float eta) {
   Refraction r;
   r.cosine = clamp_to(-dot3(d, n), 0.0f, 1.0f);

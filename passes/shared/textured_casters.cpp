@@ -1,7 +1,7 @@
 #include "passes/shared/textured_casters.hpp"
 
-#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/effects/textured_casters.hpp"
+#include "pipeline/scene/material_optics.hpp"
 
 namespace caustics {
 

@@ -1,5 +1,5 @@
-// A caster with textures drawn into a view: vertex stage, and its outward normal. Expects the textures base_color
-// and normal_texture and the uniforms of textured_casters_uniforms.glsl.
+// A caster with textures drawn into a view: vertex stage, and its outward normal. Expects the textures
+// base_color and normal_texture and the uniforms of textured_casters_uniforms.glsl.
 VARYING_SMOOTH(0, Vec3, surface_position)
 VARYING_SMOOTH(3, Vec3, surface_normal)
 VARYING_SMOOTH(6, Vec4, surface_tangent)

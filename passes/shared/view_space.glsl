@@ -57,7 +57,8 @@ Vec2 view_uv(IN(View) view, Vec3 q) {
     Float w = view_w(view, q);
     Bool front = w > 0.0f;
     Float safe = sel(front, w, Float(1.0f));
-    uv = sel(front, Vec2(q.x / safe * view.scale.x + view.offset.x, q.y / safe * view.scale.y + view.offset.y),
+    uv = sel(front,
+             Vec2(q.x / safe * view.scale.x + view.offset.x, q.y / safe * view.scale.y + view.offset.y),
              Vec2(Float(-1.0f), Float(-1.0f)));
   }
   return uv;
@@ -74,5 +75,6 @@ Vec4 view_clip(IN(View) view, Vec3 q) {
   Float range = Float(view.far - view.near);
   Float z = (t.z - view.near) / range;
   if (view.kind != VIEW_PARALLEL) z = z * view.far;
-  return Vec4(2.0f * (t.x * view.scale.x + offset.x * w) - w, 2.0f * (t.y * view.scale.y + offset.y * w) - w, z, w);
+  return Vec4(2.0f * (t.x * view.scale.x + offset.x * w) - w,
+              2.0f * (t.y * view.scale.y + offset.y * w) - w, z, w);
 }

@@ -12,7 +12,6 @@ TEST_CASE("copy: every texel is the source's, each channel times its factor") {
   std140::Copy uniforms{};
   uniforms.factor = {2.0f, 0.5f, 0.0f, 1.0f};
   const PassImages out = run_pass(
-      copy_pass(),
-      {.width = 2, .height = 1, .uniforms = uniform_bytes(uniforms), .textures = {source}});
+      copy_pass(), {.width = 2, .height = 1, .uniforms = uniform_bytes(uniforms), .textures = {source}});
   CHECK(out["copy"].values == std::vector<float>{2.0f, 1.0f, 0.0f, 4.0f, 10.0f, 3.0f, 0.0f, 8.0f});
 }

@@ -14,9 +14,8 @@ namespace {
 // Display levels, 0 to 255, of one pixel of this radiance.
 glm::ivec4 shown(const glm::vec4& radiance, float exposure = 1.0f) {
   const Pass pass = tone_map_pass();
-  const Image picture = run_pass(definition_of(pass),
-                                 {.uniforms = pass.uniforms({.exposure = exposure}),
-                                  .textures = {filled(1, 1, radiance)}})["picture"];
+  const Image picture = run_pass(definition_of(pass), {.uniforms = pass.uniforms({.exposure = exposure}),
+                                                       .textures = {filled(1, 1, radiance)}})["picture"];
   return glm::ivec4(glm::round(texel(picture, 0, 0) * 255.0f));
 }
 

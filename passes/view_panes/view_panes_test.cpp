@@ -24,7 +24,8 @@ struct ViewBench {
     definition.writes[0].clear = {1.0f, 1.0f, 1.0f, 1.0f};
     return glm::vec3(texel(
         run_pass(definition,
-                 {.uniforms = pass.uniforms({.scene = &scene, .camera = &view, .material = &material, .drawn_for = &drawn_for}),
+                 {.uniforms = pass.uniforms(
+                      {.scene = &scene, .camera = &view, .material = &material, .drawn_for = &drawn_for}),
                   .textures = {Image{}, filled(1, 1, surface), filled(1, 1, {0, 1, 0, depth}),
                                filled(1, 1, caster), Image{}},
                   .mesh = level(4.0f)})["beauty"],
@@ -51,6 +52,5 @@ TEST_CASE("view_panes: a level pane mirrors the zenith on top of what is seen") 
   ViewBench bench;
   bench.scene.environment.zenith = {10.0f, 20.0f, 30.0f};
   bench.scene.environment.horizon = bench.scene.environment.ground = glm::vec3(1.0f);
-  check_color(bench.after(kMirrored),
-              glm::vec3(1.0f) + kMirrors * glm::vec3(10.0f, 20.0f, 30.0f));
+  check_color(bench.after(kMirrored), glm::vec3(1.0f) + kMirrors * glm::vec3(10.0f, 20.0f, 30.0f));
 }

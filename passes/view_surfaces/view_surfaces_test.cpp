@@ -29,12 +29,11 @@ PassImages see(const MeshData& mesh, const Material& material, const std::vector
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
   bound.resize(3);
-  return run_pass(definition_of(pass),
-                  {.width = 8,
-                   .height = 8,
-                   .uniforms = pass.uniforms({.camera = &view, .material = &material}),
-                   .textures = bound,
-                   .mesh = mesh});
+  return run_pass(definition_of(pass), {.width = 8,
+                                        .height = 8,
+                                        .uniforms = pass.uniforms({.camera = &view, .material = &material}),
+                                        .textures = bound,
+                                        .mesh = mesh});
 }
 
 void check_direction(const glm::vec4& found, const glm::vec3& expected) {
@@ -85,9 +84,9 @@ TEST_CASE("view_surfaces: albedo is the factor times the texture, emission likew
   CHECK(texel(see(mesh, material)["view_emission"], 2, 2) == glm::vec4(100.0f, 200.0f, 0.0f, 1.0f));
   material.base_color_texture.image = 0;
   material.emissive_texture.image = 1;
-  const PassImages out = see(mesh, material,
-                             {filled(1, 1, {0.5f, 0.25f, 1.0f, 1.0f}), Image{},
-                              filled(1, 1, {0.5f, 0.125f, 1.0f, 1.0f})});
+  const PassImages out =
+      see(mesh, material,
+          {filled(1, 1, {0.5f, 0.25f, 1.0f, 1.0f}), Image{}, filled(1, 1, {0.5f, 0.125f, 1.0f, 1.0f})});
   CHECK(out["view_albedo"].at(2, 2, 0) == Approx(0.4));
   CHECK(out["view_albedo"].at(2, 2, 1) == Approx(0.15));
   CHECK(out["view_albedo"].at(2, 2, 2) == Approx(0.4));
@@ -104,8 +103,7 @@ TEST_CASE("view_surfaces: textures repeat, and their texels are interpolated acr
   material.base_color = glm::vec4(1.0f);
   material.base_color_texture.image = 0;
   material.base_color_texture.uv_transform[0][0] = 2.0f;
-  const Image albedo =
-      see(quad(kFront, {0.0f, 1.0f, 0.0f}), material, {stripes})["view_albedo"];
+  const Image albedo = see(quad(kFront, {0.0f, 1.0f, 0.0f}), material, {stripes})["view_albedo"];
   const float expected[8] = {0.25f, 0.25f, 0.75f, 0.75f, 0.25f, 0.25f, 0.75f, 0.75f};
   for (int x = 0; x < 8; ++x) CHECK(albedo.at(x, 3, 0) == Approx(expected[x]));
 }
@@ -124,8 +122,7 @@ TEST_CASE("view_surfaces: a normal texture leans the normal in tangent space") {
   check_direction(with({0.5f, 1.0f, 1.0f, 1.0f}), {0, kHalf, -kHalf});
   // Scaled by a half: (0.5, 0, 1) / sqrt(1.25).
   material.normal_scale = 0.5f;
-  check_direction(with({1.0f, 0.5f, 1.0f, 1.0f}),
-                  {0.5f / std::sqrt(1.25f), 1.0f / std::sqrt(1.25f), 0});
+  check_direction(with({1.0f, 0.5f, 1.0f, 1.0f}), {0.5f / std::sqrt(1.25f), 1.0f / std::sqrt(1.25f), 0});
 }
 
 TEST_CASE("view_surfaces: on a back face the textured normal as a whole is reversed") {
@@ -158,12 +155,12 @@ TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
   const View view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
   const Material material = plain();
   const Pass pass = view_surfaces_pass();
-  const PassImages out = run_pass(definition_of(pass),
-                                  {.width = 6,
-                                   .height = 6,
-                                   .uniforms = pass.uniforms({.camera = &wide, .material = &material}),
-                                   .textures = {Image{}, Image{}, Image{}},
-                                   .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});
+  const PassImages out =
+      run_pass(definition_of(pass), {.width = 6,
+                                     .height = 6,
+                                     .uniforms = pass.uniforms({.camera = &wide, .material = &material}),
+                                     .textures = {Image{}, Image{}, Image{}},
+                                     .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});
   // 12 m in 6 pixels: the 4 m square covers the middle 2 x 2, centres at +-1.
   CHECK(out["view_position"].at(1, 2, 3) == 0.0f);
   CHECK(texel(out["view_position"], 3, 2) == glm::vec4(1.0f, 2.0f, 1.0f, 1.0f));

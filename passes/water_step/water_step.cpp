@@ -46,7 +46,8 @@ std140::WaterStep water_step_uniforms(const Water& water, std::int64_t step) {
                       .plop_ring = 0.0f};
   const std::optional<Plop> plop = water.plop_in_step(step);
   if (!plop) return u;
-  u.plop_middle = {static_cast<float>(plop->centre.x / water.dx), static_cast<float>(plop->centre.y / water.dz)};
+  u.plop_middle = {static_cast<float>(plop->centre.x / water.dx),
+                   static_cast<float>(plop->centre.y / water.dz)};
   u.plop_scale = {static_cast<float>(water.dx / water.radius), static_cast<float>(water.dz / water.radius)};
   u.plop_height = static_cast<float>(plop->height / static_cast<double>(water.plop_steps));
   u.plop_ring = static_cast<float>(ring_factor(water, *plop));

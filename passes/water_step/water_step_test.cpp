@@ -3,8 +3,8 @@
 #include <functional>
 #include <utility>
 
-#include "pipeline/scene/exact.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/scene/exact.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 #include "tests/support/water.hpp"
@@ -32,7 +32,8 @@ double nothing(int, int) { return 0.0; }
 class Steps {
  public:
   Steps(const Water& water, const std140::WaterStep& first, const Image& state)
-      : definition_(definition_of(water_step_pass())), device_(make_software_device({.threads = 1})),
+      : definition_(definition_of(water_step_pass())),
+        device_(make_software_device({.threads = 1})),
         textures_{device_->upload(state), device_->create_texture(Format::RG32F, water.columns, water.rows)},
         calm_(water_step_uniforms(water, 0)) {
     make(first);
@@ -45,10 +46,11 @@ class Steps {
 
  private:
   void make(const std140::WaterStep& uniforms) {
-    device_->run({.definition = &definition_,
-                  .colors = {textures_[1]},
-                  .keep = {false},
-                  .draws = {{.vertex_count = 3, .uniforms = uniform_bytes(uniforms), .textures = {textures_[0]}}}});
+    device_->run(
+        {.definition = &definition_,
+         .colors = {textures_[1]},
+         .keep = {false},
+         .draws = {{.vertex_count = 3, .uniforms = uniform_bytes(uniforms), .textures = {textures_[0]}}}});
     std::swap(textures_[0], textures_[1]);
   }
 
@@ -97,7 +99,8 @@ TEST_CASE("water_step: one raised cell falls and lifts its four neighbours") {
   // c dt / dx = 1/2: the rate changes by (c / dx)^2 dt times the second differences, 1 in the neighbours
   // and -4 in the middle; heights follow by the new rate times dt = 1/2.
   const Water water = bare_water(5, 5);
-  const Image raised = state_of(water, [](int x, int y) { return x == 2 && y == 2 ? 1.0 : 0.0; }, nothing);
+  const Image raised = state_of(
+      water, [](int x, int y) { return x == 2 && y == 2 ? 1.0 : 0.0; }, nothing);
   const Image after = Steps(water, water_step_uniforms(water, 0), raised).state();
   CHECK(texel(after, 2, 2) == glm::vec4(0.0f, -2.0f, 0.0f, 0.0f));
   CHECK(texel(after, 1, 2) == glm::vec4(0.25f, 0.5f, 0.0f, 0.0f));
@@ -108,7 +111,8 @@ TEST_CASE("water_step: one raised cell falls and lifts its four neighbours") {
 TEST_CASE("water_step: a wall gives back what runs against it") {
   // In the corner cell only two neighbours pull.
   const Water water = bare_water(4, 4);
-  const Image raised = state_of(water, [](int x, int y) { return x == 0 && y == 0 ? 1.0 : 0.0; }, nothing);
+  const Image raised = state_of(
+      water, [](int x, int y) { return x == 0 && y == 0 ? 1.0 : 0.0; }, nothing);
   const Image after = Steps(water, water_step_uniforms(water, 0), raised).state();
   CHECK(texel(after, 0, 0) == glm::vec4(0.5f, -1.0f, 0.0f, 0.0f));
   CHECK(sum(after, 0) == 1.0);
@@ -138,8 +142,8 @@ TEST_CASE("water_step: a standing wave of the box swings with the scheme's own f
       double worst = 0.0;
       for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 32; ++x)
-          worst = std::max(worst, std::fabs(static_cast<double>(state.at(x, y, 0)) -
-                                            mode(x, y) * std::cos(step * angle)));
+          worst = std::max(
+              worst, std::fabs(static_cast<double>(state.at(x, y, 0)) - mode(x, y) * std::cos(step * angle)));
       INFO("mode " << m << ", " << n << " after " << step << " steps");
       CHECK(worst < 1e-4);
       steps.make(111);
@@ -149,9 +153,11 @@ TEST_CASE("water_step: a standing wave of the box swings with the scheme's own f
 
 TEST_CASE("water_step: the mean height stays") {
   // A rate near 1 is rounded by 3e-8, so the mean of 1024 by 1e-9 a step. These add up at random in the mean
-  // rate, and that in the mean height: 1e-9 dt sqrt(n^3 / 3), 9e-6 after 1000 steps. Three times that is allowed.
+  // rate, and that in the mean height: 1e-9 dt sqrt(n^3 / 3), 9e-6 after 1000 steps. Three times that is
+  // allowed.
   const Water water = bare_water(32, 32);
-  const Image start = state_of(water, [](int x, int y) { return (x * 7 + y * 13) % 11 * 0.1; }, nothing);
+  const Image start = state_of(
+      water, [](int x, int y) { return (x * 7 + y * 13) % 11 * 0.1; }, nothing);
   const double mean = sum(start, 0) / 1024.0;
   Steps steps(water, water_step_uniforms(water, 0), start);
   steps.make(999);
@@ -177,7 +183,8 @@ TEST_CASE("water_step: a plop adds no water") {
 TEST_CASE("water_step: without damping the energy stays, and with it it falls") {
   const Water free = bare_water(48, 32), damped = bare_water(48, 32, 0.05);
   const Image flat = state_of(free, nothing, nothing);
-  Steps lossless(free, plop_uniforms(free, 20.0, 11.0), flat), lossy(damped, plop_uniforms(damped, 20.0, 11.0), flat);
+  Steps lossless(free, plop_uniforms(free, 20.0, 11.0), flat),
+      lossy(damped, plop_uniforms(damped, 20.0, 11.0), flat);
   lossless.make(1);
   lossy.make(1);
   const double start = energy(free, lossless.state(), lossless.before());

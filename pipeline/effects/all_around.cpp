@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "pipeline/effects/surface_role.hpp"
-#include "pipeline/settings/check_settings.hpp"
 #include "pipeline/scene/cube_view.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/settings/check_settings.hpp"
 
 namespace caustics {
 
@@ -18,10 +18,10 @@ bool is_receiver(const Effects& effects, std::size_t mesh) {
 void add_impostors(const Scene& scene, const Settings& settings, Effects& effects) {
   const bool wanted = settings.estimator == Estimator::Impostor;
   const bool active = wanted && effects.caustics.active;
-  effects.distance_impostors = {active,
-                          active   ? "the estimator asked for looks landings up around the casters"
-                          : wanted ? "there is no caustic"
-                                   : "the estimator does not use them"};
+  effects.distance_impostors = {active, active
+                                            ? "the estimator asked for looks landings up around the casters"
+                                        : wanted ? "there is no caustic"
+                                                 : "the estimator does not use them"};
   if (!active) return;
   Bounds casters;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
@@ -35,8 +35,8 @@ void add_impostors(const Scene& scene, const Settings& settings, Effects& effect
 bool casters_fit(const Scene& scene, const Light& light, const std::vector<std::size_t>& casters) {
   Bounds bounds;
   for (const std::size_t i : casters) bounds.add(bounds_of(scene.meshes[i]));
-  const View axes = view_along(
-      light.position, exact::normalise(bounds.centre() - light.position, light.direction));
+  const View axes =
+      view_along(light.position, exact::normalise(bounds.centre() - light.position, light.direction));
   for (const std::size_t i : casters)
     for (const Vertex& v : scene.meshes[i].vertices) {
       const glm::dvec3 q = axes.coordinates(glm::dvec3(v.position));
@@ -76,7 +76,7 @@ std::string calls_for_cube(const Scene& scene, const Settings& settings, const E
 
 void add_lights(const Scene& scene, const Settings& settings, Effects& effects) {
   const std::string small = effects.scattering.active ? "a medium that scatters allows one window only"
-                                                         : too_small_for_cubes(settings);
+                                                      : too_small_for_cubes(settings);
   std::string first, refused;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
@@ -95,11 +95,10 @@ void add_lights(const Scene& scene, const Settings& settings, Effects& effects) 
       std::count_if(effects.lights.begin(), effects.lights.end(),
                     [](const LightEffects& one) { return !one.all_around.empty(); }));
   if (count > 1) first += ", and " + std::to_string(count - 1) + " more";
-  effects.all_around = {count > 0,
-                          count > 0                     ? first
-                          : !refused.empty()            ? refused + " for a light among its casters"
-                          : settings.cube == Cube::Off  ? "lights look one way, as asked for"
-                                                        : "no light stands among its casters"};
+  effects.all_around = {count > 0, count > 0                    ? first
+                                   : !refused.empty()           ? refused + " for a light among its casters"
+                                   : settings.cube == Cube::Off ? "lights look one way, as asked for"
+                                                                : "no light stands among its casters"};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Whether something has to be seen in every direction instead of through a window: the surroundings of the casters, for
-// distance impostors, and those of a light that stands among its casters.
+// Whether something has to be seen in every direction instead of through a window: the surroundings of the
+// casters, for distance impostors, and those of a light that stands among its casters.
 #pragma once
 #include "pipeline/effects/effects.hpp"
 

@@ -25,9 +25,7 @@ const Material* most_dispersive(const Scene& scene, const Effects& effects) {
 
 void add_dispersion(const Scene& scene, const Settings& settings, Effects& effects) {
   const Material* most = most_dispersive(scene, effects);
-  const auto add = [&](bool active, const std::string& reason) {
-    effects.dispersion = {active, reason};
-  };
+  const auto add = [&](bool active, const std::string& reason) { effects.dispersion = {active, reason}; };
   if (!most) return add(false, "no refractor's index depends on the wavelength");
   const std::string what =
       quoted_name("material", most->name, static_cast<std::size_t>(most - scene.materials.data())) +
@@ -39,9 +37,7 @@ void add_dispersion(const Scene& scene, const Settings& settings, Effects& effec
 }
 
 void add_reflections(const Settings& settings, Effects& effects) {
-  const auto add = [&](bool active, const std::string& reason) {
-    effects.reflections = {active, reason};
-  };
+  const auto add = [&](bool active, const std::string& reason) { effects.reflections = {active, reason}; };
   if (std::none_of(effects.surfaces.begin(), effects.surfaces.end(),
                    [](const SurfaceRole& s) { return s.role == Role::Refractor; }))
     return add(false, "no refractor in the scene");
@@ -56,9 +52,8 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
   if (effects.dispersion.active) {
     for (const Wavelength& w :
          settings.wavelengths == 3 ? fraunhofer_lines() : spectrum(settings.wavelengths))
-      branches.push_back({.name = number_text(w.nanometres, 4) + "nm",
-                          .bend = bend_of(w.nanometres),
-                          .color = w.color});
+      branches.push_back(
+          {.name = number_text(w.nanometres, 4) + "nm", .bend = bend_of(w.nanometres), .color = w.color});
   } else {
     branches.push_back({});
   }

@@ -27,9 +27,10 @@ Effects with_findings(Effects effects, const Settings& settings, const std::vect
               " of its map's area";
     if (++lights == 1) reason = cascade;
   }
-  effects.cascades = {lights > 0, lights == 0   ? why_no_cascades(settings)
-                                  : lights == 1 ? "one light: " + reason
-                                                : std::to_string(lights) + " lights' caustics are small in their maps"};
+  effects.cascades = {lights > 0, lights == 0 ? why_no_cascades(settings)
+                                  : lights == 1
+                                      ? "one light: " + reason
+                                      : std::to_string(lights) + " lights' caustics are small in their maps"};
   return effects;
 }
 

@@ -1,5 +1,5 @@
-// Whether a light's caustic is small enough in its map for a finer second one to be worth it. Before a pilot has shown
-// where the light lands, nobody knows.
+// Whether a light's caustic is small enough in its map for a finer second one to be worth it. Before a pilot
+// has shown where the light lands, nobody knows.
 #pragma once
 #include <vector>
 
@@ -12,7 +12,8 @@ bool can_have_cascades(const Settings& settings);
 // The reason where none can be had, or where none was found worth it.
 std::string why_no_cascades(const Settings& settings);
 
-// What a pilot finds of one light: how many times its cascade's window fits into the map's, by area; 0 without a cascade.
+// What a pilot finds of one light: how many times its cascade's window fits into the map's, by area; 0
+// without a cascade.
 struct PilotFinding {
   double cascades_in_map = 0.0;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/gpu/error.hpp"
 #include "pipeline/effects/all_around.hpp"
 #include "pipeline/effects/backdrop.hpp"
 #include "pipeline/effects/branches.hpp"
@@ -14,6 +13,7 @@
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/effects/water_waves.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/view.hpp"
 
@@ -32,14 +32,12 @@ const std::vector<Light>& known_lights(const Scene& scene) {
 
 std::string light_name(const Scene& scene, int index) {
   const Light& light = source_of(scene, index);
-  return quoted_name("light", light.name,
-                     static_cast<std::size_t>(light.source < 0 ? index : light.source));
+  return quoted_name("light", light.name, static_cast<std::size_t>(light.source < 0 ? index : light.source));
 }
 
 std::size_t count_roles(const Effects& effects, Role role) {
-  return static_cast<std::size_t>(
-      std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
-                    [&](const SurfaceRole& s) { return s.role == role; }));
+  return static_cast<std::size_t>(std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
+                                                [&](const SurfaceRole& s) { return s.role == role; }));
 }
 
 // Whether, for some light, a diffuse surface could shadow another or a caster. Casters shadow by their map.
@@ -58,8 +56,7 @@ bool anything_shadows(const Scene& scene, const Effects& effects) {
 void add_area_lights(const Scene& scene, Effects& effects) {
   const std::vector<Light>& lights = known_lights(scene);
   const auto has_size = [](const Light& light) { return light.shape != LightShape::None; };
-  const std::size_t sized =
-      static_cast<std::size_t>(std::count_if(lights.begin(), lights.end(), has_size));
+  const std::size_t sized = static_cast<std::size_t>(std::count_if(lights.begin(), lights.end(), has_size));
   if (sized == 0) {
     effects.area_lights = {false, "no light has a size"};
     return;
@@ -68,16 +65,16 @@ void add_area_lights(const Scene& scene, Effects& effects) {
       std::count_if(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
         return light.source >= 0 && has_size(scene.sources[static_cast<std::size_t>(light.source)]);
       }));
-  effects.area_lights = {samples > sized,
-                          count(sized, "light has a size", "lights have a size") +
-                              (samples > sized ? ", " + std::to_string(samples) + " samples in all"
-                                               : "; drawn as a point each")};
+  effects.area_lights = {
+      samples > sized,
+      count(sized, "light has a size", "lights have a size") +
+          (samples > sized ? ", " + std::to_string(samples) + " samples in all" : "; drawn as a point each")};
 }
 
 void add_light_effects(const Scene& scene, const Settings& settings, Effects& effects) {
   const std::vector<Light>& lights = known_lights(scene);
-  const std::size_t lit = static_cast<std::size_t>(std::count_if(
-      lights.begin(), lights.end(), [](const Light& light) { return !is_dark(light); }));
+  const std::size_t lit = static_cast<std::size_t>(
+      std::count_if(lights.begin(), lights.end(), [](const Light& light) { return !is_dark(light); }));
   const std::size_t receivers = count_roles(effects, Role::Receiver);
   const std::size_t refractors = count_roles(effects, Role::Refractor);
   const std::size_t mirrors = count_roles(effects, Role::Mirror);
@@ -87,8 +84,8 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
   effects.receivers = {receivers > 0, receivers > 0 ? diffuse_surfaces : "no surface is diffuse"};
   const bool reached = std::any_of(effects.expectations.begin(), effects.expectations.end(),
                                    [](const Expectation& e) { return e.expected; });
-  const auto first = std::find_if(
-      effects.expectations.begin(), effects.expectations.end(), [&](const Expectation& e) {
+  const auto first =
+      std::find_if(effects.expectations.begin(), effects.expectations.end(), [&](const Expectation& e) {
         return is_caster(effects.surfaces[static_cast<std::size_t>(e.mesh)].role);
       });
   const auto caster = std::find_if(effects.surfaces.begin(), effects.surfaces.end(),
@@ -98,34 +95,32 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
   } else if (refractors + mirrors == 0) {
     effects.caustics = {false, "no surface is smooth metal, or smooth, solid glass or water"};
   } else {
-    effects.caustics = {false,
-        first == effects.expectations.end()
-            ? "no light shines"
-            : light_name(scene, first->light) + ": " + first->reason};
+    effects.caustics = {false, first == effects.expectations.end()
+                                   ? "no light shines"
+                                   : light_name(scene, first->light) + ": " + first->reason};
   }
   const bool cells = reached && settings.splat == Splat::Cell;
-  effects.cells = {cells,
-      cells ? "four neighbouring landings share their light by exact overlap"
-            : reached ? "landings are splatted one by one, as asked for" : "there is no caustic"};
+  effects.cells = {cells, cells     ? "four neighbouring landings share their light by exact overlap"
+                          : reached ? "landings are splatted one by one, as asked for"
+                                    : "there is no caustic"};
   const auto solid = std::find_if(effects.surfaces.begin(), effects.surfaces.end(),
                                   [](const auto& s) { return s.two_interfaces; });
   const bool exits = solid != effects.surfaces.end();
   effects.exit_surface = {exits, exits ? solid->reason : "no refractor has a second surface"};
   const bool occluders = lit > 0 && anything_shadows(scene, effects);
-  effects.occluders = {occluders,
-      occluders ? "an opaque surface can stand in the light's way"
-                : "no opaque surface can shadow another or a caster"};
+  effects.occluders = {occluders, occluders ? "an opaque surface can stand in the light's way"
+                                            : "no opaque surface can shadow another or a caster"};
   const std::size_t panes = count_roles(effects, Role::ThinPane);
-  effects.thin_panes = {panes > 0,
-      panes > 0 ? count(panes, "thin pane", "thin panes") + " that tint what passes straight through"
-                : "none in the scene"};
-  effects.mirrors = {mirrors > 0,
-      mirrors > 0 ? count(mirrors, "mirror", "mirrors") + ": smooth metal" : "none in the scene"};
+  effects.thin_panes = {panes > 0, panes > 0 ? count(panes, "thin pane", "thin panes") +
+                                                   " that tint what passes straight through"
+                                             : "none in the scene"};
+  effects.mirrors = {mirrors > 0, mirrors > 0 ? count(mirrors, "mirror", "mirrors") + ": smooth metal"
+                                              : "none in the scene"};
   effects.seen_casters = {refractors + mirrors > 0,
-      refractors + mirrors == 0
-          ? "no refractor to look through, no mirror to look into"
-          : count(refractors, "refractor", "refractors") + " to look through, " +
-                count(mirrors, "mirror", "mirrors") + " to look into"};
+                          refractors + mirrors == 0
+                              ? "no refractor to look through, no mirror to look into"
+                              : count(refractors, "refractor", "refractors") + " to look through, " +
+                                    count(mirrors, "mirror", "mirrors") + " to look into"};
 }
 
 // Meshes that shine light the scene only on request.
@@ -137,10 +132,10 @@ void add_emitters(const Scene& scene, Effects& effects) {
   }
   for (const Light& light : known_lights(scene)) lights += light.shape == LightShape::Mesh ? 1 : 0;
   const std::string found = count(shining, "mesh that shines", "meshes that shine");
-  effects.emissive_lights = {lights > 0,
-       shining == 0  ? "none in the scene"
-       : lights > 0 ? found + ", lights of their own"
-                    : found + ", but not on others; -D emissive.lights=on makes lights of them"};
+  effects.emissive_lights = {
+      lights > 0, shining == 0 ? "none in the scene"
+                  : lights > 0 ? found + ", lights of their own"
+                               : found + ", but not on others; -D emissive.lights=on makes lights of them"};
 }
 
 // Receivers that are one plane hide nothing from any light.
@@ -150,24 +145,23 @@ void add_hidden_receivers(const Scene& scene, const Settings& settings, Effects&
   const bool plane = receivers_are_one_plane(scene, effects);
   const bool active = effects.caustics.active && settings.hidden_receivers && !plane && window &&
                       !effects.medium.active && settings.estimator != Estimator::Impostor;
-  effects.hidden_receivers = {active,
-                          active                                          ? "receivers can hide others from a light"
-                          : !effects.caustics.active                   ? "there is no caustic"
-                          : plane                                         ? "all receivers lie in one plane"
-                          : !settings.hidden_receivers                    ? "not asked for"
-                          : settings.estimator == Estimator::Impostor     ? "impostors see around the casters"
-                          : !window                                       ? "the lights see all around"
-                                                                          : "not simulated in a medium"};
+  effects.hidden_receivers = {active, active                       ? "receivers can hide others from a light"
+                                      : !effects.caustics.active   ? "there is no caustic"
+                                      : plane                      ? "all receivers lie in one plane"
+                                      : !settings.hidden_receivers ? "not asked for"
+                                      : settings.estimator == Estimator::Impostor
+                                          ? "impostors see around the casters"
+                                      : !window ? "the lights see all around"
+                                                : "not simulated in a medium"};
 }
 
 // What is found in the scene but not simulated yet: never active, and the reason says so.
 void add_missing_effects(const std::vector<Judgement>& judgements, Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(
       judgements.begin(), judgements.end(), [](const Judgement& judgement) { return judgement.rough; }));
-  effects.rough_glass = {false,
-                          rough == 0 ? "none in the scene"
-                                     : count(rough, "surface", "surfaces") +
-                                           " of rough glass: not simulated yet; drawn as diffuse"};
+  effects.rough_glass = {false, rough == 0 ? "none in the scene"
+                                           : count(rough, "surface", "surfaces") +
+                                                 " of rough glass: not simulated yet; drawn as diffuse"};
 }
 
 }  // namespace
@@ -222,8 +216,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   Effects effects;
   std::vector<Judgement> judgements;
   for (const Mesh& mesh : scene.meshes) {
-    judgements.push_back(
-        judge(mesh, scene.materials[static_cast<std::size_t>(mesh.material)], settings));
+    judgements.push_back(judge(mesh, scene.materials[static_cast<std::size_t>(mesh.material)], settings));
     effects.surfaces.push_back(judgements.back().role);
   }
   effects.expectations = expectations_of(scene, judgements);

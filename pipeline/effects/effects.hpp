@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/settings/settings.hpp"
-#include "pipeline/scene/view.hpp"
 #include "pipeline/scene/scene.hpp"
+#include "pipeline/scene/view.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
@@ -49,7 +49,8 @@ struct Branch {
   bool reflected = false;  // what dielectrics mirror at their first surface, instead of what they let in
   // Index of refraction: n_d + bend * (n_F - n_C). 0 at the d line.
   double bend = 0.0;
-  glm::vec3 color{1.0f};   // its share of each channel; over the branches that are not reflected, all add up to 1
+  glm::vec3 color{
+      1.0f};  // its share of each channel; over the branches that are not reflected, all add up to 1
 };
 
 // What is judged light by light. A reason is empty where the answer is no.
@@ -58,7 +59,8 @@ struct LightEffects {
   std::string cascade;     // why its caustic has a finer second map; known once a pilot has run
 };
 
-// Every effect is a member; named_effects() has their names for people. None depends on the order of the others' rows.
+// Every effect is a member; named_effects() has their names for people. None depends on the order of the
+// others' rows.
 struct Effects {
   std::vector<SurfaceRole> surfaces;  // by Scene::meshes
   std::vector<Expectation> expectations;
@@ -82,16 +84,17 @@ struct Effects {
   Effect emissive_lights;        // a mesh that shines and lights the scene
   Effect dispersion;             // a refractor whose index depends on the wavelength
   Effect reflections;            // what refractors mirror, on request
-  Effect coloured_caustics;      // a caster that tints them: the caustic map has three channels instead of one
-  Effect water_waves;            // a mesh that `extras` make water
-  Effect medium;                 // haze in the air, which takes light on its way
-  Effect scattering;             // and scatters it towards the camera
-  Effect light_shafts;           // caustics in a medium that scatters
-  Effect distance_impostors;     // asked for by the estimator (Estimator::Impostor)
-  Effect all_around;             // a light that stands among its casters, or is asked to see all around
-  Effect cascades;               // a light whose caustic is small in its map, as a pilot has found
-  Effect hidden_receivers;       // caustics on receivers that are not one plane, so that one can hide another from a light
-  Effect rough_glass;            // found and left to later: never active
+  Effect coloured_caustics;   // a caster that tints them: the caustic map has three channels instead of one
+  Effect water_waves;         // a mesh that `extras` make water
+  Effect medium;              // haze in the air, which takes light on its way
+  Effect scattering;          // and scatters it towards the camera
+  Effect light_shafts;        // caustics in a medium that scatters
+  Effect distance_impostors;  // asked for by the estimator (Estimator::Impostor)
+  Effect all_around;          // a light that stands among its casters, or is asked to see all around
+  Effect cascades;            // a light whose caustic is small in its map, as a pilot has found
+  Effect hidden_receivers;  // caustics on receivers that are not one plane, so that one can hide another from
+                            // a light
+  Effect rough_glass;       // found and left to later: never active
 };
 
 // Every effect with its name for people, in the order in which they are shown.

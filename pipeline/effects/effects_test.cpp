@@ -42,9 +42,7 @@ Scene glass_over_floor(const Material& glass = solid_glass()) {
   return scene;
 }
 
-Effects judged(const Scene& scene, const Settings& settings = {}) {
-  return effects_of(scene, settings);
-}
+Effects judged(const Scene& scene, const Settings& settings = {}) { return effects_of(scene, settings); }
 
 bool mentions(const std::string& text, const char* part) {
   INFO(text << " should mention " << part);
@@ -63,13 +61,13 @@ TEST_CASE("solid glass refracts through two interfaces and throws a caustic") {
   CHECK(effects.surfaces[1].role == Role::Receiver);
   REQUIRE(effects.expectations.size() == 1);
   CHECK(effects.expectations[0].expected);
-  for (const Effect& effect : {effects.light, effects.receivers, effects.caustics, effects.exit_surface,
-                               effects.seen_casters}) {
+  for (const Effect& effect :
+       {effects.light, effects.receivers, effects.caustics, effects.exit_surface, effects.seen_casters}) {
     CHECK(effect.active);
   }
   // The floor is flat and behind everything: it shadows nothing.
-  for (const Effect& effect : {effects.occluders, effects.thin_panes, effects.mirrors, effects.dispersion,
-                               effects.rough_glass}) {
+  for (const Effect& effect :
+       {effects.occluders, effects.thin_panes, effects.mirrors, effects.dispersion, effects.rough_glass}) {
     CHECK_FALSE(effect.active);
   }
 }

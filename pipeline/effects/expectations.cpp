@@ -29,8 +29,7 @@ bool cone_misses(const Light& light, const Sphere& sphere) {
   const double along = exact::dot(to, light.direction);
   const double across = std::sqrt(std::max(exact::dot(to, to) - along * along, 0.0));
   double sine, cosine;
-  const double widest =
-      light.lambertian ? 0.5 * exact::kPi : static_cast<double>(light.outer_cone);
+  const double widest = light.lambertian ? 0.5 * exact::kPi : static_cast<double>(light.outer_cone);
   exact::sin_cos(widest, sine, cosine);
   return along < -sphere.radius || across * cosine - along * sine > sphere.radius;
 }
@@ -77,7 +76,8 @@ std::string unreachable(const Scene& scene, const Light& light, std::size_t inde
 }
 
 // Looked for once a light, not once a light and caster: there may be a million of them.
-std::optional<double> farthest_receiver(const Scene& scene, const Light& light, const std::vector<Judgement>& judgements) {
+std::optional<double> farthest_receiver(const Scene& scene, const Light& light,
+                                        const std::vector<Judgement>& judgements) {
   std::optional<double> farthest;
   for (std::size_t i = 0; i < judgements.size(); ++i) {
     if (judgements[i].role.role != Role::Receiver) continue;
@@ -90,8 +90,7 @@ std::optional<double> farthest_receiver(const Scene& scene, const Light& light, 
 }  // namespace
 
 bool is_dark(const Light& light) {
-  return !(light.intensity > 0.0f) ||
-         !(std::max({light.color.x, light.color.y, light.color.z}) > 0.0f);
+  return !(light.intensity > 0.0f) || !(std::max({light.color.x, light.color.y, light.color.z}) > 0.0f);
 }
 
 std::vector<Expectation> expectations_of(const Scene& scene, const std::vector<Judgement>& judgements) {

@@ -10,8 +10,8 @@ namespace caustics {
 // Gives no light: its intensity or its colour is 0.
 bool is_dark(const Light& light);
 
-// One for each light and each mesh that looks as if it threw a caustic. With IOR 1 there is no focus, but the light
-// has to be carried through, so what the plan does is the same. `judgements` by Scene::meshes.
+// One for each light and each mesh that looks as if it threw a caustic. With IOR 1 there is no focus, but the
+// light has to be carried through, so what the plan does is the same. `judgements` by Scene::meshes.
 std::vector<Expectation> expectations_of(const Scene& scene, const std::vector<Judgement>& judgements);
 
 }  // namespace caustics

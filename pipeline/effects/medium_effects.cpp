@@ -25,16 +25,14 @@ void add_medium(const Scene& scene, Effects& effects) {
   const Medium& medium = scene.medium;
   effects.medium = {medium.present(), medium.present() ? description(medium) : "the scene's air is clear"};
   const bool scatters = medium.scatters() && effects.light.active;
-  effects.scattering = {scatters,
-      scatters              ? "the medium scatters light towards the camera"
-      : medium.scatters()   ? "no light shines"
-      : medium.present()    ? "the medium only absorbs"
-                            : "there is no medium"};
+  effects.scattering = {scatters, scatters            ? "the medium scatters light towards the camera"
+                                  : medium.scatters() ? "no light shines"
+                                  : medium.present()  ? "the medium only absorbs"
+                                                      : "there is no medium"};
   const bool shafts = scatters && effects.caustics.active;
-  effects.light_shafts = {shafts,
-      shafts     ? "the casters' light is seen on its way"
-      : scatters ? "there is no caustic"
-                 : "nothing scatters"};
+  effects.light_shafts = {shafts, shafts     ? "the casters' light is seen on its way"
+                                  : scatters ? "there is no caustic"
+                                             : "nothing scatters"};
 }
 
 }  // namespace caustics

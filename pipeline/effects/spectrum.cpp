@@ -28,8 +28,7 @@ glm::dvec3 matching(double nanometres) {
   const int below = std::min(static_cast<int>(at), 29);
   const double part = at - below;
   glm::dvec3 result;
-  for (int c = 0; c < 3; ++c)
-    result[c] = kMatching[below][c] * (1.0 - part) + kMatching[below + 1][c] * part;
+  for (int c = 0; c < 3; ++c) result[c] = kMatching[below][c] * (1.0 - part) + kMatching[below + 1][c] * part;
   return result;
 }
 

@@ -29,10 +29,7 @@ Judgement diffuse(const std::string& material, const std::string& why) {
 
 // Looks like something that throws caustics, but is drawn as a diffuse surface.
 Judgement diffuse_instead(const std::string& material, const std::string& why) {
-  return {{Role::Receiver, false, material + ": " + why + "; drawn as a diffuse surface"},
-          true,
-          false,
-          why};
+  return {{Role::Receiver, false, material + ": " + why + "; drawn as a diffuse surface"}, true, false, why};
 }
 
 struct InterfaceChoice {
@@ -49,8 +46,7 @@ InterfaceChoice interfaces_of(const Mesh& mesh, const Settings& settings) {
   }
   const double holes = 1.0 - static_cast<double>(mesh.closedness);
   if (holes <= 0.0) return {true, "closed mesh: light enters and leaves"};
-  const std::string share =
-      " (holes of " + number_text(std::max(holes * 100.0, 0.001)) + "% of its area)";
+  const std::string share = " (holes of " + number_text(std::max(holes * 100.0, 0.001)) + "% of its area)";
   if (!mesh.closed()) {
     return {false, "open mesh" + share + ": one interface, as a water surface"};
   }
@@ -72,9 +68,9 @@ Judgement judge_glass(const Mesh& mesh, const Material& material, const std::str
     return {{Role::ThinPane, false, glass + ", " + why}, true, false, why};
   }
   if (material.roughness > settings.glass_roughness) {
-    Judgement rough = diffuse_instead(
-        name, "roughness " + number_text(material.roughness) + " is above " +
-                  number_text(settings.glass_roughness) + ": scatters light, throws no caustic");
+    Judgement rough = diffuse_instead(name, "roughness " + number_text(material.roughness) + " is above " +
+                                                number_text(settings.glass_roughness) +
+                                                ": scatters light, throws no caustic");
     rough.rough = true;
     return rough;
   }
@@ -90,13 +86,11 @@ Judgement judge_glass(const Mesh& mesh, const Material& material, const std::str
 }  // namespace
 
 Judgement judge(const Mesh& mesh, const Material& material, const Settings& settings) {
-  const std::string name =
-      quoted_name("material", material.name, static_cast<std::size_t>(mesh.material));
+  const std::string name = quoted_name("material", material.name, static_cast<std::size_t>(mesh.material));
   if (material.unlit) {
     return diffuse(name, "unlit: shows its colour as it is, and casts a shadow");
   }
-  if (material.metallic >= settings.mirror_metallic &&
-      material.roughness <= settings.mirror_roughness) {
+  if (material.metallic >= settings.mirror_metallic && material.roughness <= settings.mirror_roughness) {
     return {{Role::Mirror, false,
              name + ": metallic " + number_text(material.metallic) + ", roughness " +
                  number_text(material.roughness) + ": a mirror"},

@@ -39,20 +39,21 @@ double texels_on(const Mesh& mesh, const TextureUse& use, const Image& image) {
   return 0.5 * squares * stretch * image.width() * image.height();
 }
 
-// How fine the normals are beside the grid, which has no more vertices on the mesh than it has in all. Textures
-// are interpolated but not filtered, so what is finer than the grid is sampled, not averaged.
+// How fine the normals are beside the grid, which has no more vertices on the mesh than it has in all.
+// Textures are interpolated but not filtered, so what is finer than the grid is sampled, not averaged.
 std::string fineness(const Scene& scene, const Mesh& mesh, const TextureUse& use, const Settings& settings) {
   const Image& image = scene.images[static_cast<std::size_t>(use.image)];
   const double ratio = std::sqrt(texels_on(mesh, use, image)) / settings.grid;
   if (!(ratio > 1.0)) return {};
   return "; its texels are finer than the grid, " + number_text(ratio, 3) +
-         " or more to a grid vertex each way: the caustic is a sample of theirs, and noisy (--grid makes it finer)";
+         " or more to a grid vertex each way: the caustic is a sample of theirs, and noisy (--grid makes it "
+         "finer)";
 }
 
 struct Use {
   std::size_t meshes = 0;
-  std::string first;     // name of the first material
-  std::string fineness;  // of the first normal texture that is finer than the grid
+  std::string first;           // name of the first material
+  std::string fineness;        // of the first normal texture that is finer than the grid
   bool partly_opaque = false;  // a transmission texture is among them
 };
 
@@ -95,11 +96,13 @@ void add_textured_casters(const Scene& scene, const Settings& settings, Effects&
   const Use colors = found(colored);
   effects.textured_casters = effect_of(
       colors, std::string("a texture tints what passes or is mirrored") +
-          (colors.partly_opaque ? "; what a transmission texture holds back counts as absorbed, and looks black"
-                                : ""));
+                  (colors.partly_opaque
+                       ? "; what a transmission texture holds back counts as absorbed, and looks black"
+                       : ""));
   const Use normals = found(normal_mapped);
   effects.normal_mapped_casters = effect_of(normals, "a normal texture bends light" + normals.fineness);
-  effects.cut_out_casters = effect_of(found(cut_out), "an alpha mask cuts holes, which let light straight through");
+  effects.cut_out_casters =
+      effect_of(found(cut_out), "an alpha mask cuts holes, which let light straight through");
 }
 
 }  // namespace caustics

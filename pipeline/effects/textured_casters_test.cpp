@@ -11,7 +11,8 @@ namespace {
 constexpr Effect Effects::*kEffects[3] = {&Effects::textured_casters, &Effects::normal_mapped_casters,
                                           &Effects::cut_out_casters};
 
-// A glass square of 2 x 2 m whose texture coordinates run from 0 to 1, over a floor; images of 64 x 64 texels.
+// A glass square of 2 x 2 m whose texture coordinates run from 0 to 1, over a floor; images of 64 x 64
+// texels.
 Scene glass_square() {
   Scene scene;
   scene.materials = {diffuse(0.8f), glass(1.5f)};
@@ -23,7 +24,9 @@ Scene glass_square() {
   return scene;
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 }  // namespace
 

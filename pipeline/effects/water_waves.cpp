@@ -1,7 +1,7 @@
 #include "pipeline/effects/water_waves.hpp"
 
-#include "pipeline/gpu/error.hpp"
 #include "pipeline/effects/surface_role.hpp"
+#include "pipeline/gpu/error.hpp"
 
 namespace caustics {
 
@@ -22,14 +22,14 @@ void add_water_waves(const Scene& scene, Effects& effects) {
     const Water& water = scene.waters[i];
     const SurfaceRole& role = effects.surfaces[static_cast<std::size_t>(water.mesh)];
     if (role.role != Role::Refractor) {
-      throw Error(ExitCode::BadInput,
-                  scene.file + ": " + quoted_name("water", water.name, i) + " is no refractor (" +
-                      role.reason + "); give it a smooth material with transmission and a volume");
+      throw Error(ExitCode::BadInput, scene.file + ": " + quoted_name("water", water.name, i) +
+                                          " is no refractor (" + role.reason +
+                                          "); give it a smooth material with transmission and a volume");
     }
     reason += (i == 0 ? "" : "; ") + water_text(water, i);
   }
   effects.water_waves = {!scene.waters.empty(),
-                          scene.waters.empty() ? "no mesh is water that moves" : reason};
+                         scene.waters.empty() ? "no mesh is water that moves" : reason};
 }
 
 }  // namespace caustics

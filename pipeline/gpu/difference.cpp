@@ -69,8 +69,7 @@ void DifferenceCounter::add(const ValuePair& pair) {
     ++sum_.differing;
     if (!sum_.first) sum_.first = pair;
   }
-  if (std::isnan(pair.a) || std::isnan(pair.b) ||
-      (!same && (std::isinf(pair.a) || std::isinf(pair.b)))) {
+  if (std::isnan(pair.a) || std::isnan(pair.b) || (!same && (std::isinf(pair.a) || std::isinf(pair.b)))) {
     add_non_finite(pair);
   } else if (!same) {
     add_finite(pair);
@@ -107,8 +106,7 @@ void DifferenceCounter::add_finite(const ValuePair& pair) {
 
 ValueDifference DifferenceCounter::result() const {
   ValueDifference result = sum_;
-  const std::size_t finite =
-      sum_.values - sum_.nan_only_a - sum_.nan_only_b - sum_.nan_both - sum_.infinite;
+  const std::size_t finite = sum_.values - sum_.nan_only_a - sum_.nan_only_b - sum_.nan_both - sum_.infinite;
   result.absolute = spread_of(absolute_, finite);
   result.relative = spread_of(relative_, finite);
   result.ulps = spread_of(ulps_, finite);

@@ -88,8 +88,7 @@ struct ChannelView {
 };
 
 // Both have one size.
-ValueDifference difference(const ChannelView& a, const ChannelView& b,
-                           const Tolerance& tolerance = {});
+ValueDifference difference(const ChannelView& a, const ChannelView& b, const Tolerance& tolerance = {});
 
 // Two attachments of one name.
 struct ImageDifference {

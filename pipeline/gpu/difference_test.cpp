@@ -34,8 +34,7 @@ TEST_CASE("difference: ULPs count the floats between two values") {
   CHECK(ulps_between(-smallest, smallest) == 2);
   CHECK(ulps_between(std::numeric_limits<float>::max(), kInfinity) == 1);
   // Two times the bits of the largest float, 0x7f7fffff: no overflow.
-  CHECK(ulps_between(std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()) ==
-        0xfefffffeu);
+  CHECK(ulps_between(std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()) == 0xfefffffeu);
 }
 
 TEST_CASE("difference: equal values, signed zeros, like infinities and like NaN do not differ") {
@@ -145,8 +144,7 @@ TEST_CASE("difference: texels are counted once whatever number of channels diffe
 
 TEST_CASE("difference: a channel of interleaved values") {
   const std::vector<float> a = {1, 9, 2, 9, 3, 9, 4, 9}, b = {1, 2, 5, 4};
-  const ValueDifference d =
-      difference(ChannelView{a.data(), 2, 2, 2}, ChannelView{b.data(), 1, 2, 2});
+  const ValueDifference d = difference(ChannelView{a.data(), 2, 2, 2}, ChannelView{b.data(), 1, 2, 2});
   CHECK(d.differing == 1);
   REQUIRE(d.worst);
   CHECK(d.worst->x == 0);

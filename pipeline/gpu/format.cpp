@@ -67,8 +67,7 @@ std::uint16_t half_from_float(float value) {
   // Bits below the half's last place: 13 for normal numbers, more for subnormal ones.
   const int dropped = exponent >= -14 ? 13 : -1 - exponent;
   const std::uint32_t significand = (magnitude & 0x7fffffu) | 0x800000u;
-  const std::uint32_t biased =
-      exponent >= -14 ? static_cast<std::uint32_t>(exponent + 14) << 10 : 0u;
+  const std::uint32_t biased = exponent >= -14 ? static_cast<std::uint32_t>(exponent + 14) << 10 : 0u;
   const std::uint32_t kept = significand >> dropped;
   const std::uint32_t remainder = significand & ((1u << dropped) - 1u);
   const std::uint32_t half_way = 1u << (dropped - 1);
@@ -81,8 +80,7 @@ float float_from_half(std::uint16_t half) {
   const std::uint32_t exponent = (half >> 10) & 0x1fu;
   const std::uint32_t fraction = half & 0x3ffu;
   if (exponent == 31u) return std::bit_cast<float>(sign | 0x7f800000u | (fraction << 13));
-  if (exponent != 0u)
-    return std::bit_cast<float>(sign | ((exponent + 112u) << 23) | (fraction << 13));
+  if (exponent != 0u) return std::bit_cast<float>(sign | ((exponent + 112u) << 23) | (fraction << 13));
   const float magnitude = static_cast<float>(fraction) * 0x1p-24f;
   return sign ? -magnitude : magnitude;
 }

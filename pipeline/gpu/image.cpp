@@ -29,15 +29,12 @@ Image::Image(Format format, int width, int height)
              static_cast<std::size_t>(channel_count(format))) {}
 
 float& Image::at(int x, int y, int channel) { return values[value_index(*this, x, y, channel)]; }
-float Image::at(int x, int y, int channel) const {
-  return values[value_index(*this, x, y, channel)];
-}
+float Image::at(int x, int y, int channel) const { return values[value_index(*this, x, y, channel)]; }
 
 std::string sha256(const Image& image) {
   Sha256 hash;
   const std::string header = std::string(format_name(image.shape.format)) + ' ' +
-                             std::to_string(image.width()) + ' ' + std::to_string(image.height()) +
-                             '\n';
+                             std::to_string(image.width()) + ' ' + std::to_string(image.height()) + '\n';
   hash.add(header.data(), header.size());
   std::vector<std::uint8_t> bytes;
   bytes.reserve(1 << 16);

@@ -1,5 +1,5 @@
-// What a device has made and somebody owns: released at the end of its owner's life, also where the owner's construction
-// fails halfway.
+// What a device has made and somebody owns: released at the end of its owner's life, also where the owner's
+// construction fails halfway.
 #pragma once
 #include <utility>
 

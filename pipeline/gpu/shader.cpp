@@ -28,8 +28,7 @@ std::string_view lanes_name(Lanes lanes) {
 namespace {
 
 [[noreturn]] void refuse(std::string_view line, const std::string& why) {
-  throw Error(ExitCode::InternalError,
-              "shader declaration '" + std::string(line) + "': " + why);
+  throw Error(ExitCode::InternalError, "shader declaration '" + std::string(line) + "': " + why);
 }
 
 int components_of(std::string_view type, std::string_view line) {
@@ -67,8 +66,7 @@ bool parse(std::string_view line, std::string_view keyword, Declaration& result)
   }
   if (words.size() < 2) refuse(line, "expected a number and a name");
   int number = 0;
-  const auto [stop, error] =
-      std::from_chars(words[0].data(), words[0].data() + words[0].size(), number);
+  const auto [stop, error] = std::from_chars(words[0].data(), words[0].data() + words[0].size(), number);
   if (error != std::errc{} || stop != words[0].data() + words[0].size())
     refuse(line, "the first argument must be a whole number");
   result = {line, number, {words.begin() + 1, words.end()}};
@@ -78,8 +76,7 @@ bool parse(std::string_view line, std::string_view keyword, Declaration& result)
 void add_variable(std::vector<ShaderVariable>& list, const Declaration& d, Interpolation how) {
   if (d.words.size() != 2) refuse(d.line, "expected (component, type, name)");
   const int expected = list.empty() ? 0 : list.back().first_component + list.back().components;
-  if (d.number != expected)
-    refuse(d.line, "component " + std::to_string(expected) + " comes next");
+  if (d.number != expected) refuse(d.line, "component " + std::to_string(expected) + " comes next");
   list.push_back({std::string(d.words[1]), d.number, components_of(d.words[0], d.line), how});
 }
 
@@ -165,7 +162,8 @@ const ShaderInterface& interface_of(const Shader& shader) {
   static std::map<std::string, ShaderInterface, std::less<>> known;  // by text; references into it stay
   const std::lock_guard lock(mutex);
   const auto found = known.find(shader.text);
-  return found != known.end() ? found->second : known.emplace(std::string(shader.text), reflect(shader.text)).first->second;
+  return found != known.end() ? found->second
+                              : known.emplace(std::string(shader.text), reflect(shader.text)).first->second;
 }
 
 }  // namespace caustics

@@ -42,10 +42,8 @@ struct BlendState {
 };
 
 inline constexpr BlendState kReplace{};
-inline constexpr BlendState kAccumulate{true, BlendEquation::Add, BlendFactor::One,
-                                        BlendFactor::One};
-inline constexpr BlendState kMultiply{true, BlendEquation::Add, BlendFactor::Zero,
-                                      BlendFactor::SourceColor};
+inline constexpr BlendState kAccumulate{true, BlendEquation::Add, BlendFactor::One, BlendFactor::One};
+inline constexpr BlendState kMultiply{true, BlendEquation::Add, BlendFactor::Zero, BlendFactor::SourceColor};
 
 // Which channels a pass may write, in the order red, green, blue, alpha.
 using ColorMask = std::array<bool, 4>;

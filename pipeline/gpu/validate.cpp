@@ -21,12 +21,12 @@ void require_same_names(const PassDefinition& definition, const Listed& listed,
   const auto shader = " its shader '" + std::string(definition.shader->name) + "' declares ";
   for (std::size_t i = 0; i < std::min(listed.size(), declared.size()); ++i)
     if (listed[i].name != declared[i])
-      refuse(definition, what + " " + std::to_string(i) + " is '" + listed[i].name + "'," + shader + "'" + declared[i] +
-                             "' there; name and order them alike");
+      refuse(definition, what + " " + std::to_string(i) + " is '" + listed[i].name + "'," + shader + "'" +
+                             declared[i] + "' there; name and order them alike");
   if (listed.size() != declared.size())
     refuse(definition, "lists " + std::to_string(listed.size()) + " " + what + "s," + shader +
-                           std::to_string(declared.size()) + "; make the definition and the shader's " + keyword +
-                           " lines agree");
+                           std::to_string(declared.size()) + "; make the definition and the shader's " +
+                           keyword + " lines agree");
 }
 
 void require_distinct_names(const PassDefinition& definition) {
@@ -51,8 +51,7 @@ void validate(const PassDefinition& definition) {
   for (const TextureRead& read : definition.reads)
     if (!read.only_towards.empty() && !read.optional)
       refuse(definition, "needs '" + read.name + "' for '" + read.only_towards + "' alone; mark it optional");
-  if (definition.writes.empty() && !definition.depth)
-    refuse(definition, "writes nothing; add an attachment");
+  if (definition.writes.empty() && !definition.depth) refuse(definition, "writes nothing; add an attachment");
   if (definition.writes.size() > 8)
     refuse(definition, "writes " + std::to_string(definition.writes.size()) +
                            " colour attachments; 8 are the most that OpenGL promises");
@@ -61,8 +60,7 @@ void validate(const PassDefinition& definition) {
   for (const ColorWrite& write : definition.writes)
     if (is_depth(write.format))
       refuse(definition, "attachment '" + write.name + "' has a depth format; use `depth`");
-  const bool uses_depth =
-      definition.depth_state.compare != Compare::Always || definition.depth_state.write;
+  const bool uses_depth = definition.depth_state.compare != Compare::Always || definition.depth_state.write;
   if (uses_depth && !definition.depth)
     refuse(definition, "tests or writes depth without a depth attachment; add `depth`");
 }
@@ -82,9 +80,8 @@ void validate(const PassRun& run, const Device& device) {
   const auto check_target = [&](TextureId texture, Format format, const std::string& name) {
     const ImageShape shape = device.shape(texture);
     if (shape.format != format)
-      refuse(definition, "target '" + name + "' has format " +
-                             std::string(format_name(shape.format)) + ", must be " +
-                             std::string(format_name(format)));
+      refuse(definition, "target '" + name + "' has format " + std::string(format_name(shape.format)) +
+                             ", must be " + std::string(format_name(format)));
     if (size.width == 0) size = shape;
     if (size.width != shape.width || size.height != shape.height)
       refuse(definition, "target '" + name + "' differs in size from the first target");
@@ -97,19 +94,18 @@ void validate(const PassRun& run, const Device& device) {
   for (const Draw& draw : run.draws) {
     if (draw.textures.size() != definition.reads.size())
       refuse(definition, "a draw binds " + std::to_string(draw.textures.size()) +
-                             " textures, the pass reads " +
-                             std::to_string(definition.reads.size()));
+                             " textures, the pass reads " + std::to_string(definition.reads.size()));
     for (const TextureId texture : draw.textures)
       if (texture != TextureId::None &&
           (texture == run.depth ||
            std::find(run.colors.begin(), run.colors.end(), texture) != run.colors.end()))
         refuse(definition, "a draw reads a texture that the pass writes; use two textures");
-    if (draw.uniforms.size() % 16 != 0)
-      refuse(definition, "a uniform block must be a multiple of 16 bytes");
+    if (draw.uniforms.size() % 16 != 0) refuse(definition, "a uniform block must be a multiple of 16 bytes");
     if (definition.shader->uniform_bytes && draw.uniforms.size() != definition.shader->uniform_bytes())
-      refuse(definition, "a draw has " + std::to_string(draw.uniforms.size()) + " bytes of uniforms, its shader '" +
-                             std::string(definition.shader->name) + "' declares " +
-                             std::to_string(definition.shader->uniform_bytes()) + "; fill the struct of its own text");
+      refuse(definition, "a draw has " + std::to_string(draw.uniforms.size()) +
+                             " bytes of uniforms, its shader '" + std::string(definition.shader->name) +
+                             "' declares " + std::to_string(definition.shader->uniform_bytes()) +
+                             "; fill the struct of its own text");
     if (draw.mesh == MeshId::None && !interface.attributes.empty())
       refuse(definition, "its shader has vertex attributes, but a draw has no mesh");
     for (const ShaderVariable& attribute : interface.attributes) {

@@ -108,10 +108,12 @@ TEST_CASE("validate: each wrong definition is refused in a line that names the p
 }
 
 TEST_CASE("validate: definitions beyond what OpenGL promises, or without a use, are refused") {
-  const auto refused = [](std::size_t textures, std::size_t outputs, const std::string& part, bool same_names = false) {
+  const auto refused = [](std::size_t textures, std::size_t outputs, const std::string& part,
+                          bool same_names = false) {
     const Shader shader = shader_of(textures, outputs);
     PassDefinition d{.name = "copy", .purpose = "test", .shader = &shader};
-    for (std::size_t i = 0; i < textures; ++i) d.reads.push_back({.name = "t" + std::to_string(i), .meaning = "m"});
+    for (std::size_t i = 0; i < textures; ++i)
+      d.reads.push_back({.name = "t" + std::to_string(i), .meaning = "m"});
     for (std::size_t i = 0; i < outputs; ++i)
       d.writes.push_back({.name = same_names ? "o" : "o" + std::to_string(i), .meaning = "m"});
     check_refused(complaint(d), part);
@@ -130,8 +132,10 @@ TEST_CASE("validate: each wrong run is refused in a line that names the pass") {
     check_refused(r.complaint(), part);
   };
   refused([](SoundRun& r) { r.run.colors.clear(); }, "got 0 colour targets, writes 1");
-  refused([](SoundRun& r) { r.run.depth = r.device->create_texture(Format::Depth32F, 4, 4); }, "takes no depth target");
-  refused([](SoundRun& r) { r.definition.depth = DepthWrite{.name = "d", .meaning = "m"}; }, "needs a depth target");
+  refused([](SoundRun& r) { r.run.depth = r.device->create_texture(Format::Depth32F, 4, 4); },
+          "takes no depth target");
+  refused([](SoundRun& r) { r.definition.depth = DepthWrite{.name = "d", .meaning = "m"}; },
+          "needs a depth target");
   refused([](SoundRun& r) { r.run.keep = {false, true}; }, "`keep` must have one entry");
   refused([](SoundRun& r) { r.run.colors = {r.device->create_texture(Format::R32F, 4, 4)}; },
           "target 'copy' has format R32F, must be");
@@ -142,7 +146,8 @@ TEST_CASE("validate: each wrong run is refused in a line that names the pass") {
       },
       "target 'd' differs in size");
   refused([](SoundRun& r) { r.run.draws[0].textures.clear(); }, "binds 0 textures, the pass reads 1");
-  refused([](SoundRun& r) { r.run.draws[0].textures = r.run.colors; }, "reads a texture that the pass writes");
+  refused([](SoundRun& r) { r.run.draws[0].textures = r.run.colors; },
+          "reads a texture that the pass writes");
   refused([](SoundRun& r) { r.run.draws[0].uniforms.resize(20); }, "multiple of 16 bytes");
   SoundRun none;
   none.run.definition = nullptr;

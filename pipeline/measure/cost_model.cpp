@@ -16,7 +16,8 @@ constexpr double kErrorMargin = 0.85, kTimeMargin = 0.9;
 // By which power of its side a part of the error falls, from the error at two sides.
 double order(double error, int side, double other_error, int other_side) {
   if (!(error > 0.0) || !(other_error > 0.0)) return 1.0;
-  return std::clamp(std::log(error / other_error) / std::log(static_cast<double>(other_side) / side), 0.3, 2.0);
+  return std::clamp(std::log(error / other_error) / std::log(static_cast<double>(other_side) / side), 0.3,
+                    2.0);
 }
 
 double squared(int side) { return static_cast<double>(side) * static_cast<double>(side); }
@@ -27,14 +28,17 @@ CostModel::CostModel(const Trial& base, const Trial& finer_grid, const Trial& fi
     : base_(base),
       grid_order_(order(base.grid_error, base.grid, finer_grid.grid_error, finer_grid.grid)),
       map_order_(order(base.map_error, base.map, finer_map.map_error, finer_map.map)) {
-  per_vertex_ = std::max(0.0, (finer_grid.milliseconds - base.milliseconds) /
-                                  (squared(finer_grid.grid) - squared(base.grid)));
-  per_texel_ = std::max(0.0, (finer_map.milliseconds - base.milliseconds) / (squared(finer_map.map) - squared(base.map)));
-  fixed_ = std::max(0.0, base.milliseconds - per_vertex_ * squared(base.grid) - per_texel_ * squared(base.map));
+  per_vertex_ = std::max(
+      0.0, (finer_grid.milliseconds - base.milliseconds) / (squared(finer_grid.grid) - squared(base.grid)));
+  per_texel_ = std::max(
+      0.0, (finer_map.milliseconds - base.milliseconds) / (squared(finer_map.map) - squared(base.map)));
+  fixed_ =
+      std::max(0.0, base.milliseconds - per_vertex_ * squared(base.grid) - per_texel_ * squared(base.map));
 }
 
 Trial CostModel::expect(int grid, int map) const {
-  const double finer_grid = static_cast<double>(grid) / base_.grid, finer_map = static_cast<double>(map) / base_.map;
+  const double finer_grid = static_cast<double>(grid) / base_.grid,
+               finer_map = static_cast<double>(map) / base_.map;
   return {.grid = grid,
           .map = map,
           .map_error = base_.map_error / std::pow(finer_map, map_order_),
@@ -49,7 +53,8 @@ void CostModel::learn(const Trial& trial) {
   fixed_ *= slower;
   per_vertex_ *= slower;
   per_texel_ *= slower;
-  if (trial.grid != base_.grid) grid_order_ = order(base_.grid_error, base_.grid, trial.grid_error, trial.grid);
+  if (trial.grid != base_.grid)
+    grid_order_ = order(base_.grid_error, base_.grid, trial.grid_error, trial.grid);
   if (trial.map != base_.map) map_order_ = order(base_.map_error, base_.map, trial.map_error, trial.map);
   base_ = trial;
 }
@@ -65,8 +70,8 @@ Trial choose(const CostModel& model, const Demand& demand, double longest) {
   double least = std::numeric_limits<double>::infinity();
   const auto first = [&](const Trial& t) { return demand.error ? t.milliseconds : t.error(); };
   const auto demanded = [&](const Trial& t) { return demand.error ? t.error() : t.milliseconds; };
-  const double bound = demand.error ? kErrorMargin * *demand.error
-                                    : kTimeMargin * demand.milliseconds.value_or(least);
+  const double bound =
+      demand.error ? kErrorMargin * *demand.error : kTimeMargin * demand.milliseconds.value_or(least);
   for (const int grid : kSides)
     for (const int map : kSides) {
       const Trial trial = model.expect(grid, map);

@@ -20,8 +20,8 @@ struct Trial {
   double error() const { return map_error + grid_error + missing; }
 };
 
-// Error and time as powers and squares of the sizes, from three trials: a base, one with a larger grid, one with
-// larger maps.
+// Error and time as powers and squares of the sizes, from three trials: a base, one with a larger grid, one
+// with larger maps.
 class CostModel {
  public:
   CostModel(const Trial& base, const Trial& finer_grid, const Trial& finer_map);
@@ -35,9 +35,10 @@ class CostModel {
   double fixed_ = 0.0, per_vertex_ = 0.0, per_texel_ = 0.0;  // milliseconds
 };
 
-// The sizes with which the demand is expected to be met: for an error the fastest, for a time the most accurate. Where
-// none suffices, those that come closest. Among those that are expected to take no longer than `longest`, milliseconds,
-// or the fastest of all: a model is not to be trusted far from what it was measured at.
+// The sizes with which the demand is expected to be met: for an error the fastest, for a time the most
+// accurate. Where none suffices, those that come closest. Among those that are expected to take no longer
+// than `longest`, milliseconds, or the fastest of all: a model is not to be trusted far from what it was
+// measured at.
 Trial choose(const CostModel& model, const Demand& demand,
              double longest = std::numeric_limits<double>::infinity());
 bool meets(const Trial& trial, const Demand& demand);

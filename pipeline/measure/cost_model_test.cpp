@@ -6,8 +6,8 @@ using namespace caustics;
 
 namespace {
 
-// Errors fall with the square of the map's side and with the grid's; time is 10 ms, a microsecond a vertex and two
-// a texel.
+// Errors fall with the square of the map's side and with the grid's; time is 10 ms, a microsecond a vertex
+// and two a texel.
 Trial exact(int grid, int map) {
   return {.grid = grid,
           .map = map,
@@ -80,7 +80,8 @@ TEST_CASE("cost model: sizes that would take too long are not tried at once") {
 }
 
 TEST_CASE("cost model: errors that do not fall, and times that do not rise, are survived") {
-  const Trial same{.grid = 128, .map = 128, .map_error = 0.0, .grid_error = 0.1, .missing = 0.0, .milliseconds = 5.0};
+  const Trial same{
+      .grid = 128, .map = 128, .map_error = 0.0, .grid_error = 0.1, .missing = 0.0, .milliseconds = 5.0};
   Trial finer_grid = same, finer_map = same;
   finer_grid.grid = finer_map.map = 256;
   finer_grid.grid_error = 0.2;

@@ -10,15 +10,16 @@ namespace caustics {
 
 namespace {
 
-// Of the difference from texels of twice the side: bilinear interpolation errs by the square of the side (Richardson: 1 in
-// 2^2 - 1).
+// Of the difference from texels of twice the side: bilinear interpolation errs by the square of the side
+// (Richardson: 1 in 2^2 - 1).
 constexpr double kOfTexels = 1.0 / 3.0;
-// Of the difference from cells, or splats, of half the number. A half would be of the first order, and a third of the
-// second; texels even out most of what differs from cell to cell. This is what glass spheres measure
-// (docs/accuracy.md).
+// Of the difference from cells, or splats, of half the number. A half would be of the first order, and a
+// third of the second; texels even out most of what differs from cell to cell. This is what glass spheres
+// measure (docs/accuracy.md).
 constexpr double kOfGrid = 1.0 / 6.0;
 
-// Of the light that cells have left to points, which lies in spots instead of between them. Metal rings measure it.
+// Of the light that cells have left to points, which lies in spots instead of between them. Metal rings
+// measure it.
 constexpr double kOfPoints = 0.5;
 
 double sum_rgb(const Image& image, int x, int y) {
@@ -30,13 +31,12 @@ double sum_rgb(const Image& image, int x, int y) {
 // One value a texel, in double precision.
 class Plane {
  public:
-  explicit Plane(int side) : side_(side), values_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {}
+  explicit Plane(int side)
+      : side_(side), values_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {}
   int side() const { return side_; }
   double& at(int x, int y) { return values_[index(x, y)]; }
   double at(int x, int y) const { return values_[index(x, y)]; }
-  double clamped(int x, int y) const {
-    return at(std::clamp(x, 0, side_ - 1), std::clamp(y, 0, side_ - 1));
-  }
+  double clamped(int x, int y) const { return at(std::clamp(x, 0, side_ - 1), std::clamp(y, 0, side_ - 1)); }
   void add(const glm::dvec2& texel, double value) {
     const int x = static_cast<int>(std::floor(texel.x)), y = static_cast<int>(std::floor(texel.y));
     if (x >= 0 && y >= 0 && x < side_ && y < side_) at(x, y) += value;
@@ -50,8 +50,8 @@ class Plane {
   }
 
  private:
-  // Means over `side` texels along an axis, by running sums; the outermost texels of a box count by the share that lies
-  // in it, and beyond the map there is nothing.
+  // Means over `side` texels along an axis, by running sums; the outermost texels of a box count by the share
+  // that lies in it, and beyond the map there is nothing.
   Plane along(double side, int dx, int dy) const {
     if (side <= 1.0) return *this;
     Plane result(side_);
@@ -59,14 +59,16 @@ class Plane {
     const double box = std::min(side, 2.0 * side_);
     for (int line = 0; line < side_; ++line) {
       const auto value = [&](int k) { return at(dx ? k : line, dy ? k : line); };
-      for (int k = 0; k < side_; ++k) sums[static_cast<std::size_t>(k) + 1] = sums[static_cast<std::size_t>(k)] + value(k);
+      for (int k = 0; k < side_; ++k)
+        sums[static_cast<std::size_t>(k) + 1] = sums[static_cast<std::size_t>(k)] + value(k);
       const auto up_to = [&](double t) {
         const double inside = std::clamp(t, 0.0, static_cast<double>(side_));
         const int whole = std::min(static_cast<int>(inside), side_ - 1);
         return sums[static_cast<std::size_t>(whole)] + (inside - whole) * value(whole);
       };
       for (int k = 0; k < side_; ++k)
-        result.at(dx ? k : line, dy ? k : line) = (up_to(k + 0.5 + 0.5 * box) - up_to(k + 0.5 - 0.5 * box)) / side;
+        result.at(dx ? k : line, dy ? k : line) =
+            (up_to(k + 0.5 + 0.5 * box) - up_to(k + 0.5 - 0.5 * box)) / side;
     }
     return result;
   }
@@ -125,7 +127,8 @@ Plane texel_error(const Plane& map, Counts counts) {
       // A fine texel's centre lies a quarter of a coarse one from the nearer centre.
       const int x0 = x / 2, y0 = y / 2, x1 = x0 + (x % 2 ? 1 : -1), y1 = y0 + (y % 2 ? 1 : -1);
       const double shown = (9.0 * coarse.clamped(x0, y0) + 3.0 * coarse.clamped(x1, y0) +
-                            3.0 * coarse.clamped(x0, y1) + coarse.clamped(x1, y1)) / 16.0;
+                            3.0 * coarse.clamped(x0, y1) + coarse.clamped(x1, y1)) /
+                           16.0;
       error.at(x, y) = map.at(x, y) - shown;
     }
   return error;
@@ -134,7 +137,8 @@ Plane texel_error(const Plane& map, Counts counts) {
 // A tile's guard is not shown, and what two texels of a face's edge are interpolated from lies in part in it.
 constexpr int kBesideGuard = 2;
 
-double map_error(const Image& caustic_map, const Image& cascade_map, const Maps& maps, const View& view, double pixel) {
+double map_error(const Image& caustic_map, const Image& cascade_map, const Maps& maps, const View& view,
+                 double pixel) {
   double sum = texel_error(plane_of(caustic_map), [&](int x, int y) {
                  if (view.cube) return view.cube->in_face(x, y, kBesideGuard);
                  return !maps.cascade_shows({x + 0.5, y + 0.5});
@@ -185,8 +189,8 @@ Cell cell_at(const CellImages& cells, const Image& flux, int x, int y) {
   return {0.25 * (a + b + c + d), triangle_area(a, b, c) + triangle_area(d, c, b), sum_rgb(flux, x, y), true};
 }
 
-// Each block of two by two cells taken for one with even light: what each of the four has more or less than that. Of a
-// grid in tiles, blocks of one face.
+// Each block of two by two cells taken for one with even light: what each of the four has more or less than
+// that. Of a grid in tiles, blocks of one face.
 void compare_cells(const CellImages& cells, const Image& flux, const View& caster, Moved& moved) {
   for (int y = 0; y + 2 < flux.height(); y += 2)
     for (int x = 0; x + 2 < flux.width(); x += 2) {

@@ -2,31 +2,34 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/gpu/image.hpp"
 #include "pipeline/effects/effects.hpp"
+#include "pipeline/gpu/image.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
 
-// Light in wrong places: the integral of |irradiance - truth|, both averaged over a picture's pixels, over what receives
-// it, in the ledger's unit of flux and summed over the three channels. Each part compares the frame with a coarser one made from its own textures.
+// Light in wrong places: the integral of |irradiance - truth|, both averaged over a picture's pixels, over
+// what receives it, in the ledger's unit of flux and summed over the three channels. Each part compares the
+// frame with a coarser one made from its own textures.
 struct ErrorEstimate {
   double landed = 0.0;   // all flux in the map
   double map = 0.0;      // by the size of the maps' texels: against texels of twice the side
-  double grid = 0.0;     // by the grid's spacing: against cells of twice the side, or half of the splats; and light in spots
+  double grid = 0.0;     // by the grid's spacing: against cells of twice the side, or half of the splats; and
+                         // light in spots
   double missing = 0.0;  // landed beyond the map, or not followed to its landing
   // Relative L1 of the caustic's irradiance; 0 where nothing landed.
   double relative(double part) const { return landed > 0.0 ? part / landed : 0.0; }
   double total() const { return relative(map + grid + missing); }
 };
 
-// Adds another estimate `share` times: a light's samples to the light's own. Errors of several are taken to add up.
+// Adds another estimate `share` times: a light's samples to the light's own. Errors of several are taken to
+// add up.
 void add(ErrorEstimate& sum, const ErrorEstimate& other, double share);
 
-// Of one light; `pixel` is a pixel's side in texels of the caustic map (pixel_side.hpp), 1 or less where the maps' own
-// texels are judged; `cells` by branch, `cascade_map` without values where the light has none. Of lights that see all
-// around only cells are judged: landed is 0 where their landings are splatted one by one.
+// Of one light; `pixel` is a pixel's side in texels of the caustic map (pixel_side.hpp), 1 or less where the
+// maps' own texels are judged; `cells` by branch, `cascade_map` without values where the light has none. Of
+// lights that see all around only cells are judged: landed is 0 where their landings are splatted one by one.
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
                              const Image& caustic_map, const Image& cascade_map, const LightViews& views,
                              const Settings& settings, const Ledger& ledger, double pixel);

@@ -37,8 +37,7 @@ struct Bench {
     set(branch.cell_flux, column, row, {flux, flux, flux, 1.0f});
   }
   static void set(Image& image, int x, int y, const glm::vec4& value) {
-    for (int c = 0; c < 4; ++c)
-      image.at(x, y, c) = value[c];
+    for (int c = 0; c < 4; ++c) image.at(x, y, c) = value[c];
   }
   ErrorEstimate estimate() const {
     return estimate_error({branch}, {cells}, map, Image{}, views, settings, ledger, pixel);
@@ -51,20 +50,22 @@ TEST_CASE("error estimate: even light has none") {
   Bench bench;
   bench.map = grey(8, 1.0f / 64.0f);
   for (int row = 0; row < 2; ++row)
-    for (int column = 0; column < 2; ++column) bench.put(column, row, 2.0f + float(column), 2.0f + float(row), 1.0f, 0.25f);
+    for (int column = 0; column < 2; ++column)
+      bench.put(column, row, 2.0f + float(column), 2.0f + float(row), 1.0f, 0.25f);
   CHECK(bench.estimate().total() == 0.0);
 }
 
 TEST_CASE("error estimate: a single bright texel") {
-  // The mean of its four texels, a quarter, shows 9/16 of itself there: 9/64. The other 55/64 are missing there and too
-  // much elsewhere. A third of that counts (second order).
+  // The mean of its four texels, a quarter, shows 9/16 of itself there: 9/64. The other 55/64 are missing
+  // there and too much elsewhere. A third of that counts (second order).
   Bench bench;
   bench.map.values[3 * 8 + 3] = 1.0f;
   CHECK(bench.estimate().relative(bench.estimate().map) == Approx(2.0 * (1.0 - 9.0 / 64.0) / 3.0));
 }
 
 TEST_CASE("error estimate: cells of one block that differ from each other") {
-  // Equal areas, and fluxes of 0.4, 0.2, 0.2, 0.2: 0.15 too much in one and 0.05 too little in three: 0.3, of which a sixth.
+  // Equal areas, and fluxes of 0.4, 0.2, 0.2, 0.2: 0.15 too much in one and 0.05 too little in three: 0.3, of
+  // which a sixth.
   Bench bench;
   bench.put(0, 0, 2, 2, 1, 0.4f);
   bench.put(1, 0, 3, 2, 1, 0.2f);
@@ -90,7 +91,8 @@ TEST_CASE("error estimate: flux that is not in the map is missing") {
   CHECK(bench.estimate().total() == Approx(0.03));
 }
 
-TEST_CASE("error estimate: nothing is said of nothing, nor of points on the maps of a light that sees all around") {
+TEST_CASE(
+    "error estimate: nothing is said of nothing, nor of points on the maps of a light that sees all around") {
   Bench bench;
   bench.ledger.in_map = {};
   CHECK(bench.estimate().total() == 0.0);
@@ -101,8 +103,9 @@ TEST_CASE("error estimate: nothing is said of nothing, nor of points on the maps
 }
 
 TEST_CASE("error estimate: what evens out over a pixel does not count") {
-  // A bright texel's error is 55/64 there and as much with the other sign within two texels around it (the four texels of
-  // its block show 9, 3, 3 and 1 of 64, their neighbours the rest). A box of 3 texels leaves less of it, one of 5 still less.
+  // A bright texel's error is 55/64 there and as much with the other sign within two texels around it (the
+  // four texels of its block show 9, 3, 3 and 1 of 64, their neighbours the rest). A box of 3 texels leaves
+  // less of it, one of 5 still less.
   Bench bench;
   bench.map.values[3 * 8 + 3] = 1.0f;
   const double own = bench.estimate().map;

@@ -48,13 +48,13 @@ std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& br
     const auto if_any = [&](const char* name) {
       return has(branch_texture(name, light, branch)) ? own(name) : Image{};
     };
-    result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel),
-                      own(kLandingAbsorbed), if_any(kCellFlux), if_any(kLandingMedium)});
+    result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel), own(kLandingAbsorbed),
+                      if_any(kCellFlux), if_any(kLandingMedium)});
     if (!has(branch_texture(far_texture(kLanding), light, branch))) continue;
     const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
     const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
-    merge_far(result.back(), {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
-                              cells ? far(kCellFlux) : Image{}, Image{}});
+    merge_far(result.back(), {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel),
+                              far(kLandingAbsorbed), cells ? far(kCellFlux) : Image{}, Image{}});
   }
   return result;
 }

@@ -1,11 +1,12 @@
-// What the landing passes of a light hold, read back: the ledger, the error estimate and the reports start from it.
+// What the landing passes of a light hold, read back: the ledger, the error estimate and the reports start
+// from it.
 #pragma once
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "pipeline/gpu/image.hpp"
 #include "pipeline/effects/effects.hpp"
+#include "pipeline/gpu/image.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
@@ -23,9 +24,9 @@ struct BranchImages {
   Image medium;     // without values where there is no medium
 };
 
-// What a light's passes hold, of all its branches; what the search on the farthest receivers found stands in the place
-// of what had not landed before; `read` gives a texture by its full name, and `has` tells
-// whether the frame holds it.
+// What a light's passes hold, of all its branches; what the search on the farthest receivers found stands in
+// the place of what had not landed before; `read` gives a texture by its full name, and `has` tells whether
+// the frame holds it.
 std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
                                         const std::function<bool(const std::string&)>& has,
                                         const std::function<Image(const std::string&)>& read);
@@ -35,8 +36,8 @@ std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branch
                                     const std::function<bool(const std::string&)>& has,
                                     const std::function<Image(const std::string&)>& read);
 
-// The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken. 1 where landings are
-// not joined to cells: `cell_flux` without values.
+// The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken. 1 where
+// landings are not joined to cells: `cell_flux` without values.
 double share_of_points(const Image& cell_flux, int x, int y);
 
 }  // namespace caustics

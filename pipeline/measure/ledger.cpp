@@ -84,17 +84,17 @@ double Ledger::residual() const {
 
 void add(Ledger& sum, const Ledger& other, double share) {
   for (FluxRgb Ledger::*account :
-       {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection,
-        &Ledger::missed, &Ledger::outside, &Ledger::not_converged, &Ledger::kernel_edge,
-        &Ledger::medium, &Ledger::in_map, &Ledger::rounding, &Ledger::rounding_bound})
+       {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection, &Ledger::missed,
+        &Ledger::outside, &Ledger::not_converged, &Ledger::kernel_edge, &Ledger::medium, &Ledger::in_map,
+        &Ledger::rounding, &Ledger::rounding_bound})
     add(sum.*account, other.*account, share);
   for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
 }
 
 namespace {
 
-void add_vertex(const BranchImages& images, int x, int y, const std140::View& view,
-                const SplatKernel& kernel, int map, Ledger& ledger) {
+void add_vertex(const BranchImages& images, int x, int y, const std140::View& view, const SplatKernel& kernel,
+                int map, Ledger& ledger) {
   const auto status = static_cast<LandingStatus>(static_cast<int>(images.landing.at(x, y, 3)));
   const double flux = images.fresnel.at(x, y, 3);
   // The guard vertices of a cube's grid belong to other faces: they carry nothing.
@@ -118,7 +118,8 @@ void add_vertex(const BranchImages& images, int x, int y, const std140::View& vi
   add(ledger.rounding, carried);
   if (cube) return;  // a tile's guard holds every splat whole
   const glm::dvec2 texel = texel_of(images, x, y, view, map);
-  const double beyond = (1.0 - share_on_map(kernel, texel.x, texel.y, map)) * share_of_points(images.cell_flux, x, y);
+  const double beyond =
+      (1.0 - share_on_map(kernel, texel.x, texel.y, map)) * share_of_points(images.cell_flux, x, y);
   add(ledger.kernel_edge, carried, beyond);
   add(ledger.rounding, carried, -beyond);
 }
@@ -136,17 +137,21 @@ Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<
   const std140::View uniforms = shader_view(caustic_view);
   for (const BranchImages& images : branches)
     for (int y = 0; y < images.landing.height(); ++y)
-      for (int x = 0; x < images.landing.width(); ++x) add_vertex(images, x, y, uniforms, kernel, side, ledger);
-  const std::vector<std::uint32_t> counts =
-      caustic_view.cube ? std::vector<std::uint32_t>{} : splat_counts(branches, cells, kernel, caustic_view, side);
+      for (int x = 0; x < images.landing.width(); ++x)
+        add_vertex(images, x, y, uniforms, kernel, side, ledger);
+  const std::vector<std::uint32_t> counts = caustic_view.cube
+                                                ? std::vector<std::uint32_t>{}
+                                                : splat_counts(branches, cells, kernel, caustic_view, side);
   for (const Image* map : {&caustic_map, &far_map})
     for (int y = 0; y < map->height(); ++y)
       for (int x = 0; x < map->width(); ++x) {
         const FluxRgb flux = rgb(*map, x, y);
         add(ledger.in_map, flux);
         add(ledger.rounding, flux, -1.0);
-        const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
-        if (!counts.empty()) add(ledger.rounding_bound, flux, static_cast<double>(counts[texel]) * kUnitRoundoff);
+        const std::size_t texel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+        if (!counts.empty())
+          add(ledger.rounding_bound, flux, static_cast<double>(counts[texel]) * kUnitRoundoff);
       }
   return ledger;
 }

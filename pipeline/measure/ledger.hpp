@@ -17,8 +17,8 @@ namespace caustics {
 enum class LandingStatus : std::uint8_t {
   Empty = STATUS_EMPTY,  // no caster in this texel
   Landed = STATUS_LANDED,
-  Missed = STATUS_MISSED,    // leaves the scene: no receiver on its way
-  Outside = STATUS_OUTSIDE,  // leaves the receiver or the caustic map
+  Missed = STATUS_MISSED,                     // leaves the scene: no receiver on its way
+  Outside = STATUS_OUTSIDE,                   // leaves the receiver or the caustic map
   TotalReflection = STATUS_TOTAL_REFLECTION,  // cannot leave the caster at its second surface
   Absorbed = STATUS_ABSORBED,                 // less than a millionth is left
   NotConverged = STATUS_NOT_CONVERGED,        // the estimator did not close in on a receiver
@@ -31,23 +31,23 @@ using FluxRgb = std::array<double, 3>;
 // One light's ledger, per colour channel. Flux is relative to the light's own intensity: square
 // metres (lumen per lux) for directional lights, steradians (lumen per candela) for the others.
 struct Ledger {
-  FluxRgb entered{};             // onto the casters
-  FluxRgb fresnel{};             // reflected at the surfaces
-  FluxRgb absorbed{};            // in the material, and what ended as Absorbed
+  FluxRgb entered{};   // onto the casters
+  FluxRgb fresnel{};   // reflected at the surfaces
+  FluxRgb absorbed{};  // in the material, and what ended as Absorbed
   FluxRgb total_reflection{};
-  FluxRgb medium{};              // absorbed and scattered by the medium, before and after the casters
+  FluxRgb medium{};  // absorbed and scattered by the medium, before and after the casters
   FluxRgb missed{};
   FluxRgb outside{};
   FluxRgb not_converged{};
-  FluxRgb kernel_edge{};         // parts of splats beyond the map's edge
-  FluxRgb in_map{};              // the sum over the caustic map
-  FluxRgb rounding{};            // splatted less in_map: what the map's single-precision sums lost (gained: negative)
-  // The most that rounding can take of sums in single precision: n 2^-24 of a texel's flux where n splats may have
-  // touched it (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 4.2), over all texels. 0 where
-  // splats are not counted: lights that see all around.
+  FluxRgb kernel_edge{};  // parts of splats beyond the map's edge
+  FluxRgb in_map{};       // the sum over the caustic map
+  FluxRgb rounding{};  // splatted less in_map: what the map's single-precision sums lost (gained: negative)
+  // The most that rounding can take of sums in single precision: n 2^-24 of a texel's flux where n splats may
+  // have touched it (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 4.2), over all
+  // texels. 0 where splats are not counted: lights that see all around.
   FluxRgb rounding_bound{};
-  // |entered - everything else| / entered, the largest of the channels; 0 for an empty grid. `rounding` counts as
-  // booked as far as its bound allows; what it has beyond that is a residual.
+  // |entered - everything else| / entered, the largest of the channels; 0 for an empty grid. `rounding`
+  // counts as booked as far as its bound allows; what it has beyond that is a residual.
   double residual() const;
   std::array<std::uint64_t, kLandingStatuses> vertices{};  // by LandingStatus
 };

@@ -34,8 +34,8 @@ std::string reason_of(LandingStatus status) {
 
 }  // namespace
 
-std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& branches, const Image& caster_normal,
-                                 const std::vector<int>& mesh_of_row) {
+std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& branches,
+                                 const Image& caster_normal, const std::vector<int>& mesh_of_row) {
   std::vector<Outcome> outcomes;
   outcomes.reserve(mesh_of_row.size());
   for (const int mesh : mesh_of_row) outcomes.push_back({.light = light, .mesh = mesh});

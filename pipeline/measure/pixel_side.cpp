@@ -11,7 +11,8 @@ namespace {
 using Place = std::optional<glm::dvec3>;
 
 Place place_at(const Image& position, int x, int y) {
-  if (x < 0 || y < 0 || x >= position.width() || y >= position.height() || position.at(x, y, 3) == 0.0f) return {};
+  if (x < 0 || y < 0 || x >= position.width() || y >= position.height() || position.at(x, y, 3) == 0.0f)
+    return {};
   return glm::dvec3(position.at(x, y, 0), position.at(x, y, 1), position.at(x, y, 2));
 }
 
@@ -31,7 +32,8 @@ std::optional<glm::dvec2> texel_of(const glm::dvec3& p, const View& view, int ma
     return q.z > 0.0 ? std::optional(view.cube->texel({q.x / q.z, q.y / q.z}, face)) : std::nullopt;
   }
   if (view.perspective && !(q.z > 0.0)) return {};
-  return (view.window(q) - view.window_lower) / (view.window_upper - view.window_lower) * static_cast<double>(map);
+  return (view.window(q) - view.window_lower) / (view.window_upper - view.window_lower) *
+         static_cast<double>(map);
 }
 
 double light_at(const Image& map, const glm::dvec2& texel) {
@@ -44,8 +46,8 @@ double light_at(const Image& map, const glm::dvec2& texel) {
 }
 
 // Square texels of a pixel's parallelogram; none where that cannot be told.
-std::optional<double> area_at(const Image& position, const glm::dvec3& here, const glm::dvec2& texel, const View& view,
-                              int map, int face, int x, int y) {
+std::optional<double> area_at(const Image& position, const glm::dvec3& here, const glm::dvec2& texel,
+                              const View& view, int map, int face, int x, int y) {
   const Place across = step_at(position, here, x, y, 1, 0), upward = step_at(position, here, x, y, 0, 1);
   if (!across || !upward) return {};
   const auto right = texel_of(here + *across, view, map, face),

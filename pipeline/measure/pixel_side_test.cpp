@@ -43,15 +43,16 @@ TEST_CASE("pixel side: only what shows light counts") {
 }
 
 TEST_CASE("pixel side: a neighbour far behind does not make a pixel large") {
-  // The rightmost column shows something 1 km away: the pixels beside it are measured by their other neighbours.
+  // The rightmost column shows something 1 km away: the pixels beside it are measured by their other
+  // neighbours.
   Bench bench;
   for (int y = 0; y < 4; ++y) bench.put(3, y, {500.0f, -1000.0f, 3.0f - 2.0f * float(y)});
   CHECK(bench.side() == Approx(2.0));
 }
 
 TEST_CASE("pixel side: under a light that sees all around, texels are those of the face below it") {
-  // A face of the atlas' 96 texels is (96 / 3 - 2 guard) wide and (96 / 2 - 2 guard) high over 2 tangents: 20 m on the
-  // floor, 10 m below. Pixels of 2 m.
+  // A face of the atlas' 96 texels is (96 / 3 - 2 guard) wide and (96 / 2 - 2 guard) high over 2 tangents: 20
+  // m on the floor, 10 m below. Pixels of 2 m.
   Bench bench;
   bench.view = with_atlas(cube_view({0.0, 10.0, 0.0}, {0.1, 20.0}), 96);
   bench.map = filled(96, 96, glm::vec4(1.0f));

@@ -10,14 +10,16 @@ namespace caustics {
 
 namespace {
 
-// Counts rectangles of texels: each is marked at its corners, and one running sum along both axes counts them all.
+// Counts rectangles of texels: each is marked at its corners, and one running sum along both axes counts them
+// all.
 class RectangleCounts {
  public:
   explicit RectangleCounts(int side) : side_(side), marks_(stride() * stride()) {}
 
   // Every texel that the rectangle touches; corners in texels.
   void add(const glm::dvec2& lower, const glm::dvec2& upper) {
-    const std::size_t x0 = column(lower.x), x1 = column(upper.x) + 1, y0 = column(lower.y), y1 = column(upper.y) + 1;
+    const std::size_t x0 = column(lower.x), x1 = column(upper.x) + 1, y0 = column(lower.y),
+                      y1 = column(upper.y) + 1;
     ++marks_[y0 * stride() + x0];
     --marks_[y0 * stride() + x1];
     --marks_[y1 * stride() + x0];
@@ -70,8 +72,8 @@ void add_cells(const BranchImages& images, const CellImages& cells, RectangleCou
   for (int y = 0; y < cells.near.height(); ++y)
     for (int x = 0; x < cells.near.width(); ++x) {
       if (images.cell_flux.at(x, y, 3) == 0.0f) continue;
-      const glm::dvec2 a = corner(cells.near, x, y, 0), b = corner(cells.near, x, y, 2), c = corner(cells.far, x, y, 0),
-                       d = corner(cells.far, x, y, 2);
+      const glm::dvec2 a = corner(cells.near, x, y, 0), b = corner(cells.near, x, y, 2),
+                       c = corner(cells.far, x, y, 0), d = corner(cells.far, x, y, 2);
       counts.add(glm::min(glm::min(a, b), glm::min(c, d)), glm::max(glm::max(a, b), glm::max(c, d)));
     }
 }
@@ -86,7 +88,8 @@ glm::dvec2 texel_of(const BranchImages& images, int x, int y, const std140::View
   };
   const float w = view.kind != VIEW_PARALLEL ? along(2) : 1.0f;
   const auto side = static_cast<float>(map);
-  return {(along(0) / w * view.scale.x + view.offset.x) * side, (along(1) / w * view.scale.y + view.offset.y) * side};
+  return {(along(0) / w * view.scale.x + view.offset.x) * side,
+          (along(1) / w * view.scale.y + view.offset.y) * side};
 }
 
 std::vector<std::uint32_t> splat_counts(const std::vector<BranchImages>& branches,

@@ -4,8 +4,8 @@
 #include <optional>
 #include <set>
 
-#include "pipeline/gpu/error.hpp"
 #include "pipeline/effects/surface_role.hpp"
+#include "pipeline/gpu/error.hpp"
 
 namespace caustics {
 
@@ -53,7 +53,8 @@ std::optional<std::string> missing(Effect Effects::*wanted, const Effects& effec
 }
 
 // Why the effects do not call for an instance of a pass, or nothing.
-std::optional<std::string> not_called_for(const Pass& pass, const DrawnFor& drawn_for, const Effects& effects) {
+std::optional<std::string> not_called_for(const Pass& pass, const DrawnFor& drawn_for,
+                                          const Effects& effects) {
   for (Effect Effects::*wanted : pass.when)
     if (const auto reason = missing(wanted, effects)) return reason;
   return missing(drawn_for.also, effects);
@@ -65,8 +66,7 @@ std::string with_label(std::string_view name, std::string_view label) {
 
 class Planner {
  public:
-  Planner(const Scene& scene, const Effects& effects, const Settings& settings,
-          const Registry& registry)
+  Planner(const Scene& scene, const Effects& effects, const Settings& settings, const Registry& registry)
       : scene_(scene), effects_(effects), settings_(settings), registry_(registry) {
     add_external(kCasterMaterials);
     if (scene.environment.image) add_external(kEnvironment);
@@ -78,9 +78,7 @@ class Planner {
   }
 
  private:
-  void add_external(const char* name) {
-    plan_.textures.push_back({.name = name, .external = true});
-  }
+  void add_external(const char* name) { plan_.textures.push_back({.name = name, .external = true}); }
 
   void add_instances(int index) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
@@ -108,8 +106,8 @@ class Planner {
         add(index, drawn_for, {light, b});
     }
     if (!any)
-      plan_.skipped.push_back({with_label(pass.name, drawn_for.label), scene_.lights.empty() ? "light: no light shines"
-                                                                       : "no light calls for it"});
+      plan_.skipped.push_back({with_label(pass.name, drawn_for.label),
+                               scene_.lights.empty() ? "light: no light shines" : "no light calls for it"});
   }
 
   bool light_needs(const Pass& pass, const DrawnFor& drawn_for, int light) const {
@@ -121,7 +119,8 @@ class Planner {
   }
 
   TargetSize size_of(const Pass& pass, const DrawnFor& drawn_for, Owner user) const {
-    const LightEffects* light = user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
+    const LightEffects* light =
+        user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
     // What the camera sees of the lights' passes has the picture's size.
     if (pass.size && drawn_for.label != kCamera.label) return pass.size(settings_, effects_, light);
     if (drawn_for.camera == CameraView::Picture) return {settings_.width, settings_.height};
@@ -141,7 +140,8 @@ class Planner {
                         .width = size.width,
                         .height = size.height};
     for (const Read& read : pass.reads)
-      if (!read.only_with || read.only_with(effects_)) planned.reads.push_back(resolve(pass, read, drawn_for, user));
+      if (!read.only_with || read.only_with(effects_))
+        planned.reads.push_back(resolve(pass, read, drawn_for, user));
     const Each owned_by = pass.owner.value_or(drawn_for.each);
     const Owner owner{owned_by == Each::Frame ? -1 : user.light, owned_by == Each::Branch ? user.branch : -1};
     const std::string_view own = drawn_for.own_textures ? drawn_for.label : std::string_view{};
@@ -152,7 +152,8 @@ class Planner {
       planned.writes.push_back(
           target(planned, with_label(name, own), planned.definition.writes[written++].format, owner));
     }
-    if (pass.depth) planned.depth = target(planned, with_label(pass.depth->name, own), Format::Depth32F, owner);
+    if (pass.depth)
+      planned.depth = target(planned, with_label(pass.depth->name, own), Format::Depth32F, owner);
     plan_.passes.push_back(std::move(planned));
   }
 
@@ -165,7 +166,8 @@ class Planner {
                         .drawn_for = &drawn_for,
                         .definition = definition_of(pass, effects_, drawn_for),
                         .water = static_cast<int>(number),
-                        .label = std::string(pass.name) + "[" + (water.name.empty() ? std::to_string(number) : water.name) + "]",
+                        .label = std::string(pass.name) + "[" +
+                                 (water.name.empty() ? std::to_string(number) : water.name) + "]",
                         .reason = reason,
                         .width = water.columns,
                         .height = water.rows};
@@ -202,7 +204,8 @@ class Planner {
     return owner.light >= 0 ? light_texture(name, owner.light) : name;
   }
 
-  // What is read is the instance's own, or else the plain one; the branch's, or else the light's, or else the frame's.
+  // What is read is the instance's own, or else the plain one; the branch's, or else the light's, or else the
+  // frame's.
   int resolve(const Pass& pass, const Read& read, const DrawnFor& drawn_for, Owner user) const {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
@@ -227,8 +230,7 @@ class Planner {
       return static_cast<int>(plan_.textures.size()) - 1;
     }
     const PlannedTexture& texture = plan_.textures[static_cast<std::size_t>(found)];
-    if (texture.width != planned.width || texture.height != planned.height ||
-        texture.format != format)
+    if (texture.width != planned.width || texture.height != planned.height || texture.format != format)
       throw Error(ExitCode::InternalError, "pass '" + planned.label + "' writes '" + full +
                                                "' in another size or format than the pass before");
     return found;
@@ -244,9 +246,8 @@ class Planner {
 // "name" is meant by a goal for the frame's texture and for each light's own.
 bool is_wanted(const std::string& full_name, const std::vector<std::string>& goal) {
   const std::string bare = full_name.substr(0, full_name.find('['));
-  return std::any_of(goal.begin(), goal.end(), [&](const std::string& wanted) {
-    return wanted == full_name || wanted == bare;
-  });
+  return std::any_of(goal.begin(), goal.end(),
+                     [&](const std::string& wanted) { return wanted == full_name || wanted == bare; });
 }
 
 // Is the attachment that the read is for among those needed?

@@ -21,18 +21,18 @@ struct PlannedPass {
   static constexpr int kMaterial = -1;  // in `reads`: the drawn material's texture
   static constexpr int kNothing = -2;   // in `reads`: an optional texture this frame lacks
 
-  int pass = 0;        // index into the registry
+  int pass = 0;                         // index into the registry
   const DrawnFor* drawn_for = nullptr;  // of the registry's pass
   PassDefinition definition;            // what a device runs
-  int light = -1;      // index into Scene::lights, -1 for a pass of the frame
-  int branch = -1;     // index into Effects::branches, -1 for a pass of the frame or of a light
-  int water = -1;      // index into Scene::waters, -1 for all other passes
-  std::string label;   // "caustic_map[sun]", "landing[sun].far"
+  int light = -1;                       // index into Scene::lights, -1 for a pass of the frame
+  int branch = -1;    // index into Effects::branches, -1 for a pass of the frame or of a light
+  int water = -1;     // index into Scene::waters, -1 for all other passes
+  std::string label;  // "caustic_map[sun]", "landing[sun].far"
   std::string reason;
-  std::vector<int> reads{};   // indices into FramePlan::textures, or the constants above
+  std::vector<int> reads{};  // indices into FramePlan::textures, or the constants above
   std::vector<int> writes{};
   int depth = -1;
-  std::vector<bool> keep{};   // as PassRun::keep
+  std::vector<bool> keep{};  // as PassRun::keep
   int width = 0, height = 0;
 };
 

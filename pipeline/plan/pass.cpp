@@ -54,9 +54,11 @@ void validate(const Registry& registry) {
   std::set<std::string_view> names;
   for (const Pass& pass : registry) {
     if (!names.insert(pass.name).second)
-      throw Error(ExitCode::InternalError, "pass '" + std::string(pass.name) + "' is registered twice; remove one");
+      throw Error(ExitCode::InternalError,
+                  "pass '" + std::string(pass.name) + "' is registered twice; remove one");
     if (!pass.uniforms)
-      throw Error(ExitCode::InternalError, "pass '" + std::string(pass.name) + "' has no uniforms; set `uniforms`");
+      throw Error(ExitCode::InternalError,
+                  "pass '" + std::string(pass.name) + "' has no uniforms; set `uniforms`");
     for (const DrawnFor& drawn_for : pass.drawn_for) {
       validate(definition_of(pass, {}, drawn_for));
       for (const NamedEffect& named : named_effects()) {
@@ -68,8 +70,12 @@ void validate(const Registry& registry) {
   }
 }
 
-TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*) { return {settings.grid, settings.grid}; }
-TargetSize map_size(const Settings& settings, const Effects&, const LightEffects*) { return {settings.map, settings.map}; }
+TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*) {
+  return {settings.grid, settings.grid};
+}
+TargetSize map_size(const Settings& settings, const Effects&, const LightEffects*) {
+  return {settings.map, settings.map};
+}
 TargetSize shadow_size(const Settings& settings, const Effects&, const LightEffects*) {
   return {settings.shadow, settings.shadow};
 }

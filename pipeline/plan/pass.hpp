@@ -1,5 +1,6 @@
-// A pass as the plan knows it: what it does, what calls for it, for whom it is drawn, what it reads and writes, its state,
-// its shader. All of it data: the planner (frame_plan.hpp) makes instances of it for a frame.
+// A pass as the plan knows it: what it does, what calls for it, for whom it is drawn, what it reads and
+// writes, its state, its shader. All of it data: the planner (frame_plan.hpp) makes instances of it for a
+// frame.
 #pragma once
 #include <cstddef>
 #include <cstring>
@@ -17,22 +18,26 @@
 namespace caustics {
 
 // How often a pass runs in a frame. What belongs to a Water runs before the frame's passes, as many times
-// as its waves need steps (pipeline/renderer/moving_water.hpp); a plan that is to be looked at in full has the last step again.
+// as its waves need steps (pipeline/renderer/moving_water.hpp); a plan that is to be looked at in full has
+// the last step again.
 enum class Each : std::uint8_t { Frame, Light, Branch, Water };
 
 // Which of the receivers behind the casters, where one can hide another from the light.
 enum class ReceiverLayer : std::uint8_t { Nearest, Farthest };
 // Which caustic map of a light: the whole, or the finer one of its bright part.
 enum class MapWindow : std::uint8_t { Whole, Cascade };
-// What the camera sees: the picture, or its surroundings, three times as wide and high, which glass in it can show.
+// What the camera sees: the picture, or its surroundings, three times as wide and high, which glass in it can
+// show.
 enum class CameraView : std::uint8_t { Picture, Surroundings };
 
-// For whom a pass is drawn: once for the frame, each light, branch or water, and for which part of what these see.
+// For whom a pass is drawn: once for the frame, each light, branch or water, and for which part of what these
+// see.
 struct DrawnFor {
   Each each = Each::Frame;
   // Behind the pass's name and owner: "landing[sun].far"; empty for the plain instance.
   std::string_view label{};
-  // The instance writes textures of its own, named alike ("landing.far[0]"), and reads such where there are any.
+  // The instance writes textures of its own, named alike ("landing.far[0]"), and reads such where there are
+  // any.
   bool own_textures = true;
   ReceiverLayer receivers = ReceiverLayer::Nearest;
   MapWindow window = MapWindow::Whole;
@@ -81,15 +86,15 @@ inline constexpr DrawnFor kWater{.each = Each::Water};
 
 // What a pass draws.
 enum class DrawSet : std::uint8_t {
-  FullScreen,      // one triangle over all pixels
-  Receivers,       // every mesh that is a Receiver
-  Casters,         // every Refractor and Mirror
-  SolidCasters,    // every Refractor with two interfaces
-  ThinPanes,       // every ThinPane
-  GridVertices,    // grid * grid points
-  GridCells,       // (grid - 1) * (grid - 1) points
-  GridCellQuads,   // (grid - 1) * (grid - 1) quadrilaterals of two triangles
-  Beams,           // beams * beams quadrilaterals of two triangles
+  FullScreen,     // one triangle over all pixels
+  Receivers,      // every mesh that is a Receiver
+  Casters,        // every Refractor and Mirror
+  SolidCasters,   // every Refractor with two interfaces
+  ThinPanes,      // every ThinPane
+  GridVertices,   // grid * grid points
+  GridCells,      // (grid - 1) * (grid - 1) points
+  GridCellQuads,  // (grid - 1) * (grid - 1) quadrilaterals of two triangles
+  Beams,          // beams * beams quadrilaterals of two triangles
 };
 
 struct TargetSize {
@@ -110,11 +115,11 @@ struct PassContext {
   std::int64_t water_step = 0;         // likewise: which step, counted from rest
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
-  int material_row = 0;   // row of `caster_materials`: the mesh's material
+  int material_row = 0;  // row of `caster_materials`: the mesh's material
   int mesh_index = 0;
-  int width = 0, height = 0;  // of the pass's targets
-  int face = 4;           // of a cube view: the face that is drawn
-  float exposure = 1.0f;  // factor from nit to display white
+  int width = 0, height = 0;            // of the pass's targets
+  int face = 4;                         // of a cube view: the face that is drawn
+  float exposure = 1.0f;                // factor from nit to display white
   const DrawnFor* drawn_for = nullptr;  // null: the plain instance
 
   bool farthest() const { return drawn_for && drawn_for->receivers == ReceiverLayer::Farthest; }
@@ -136,12 +141,12 @@ UniformBytes uniform_bytes(const T& block) {
 struct Read {
   std::string_view name;
   std::string_view meaning;
-  std::string_view texture{};        // another name than the shader has for it
-  bool of_material = false;          // the drawn surface's material's, instead of one of the frame
-  bool optional = false;             // the frame may lack it; one texel of zeros is bound then
-  Condition only_with = nullptr;     // the shader declares it only then
-  std::string_view only_for{};       // read only by the instance with this label; the others get zeros
-  std::string_view only_towards{};   // an optional read: the only attachment that depends on it
+  std::string_view texture{};       // another name than the shader has for it
+  bool of_material = false;         // the drawn surface's material's, instead of one of the frame
+  bool optional = false;            // the frame may lack it; one texel of zeros is bound then
+  Condition only_with = nullptr;    // the shader declares it only then
+  std::string_view only_for{};      // read only by the instance with this label; the others get zeros
+  std::string_view only_towards{};  // an optional read: the only attachment that depends on it
 };
 
 // A colour attachment: `name` is that of the shader's OUTPUT line.
@@ -164,9 +169,9 @@ struct Permutation {
 };
 
 struct Pass {
-  std::string_view name;     // = folder, shader text, page, test
+  std::string_view name;  // = folder, shader text, page, test
   std::string_view purpose;
-  std::string_view reason;   // why a frame that calls for it needs it
+  std::string_view reason;                // why a frame that calls for it needs it
   std::vector<Effect Effects::*> when{};  // all must be active; none: always
   std::vector<DrawnFor> drawn_for{kFrame};
   // Only for lights of whom a caustic is to be expected.
@@ -177,8 +182,8 @@ struct Pass {
   std::vector<Read> reads{};
   std::vector<Write> writes{};
   std::optional<DepthWrite> depth{};
-  // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to its light's. None:
-  // to whom it is drawn for.
+  // To whom the attachments belong: a pass of each light may add to the frame's, one of each branch to its
+  // light's. None: to whom it is drawn for.
   std::optional<Each> owner{};
   Topology topology = Topology::Triangles;
   DepthState depth_state{};
@@ -193,20 +198,23 @@ struct Pass {
 };
 
 // What a device runs of a pass: the instance's, as these effects choose.
-PassDefinition definition_of(const Pass& pass, const Effects& effects = {}, const DrawnFor& drawn_for = kFrame);
+PassDefinition definition_of(const Pass& pass, const Effects& effects = {},
+                             const DrawnFor& drawn_for = kFrame);
 
 // Passes in the order in which they run. passes/registry.hpp has the only list.
 using Registry = std::vector<Pass>;
 
-// Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do": everything that can be wrong in a
-// definition (pipeline/gpu/validate.hpp), of every instance and permutation; two passes of one name.
+// Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do": everything that can be
+// wrong in a definition (pipeline/gpu/validate.hpp), of every instance and permutation; two passes of one
+// name.
 void validate(const Registry& registry);
 
 // Sizes that several passes share.
 TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*);
 TargetSize map_size(const Settings& settings, const Effects&, const LightEffects*);
 TargetSize shadow_size(const Settings& settings, const Effects&, const LightEffects*);
-// Twice the map's where receivers can hide others from the light: then its texels, not planes, tell where light lands.
+// Twice the map's where receivers can hide others from the light: then its texels, not planes, tell where
+// light lands.
 TargetSize receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light);
 // The grid's, coarser where one beam stands for several grid vertices.
 TargetSize beams_size(const Settings& settings, const Effects&, const LightEffects*);

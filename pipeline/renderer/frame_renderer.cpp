@@ -10,8 +10,8 @@ namespace caustics {
 
 namespace {
 
-// Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of moving water
-// hold whatever the waves do, so that maps and shadows do not crawl.
+// Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
+// moving water hold whatever the waves do, so that maps and shadows do not crawl.
 PlannedFrame planned(Scene& scene, const Settings& settings, const Registry& registry, Effects effects,
                      LightPilot& pilot, const PlanGoal& goal, const Breath& breath) {
   PlannedFrame frame;
@@ -57,7 +57,8 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
 
 void FrameRenderer::judge_and_plan() {
   if (options_.breath) options_.breath();
-  frame_ = planned(scene_, settings_, registry_, effects_of(scene_, settings_), *pilot_, options_.goal, options_.breath);
+  frame_ = planned(scene_, settings_, registry_, effects_of(scene_, settings_), *pilot_, options_.goal,
+                   options_.breath);
   inputs_.camera = camera_view(scene_, options_.camera, settings_);
   if (options_.breath) options_.breath();
 }

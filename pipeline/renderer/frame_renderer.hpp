@@ -1,5 +1,5 @@
-// From a scene to frames of it: the one place where it is judged what the scene calls for, the lights' views are fitted,
-// the passes planned, run and read back.
+// From a scene to frames of it: the one place where it is judged what the scene calls for, the lights' views
+// are fitted, the passes planned, run and read back.
 #pragma once
 #include <functional>
 #include <memory>
@@ -18,28 +18,28 @@ struct PlannedFrame {
   FramePlan plan;
 };
 
-// What `render` would do, without doing it. `pilot`: the software device, on which the lights' views are fitted. Leaves
-// waters at rest.
+// What `render` would do, without doing it. `pilot`: the software device, on which the lights' views are
+// fitted. Leaves waters at rest.
 PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& registry, Device& pilot,
                         const PlanGoal& goal = {}, const Breath& breath = {});
 
 struct FrameOptions {
-  PlanGoal goal{};                   // the images that are wanted; empty: all that the effects call for
-  const Camera* camera = nullptr;    // null: the scene's first; a scene without cameras has no picture
-  std::optional<float> exposure{};   // factor from nit to display white; none: the scene's own (exposure_of)
-  double seconds = 0.0;              // the moment that the scene's waters are shown at
-  // The device on which the lights' views are fitted where `device` is not the software device, so that every device
-  // draws the same frames; null: the same device.
+  PlanGoal goal{};                  // the images that are wanted; empty: all that the effects call for
+  const Camera* camera = nullptr;   // null: the scene's first; a scene without cameras has no picture
+  std::optional<float> exposure{};  // factor from nit to display white; none: the scene's own (exposure_of)
+  double seconds = 0.0;             // the moment that the scene's waters are shown at
+  // The device on which the lights' views are fitted where `device` is not the software device, so that every
+  // device draws the same frames; null: the same device.
   Device* pilot = nullptr;
-  Breath breath{};                   // called between steps; may throw to stop
+  Breath breath{};  // called between steps; may throw to stop
   // Sees the plan before its textures are made, and may refuse it by throwing.
   std::function<void(const PlannedFrame&)> accept{};
 };
 
 class FrameRenderer {
  public:
-  // All must outlive it, the options' camera and pilot too. The scene is complete (complete_scene); its waters move.
-  // Throws Error as the passes, the device and the callbacks do.
+  // All must outlive it, the options' camera and pilot too. The scene is complete (complete_scene); its
+  // waters move. Throws Error as the passes, the device and the callbacks do.
   FrameRenderer(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
                 FrameOptions options = {});
   FrameRenderer(const FrameRenderer&) = delete;
@@ -48,14 +48,15 @@ class FrameRenderer {
   // Draws the frame. Moving water's steps come first in the reports.
   std::vector<PassReport> run(const AfterPass& after = {});
 
-  // The scene stands at another moment: these meshes have moved, and lights and cameras may have. Only what the moment
-  // calls for anew is made anew; the images are those of a renderer made for that moment alone.
+  // The scene stands at another moment: these meshes have moved, and lights and cameras may have. Only what
+  // the moment calls for anew is made anew; the images are those of a renderer made for that moment alone.
   void moved(const std::vector<int>& meshes, const Camera* camera);
   // Moves the scene's waters to a moment, seconds.
   void show_waters(double seconds);
 
   bool has(const std::string& texture) const { return frame_.plan.find(texture) >= 0; }
-  // The texels of a texture of the plan, by its full name or its index. Throws Error (InternalError) for other names.
+  // The texels of a texture of the plan, by its full name or its index. Throws Error (InternalError) for
+  // other names.
   Image read(const std::string& texture) const;
   Image read(int texture) const;
   // A pass of the plan with everything bound to it, as run() hands it to the device.

@@ -5,18 +5,18 @@
 #include <memory>
 #include <optional>
 
-#include "pipeline/views/all_around.hpp"
-#include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/backdrop.hpp"
-#include "pipeline/views/cascades.hpp"
-#include "pipeline/views/cone_range.hpp"
-#include "pipeline/plan/frame_plan.hpp"
-#include "pipeline/views/landing_window.hpp"
+#include "pipeline/effects/cascades.hpp"
 #include "pipeline/measure/ledger.hpp"
+#include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/renderer/run_plan.hpp"
-#include "pipeline/settings/splat_kernel.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
+#include "pipeline/views/all_around.hpp"
+#include "pipeline/views/cascades.hpp"
+#include "pipeline/views/cone_range.hpp"
+#include "pipeline/views/landing_window.hpp"
 
 namespace caustics {
 
@@ -26,8 +26,8 @@ namespace {
 constexpr double kEverywhere = 1e12;
 // Of the share that may fall outside of a map, where the map has a cascade.
 constexpr double kCascadedShare = 0.25;
-// What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the ledger's
-// kernel_edge has it.
+// What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the
+// ledger's kernel_edge has it.
 constexpr double kWidestMargin = 1.0;
 // The coarse run that looks for landings.
 constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
@@ -58,8 +58,7 @@ void add_point(Extents& extents, const View& axes, const glm::dvec3& p, double c
   // What lies beside or behind a point light is seen at the widest angle.
   if (axes.perspective && q.z < closest) q.z = closest;
   glm::dvec2 w = axes.window(q);
-  if (axes.perspective)
-    w = glm::clamp(w, glm::dvec2(-kWidestTangent), glm::dvec2(kWidestTangent));
+  if (axes.perspective) w = glm::clamp(w, glm::dvec2(-kWidestTangent), glm::dvec2(kWidestTangent));
   extents.add(w, q.z);
 }
 
@@ -87,7 +86,8 @@ struct LightExtents {
 void cut_to_cone(Extents& casters, const View& axes, const Light& light) {
   if (light.type != LightType::Spot || casters.empty()) return;
   for (int axis = 0; axis < 2; ++axis) {
-    const std::optional<glm::dvec2> cone = cone_range(axes, axis, light.direction, static_cast<double>(light.outer_cone));
+    const std::optional<glm::dvec2> cone =
+        cone_range(axes, axis, light.direction, static_cast<double>(light.outer_cone));
     if (!cone || cone->x >= casters.upper[axis] || cone->y <= casters.lower[axis]) continue;
     casters.lower[axis] = std::max(casters.lower[axis], cone->x);
     casters.upper[axis] = std::min(casters.upper[axis], cone->y);
@@ -110,8 +110,7 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
     // What an emitter turns away from it does not light.
     if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
       target = light.position + light.direction * radius;
-    result.axes = view_along(light.position,
-                              exact::normalise(target - light.position, light.direction));
+    result.axes = view_along(light.position, exact::normalise(target - light.position, light.direction));
     result.axes.perspective = true;
     closest = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
   }
@@ -134,8 +133,8 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
 
 // The frames before anything is known of the landings: the receiver map sees everything.
 LightViews widest_views(const LightExtents& extents, const Effects& effects, int grid) {
-  LightViews views{extents.axes, extents.axes, extents.axes, extents.axes, extents.axes,
-                     0.0,          extents.axes, {}};
+  LightViews views{extents.axes, extents.axes, extents.axes, extents.axes,
+                   extents.axes, 0.0,          extents.axes, {}};
   const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
   const double reach = extents.everything.farthest;
   if (!shadow.empty()) {
@@ -165,20 +164,21 @@ LightViews widest_views(const LightExtents& extents, const Effects& effects, int
 
 void add_landings(const Image& landing, const Image& flux, const View& view,
                   std::vector<WeightedPoint>& points) {
-  // What x and y are made of before they are rounded; how far back a parallel light stands is no part of them.
+  // What x and y are made of before they are rounded; how far back a parallel light stands is no part of
+  // them.
   const double origin = view.perspective ? exact::length(view.origin)
-                                          : std::max(std::fabs(exact::dot(view.right, view.origin)),
-                                                     std::fabs(exact::dot(view.up, view.origin)));
+                                         : std::max(std::fabs(exact::dot(view.right, view.origin)),
+                                                    std::fabs(exact::dot(view.up, view.origin)));
   for (int y = 0; y < landing.height(); ++y)
     for (int x = 0; x < landing.width(); ++x) {
       if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
       const glm::dvec3 p{landing.at(x, y, 0), landing.at(x, y, 1), landing.at(x, y, 2)};
       const glm::dvec3 q = view.coordinates(p);
       const double w = view.perspective ? q.z : 1.0;
-      points.push_back({.window = view.window(q),
-                        .weight = static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1),
-                                                                flux.at(x, y, 2)})),
-                        .rounding = w > 0.0 ? 0x1p-24 * (exact::length(p) + origin) / w : 0.0});
+      points.push_back(
+          {.window = view.window(q),
+           .weight = static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1), flux.at(x, y, 2)})),
+           .rounding = w > 0.0 ? 0x1p-24 * (exact::length(p) + origin) / w : 0.0});
     }
 }
 
@@ -192,14 +192,13 @@ void fit_to_landings(LightViews& views, const std::vector<WeightedPoint>& points
   const double shortest = landed.shortest_side(settings.map);
   set_window(views.caustic, landed.window(0.25 * settings.outside_share), margin, shortest);
   if (can_have_cascades(settings)) views.cascade = cascade_view(views.caustic, landed, margin, shortest);
-  // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map would have
-  // to be as wide, and on receivers that are not flat its texels tell where light lands.
+  // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map
+  // would have to be as wide, and on receivers that are not flat its texels tell where light lands.
   if (views.cascade && flat)
-    set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin, shortest);
-  views.receiver.window_lower =
-      glm::min(views.caustic.window_lower, views.caster.window_lower);
-  views.receiver.window_upper =
-      glm::max(views.caustic.window_upper, views.caster.window_upper);
+    set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin,
+               shortest);
+  views.receiver.window_lower = glm::min(views.caustic.window_lower, views.caster.window_lower);
+  views.receiver.window_upper = glm::max(views.caustic.window_upper, views.caster.window_upper);
 }
 
 }  // namespace
@@ -218,8 +217,8 @@ class LandingScout {
   // Plans for what the scene calls for now. Earlier textures are used again where they fit.
   void plan(const Effects& effects) {
     effects_ = &effects;
-    FramePlan plan = make_plan(scene_.scene(), effects, settings_, registry_,
-                               {.textures = {kLanding, kLandingFlux}});
+    FramePlan plan =
+        make_plan(scene_.scene(), effects, settings_, registry_, {.textures = {kLanding, kLandingFlux}});
     if (plan.textures != plan_.textures) targets_.reset();
     plan_ = std::move(plan);
   }
@@ -254,8 +253,7 @@ class LandingScout {
   std::unique_ptr<FrameTargets> targets_;
 };
 
-LightPilot::LightPilot(const SceneOnDevice& scene, const Settings& settings,
-                         const Registry& registry)
+LightPilot::LightPilot(const SceneOnDevice& scene, const Settings& settings, const Registry& registry)
     : scene_(scene), settings_(settings), registry_(registry) {}
 
 LightPilot::~LightPilot() = default;
@@ -301,14 +299,13 @@ std::vector<LightViews> LightPilot::fit(const Effects& effects) {
 }
 
 std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,
-                                          const Settings& settings, const Registry& registry) {
+                                        const Settings& settings, const Registry& registry) {
   return LightPilot(scene, settings, registry).fit(effects);
 }
 
 float exposure_of(const Scene& scene, const Settings& settings) {
   const glm::vec3 horizon = scene.environment.horizon;
-  const double sky =
-      exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
+  const double sky = exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
   const double white = std::max(light_level(scene), sky) / exact::kPi;
   double exposure = white > 0.0 ? 0.45 / white : 1.0;
   const double ev = settings.exposure ? static_cast<double>(*settings.exposure) : 0.0;

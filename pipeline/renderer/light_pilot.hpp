@@ -31,10 +31,11 @@ class LightPilot {
 
 // The same for a scene that stands still.
 std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,
-                                          const Settings& settings, const Registry& registry);
+                                        const Settings& settings, const Registry& registry);
 
 // The factor from nit to display white: `settings.exposure` EV above or below the automatic one,
-// under which a white diffuse surface in the light that reaches the scene (light_level) shows at 0.45 of display white (linear), so that caustics have room above.
+// under which a white diffuse surface in the light that reaches the scene (light_level) shows at 0.45 of
+// display white (linear), so that caustics have room above.
 float exposure_of(const Scene& scene, const Settings& settings);
 
 }  // namespace caustics

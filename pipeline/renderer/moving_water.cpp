@@ -60,8 +60,8 @@ void MovingWater::show_level(double share) {
 }
 
 std::vector<LightViews> fit_moving_views(Scene& scene, Device& device, const Effects& effects,
-                                           const Settings& settings, const Registry& registry,
-                                           const Breath& breath) {
+                                         const Settings& settings, const Registry& registry,
+                                         const Breath& breath) {
   MovingWater moving(scene, device, registry);
   std::vector<LightViews> views;
   Settings uncascaded = settings;

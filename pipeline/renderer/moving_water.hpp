@@ -40,12 +40,12 @@ class MovingWater {
   std::vector<std::unique_ptr<Moving>> waters_;
 };
 
-// The views of every light (fit_light_views), without cascades, of a scene whose water moves: the same at every moment, so
-// that neither maps nor shadows crawl from frame to frame. They hold what is seen and lit with the water
-// flat at the top and at the bottom of its bounds, and with the waves of three moments after the first
-// plops. `device` as for fit_light_views. Leaves the water at rest.
+// The views of every light (fit_light_views), without cascades, of a scene whose water moves: the same at
+// every moment, so that neither maps nor shadows crawl from frame to frame. They hold what is seen and lit
+// with the water flat at the top and at the bottom of its bounds, and with the waves of three moments after
+// the first plops. `device` as for fit_light_views. Leaves the water at rest.
 std::vector<LightViews> fit_moving_views(Scene& scene, Device& device, const Effects& effects,
-                                           const Settings& settings, const Registry& registry,
-                                           const Breath& breath = {});
+                                         const Settings& settings, const Registry& registry,
+                                         const Breath& breath = {});
 
 }  // namespace caustics

@@ -14,7 +14,13 @@ using namespace caustics::test;
 namespace {
 
 WaterSettings lively(int cells) {
-  return {.speed = 0.5, .damping = 0.2, .cells = cells, .interval = 0.2, .radius = 0.2, .height = 0.02, .seed = 8};
+  return {.speed = 0.5,
+          .damping = 0.2,
+          .cells = cells,
+          .interval = 0.2,
+          .radius = 0.2,
+          .height = 0.02,
+          .seed = 8};
 }
 
 Image state_at(Device& device, const Water& water, std::initializer_list<double> moments) {
@@ -70,7 +76,8 @@ TEST_CASE("water: start moves the clock on") {
   later.start = 1.5;
   const Scene scene = pool_scene(0.5, lively(48)), started = pool_scene(0.5, later);
   const auto device = make_software_device({.threads = 1});
-  CHECK(sha256(state_at(*device, started.waters[0], {1.0})) == sha256(state_at(*device, scene.waters[0], {2.5})));
+  CHECK(sha256(state_at(*device, started.waters[0], {1.0})) ==
+        sha256(state_at(*device, scene.waters[0], {2.5})));
 }
 
 TEST_CASE("water: another seed makes other waves") {
@@ -78,7 +85,8 @@ TEST_CASE("water: another seed makes other waves") {
   other.seed = 9;
   const Scene scene = pool_scene(0.5, lively(48)), reseeded = pool_scene(0.5, other);
   const auto device = make_software_device({.threads = 1});
-  CHECK(sha256(state_at(*device, scene.waters[0], {2.5})) != sha256(state_at(*device, reseeded.waters[0], {2.5})));
+  CHECK(sha256(state_at(*device, scene.waters[0], {2.5})) !=
+        sha256(state_at(*device, reseeded.waters[0], {2.5})));
 }
 
 TEST_CASE("water: OpenGL computes the same waves to the bit") {
@@ -95,8 +103,9 @@ TEST_CASE("water: OpenGL computes the same waves to the bit") {
 }
 
 TEST_CASE("water: a ramp of heights lifts vertices by it and tilts their normals") {
-  // Height 0.02 (column + 1/2) / 40 m over cells of 0.05 m: at x = -1 + 0.05 c it is 0.0005 c, a slope of 0.01.
-  // At the walls across the ramp the heights stay those of the last cells' middles, and nothing is tilted.
+  // Height 0.02 (column + 1/2) / 40 m over cells of 0.05 m: at x = -1 + 0.05 c it is 0.0005 c, a slope of
+  // 0.01. At the walls across the ramp the heights stay those of the last cells' middles, and nothing is
+  // tilted.
   Scene scene = pool_scene(0.5, lively(40));
   const Water& water = scene.waters[0];
   WaterSurface surface(water, scene.meshes[1]);
@@ -152,7 +161,8 @@ TEST_CASE("water: waves in what does not refract are refused") {
   }
 }
 
-TEST_CASE("water: the plan has the effect, its steps before the frame, and the last of them where all is wanted") {
+TEST_CASE(
+    "water: the plan has the effect, its steps before the frame, and the last of them where all is wanted") {
   const Scene scene = pool_scene(0.5, lively(40));
   const Settings settings = small_settings(16, 16, 16);
   const Effects effects = effects_of(scene, settings);

@@ -42,20 +42,18 @@ class Comparison {
   // Runs one pass on both devices, the tested one on the reference's inputs.
   void run(const PlannedPass& planned, const ParityWatch& watch, FrameParity& out) {
     const std::vector<int> attachments = attachments_of(planned);
-    const PassRun tested_run =
-        prepare_pass(plan_, planned, registry_, tested_, fed_targets_, inputs_);
+    const PassRun tested_run = prepare_pass(plan_, planned, registry_, tested_, fed_targets_, inputs_);
     const PassRun reference_run =
         prepare_pass(plan_, planned, registry_, reference_, reference_targets_, inputs_);
     out.counts.push_back({planned.label, planned.definition.count_samples,
-                          reference_.device().run(reference_run),
-                          tested_.device().run(tested_run)});
+                          reference_.device().run(reference_run), tested_.device().run(tested_run)});
     for (std::size_t i = 0; i < attachments.size(); ++i) {
       const PlannedTexture& texture = plan_.textures[static_cast<std::size_t>(attachments[i])];
       std::optional<Image>& content = contents_[static_cast<std::size_t>(attachments[i])];
       content = reference_.device().read_back(reference_targets_[attachments[i]]);
       const Image found = tested_.device().read_back(fed_targets_[attachments[i]]);
-      out.isolated.push_back({planned.label, texture.name,
-                              difference(*content, found, {}, background(planned.definition, i))});
+      out.isolated.push_back(
+          {planned.label, texture.name, difference(*content, found, {}, background(planned.definition, i))});
       if (watch) watch(out.isolated.back(), *content, found);
       fed_targets_.replace(attachments[i], *content);
     }
@@ -71,8 +69,7 @@ class Comparison {
         std::optional<Image>& content = contents_[static_cast<std::size_t>(index)];
         if (!content) continue;
         const Image found = tested_.device().read_back(targets[index]);
-        out.whole_frame.push_back({planned->label,
-                                   plan_.textures[static_cast<std::size_t>(index)].name,
+        out.whole_frame.push_back({planned->label, plan_.textures[static_cast<std::size_t>(index)].name,
                                    difference(*content, found)});
         content.reset();
       }
@@ -86,15 +83,14 @@ class Comparison {
   const SceneOnDevice& tested_;
   const FrameInputs& inputs_;
   FrameTargets reference_targets_;
-  FrameTargets fed_targets_;  // on the tested device, holding what the reference drew
+  FrameTargets fed_targets_;                    // on the tested device, holding what the reference drew
   std::vector<std::optional<Image>> contents_;  // of the reference's textures, once drawn
 };
 
 }  // namespace
 
-FrameParity compare_devices(const FramePlan& plan, const Registry& registry,
-                            const SceneOnDevice& reference, const SceneOnDevice& tested,
-                            const FrameInputs& inputs, const ParityWatch& watch,
+FrameParity compare_devices(const FramePlan& plan, const Registry& registry, const SceneOnDevice& reference,
+                            const SceneOnDevice& tested, const FrameInputs& inputs, const ParityWatch& watch,
                             const AfterPass& after) {
   FrameParity out;
   Comparison comparison(plan, registry, reference, tested, inputs);

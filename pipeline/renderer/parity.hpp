@@ -36,13 +36,12 @@ struct FrameParity {
 };
 
 // Sees both devices' texels of each attachment of the isolated passes, before they are dropped.
-using ParityWatch = std::function<void(const AttachmentParity& parity, const Image& reference,
-                                       const Image& tested)>;
+using ParityWatch =
+    std::function<void(const AttachmentParity& parity, const Image& reference, const Image& tested)>;
 
 // The same scene on two devices. Both get the same frames and settings from `inputs`.
-FrameParity compare_devices(const FramePlan& plan, const Registry& registry,
-                            const SceneOnDevice& reference, const SceneOnDevice& tested,
-                            const FrameInputs& inputs, const ParityWatch& watch = {},
-                            const AfterPass& after = {});
+FrameParity compare_devices(const FramePlan& plan, const Registry& registry, const SceneOnDevice& reference,
+                            const SceneOnDevice& tested, const FrameInputs& inputs,
+                            const ParityWatch& watch = {}, const AfterPass& after = {});
 
 }  // namespace caustics

@@ -7,9 +7,10 @@ namespace caustics {
 
 FrameTargets::FrameTargets(const FramePlan& plan, Device& device) : device_(device) {
   for (const PlannedTexture& texture : plan.textures)
-    textures_.push_back(texture.external ? OwnedTexture{}
-                                         : OwnedTexture(device, device.create_texture(texture.format, texture.width,
-                                                                                      texture.height)));
+    textures_.push_back(
+        texture.external
+            ? OwnedTexture{}
+            : OwnedTexture(device, device.create_texture(texture.format, texture.width, texture.height)));
 }
 
 void FrameTargets::replace(int index, const Image& image) {
@@ -42,7 +43,11 @@ class PassRunner {
  public:
   PassRunner(const FramePlan& plan, const Registry& registry, const SceneOnDevice& scene,
              const FrameTargets& targets, const FrameInputs& inputs)
-      : plan_(plan), registry_(registry), scene_(scene), targets_(targets), inputs_(inputs),
+      : plan_(plan),
+        registry_(registry),
+        scene_(scene),
+        targets_(targets),
+        inputs_(inputs),
         surroundings_(widened(inputs.camera, 3.0)) {}
 
   PassRun prepare(const PlannedPass& planned) const {
@@ -56,8 +61,8 @@ class PassRunner {
         run.draws.push_back(draw(pass, planned, context, MeshId::None, 3));
         break;
       case DrawSet::GridVertices:
-        run.draws.push_back(draw(pass, planned, context, MeshId::None,
-                                 inputs_.settings->grid * inputs_.settings->grid));
+        run.draws.push_back(
+            draw(pass, planned, context, MeshId::None, inputs_.settings->grid * inputs_.settings->grid));
         break;
       case DrawSet::GridCells:
         if (const int cells = inputs_.settings->grid - 1; cells > 0)
@@ -84,15 +89,16 @@ class PassRunner {
 
  private:
   PassContext frame_context(const PlannedPass& planned) const {
-    PassContext context{.scene = &scene_.scene(),
-                        .settings = inputs_.settings,
-                        .effects = inputs_.effects,
-                        .camera = planned.drawn_for->camera == CameraView::Picture ? &inputs_.camera : &surroundings_,
-                        .surroundings = &surroundings_,
-                        .width = planned.width,
-                        .height = planned.height,
-                        .exposure = inputs_.exposure,
-                        .drawn_for = planned.drawn_for};
+    PassContext context{
+        .scene = &scene_.scene(),
+        .settings = inputs_.settings,
+        .effects = inputs_.effects,
+        .camera = planned.drawn_for->camera == CameraView::Picture ? &inputs_.camera : &surroundings_,
+        .surroundings = &surroundings_,
+        .width = planned.width,
+        .height = planned.height,
+        .exposure = inputs_.exposure,
+        .drawn_for = planned.drawn_for};
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);
       context.light = &scene_.scene().lights[light];
@@ -122,8 +128,7 @@ class PassRunner {
   }
 
   // Once, or once for each face of a cube that may see it.
-  void add_mesh_draw(const Pass& pass, const PlannedPass& planned, PassContext& context,
-                     PassRun& run) const {
+  void add_mesh_draw(const Pass& pass, const PlannedPass& planned, PassContext& context, PassRun& run) const {
     const MeshId mesh = scene_.mesh(context.mesh_index);
     const LightViews* views = context.views;
     const bool light_all_around = views && views->caster.cube;
@@ -138,10 +143,9 @@ class PassRunner {
         faced = facing(*views, face);
         context.views = &faced;
       }
-      const bool seen = light_all_around
-                            ? face_sees(faced.caster, face, *context.mesh) ||
-                                  face_sees(faced.caustic, face, *context.mesh)
-                            : face_sees(pass.all_around(context), face, *context.mesh);
+      const bool seen = light_all_around ? face_sees(faced.caster, face, *context.mesh) ||
+                                               face_sees(faced.caustic, face, *context.mesh)
+                                         : face_sees(pass.all_around(context), face, *context.mesh);
       if (seen) run.draws.push_back(draw(pass, planned, context, mesh, 0));
     }
     context.views = views;
@@ -150,7 +154,7 @@ class PassRunner {
   // The views of a light that sees all around, as one of their faces is drawn.
   static LightViews facing(LightViews views, int face) {
     for (View LightViews::*view : {&LightViews::caster, &LightViews::receiver, &LightViews::caustic,
-                                      &LightViews::shadow, &LightViews::panes})
+                                   &LightViews::shadow, &LightViews::panes})
       (views.*view).face = face;
     return views;
   }
@@ -159,8 +163,7 @@ class PassRunner {
             int vertex_count) const {
     Draw result{.mesh = mesh, .vertex_count = vertex_count, .uniforms = pass.uniforms(context)};
     for (std::size_t i = 0; i < planned.reads.size(); ++i)
-      result.textures.push_back(
-          bound(planned.reads[i], planned.definition.reads[i].name, context.material));
+      result.textures.push_back(bound(planned.reads[i], planned.definition.reads[i].name, context.material));
     return result;
   }
 
@@ -190,14 +193,13 @@ class PassRunner {
 }  // namespace
 
 PassRun prepare_pass(const FramePlan& plan, const PlannedPass& pass, const Registry& registry,
-                     const SceneOnDevice& scene, const FrameTargets& targets,
-                     const FrameInputs& inputs) {
+                     const SceneOnDevice& scene, const FrameTargets& targets, const FrameInputs& inputs) {
   return PassRunner(plan, registry, scene, targets, inputs).prepare(pass);
 }
 
-std::vector<PassReport> run_plan(const FramePlan& plan, const Registry& registry,
-                                 const SceneOnDevice& scene, const FrameTargets& targets,
-                                 const FrameInputs& inputs, const AfterPass& after) {
+std::vector<PassReport> run_plan(const FramePlan& plan, const Registry& registry, const SceneOnDevice& scene,
+                                 const FrameTargets& targets, const FrameInputs& inputs,
+                                 const AfterPass& after) {
   const PassRunner runner(plan, registry, scene, targets, inputs);
   std::vector<PassReport> reports;
   for (const PlannedPass& planned : plan.passes) {

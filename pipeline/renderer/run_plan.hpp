@@ -38,17 +38,16 @@ struct PassReport {
 };
 
 // Called after each pass; returning false stops the frame (Error Interrupted is thrown by run_plan).
-using AfterPass = std::function<bool(const PlannedPass&, const PassResult&, std::size_t done,
-                                     std::size_t total)>;
+using AfterPass =
+    std::function<bool(const PlannedPass&, const PassResult&, std::size_t done, std::size_t total)>;
 
-std::vector<PassReport> run_plan(const FramePlan& plan, const Registry& registry,
-                                 const SceneOnDevice& scene, const FrameTargets& targets,
-                                 const FrameInputs& inputs, const AfterPass& after = {});
+std::vector<PassReport> run_plan(const FramePlan& plan, const Registry& registry, const SceneOnDevice& scene,
+                                 const FrameTargets& targets, const FrameInputs& inputs,
+                                 const AfterPass& after = {});
 
 // One pass of the plan, bound and ready for a device: what run_plan executes, for tools such as the
 // probe that want a pass's inputs.
 PassRun prepare_pass(const FramePlan& plan, const PlannedPass& pass, const Registry& registry,
-                     const SceneOnDevice& scene, const FrameTargets& targets,
-                     const FrameInputs& inputs);
+                     const SceneOnDevice& scene, const FrameTargets& targets, const FrameInputs& inputs);
 
 }  // namespace caustics

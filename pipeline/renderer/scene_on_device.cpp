@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "pipeline/plan/frame_plan.hpp"
-#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/material_optics.hpp"
 
 namespace caustics {
 
@@ -35,13 +35,13 @@ MeshData mesh_data(const Mesh& mesh) {
 SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
     : scene_(scene), device_(device) {
   // Each has its owner before the list may fail to grow.
-  for (const Mesh& mesh : scene.meshes) meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(mesh))));
+  for (const Mesh& mesh : scene.meshes)
+    meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(mesh))));
   for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.upload(image)));
   upload_caster_materials(effects);
   for (std::size_t i = 0; i < scene.waters.size(); ++i)
     externals_[water_texture(kWaterBefore, i)] = {device, device.upload(scene.waters[i].before)};
-  if (scene.environment.image)
-    externals_[kEnvironment] = {device, device.upload(*scene.environment.image)};
+  if (scene.environment.image) externals_[kEnvironment] = {device, device.upload(*scene.environment.image)};
 }
 
 void SceneOnDevice::renew_waters(bool with_state) {
@@ -79,9 +79,10 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
     const SurfaceRole& role = effects.surfaces[i];
     int row = 0;
     if (is_caster(role.role))
-      row = row_of.try_emplace({casters <= kMostOwnRows ? static_cast<int>(i) : 0, scene_.meshes[i].material,
-                                role.two_interfaces, role.role},
-                               static_cast<int>(row_of.size()))
+      row = row_of
+                .try_emplace({casters <= kMostOwnRows ? static_cast<int>(i) : 0, scene_.meshes[i].material,
+                              role.two_interfaces, role.role},
+                             static_cast<int>(row_of.size()))
                 .first->second;
     rows_.push_back(row);
   }
@@ -92,10 +93,9 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
     const bool mirror = role == Role::Mirror;
     const glm::vec3 absorption = mirror ? glm::vec3(0.0f) : absorption_of(material);
     const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
-    const float texels[3][4] = {
-        {material.ior, main_dispersion(material), 0.0f, mirror ? 1.0f : 0.0f},
-        {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
-        {color.x, color.y, color.z, 0.0f}};
+    const float texels[3][4] = {{material.ior, main_dispersion(material), 0.0f, mirror ? 1.0f : 0.0f},
+                                {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
+                                {color.x, color.y, color.z, 0.0f}};
     for (int x = 0; x < 3; ++x)
       for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
   }

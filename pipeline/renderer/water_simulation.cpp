@@ -31,12 +31,12 @@ void WaterSimulation::set_state(const Image& state) {
 
 void WaterSimulation::make_step() {
   const PassContext context{.water = &water_, .water_step = steps_};
-  const PassRun run{.definition = &definition_,
-                    .colors = {textures_[1 - current_].id()},
-                    .keep = {false},
-                    .draws = {{.vertex_count = 3,
-                               .uniforms = pass_.uniforms(context),
-                               .textures = {textures_[current_].id()}}}};
+  const PassRun run{
+      .definition = &definition_,
+      .colors = {textures_[1 - current_].id()},
+      .keep = {false},
+      .draws = {
+          {.vertex_count = 3, .uniforms = pass_.uniforms(context), .textures = {textures_[current_].id()}}}};
   const PassResult result = device_.run(run);
   current_ = 1 - current_;
   ++steps_;

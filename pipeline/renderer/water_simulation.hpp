@@ -11,7 +11,8 @@ namespace caustics {
 // Called now and then while steps are made; may throw to stop.
 using Breath = std::function<void()>;
 
-// The pass that makes a water's steps (Each::Water). Throws Error (InternalError) where the registry has none.
+// The pass that makes a water's steps (Each::Water). Throws Error (InternalError) where the registry has
+// none.
 const Pass& water_pass(const Registry& registry);
 
 // The state is a function of the water's settings and the moment alone: whatever was computed before, the

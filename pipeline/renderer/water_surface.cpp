@@ -26,9 +26,9 @@ class Field {
       : columns_(water.columns), rows_(water.rows), cells_(static_cast<std::size_t>(columns_ * rows_)) {
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i)
-        cell(i, j).height = std::clamp(static_cast<double>(state.at(i, j, 0)) -
-                                           lead * static_cast<double>(state.at(i, j, 1)),
-                                       -water.highest, water.highest);
+        cell(i, j).height =
+            std::clamp(static_cast<double>(state.at(i, j, 0)) - lead * static_cast<double>(state.at(i, j, 1)),
+                       -water.highest, water.highest);
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i) {
         cell(i, j).x = (height(i + 1, j) - height(i - 1, j)) / (2.0 * water.dx);

@@ -33,8 +33,8 @@ void AnimatedScene::add(std::shared_ptr<MeshAnimator> animator) {
   const std::vector<int> moving = moving_meshes();
   for (const int mesh : animator->meshes()) {
     if (mesh < 0 || static_cast<std::size_t>(mesh) >= start_.meshes.size())
-      throw Error(ExitCode::InternalError, "an animator moves mesh " + std::to_string(mesh) +
-                                               ", which the scene lacks");
+      throw Error(ExitCode::InternalError,
+                  "an animator moves mesh " + std::to_string(mesh) + ", which the scene lacks");
     if (std::find(moving.begin(), moving.end(), mesh) != moving.end()) continue;
     resting_.push_back({mesh, start_.meshes[static_cast<std::size_t>(mesh)].vertices});
   }
@@ -77,8 +77,7 @@ void AnimatedScene::move_to(double seconds, Scene& scene) const {
     scene.meshes[static_cast<std::size_t>(mesh.mesh)].vertices = mesh.vertices;
   for (const auto& animator : animators_) {
     animator->move(seconds, scene);
-    for (const int mesh : animator->meshes())
-      renew_bounds(scene.meshes[static_cast<std::size_t>(mesh)]);
+    for (const int mesh : animator->meshes()) renew_bounds(scene.meshes[static_cast<std::size_t>(mesh)]);
   }
 }
 

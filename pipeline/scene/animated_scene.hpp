@@ -86,7 +86,7 @@ class AnimatedScene {
   std::shared_ptr<const Motion> motion_;
   std::vector<std::shared_ptr<MeshAnimator>> animators_;
   std::vector<Resting> resting_;
-  std::vector<Light> lights_;    // of the start, where no motion sets them
+  std::vector<Light> lights_;  // of the start, where no motion sets them
   std::vector<Camera> cameras_;
 };
 

@@ -12,9 +12,9 @@ namespace caustics {
 struct CubeAtlas {
   int side = 0;   // of the texture
   int guard = 0;  // 2 * guard must be less than tile_width
-  // Tiles as high as wide; the upper third of the texture is then not used. Of a grid of vertices: its cells meet
-  // over an edge of the cube only where both faces have the same spacing, and no way to lay six oblong tiles
-  // around a cube has that at every edge.
+  // Tiles as high as wide; the upper third of the texture is then not used. Of a grid of vertices: its cells
+  // meet over an edge of the cube only where both faces have the same spacing, and no way to lay six oblong
+  // tiles around a cube has that at every edge.
   bool square = false;
 
   int tile_width() const { return side / 3; }
@@ -22,8 +22,8 @@ struct CubeAtlas {
   // Texels of a face, without the guard: 2 tangent units.
   int face_width() const { return tile_width() - 2 * guard; }
   int face_height() const { return tile_height() - 2 * guard; }
-  // Where tangents of a face's frame (x/z, y/z) lie in the atlas, in texels from its lower left; past the face's edge in
-  // its guard and beyond.
+  // Where tangents of a face's frame (x/z, y/z) lie in the atlas, in texels from its lower left; past the
+  // face's edge in its guard and beyond.
   glm::dvec2 texel(const glm::dvec2& tangents, int face) const {
     const glm::dvec2 corner(face % 3 * tile_width() + guard, face / 3 * tile_height() + guard);
     return corner + 0.5 * (tangents + 1.0) * glm::dvec2(face_width(), face_height());

@@ -36,8 +36,7 @@ Distances distances_from(const glm::dvec3& point, const Mesh& mesh) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const glm::dvec3 a = corner(i), b = corner(i + 1), c = corner(i + 2);
     result.nearest = std::min(result.nearest, exact::length(nearest_of(a, b, c)));
-    result.farthest =
-        std::max({result.farthest, exact::length(a), exact::length(b), exact::length(c)});
+    result.farthest = std::max({result.farthest, exact::length(a), exact::length(b), exact::length(c)});
   }
   return result;
 }

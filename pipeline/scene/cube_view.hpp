@@ -7,8 +7,8 @@
 
 namespace caustics {
 
-// Distance of the nearest and the farthest point of the triangles that `counts(mesh index)` chooses, metres. Nearest
-// is above farthest where there are none.
+// Distance of the nearest and the farthest point of the triangles that `counts(mesh index)` chooses, metres.
+// Nearest is above farthest where there are none.
 struct Distances {
   double nearest, farthest;
   bool empty() const { return nearest > farthest; }
@@ -17,7 +17,8 @@ template <class Counts>
 Distances distances_from(const glm::dvec3& point, const Scene& scene, Counts counts);
 Distances distances_from(const glm::dvec3& point, const Mesh& mesh);
 
-// A cube view around `origin`, its axes the scene's, for what lies between these distances; without an atlas yet.
+// A cube view around `origin`, its axes the scene's, for what lies between these distances; without an atlas
+// yet.
 View cube_view(const glm::dvec3& origin, const Distances& distances);
 // The same with the tiles of a map of this size.
 View with_atlas(View view, int side, int guard = kLeastGuard);

@@ -73,8 +73,7 @@ void add_ground(Scene& scene, const Bounds& subject) {
   mesh.lower = glm::vec3(x0, y, z0);
   mesh.upper = glm::vec3(x1, y, z1);
   scene.meshes.push_back(mesh);
-  scene.notes.push_back(
-      "Nothing in the scene can show a caustic: a grey ground was added below it.");
+  scene.notes.push_back("Nothing in the scene can show a caustic: a grey ground was added below it.");
 }
 
 void add_sun(Scene& scene, const Bounds& subject) {
@@ -86,8 +85,7 @@ void add_sun(Scene& scene, const Bounds& subject) {
   sun.source = 0;
   scene.sources = {sun};
   scene.lights = {sun};
-  scene.notes.push_back(
-      "The scene has no light: a sun of 10 lux, 30 degrees off the vertical, was added.");
+  scene.notes.push_back("The scene has no light: a sun of 10 lux, 30 degrees off the vertical, was added.");
 }
 
 // Where the light that passes a corner of the bounds meets the floor, for directional and other
@@ -128,8 +126,8 @@ void add_camera(Scene& scene, const Bounds& subject) {
 
 void add_sky(Scene& scene) {
   Environment& sky = scene.environment;
-  const bool given = sky.image || sky.zenith != glm::vec3(0) || sky.horizon != glm::vec3(0) ||
-                     sky.ground != glm::vec3(0);
+  const bool given =
+      sky.image || sky.zenith != glm::vec3(0) || sky.horizon != glm::vec3(0) || sky.ground != glm::vec3(0);
   if (given) return;
   // A sky of radiance L everywhere lights a horizontal surface with pi L.
   const double mean = kSkyShare * light_level(scene) / exact::kPi;
@@ -143,13 +141,9 @@ void add_sky(Scene& scene) {
 
 }  // namespace
 
-bool is_mirror(const Material& material) {
-  return material.metallic >= 0.5f && material.roughness <= 0.2f;
-}
+bool is_mirror(const Material& material) { return material.metallic >= 0.5f && material.roughness <= 0.2f; }
 
-bool is_receiver(const Material& material) {
-  return !(material.transmission > 0.0f) && !is_mirror(material);
-}
+bool is_receiver(const Material& material) { return !(material.transmission > 0.0f) && !is_mirror(material); }
 
 double light_level(const Scene& scene) {
   const Bounds subject = subject_of(scene);
@@ -157,8 +151,7 @@ double light_level(const Scene& scene) {
   const double nearest = subject.empty() ? 1.0 : std::max(subject.radius(), 1e-6);
   double level = 0;
   for (const Light& light : scene.lights) {
-    const double luminance =
-        (0.2126 * light.color.x + 0.7152 * light.color.y) + 0.0722 * light.color.z;
+    const double luminance = (0.2126 * light.color.x + 0.7152 * light.color.y) + 0.0722 * light.color.z;
     double strength = luminance * light.intensity;
     if (light.type != LightType::Directional) {
       const double distance = std::max(exact::length(light.position - centre), nearest);

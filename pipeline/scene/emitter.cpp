@@ -78,9 +78,7 @@ SurfacePoint typical(const Candidate* first, const Candidate* last) {
   for (const Candidate* c = first; c != last; ++c) sum += c->point.normal;
   const glm::dvec3 mean = exact::normalise(sum, first->point.normal);
   // As a float, so that the normals of a flat mesh are all alike.
-  const auto alike = [&](const Candidate& c) {
-    return static_cast<float>(exact::dot(c.point.normal, mean));
-  };
+  const auto alike = [&](const Candidate& c) { return static_cast<float>(exact::dot(c.point.normal, mean)); };
   return std::min_element(first, last,
                           [&](const Candidate& a, const Candidate& b) {
                             if (alike(a) != alike(b)) return alike(a) > alike(b);
@@ -110,9 +108,8 @@ SurfacePoint middle_of(const std::vector<Candidate>& all) {
   glm::dvec3 mean(0.0);
   for (const Candidate& c : all) mean += c.point.position / static_cast<double>(all.size());
   const auto distance = [&](const Candidate& c) { return exact::length(c.point.position - mean); };
-  return std::min_element(
-             all.begin(), all.end(),
-             [&](const Candidate& a, const Candidate& b) { return distance(a) < distance(b); })
+  return std::min_element(all.begin(), all.end(),
+                          [&](const Candidate& a, const Candidate& b) { return distance(a) < distance(b); })
       ->point;
 }
 
@@ -134,8 +131,7 @@ Emitter::Emitter(const Scene& scene, const Light& light)
 SurfacePoint Emitter::point(double along, double u, double v) const {
   const std::size_t triangles = mesh_.indices.size() / 3;
   const auto found = std::upper_bound(sums_.begin(), sums_.end(), along * area());
-  const std::size_t side =
-      std::min(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
+  const std::size_t side = std::min(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
   const Corners t = corners_of(mesh_, side % triangles);
   // Uniform on a triangle: the square's far half is folded back.
   if (u + v > 1.0) {
@@ -151,13 +147,10 @@ std::vector<SurfacePoint> Emitter::spread(int count) const {
   const double size = 2.0 * std::max(bounds_of(mesh_).radius(), 1e-30);
   std::vector<Candidate> cell;
   for (int k = 0; k < candidates; ++k) {
-    const SurfacePoint p =
-        point(stratum(k, candidates), stepped(k, kPairStep1), stepped(k, kPairStep2));
+    const SurfacePoint p = point(stratum(k, candidates), stepped(k, kPairStep1), stepped(k, kPairStep2));
     const glm::dvec3 place = p.position / size;
     cell.push_back(
-        {p,
-         {place.x, place.y, place.z, kTurn * p.normal.x, kTurn * p.normal.y, kTurn * p.normal.z},
-         k});
+        {p, {place.x, place.y, place.z, kTurn * p.normal.x, kTurn * p.normal.y, kTurn * p.normal.z}, k});
   }
   std::vector<SurfacePoint> chosen;
   if (count == 1) {

@@ -47,8 +47,7 @@ Affine operator*(const Affine& outer, const Affine& inner) {
           outer.point(inner.translation)};
 }
 
-Affine from_trs(const glm::dvec3& translation, const glm::dvec4& rotation,
-                const glm::dvec3& scale) {
+Affine from_trs(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale) {
   const double squared = (rotation.x * rotation.x + rotation.y * rotation.y) +
                          (rotation.z * rotation.z + rotation.w * rotation.w);
   const double inverse = 1.0 / std::sqrt(squared);
@@ -71,8 +70,7 @@ void sin_cos(double angle, double& sine, double& cosine) {
   constexpr double kHigh = 1.57079632673412561417, kLow = 6.07710050650619224932e-11;
   const double turns = angle * (2.0 / kPi);
   const long long quarter = static_cast<long long>(turns + (turns < 0 ? -0.5 : 0.5));
-  const double r =
-      (angle - static_cast<double>(quarter) * kHigh) - static_cast<double>(quarter) * kLow;
+  const double r = (angle - static_cast<double>(quarter) * kHigh) - static_cast<double>(quarter) * kLow;
   const double r2 = r * r;
   // Taylor series by Horner; the first term left out is below 1e-17 of the sum.
   double s = 1, c = 1;

@@ -8,9 +8,7 @@ namespace caustics::exact {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-inline double dot(const glm::dvec3& a, const glm::dvec3& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
+inline double dot(const glm::dvec3& a, const glm::dvec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 inline glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

@@ -11,9 +11,9 @@ enum class Interpolation : std::uint8_t { Step, Linear, CubicSpline };
 
 struct Keyframes {
   Interpolation interpolation = Interpolation::Linear;
-  bool rotation = false;      // four components that are a unit quaternion (x, y, z, w)
-  std::size_t width = 1;      // components of a value
-  std::vector<float> times;   // seconds, strictly increasing, at least one
+  bool rotation = false;     // four components that are a unit quaternion (x, y, z, w)
+  std::size_t width = 1;     // components of a value
+  std::vector<float> times;  // seconds, strictly increasing, at least one
   // `width` components a moment; of a CubicSpline three times as many: in-tangent, value, out-tangent.
   std::vector<float> values;
 

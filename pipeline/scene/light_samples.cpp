@@ -38,8 +38,7 @@ void sample_disk(Light& sample, int k, int count) {
   const glm::dvec3 x = exact::perpendicular(sample.direction);
   const glm::dvec3 y = exact::cross(sample.direction, x);
   sample.direction = exact::normalise(
-      sample.direction * (1.0 - down) + (x * (across * cosine) + y * (across * sine)),
-      sample.direction);
+      sample.direction * (1.0 - down) + (x * (across * cosine) + y * (across * sine)), sample.direction);
 }
 
 void place(Light& sample, int k, int count) {
@@ -58,11 +57,10 @@ void place(Light& sample, int k, int count) {
 
 std::string numbered(const std::string& name, int k, int count) {
   std::string digits = std::to_string(k);
-  digits.insert(0,
-                std::to_string(count - 1).size() > digits.size()
-                    ? std::to_string(count - 1).size() - digits.size()
-                    : 0,
-                '0');
+  digits.insert(
+      0,
+      std::to_string(count - 1).size() > digits.size() ? std::to_string(count - 1).size() - digits.size() : 0,
+      '0');
   return name + "." + digits;
 }
 

@@ -14,8 +14,7 @@ glm::vec3 absorption_of(const Material& material) {
   for (int i = 0; i < 3; ++i) {
     const double color = static_cast<double>(material.attenuation_color[i]);
     const double per_distance = color > 0.0 ? -exact::log(color) : 1e9;
-    absorption[i] =
-        static_cast<float>(std::min(per_distance / std::max(distance, 1e-12), 1e30));
+    absorption[i] = static_cast<float>(std::min(per_distance / std::max(distance, 1e-12), 1e30));
   }
   return absorption;
 }
@@ -25,8 +24,7 @@ float main_dispersion(const Material& material) {
 }
 
 glm::vec3 metal_reflectance(const Material& material) {
-  return glm::vec3(0.04f) * (1.0f - material.metallic) +
-         glm::vec3(material.base_color) * material.metallic;
+  return glm::vec3(0.04f) * (1.0f - material.metallic) + glm::vec3(material.base_color) * material.metallic;
 }
 
 }  // namespace caustics

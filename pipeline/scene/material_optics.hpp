@@ -10,7 +10,8 @@ namespace caustics {
 // (KHR_materials_volume). A colour of 0 absorbs everything within a billionth of the distance.
 glm::vec3 absorption_of(const Material& material);
 
-// Main dispersion n_F - n_C = (n_d - 1) / V with the Abbe number V = 20 / dispersion (KHR_materials_dispersion).
+// Main dispersion n_F - n_C = (n_d - 1) / V with the Abbe number V = 20 / dispersion
+// (KHR_materials_dispersion).
 float main_dispersion(const Material& material);
 
 // Reflectance of a metal at normal incidence: its base colour, and 0.04 of the dielectric share (glTF 2.0,

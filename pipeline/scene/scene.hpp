@@ -45,18 +45,18 @@ struct Material {
   float roughness = 1.0f;  // likewise
   bool double_sided = false;
   bool unlit = false;
-  float transmission = 0.0f;  // KHR_materials_transmission: 0..1; mean over its texture
+  float transmission = 0.0f;        // KHR_materials_transmission: 0..1; mean over its texture
   TextureUse transmission_texture;  // r: 0..1
-  float ior = 1.5f;           // KHR_materials_ior: 0 (never refracts), else > 0
-  float thickness = 0.0f;     // KHR_materials_volume: > 0 means a solid
+  float ior = 1.5f;                 // KHR_materials_ior: 0 (never refracts), else > 0
+  float thickness = 0.0f;           // KHR_materials_volume: > 0 means a solid
   glm::vec3 attenuation_color{1.0f};
   float attenuation_distance = std::numeric_limits<float>::infinity();  // metres
   float dispersion = 0.0f;  // KHR_materials_dispersion: 20 / Abbe number
 };
 
 struct Vertex {
-  glm::vec3 position{0.0f};  // scene space
-  glm::vec3 normal{0.0f};    // unit, scene space, outward; never zero
+  glm::vec3 position{0.0f};                   // scene space
+  glm::vec3 normal{0.0f};                     // unit, scene space, outward; never zero
   glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};  // xyz unit, w handedness; for normal textures only
   glm::vec2 uv{0.0f};
 };
@@ -64,11 +64,11 @@ struct Vertex {
 // One glTF primitive in one place of the node tree, in scene space. Triangles wind counter-clockwise
 // seen from outside, mirrored node transforms included.
 struct Mesh {
-  std::string name;       // node / mesh names, for messages
+  std::string name;  // node / mesh names, for messages
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;  // three a triangle
-  int material = 0;       // index into Scene::materials
-  int object = 0;         // primitives of one node share an object
+  int material = 0;                    // index into Scene::materials
+  int object = 0;                      // primitives of one node share an object
   // 1 less the area of the surface's holes over its own area, judged for all primitives of the object
   // with this material together, after welding (positions within 1e-6 of the extent); 1 is closed.
   float closedness = 0.0f;
@@ -94,17 +94,17 @@ struct Light {
   LightType type = LightType::Directional;
   glm::vec3 color{1.0f};
   float intensity = 1.0f;
-  glm::dvec3 position{0.0};              // scene space
-  glm::dvec3 direction{0.0, 0.0, -1.0};  // unit, the way the light travels
+  glm::dvec3 position{0.0};                              // scene space
+  glm::dvec3 direction{0.0, 0.0, -1.0};                  // unit, the way the light travels
   float range = std::numeric_limits<float>::infinity();  // metres
-  float inner_cone = 0.0f;               // radians
+  float inner_cone = 0.0f;                               // radians
   float outer_cone = 0.785398163f;
   // Of a point light: shines on the side of `direction` only, with the cosine to it (Lambert).
   bool lambertian = false;
   LightShape shape = LightShape::None;
-  double radius = 0.0;                        // metres
-  glm::dvec3 width{0.0}, height{0.0};         // the rectangle's edges, scene space
-  double angular_radius = 0.0;                // radians
+  double radius = 0.0;                 // metres
+  glm::dvec3 width{0.0}, height{0.0};  // the rectangle's edges, scene space
+  double angular_radius = 0.0;         // radians
   int emitter = -1;  // index into Scene::meshes of what shines: it does not shadow its own light
   int source = -1;   // index into Scene::sources, once sample_lights has run
 };
@@ -112,9 +112,9 @@ struct Light {
 struct Camera {
   std::string name;
   bool orthographic = false;
-  glm::dvec3 position{0.0};  // scene space
+  glm::dvec3 position{0.0};                                                     // scene space
   glm::dvec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};  // orthonormal
-  double vertical_fov = 0.7;         // radians, perspective
+  double vertical_fov = 0.7;                                                    // radians, perspective
   double half_width = 1.0, half_height = 1.0;  // metres, orthographic (xmag, ymag)
   double near = 0.01;
   double far = std::numeric_limits<double>::infinity();
@@ -152,7 +152,8 @@ struct Scene {
   std::vector<Camera> cameras;
   Environment environment;
   std::vector<Water> waters;  // meshes that waves run over, as they stand at the moment shown
-  std::vector<StatedShape> stated_shapes;  // of which meshes the file says what they stand for; nothing is drawn by it
+  std::vector<StatedShape>
+      stated_shapes;  // of which meshes the file says what they stand for; nothing is drawn by it
   Medium medium;
   // What the loader assumed or left out, one sentence each, in the order found; for people.
   std::vector<std::string> notes;

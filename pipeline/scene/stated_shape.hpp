@@ -1,5 +1,5 @@
-// The exact shape that a file says a mesh stands for: `extras.exact_shape` (docs/reference.md). Rendering takes the
-// mesh as it is; `caustics reference --exact` traces the shape in its place.
+// The exact shape that a file says a mesh stands for: `extras.exact_shape` (docs/reference.md). Rendering
+// takes the mesh as it is; `caustics reference --exact` traces the shape in its place.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

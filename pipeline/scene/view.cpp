@@ -30,7 +30,9 @@ std140::View shader_view(const View& view) {
                       .offset = glm::vec2(0.0f),
                       .near = static_cast<float>(view.near),
                       .far = static_cast<float>(view.far),
-                      .kind = view.cube ? VIEW_CUBE : view.perspective ? VIEW_PERSPECTIVE : VIEW_PARALLEL,
+                      .kind = view.cube          ? VIEW_CUBE
+                              : view.perspective ? VIEW_PERSPECTIVE
+                                                 : VIEW_PARALLEL,
                       .face = view.face};
   const glm::dvec3 axes[3] = {view.right, view.up, view.forward};
   for (int row = 0; row < 3; ++row) {
@@ -69,15 +71,12 @@ View view_along(const glm::dvec3& origin, const glm::dvec3& forward) {
   if (size.y >= size.x && size.y >= size.z) hint = {0.0, 0.0, -1.0};
   View view;
   view.origin = origin;
-  view.forward = forward / std::sqrt(forward.x * forward.x + forward.y * forward.y +
-                                      forward.z * forward.z);
+  view.forward = forward / std::sqrt(forward.x * forward.x + forward.y * forward.y + forward.z * forward.z);
   const glm::dvec3& f = view.forward;
-  glm::dvec3 right{f.y * hint.z - f.z * hint.y, f.z * hint.x - f.x * hint.z,
-                   f.x * hint.y - f.y * hint.x};
+  glm::dvec3 right{f.y * hint.z - f.z * hint.y, f.z * hint.x - f.x * hint.z, f.x * hint.y - f.y * hint.x};
   right /= std::sqrt(right.x * right.x + right.y * right.y + right.z * right.z);
   view.right = right;
-  view.up = {right.y * f.z - right.z * f.y, right.z * f.x - right.x * f.z,
-              right.x * f.y - right.y * f.x};
+  view.up = {right.y * f.z - right.z * f.y, right.z * f.x - right.x * f.z, right.x * f.y - right.y * f.x};
   return view;
 }
 

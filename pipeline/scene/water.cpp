@@ -64,8 +64,8 @@ Rectangle rectangle_of(const Mesh& mesh, const Water& water) {
 void split(Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [found, fresh] = middles.try_emplace(
-        {std::min(a, b), std::max(a, b)}, static_cast<std::uint32_t>(mesh.vertices.size()));
+    const auto [found, fresh] = middles.try_emplace({std::min(a, b), std::max(a, b)},
+                                                    static_cast<std::uint32_t>(mesh.vertices.size()));
     if (!fresh) return found->second;
     const Vertex &p = mesh.vertices[std::min(a, b)], &q = mesh.vertices[std::max(a, b)];
     Vertex v = p;
@@ -89,9 +89,9 @@ double longest_edge(const Mesh& mesh) {
   double longest = 0.0;
   for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
     for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest,
-                         exact::length(glm::dvec3(mesh.vertices[mesh.indices[t + k]].position) -
-                                       glm::dvec3(mesh.vertices[mesh.indices[t + (k + 1) % 3]].position)));
+      longest =
+          std::max(longest, exact::length(glm::dvec3(mesh.vertices[mesh.indices[t + k]].position) -
+                                          glm::dvec3(mesh.vertices[mesh.indices[t + (k + 1) % 3]].position)));
   return longest;
 }
 
@@ -123,7 +123,8 @@ std::string shape_problem(const Mesh& mesh, const Rectangle& r) {
   }
   for (const Vertex& v : mesh.vertices)
     if (!(static_cast<double>(v.normal.y) >= kLeastUpward)) {
-      return "its mesh is no horizontal sheet that faces up (+y of the world); turn its faces over or lay it flat";
+      return "its mesh is no horizontal sheet that faces up (+y of the world); turn its faces over or lay it "
+             "flat";
     }
   return {};
 }
@@ -134,7 +135,8 @@ std::string lay_grid(const Rectangle& r, Water& water) {
   water.columns = s.cells;
   water.dx = size.x / s.cells;
   const double rows = size.y / water.dx + 0.5;
-  if (!(rows < kMostRows)) return "its sheet is too long for its width: more than 4095 rows of cells; lower cells";
+  if (!(rows < kMostRows))
+    return "its sheet is too long for its width: more than 4095 rows of cells; lower cells";
   water.rows = std::max(static_cast<int>(rows), 2);
   water.dz = size.y / water.rows;
   water.corner = water.right * r.lower.x + water.across * r.lower.y;

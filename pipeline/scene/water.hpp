@@ -16,10 +16,10 @@ struct Scene;
 
 // What `extras` of a water mesh say. The ranges are checked by add_water.
 struct WaterSettings {
-  double speed = 0.5;    // metres a second, 0.001..100: how fast waves run, all of them
-  double damping = 0.4;  // 1/second, 0..1000: a calm wave loses 1/e of its height in 2 / damping
-  int cells = 256;       // 8..2048, along the sheet's x axis
-  double start = 0.0;    // seconds, 0..3600: how long the plops have fallen at time 0
+  double speed = 0.5;            // metres a second, 0.001..100: how fast waves run, all of them
+  double damping = 0.4;          // 1/second, 0..1000: a calm wave loses 1/e of its height in 2 / damping
+  int cells = 256;               // 8..2048, along the sheet's x axis
+  double start = 0.0;            // seconds, 0..3600: how long the plops have fallen at time 0
   double interval = 0.4;         // seconds from plop to plop, 0.01..1e4; the first falls after one interval
   std::optional<double> radius;  // metres, at least 3 cells; none: 1/20 of the sheet's shorter side
   std::optional<double> height;  // metres, 0..radius, of the largest plop; none: 1/5 of the radius
@@ -39,8 +39,8 @@ struct Water {
   std::string name;
   int mesh = 0;  // index into Scene::meshes
   WaterSettings settings;
-  double radius = 0.0, height = 0.0;  // of plops, metres
-  glm::dvec3 corner{0.0};             // scene space; its y does not count
+  double radius = 0.0, height = 0.0;                       // of plops, metres
+  glm::dvec3 corner{0.0};                                  // scene space; its y does not count
   glm::dvec3 right{1.0, 0.0, 0.0}, across{0.0, 0.0, 1.0};  // unit, horizontal
   int columns = 0, rows = 0;
   double dx = 0.0, dz = 0.0;  // metres, of a cell

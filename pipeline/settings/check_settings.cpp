@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/settings/splat_kernel.hpp"
 #include "pipeline/scene/cube_atlas.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
 

@@ -168,7 +168,7 @@ constexpr Setting kTable[] = {
     choice<&S::reflections, kNoYes>("reflections", Light,
                                     "light that glass and water mirror throws caustics too"),
     choice<&S::shared_views, kFrames>("frames", Maps,
-                                       "windows of the maps: fitted to each, or all that of the caster map"),
+                                      "windows of the maps: fitted to each, or all that of the caster map"),
     choice<&S::cube, kCubes>("cube", Maps,
                              "which lights see all around, by a cube's six faces: those among their casters, "
                              "all that have a position, or none"),

@@ -5,8 +5,8 @@ CONSTANT(VIEW_PARALLEL, 0)
 CONSTANT(VIEW_PERSPECTIVE, 1)
 CONSTANT(VIEW_CUBE, 2)
 
-// The faces of a cube, by the view's axis that they look along: +x, -x, +y, -y, +z, -z. A view that is not a cube has
-// only FACE_FORWARD.
+// The faces of a cube, by the view's axis that they look along: +x, -x, +y, -y, +z, -z. A view that is not a
+// cube has only FACE_FORWARD.
 CONSTANT(FACE_RIGHT, 0)
 CONSTANT(FACE_LEFT, 1)
 CONSTANT(FACE_UP, 2)

@@ -38,7 +38,7 @@ struct VertexBlock {
 struct FragmentBlock {
   const void* uniforms;
   const TextureView* textures;
-  const float* frag_x;               // [lane], window coordinates of the pixel centre
+  const float* frag_x;  // [lane], window coordinates of the pixel centre
   const float* frag_y;
   const std::int32_t* front_facing;  // [lane], 0 or -1
   const float (*varyings)[kBlock];   // [component][lane]

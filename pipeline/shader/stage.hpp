@@ -168,8 +168,8 @@ struct FragmentStage {
 #define INOUT(T) T&
 // As long as std140 has it: a multiple of 16 bytes.
 #define UNIFORMS_BEGIN struct alignas(16) UniformBlock {
-#define UNIFORMS_END                                                             \
-  }                                                                              \
-  ;                                                                              \
+#define UNIFORMS_END \
+  }                  \
+  ;                  \
   const UniformBlock& u = *static_cast<const UniformBlock*>(this->uniforms());
 #define TEXTURE(unit, name) const TextureView& name = this->texture_of(unit);

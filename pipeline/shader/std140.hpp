@@ -1,6 +1,7 @@
-// The types of uniform blocks under the names that GLSL has for them, aligned so that C++ lays a block out as std140
-// does (OpenGL 4.5 core, 7.6.2.2): a vec3 starts at a multiple of 16 bytes and takes 12, so that a scalar fits behind
-// it. One text then declares a block for both sides; cmake/shaders.cmake has every offset checked by the compiler.
+// The types of uniform blocks under the names that GLSL has for them, aligned so that C++ lays a block out as
+// std140 does (OpenGL 4.5 core, 7.6.2.2): a vec3 starts at a multiple of 16 bytes and takes 12, so that a
+// scalar fits behind it. One text then declares a block for both sides; cmake/shaders.cmake has every offset
+// checked by the compiler.
 #pragma once
 #include <cstddef>
 #include <glm/glm.hpp>

@@ -1,4 +1,5 @@
-// Follows std140's rules through a block or struct, member by member, and compares with where C++ has put them.
+// Follows std140's rules through a block or struct, member by member, and compares with where C++ has put
+// them.
 #pragma once
 #include <cstddef>
 #include <string_view>

@@ -8,14 +8,14 @@ struct Vec3Of;
 template <class F>
 struct Vec4Of;
 
-#define CAUSTICS_VECTOR_OPERATORS(V, EACH, EACH_SCALAR, NEGATED)                    \
-  friend V operator+(const V& a, const V& b) { return V(EACH(+)); }                 \
-  friend V operator-(const V& a, const V& b) { return V(EACH(-)); }                 \
-  friend V operator*(const V& a, const V& b) { return V(EACH(*)); }                 \
-  friend V operator/(const V& a, const V& b) { return V(EACH(/)); }                 \
-  friend V operator*(const V& a, const F& s) { return V(EACH_SCALAR(*)); }          \
-  friend V operator/(const V& a, const F& s) { return V(EACH_SCALAR(/)); }          \
-  friend V operator*(const F& s, const V& a) { return V(EACH_SCALAR(*)); }          \
+#define CAUSTICS_VECTOR_OPERATORS(V, EACH, EACH_SCALAR, NEGATED)           \
+  friend V operator+(const V& a, const V& b) { return V(EACH(+)); }        \
+  friend V operator-(const V& a, const V& b) { return V(EACH(-)); }        \
+  friend V operator*(const V& a, const V& b) { return V(EACH(*)); }        \
+  friend V operator/(const V& a, const V& b) { return V(EACH(/)); }        \
+  friend V operator*(const V& a, const F& s) { return V(EACH_SCALAR(*)); } \
+  friend V operator/(const V& a, const F& s) { return V(EACH_SCALAR(/)); } \
+  friend V operator*(const F& s, const V& a) { return V(EACH_SCALAR(*)); } \
   friend V operator-(const V& a) { return V(NEGATED); }
 
 template <class F>
@@ -98,9 +98,7 @@ using Vec2 = Vec2Of<Float>;
 using Vec3 = Vec3Of<Float>;
 using Vec4 = Vec4Of<Float>;
 
-inline Vec2 sel(Bool c, const Vec2& a, const Vec2& b) {
-  return Vec2(sel(c, a.x, b.x), sel(c, a.y, b.y));
-}
+inline Vec2 sel(Bool c, const Vec2& a, const Vec2& b) { return Vec2(sel(c, a.x, b.x), sel(c, a.y, b.y)); }
 inline Vec3 sel(Bool c, const Vec3& a, const Vec3& b) {
   return Vec3(sel(c, a.x, b.x), sel(c, a.y, b.y), sel(c, a.z, b.z));
 }

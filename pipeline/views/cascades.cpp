@@ -14,7 +14,7 @@ constexpr double kWorth = 0.5;
 }  // namespace
 
 std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, double margin,
-                                   double shortest) {
+                                 double shortest) {
   std::optional<View> best;
   double least = kWorth;
   for (const double share : kShares) {

@@ -1,7 +1,7 @@
 // A second caustic map for the part of a light's caustic where most of its flux falls on little of the first.
 //
-// The first map holds all flux and is what the ledger counts. The cascade shows a part of it again through a smaller
-// window, finer by as much; shading takes the cascade where it reaches and the first map elsewhere
+// The first map holds all flux and is what the ledger counts. The cascade shows a part of it again through a
+// smaller window, finer by as much; shading takes the cascade where it reaches and the first map elsewhere
 // (passes/cascade_cells/cascade_cells.md).
 #pragma once
 #include <optional>
@@ -13,10 +13,10 @@
 
 namespace caustics {
 
-// A caustic view narrowed to the window that makes the mean side of a texel, weighted by the flux on it, least;
-// nothing where that would not be less than half of what it is in the map around all.
+// A caustic view narrowed to the window that makes the mean side of a texel, weighted by the flux on it,
+// least; nothing where that would not be less than half of what it is in the map around all.
 std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, double margin,
-                                   double shortest = 1e-9);
+                                 double shortest = 1e-9);
 
 // What the lights' views tell the effects.
 std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views);

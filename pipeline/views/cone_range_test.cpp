@@ -45,7 +45,8 @@ TEST_CASE("cone range: a slanted cone lies between the tangents of its angle les
   for (int i = 0; i < 360; ++i) {  // every line on the cone's side is inside, and one touches
     const double angle = i * 3.14159265358979323846 / 180.0;
     const glm::dvec3 u(std::cos(slant), std::sin(slant), 0.0), v(0.0, 0.0, -1.0);
-    const glm::dvec3 side = direction * std::cos(0.2) + (u * std::cos(angle) + v * std::sin(angle)) * std::sin(0.2);
+    const glm::dvec3 side =
+        direction * std::cos(0.2) + (u * std::cos(angle) + v * std::sin(angle)) * std::sin(0.2);
     CHECK(-side.z / -side.y <= across->y + 1e-12);
     CHECK(side.x / -side.y <= along->y + 1e-12);
     CHECK(side.x / -side.y >= along->x - 1e-12);

@@ -33,10 +33,8 @@ glm::dvec2 LandedFlux::range(int axis, double share) const {
   double total = 0.0;
   for (const WeightedPoint& p : points) total += p.weight;
   std::size_t first = 0, last = points.size() - 1;
-  for (double sum = points[first].weight; first < last && sum < share * total;)
-    sum += points[++first].weight;
-  for (double sum = points[last].weight; last > first && sum < share * total;)
-    sum += points[--last].weight;
+  for (double sum = points[first].weight; first < last && sum < share * total;) sum += points[++first].weight;
+  for (double sum = points[last].weight; last > first && sum < share * total;) sum += points[--last].weight;
   const glm::dvec2 whole{points.front().window[axis], points.back().window[axis]};
   const glm::dvec2 cut{points[first].window[axis], points[last].window[axis]};
   return whole.y - whole.x < 1.2 * (cut.y - cut.x) ? whole : cut;
@@ -55,7 +53,9 @@ double LandedFlux::share_in(const Window& window) const {
   return inside / total_;
 }
 
-double LandedFlux::shortest_side(int map) const { return std::max(kRoundingsPerTexel * rounding_ * map, kShortest); }
+double LandedFlux::shortest_side(int map) const {
+  return std::max(kRoundingsPerTexel * rounding_ * map, kShortest);
+}
 
 void set_window(View& view, const Window& window, double margin, double shortest) {
   glm::dvec2 size = window.upper - window.lower;

@@ -25,12 +25,13 @@ class LandedFlux {
  public:
   // At least one point. Their order does not matter.
   explicit LandedFlux(const std::vector<WeightedPoint>& points);
-  // Leaves out at most `share` of the flux at each end of each axis; along an axis where that hardly saves anything,
-  // none.
+  // Leaves out at most `share` of the flux at each end of each axis; along an axis where that hardly saves
+  // anything, none.
   Window window(double share) const;
   // The share of all flux in a window, 0..1.
   double share_in(const Window& window) const;
-  // The side of the smallest window that is worth a map of so many texels a side: its texels are some roundings wide.
+  // The side of the smallest window that is worth a map of so many texels a side: its texels are some
+  // roundings wide.
   double shortest_side(int map) const;
 
  private:
@@ -40,8 +41,8 @@ class LandedFlux {
   double total_ = 0.0, rounding_ = 0.0;
 };
 
-// Gives a frame this window and a margin, a share of its size. No side becomes shorter than half the other, so
-// that texels stay compact, or than `shortest`.
+// Gives a frame this window and a margin, a share of its size. No side becomes shorter than half the other,
+// so that texels stay compact, or than `shortest`.
 void set_window(View& view, const Window& window, double margin, double shortest = 1e-9);
 
 }  // namespace caustics

@@ -42,8 +42,7 @@ inline float quantized(Format format, float value) {
   return format == Format::RGBA16F || format == Format::RGBA8 ? stored_value(format, value) : value;
 }
 
-inline float factor_of(BlendFactor factor, const float* source, const float* destination,
-                       int channel) {
+inline float factor_of(BlendFactor factor, const float* source, const float* destination, int channel) {
   switch (factor) {
     case BlendFactor::Zero:
       return 0.0f;
@@ -62,15 +61,14 @@ inline float factor_of(BlendFactor factor, const float* source, const float* des
 }
 
 // A term of the Add equation; a factor of 0 gives 0 and of 1 the value itself.
-inline float weighted(BlendFactor factor, float value, const float* source,
-                      const float* destination, int channel) {
+inline float weighted(BlendFactor factor, float value, const float* source, const float* destination,
+                      int channel) {
   if (factor == BlendFactor::Zero) return 0.0f;
   if (factor == BlendFactor::One) return value;
   return value * factor_of(factor, source, destination, channel);
 }
 
-inline float blended(const BlendState& blend, const float* source, const float* destination,
-                     int channel) {
+inline float blended(const BlendState& blend, const float* source, const float* destination, int channel) {
   const float s = source[channel], d = destination[channel];
   // A NaN loses against a number in Min and Max, as on llvmpipe.
   if (blend.equation == BlendEquation::Min) return s < d || d != d ? s : d;
@@ -99,10 +97,9 @@ class TileRenderer {
     for (int i = 0; i < job.color_count; ++i) {
       const TileColor& t = job.colors[i];
       plain_add_[i] = t.format == Format::RGBA32F && t.blend.enabled &&
-                      t.blend.equation == BlendEquation::Add &&
-                      t.blend.source == BlendFactor::One &&
-                      t.blend.destination == BlendFactor::One && t.mask[0] && t.mask[1] &&
-                      t.mask[2] && t.mask[3];
+                      t.blend.equation == BlendEquation::Add && t.blend.source == BlendFactor::One &&
+                      t.blend.destination == BlendFactor::One && t.mask[0] && t.mask[1] && t.mask[2] &&
+                      t.mask[3];
     }
   }
 
@@ -232,8 +229,7 @@ class TileRenderer {
         for (int lane = 0; lane < kBlock; ++lane) out[lane] = constant_[lane][c];
       } else if (one_triangle) {
         const Plane plane = planes_[0][2 + c];
-        for (int lane = 0; lane < kBlock; ++lane)
-          out[lane] = evaluate(plane, x_[lane], y_[lane]) * w[lane];
+        for (int lane = 0; lane < kBlock; ++lane) out[lane] = evaluate(plane, x_[lane], y_[lane]) * w[lane];
       } else {
         for (int lane = 0; lane < kBlock; ++lane)
           out[lane] = evaluate(planes_[lane][2 + c], x_[lane], y_[lane]) * w[lane];
@@ -248,8 +244,8 @@ class TileRenderer {
       center_y[lane] = y_[lane] + 0.5f;
       discarded_[lane] = 0;
     }
-    job_.fragment({job_.uniforms, job_.textures, center_x, center_y, front_, varyings_, outputs_,
-                   discarded_, nullptr});
+    job_.fragment(
+        {job_.uniforms, job_.textures, center_x, center_y, front_, varyings_, outputs_, discarded_, nullptr});
   }
 
   void merge() {
@@ -284,8 +280,6 @@ class TileRenderer {
   alignas(64) float outputs_[4 * kMaxColors][kBlock];
 };
 
-inline void render(const TileJob& job, TileCounters& counters) {
-  TileRenderer(job, counters).run();
-}
+inline void render(const TileJob& job, TileCounters& counters) { TileRenderer(job, counters).run(); }
 
 }  // namespace caustics::raster::CAUSTICS_TILE_NAMESPACE

@@ -66,8 +66,7 @@ void time_surface(Device& device, int threads, int cells, const char* name) {
       .depth_state = {Compare::Less, true},
       .shader = &bench_surface_shader};
   PassRun run{.definition = &definition};
-  for (int i = 0; i < 2; ++i)
-    run.colors.push_back(device.create_texture(Format::RGBA32F, kSize, kSize));
+  for (int i = 0; i < 2; ++i) run.colors.push_back(device.create_texture(Format::RGBA32F, kSize, kSize));
   run.depth = device.create_texture(Format::Depth32F, kSize, kSize);
   run.draws.push_back({.mesh = device.create_mesh(wavy_sheet(cells))});
   report(name, threads, [&] { return device.run(run); });
@@ -98,13 +97,12 @@ Draw splat_draw(TextureId places, int grid, float size) {
 }
 
 void time_splats(Device& device, int threads, int grid, float size) {
-  const PassDefinition definition{
-      .name = "splat",
-      .purpose = "bench",
-      .reads = {{.name = "places", .meaning = "m"}},
-      .writes = {{.name = "map", .meaning = "m", .blend = kAccumulate}},
-      .topology = Topology::Points,
-      .shader = &bench_splat_shader};
+  const PassDefinition definition{.name = "splat",
+                                  .purpose = "bench",
+                                  .reads = {{.name = "places", .meaning = "m"}},
+                                  .writes = {{.name = "map", .meaning = "m", .blend = kAccumulate}},
+                                  .topology = Topology::Points,
+                                  .shader = &bench_splat_shader};
   PassRun run{.definition = &definition};
   run.colors.push_back(device.create_texture(Format::RGBA32F, kSize, kSize));
   run.draws.push_back(splat_draw(device.upload(focused_places(grid)), grid, size));

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The same bits on aarch64: builds `caustics digest` for this machine and for aarch64 (g++'s cross compiler, linked
-# statically), runs the latter under QEMU's user mode, and compares all attachments of the sample scenes. One thread:
-# the cross build has no oneTBB. Arguments go to matrix.py.
+# The same bits on aarch64: builds `caustics digest` for this machine and for aarch64 (g++'s cross compiler,
+# linked statically), runs the latter under QEMU's user mode, and compares all attachments of the sample
+# scenes. One thread: the cross build has no oneTBB. Arguments go to matrix.py.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 

@@ -26,8 +26,7 @@ std::map<std::string, std::string> digests(SoftwareOptions options) {
   settings.height = 51;
   const Rendering r =
       render(lively_scene(), settings,
-             {"picture", "beauty", "aov_direct", "aov_caustic", "aov_position", "aov_normal"},
-             options);
+             {"picture", "beauty", "aov_direct", "aov_caustic", "aov_position", "aov_normal"}, options);
   std::map<std::string, std::string> result;
   for (const auto& [name, image] : r.images) result[name] = sha256(image);
   return result;

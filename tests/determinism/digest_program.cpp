@@ -1,5 +1,6 @@
-// caustics_digest: `caustics digest` without the rest of the program. It links neither OpenGL nor the tracer nor
-// anything that writes images, so it is quick to build many times over, and for machines that lack those libraries.
+// caustics_digest: `caustics digest` without the rest of the program. It links neither OpenGL nor the tracer
+// nor anything that writes images, so it is quick to build many times over, and for machines that lack those
+// libraries.
 #include "app/shell/run_program.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
-// Included before every source where the C++ library is Emscripten's libc++ 13: what it lacks of C++20. The conversions
-// of numbers serve options and messages; no scene and no image passes through them.
+// Included before every source where the C++ library is Emscripten's libc++ 13: what it lacks of C++20. The
+// conversions of numbers serve options and messages; no scene and no image passes through them.
 #pragma once
 #include <bit>
 #include <charconv>
@@ -34,7 +34,8 @@ from_chars_result from_chars(const char* first, const char* last, Real& value) {
     return {first, errc::invalid_argument};
   }
   char* end = nullptr;
-  const Real read = is_same_v<Real, float> ? strtof(text.c_str(), &end) : static_cast<Real>(strtod(text.c_str(), &end));
+  const Real read =
+      is_same_v<Real, float> ? strtof(text.c_str(), &end) : static_cast<Real>(strtod(text.c_str(), &end));
   if (end == text.c_str()) return {first, errc::invalid_argument};
   value = read;
   return {first + (end - text.c_str()), errc{}};

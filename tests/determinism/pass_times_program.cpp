@@ -1,5 +1,5 @@
-// caustics_pass_times SCENE ROUNDS [DIGEST'S OPTIONS]: the milliseconds of all passes of a frame, one line a round. By this
-// price.sh weighs builds that keep the promise of equal bits against builds that don't.
+// caustics_pass_times SCENE ROUNDS [DIGEST'S OPTIONS]: the milliseconds of all passes of a frame, one line a
+// round. By this price.sh weighs builds that keep the promise of equal bits against builds that don't.
 #include <cstdio>
 
 #include "app/frame.hpp"
@@ -33,4 +33,6 @@ ExitCode print_times(const Arguments& arguments) {
 
 }  // namespace caustics::app
 
-int main(int count, char** values) { return caustics::app::run_program(count, values, caustics::app::print_times); }
+int main(int count, char** values) {
+  return caustics::app::run_program(count, values, caustics::app::print_times);
+}

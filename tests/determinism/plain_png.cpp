@@ -1,5 +1,5 @@
-// Stands in for gltf/image_file.cpp where there is no OpenImageIO. It reads what the sample scenes hold and no more:
-// PNG files of 8 bits a channel, not interlaced, stored without compression and filters.
+// Stands in for gltf/image_file.cpp where there is no OpenImageIO. It reads what the sample scenes hold and
+// no more: PNG files of 8 bits a channel, not interlaced, stored without compression and filters.
 #include <string_view>
 
 #include "pipeline/scene/gltf/image_file.hpp"

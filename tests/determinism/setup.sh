@@ -1,4 +1,5 @@
-# What matrix.sh, aarch64.sh, wasm.sh and price.sh share; sourced by bash, with set -euo pipefail. $builds is where they build.
+# What matrix.sh, aarch64.sh, wasm.sh and price.sh share; sourced by bash, with set -euo pipefail. $builds is
+# where they build.
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd -P)
 # shellcheck source=../../cmake/setup.sh
 source "$root/cmake/setup.sh"
@@ -11,14 +12,16 @@ digest_build() {
   local name=$1 folder=$builds/$1 started=$SECONDS
   shift
   configure "$folder" -DCMAKE_BUILD_TYPE=None -DCAUSTICS_BUILD_APP=OFF -DCAUSTICS_BUILD_TESTS=OFF \
-    -DCAUSTICS_BUILD_DIGEST=ON -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON -DCMAKE_DISABLE_FIND_PACKAGE_embree=ON "$@" ||
+    -DCAUSTICS_BUILD_DIGEST=ON -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON \
+    -DCMAKE_DISABLE_FIND_PACKAGE_embree=ON "$@" ||
     give_up 1 "$name: configuring failed" "$folder/configure.log"
   build "$folder" "$target" || give_up 1 "$name: building failed" "$folder/build.log"
   say "$name: built in $((SECONDS - started)) s"
 }
 
-# For other machines: the libraries that are headers alone, apart from this machine's own headers, and CMake packages
-# that name them. $portable holds the arguments that lead CMake there and keep it from this machine's libraries.
+# For other machines: the libraries that are headers alone, apart from this machine's own headers, and CMake
+# packages that name them. $portable holds the arguments that lead CMake there and keep it from this machine's
+# libraries.
 portable_packages() {
   local folder=$builds/portable package target
   rm -rf "$folder"

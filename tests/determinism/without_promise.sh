@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A compiler launcher for price.sh: compiles without the flags that keep bits equal, and with $INEXACT_FLAGS instead.
+# A compiler launcher for price.sh: compiles without the flags that keep bits equal, and with $INEXACT_FLAGS
+# instead.
 kept=()
 for word in "$@"; do
   case $word in

@@ -49,8 +49,7 @@ void double_lengths(Case& c) {
   }
   Camera& camera = c.scene.cameras[0];
   camera.position *= 2.0;
-  for (double* length : {&camera.half_width, &camera.half_height, &camera.near, &camera.far})
-    *length *= 2.0;
+  for (double* length : {&camera.half_width, &camera.half_height, &camera.near, &camera.far}) *length *= 2.0;
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <vector>
 
-
 namespace caustics::fuzz {
 
 namespace {
@@ -26,10 +25,10 @@ void write(const fs::path& file, ByteSpan bytes) {
 
 // A grey PNG of one texel.
 constexpr std::uint8_t kPng[] = {
-    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
-    0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00, 0x00, 0x00,
-    0x0a, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x68, 0x00, 0x00, 0x00, 0x82, 0x00, 0x81, 0xda, 0x45, 0x08,
-    0x3b, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00,
+    0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00,
+    0x00, 0x00, 0x0a, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x68, 0x00, 0x00, 0x00, 0x82, 0x00, 0x81,
+    0xda, 0x45, 0x08, 0x3b, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 
 // The folder that the bytes are written to, with the files that they may refer to; removed at the end.
 class Scratch {
@@ -77,11 +76,14 @@ void check_texture(const Scene& scene, const TextureUse& use) {
 }
 
 void check_material(const Scene& scene, const Material& m) {
-  for (const TextureUse* use : {&m.base_color_texture, &m.normal_texture, &m.emissive_texture, &m.transmission_texture})
+  for (const TextureUse* use :
+       {&m.base_color_texture, &m.normal_texture, &m.emissive_texture, &m.transmission_texture})
     check_texture(scene, *use);
-  const float sum = m.base_color.x + m.base_color.y + m.base_color.z + m.base_color.w + m.normal_scale + m.alpha_cutoff +
-                    m.metallic + m.roughness + m.transmission + m.ior + m.thickness + m.dispersion;
-  if (!std::isfinite(sum) || !finite(m.emissive) || !finite(m.attenuation_color) || std::isnan(m.attenuation_distance))
+  const float sum = m.base_color.x + m.base_color.y + m.base_color.z + m.base_color.w + m.normal_scale +
+                    m.alpha_cutoff + m.metallic + m.roughness + m.transmission + m.ior + m.thickness +
+                    m.dispersion;
+  if (!std::isfinite(sum) || !finite(m.emissive) || !finite(m.attenuation_color) ||
+      std::isnan(m.attenuation_distance))
     finding("a material is not finite");
 }
 
@@ -97,7 +99,8 @@ void check_refusal(const Error& error) {
   if (error.code() != ExitCode::BadInput)
     finding("refused with exit code " + std::to_string(static_cast<int>(error.code())) + ": " + line);
   for (const char c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) finding("the refusal is not one printable line: " + line);
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      finding("the refusal is not one printable line: " + line);
 }
 
 LoadOptions small_limits() {

@@ -1,6 +1,6 @@
 // Any bytes as an image of a texture or an environment: a message, or as many texels as it says.
-#include "tests/fuzz/fuzzed_scene.hpp"
 #include "pipeline/scene/gltf/image_file.hpp"
+#include "tests/fuzz/fuzzed_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace caustics;

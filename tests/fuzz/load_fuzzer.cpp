@@ -1,6 +1,6 @@
 // Any bytes as a .gltf or .glb: refused in one line, or a sound scene at two moments, completed or not.
-#include "tests/fuzz/fuzzed_scene.hpp"
 #include "pipeline/scene/defaults.hpp"
+#include "tests/fuzz/fuzzed_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace caustics;

@@ -17,15 +17,35 @@ namespace {
 
 using Random = std::minstd_rand;
 
-// Sizes that overflow, numbers at the edge of single precision and of the documented ranges, and sizes of arrays.
+// Sizes that overflow, numbers at the edge of single precision and of the documented ranges, and sizes of
+// arrays.
 constexpr std::string_view kNumbers[] = {
-    "0",     "1",     "2",    "3",    "4",     "5",    "-1",   "0.5",    "1e38",   "-1e38",      "1e-38",      "1e-45",
-    "1e12",  "1e-12", "1e30", "1e6",  "1e-6",  "1000", "0.01", "100",    "-0.0",   "1.5",        "3.14159265", "1.57079",
-    "10497", "33071", "5120", "5121", "5123",  "5125", "5126", "255",    "65535",  "2147483647", "4294967295", "-2147483648",
-    "1e308", "-1e-3", "0.99", "-1.0", "1e999", "64",   "2048", "131072", "0.2001", "1e9",        "16777217",   "1e-7"};
-constexpr float kFloats[] = {0.0f,  -0.0f, 1.0f,   -1.0f,  0.5f,   1e38f, -1e38f, 1e-38f, 1e-45f,
-                             1e12f, 1e6f,  1e-6f,  1e-12f, 1e19f,  1e30f, 2.0f,   3.4e38f, 0.999999f,
-                             std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()};
+    "0",     "1",          "2",          "3",           "4",      "5",     "-1",         "0.5",
+    "1e38",  "-1e38",      "1e-38",      "1e-45",       "1e12",   "1e-12", "1e30",       "1e6",
+    "1e-6",  "1000",       "0.01",       "100",         "-0.0",   "1.5",   "3.14159265", "1.57079",
+    "10497", "33071",      "5120",       "5121",        "5123",   "5125",  "5126",       "255",
+    "65535", "2147483647", "4294967295", "-2147483648", "1e308",  "-1e-3", "0.99",       "-1.0",
+    "1e999", "64",         "2048",       "131072",      "0.2001", "1e9",   "16777217",   "1e-7"};
+constexpr float kFloats[] = {0.0f,
+                             -0.0f,
+                             1.0f,
+                             -1.0f,
+                             0.5f,
+                             1e38f,
+                             -1e38f,
+                             1e-38f,
+                             1e-45f,
+                             1e12f,
+                             1e6f,
+                             1e-6f,
+                             1e-12f,
+                             1e19f,
+                             1e30f,
+                             2.0f,
+                             3.4e38f,
+                             0.999999f,
+                             std::numeric_limits<float>::infinity(),
+                             std::numeric_limits<float>::quiet_NaN()};
 
 struct Span {
   std::size_t at = 0, length = 0;
@@ -41,8 +61,10 @@ std::vector<Span> numbers_of(std::string_view json) {
   std::vector<Span> found;
   bool in_string = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    if (in_string && json[i] == '\\') ++i;
-    else if (json[i] == '"') in_string = !in_string;
+    if (in_string && json[i] == '\\')
+      ++i;
+    else if (json[i] == '"')
+      in_string = !in_string;
     else if (!in_string && starts_number(json[i])) {
       const std::size_t start = i;
       while (i + 1 < json.size() && in_number(json[i + 1])) ++i;
@@ -59,8 +81,10 @@ std::vector<Span> values_of(std::string_view json) {
   bool in_string = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const char c = json[i];
-    if (in_string && c == '\\') ++i;
-    else if (c == '"') in_string = !in_string;
+    if (in_string && c == '\\')
+      ++i;
+    else if (c == '"')
+      in_string = !in_string;
     if (in_string) continue;
     const bool closes = c == ']' || c == '}';
     if ((c == ',' || closes) && !starts.empty()) {
@@ -121,7 +145,8 @@ Parts parts_of(const std::string& bytes) {
   parts.glb = true;
   const std::size_t json = std::min<std::size_t>(word_at(bytes, 12), bytes.size() - 20);
   parts.json = bytes.substr(20, json);
-  if (const std::size_t bin = 20 + json + 8; bin < bytes.size()) parts.bin = bytes.substr(bin, word_at(bytes, 20 + json));
+  if (const std::size_t bin = 20 + json + 8; bin < bytes.size())
+    parts.bin = bytes.substr(bin, word_at(bytes, 20 + json));
   return parts;
 }
 
@@ -176,7 +201,8 @@ void change_value(std::string& json, unsigned seed) {
   switch (below(random, 3)) {
     case 0: {  // with the comma before or behind it
       const bool before = chosen.at > 0 && json[chosen.at - 1] == ',';
-      const bool behind = !before && chosen.at + chosen.length < json.size() && json[chosen.at + chosen.length] == ',';
+      const bool behind =
+          !before && chosen.at + chosen.length < json.size() && json[chosen.at + chosen.length] == ',';
       json.erase(chosen.at - (before ? 1 : 0), chosen.length + (before || behind ? 1 : 0));
       break;
     }
@@ -215,8 +241,10 @@ void change_word(std::string& bin, unsigned seed) {
 
 }  // namespace caustics::fuzz
 
-// The render fuzzer's inputs end in bytes that choose settings (CAUSTICS_FUZZ_TAIL of them), which stay at the end.
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+// The render fuzzer's inputs end in bytes that choose settings (CAUSTICS_FUZZ_TAIL of them), which stay at
+// the end.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed) {
   using namespace caustics::fuzz;
   Random random(seed + 1u);
   constexpr std::size_t kTail = CAUSTICS_FUZZ_TAIL;

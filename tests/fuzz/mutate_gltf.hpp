@@ -15,7 +15,8 @@ Parts parts_of(const std::string& bytes);
 // With lengths and padding put right.
 std::string joined(const Parts& parts);
 
-// Replaces one number of the text by a hard one (0, -1, 1e38, ...), by another of its numbers, or by one near it.
+// Replaces one number of the text by a hard one (0, -1, 1e38, ...), by another of its numbers, or by one near
+// it.
 void change_number(std::string& json, unsigned seed);
 // Takes out, doubles or swaps with another one value of the text, between brackets or commas.
 void change_value(std::string& json, unsigned seed);

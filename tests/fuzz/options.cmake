@@ -1,5 +1,6 @@
-# How everything is compiled where the fuzzers are: coverage for libFuzzer, and both sanitizers, whose every finding ends
-# the program. Only the lanes that every processor has, and one thread where nothing else is built: less to compile, and the same bits.
+# How everything is compiled where the fuzzers are: coverage for libFuzzer, and both sanitizers, whose every
+# finding ends the program. Only the lanes that every processor has, and one thread where nothing else is
+# built: less to compile, and the same bits.
 if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   message(FATAL_ERROR "CAUSTICS_BUILD_FUZZERS needs clang: add -DCMAKE_CXX_COMPILER=clang++")
 endif()

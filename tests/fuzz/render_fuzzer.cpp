@@ -1,5 +1,6 @@
-// A scene file and, behind it, eight bytes that choose settings: a whole tiny frame whose values are finite and whose
-// light is accounted for. A .glb of its corpus is also a file for the program, which ignores what follows its end.
+// A scene file and, behind it, eight bytes that choose settings: a whole tiny frame whose values are finite
+// and whose light is accounted for. A .glb of its corpus is also a file for the program, which ignores what
+// follows its end.
 #include "tests/fuzz/fuzzed_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

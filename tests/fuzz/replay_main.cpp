@@ -1,4 +1,5 @@
-// Runs a fuzzer's entry point on files and on every file of folders, without libFuzzer: what CTest does with the corpus.
+// Runs a fuzzer's entry point on files and on every file of folders, without libFuzzer: what CTest does with
+// the corpus.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,5 @@
-# Fuzzers, built with -DCAUSTICS_BUILD_FUZZERS=ON and clang (tests/fuzz/run does it); and, with the tests, the same entry points
-# behind a main that runs every file of the committed corpus.
+# Fuzzers, built with -DCAUSTICS_BUILD_FUZZERS=ON and clang (tests/fuzz/run does it); and, with the tests, the
+# same entry points behind a main that runs every file of the committed corpus.
 
 # caustics_add_fuzz_target(NAME SOURCE ...): linked to what the entry points need.
 function(caustics_add_fuzz_target name)
@@ -30,7 +30,8 @@ foreach(entry load image render)
   endif()
   if(CAUSTICS_BUILD_TESTS)
     caustics_add_fuzz_target(replay_${entry} ${fuzz_${entry}} replay_main.cpp)
-    add_test(NAME fuzz.corpus_${entry} COMMAND replay_${entry} ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${entry})
+    add_test(NAME fuzz.corpus_${entry}
+      COMMAND replay_${entry} ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${entry})
     set_tests_properties(fuzz.corpus_${entry} PROPERTIES TIMEOUT 300)
   endif()
 endforeach()

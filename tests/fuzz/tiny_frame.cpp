@@ -3,25 +3,25 @@
 #include <cmath>
 #include <memory>
 
-#include "tests/fuzz/fuzzed_scene.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/measure/error_estimate.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/pixel_side.hpp"
-#include "pipeline/settings/check_settings.hpp"
 #include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/light_samples.hpp"
+#include "pipeline/settings/check_settings.hpp"
 #include "raster/software_device.hpp"
+#include "tests/fuzz/fuzzed_scene.hpp"
 
 namespace caustics::fuzz {
 
 namespace {
 
-// What may remain of a ledger is rounding: of each landing's own numbers; and of the map's sums, which are single
-// precision. A sum of n is off by up to n 2^-24 of its size, and where the map is small or all light meets in one texel,
-// that texel takes each landing up to twice, as a part of cells and as a splat.
+// What may remain of a ledger is rounding: of each landing's own numbers; and of the map's sums, which are
+// single precision. A sum of n is off by up to n 2^-24 of its size, and where the map is small or all light
+// meets in one texel, that texel takes each landing up to twice, as a part of cells and as a splat.
 double most_residual(const Ledger& ledger, const View& caustic) {
   if (!caustic.cube) return 1e-5;  // the ledger has counted the splats of each texel itself
   const auto landed = static_cast<double>(ledger.vertices[static_cast<std::size_t>(LandingStatus::Landed)]);
@@ -48,8 +48,8 @@ class TinyFrame {
       for (const int texture : pass.writes) {
         const std::size_t bad = count_non_finite(renderer_->read(texture));
         if (bad > 0)
-          finding(pass.label + ": " + renderer_->plan().textures[static_cast<std::size_t>(texture)].name + " has " +
-                  std::to_string(bad) + " values that are not finite");
+          finding(pass.label + ": " + renderer_->plan().textures[static_cast<std::size_t>(texture)].name +
+                  " has " + std::to_string(bad) + " values that are not finite");
       }
   }
 
@@ -67,19 +67,21 @@ class TinyFrame {
   void check_ledger(int light) const {
     const auto is_there = [&](const std::string& name) { return has(name); };
     const auto get = [&](const std::string& name) { return read(name); };
-    const std::vector<BranchImages> branches = branch_images(light, renderer_->effects().branches, is_there, get);
+    const std::vector<BranchImages> branches =
+        branch_images(light, renderer_->effects().branches, is_there, get);
     const Image map = read(light_texture(kCausticMap, light));
     const LightViews& views = renderer_->views()[static_cast<std::size_t>(light)];
     const std::vector<CellImages> cells = cell_images(light, renderer_->effects().branches, is_there, get);
-    const Ledger ledger = make_ledger(branches, cells, map, read(light_texture(far_texture(kCausticMap), light)),
-                                      views.caustic, settings_);
+    const Ledger ledger = make_ledger(
+        branches, cells, map, read(light_texture(far_texture(kCausticMap), light)), views.caustic, settings_);
     if (!(ledger.residual() <= most_residual(ledger, views.caustic)))
-      finding("light " + std::to_string(light) + ": the ledger's residual is " + std::to_string(ledger.residual() * 1e6) +
-              " millionths");
+      finding("light " + std::to_string(light) + ": the ledger's residual is " +
+              std::to_string(ledger.residual() * 1e6) + " millionths");
     const double pixel = settings_.pixel_means ? pixel_side(read("view_position"), map, views.caustic) : 0.0;
-    const ErrorEstimate estimate =
-        estimate_error(branches, cells, map, read(light_texture(kCascadeMap, light)), views, settings_, ledger, pixel);
-    if (!std::isfinite(estimate.total())) finding("light " + std::to_string(light) + ": the error estimate is not finite");
+    const ErrorEstimate estimate = estimate_error(
+        branches, cells, map, read(light_texture(kCascadeMap, light)), views, settings_, ledger, pixel);
+    if (!std::isfinite(estimate.total()))
+      finding("light " + std::to_string(light) + ": the error estimate is not finite");
   }
 
   Settings settings_;

@@ -1,5 +1,6 @@
-// One file under the program's own limits: loaded, completed, and rendered small with the defaults and with everything
-// else that may be asked for. Prints "loaded", "refused: why" or "rendered"; anything that it does not survive is a finding.
+// One file under the program's own limits: loaded, completed, and rendered small with the defaults and with
+// everything else that may be asked for. Prints "loaded", "refused: why" or "rendered"; anything that it does
+// not survive is a finding.
 #include <cstdio>
 
 #include "tests/fuzz/fuzzed_scene.hpp"

@@ -1,4 +1,5 @@
-// An OpenGL driver that fails at any of its calls: one line that says so, no wrong picture, and a device that goes on.
+// An OpenGL driver that fails at any of its calls: one line that says so, no wrong picture, and a device that
+// goes on.
 #include <algorithm>
 #include <set>
 
@@ -14,7 +15,9 @@ namespace {
 
 const Settings kSettings = small_settings(16, 16, 8);
 
-std::string frame_on(Device& device) { return sha256(render_on(device, sphere_scene(1.5f, 2), kSettings, {})["picture"]); }
+std::string frame_on(Device& device) {
+  return sha256(render_on(device, sphere_scene(1.5f, 2), kSettings, {})["picture"]);
+}
 
 const GlOptions kWithAll = {.measure = true, .debug = true};
 
@@ -36,22 +39,27 @@ Outcome outcome_of(Work work) {
   }
 }
 
-// A draw without its array of indices reads at address 0, by OpenGL's own rules; and what tells errors cannot fail by one.
+// A draw without its array of indices reads at address 0, by OpenGL's own rules; and what tells errors cannot
+// fail by one.
 const std::set<std::string> kMustNotFail = {"glBindVertexArray", "glGetError"};
 
-// Their failure changes nothing that is seen: the context is made current once more, nothing was reset, an object stays.
-const std::set<std::string> kMayFail = {"eglGetCurrentContext", "glDeleteBuffers", "glDeleteFramebuffers",
-                                        "glDeleteTextures", "glDeleteVertexArrays", "glGetGraphicsResetStatus"};
+// Their failure changes nothing that is seen: the context is made current once more, nothing was reset, an
+// object stays.
+const std::set<std::string> kMayFail = {"eglGetCurrentContext", "glDeleteBuffers",
+                                        "glDeleteFramebuffers", "glDeleteTextures",
+                                        "glDeleteVertexArrays", "glGetGraphicsResetStatus"};
 
 // A device starts and ends without them; what they should have deleted goes with its context.
-const std::set<std::string> kNotNeeded = {"eglDestroyContext", "eglGetCurrentContext", "glDeleteQueries", "glDeleteTextures",
+const std::set<std::string> kNotNeeded = {"eglDestroyContext",    "eglGetCurrentContext",
+                                          "glDeleteQueries",      "glDeleteTextures",
                                           "glDeleteVertexArrays", "glGetGraphicsResetStatus"};
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
-TEST_CASE("gl: memory that runs out at any call of a frame is told in one line, and the next frame is right") {
+TEST_CASE(
+    "gl: memory that runs out at any call of a frame is told in one line, and the next frame is right") {
   const auto device = gl_or_skip();
   if (!device) return;
   const std::string expected = frame_on(*device);
@@ -94,15 +102,17 @@ TEST_CASE("gl: a driver that is reset says so, whenever it is asked") {
   }
 }
 
-TEST_CASE("gl: memory that runs out while a shader is made is told in one line, and the shader is made the next time") {
+TEST_CASE(
+    "gl: memory that runs out while a shader is made is told in one line, and the shader is made the next "
+    "time") {
   const auto device = gl_or_skip();
   if (!device) return;
   const std::string expected = frame_on(*gl_or_skip());
   FaultyDriver driver;
   for (const char* function :
-       {"glCreateProgram", "glCreateShader", "glShaderSource", "glCompileShader", "glGetShaderiv", "glAttachShader",
-        "glBindAttribLocation", "glLinkProgram", "glGetProgramiv", "glDetachShader", "glDeleteShader",
-        "glGetUniformBlockIndex", "glGetActiveUniformBlockiv"}) {
+       {"glCreateProgram", "glCreateShader", "glShaderSource", "glCompileShader", "glGetShaderiv",
+        "glAttachShader", "glBindAttribLocation", "glLinkProgram", "glGetProgramiv", "glDetachShader",
+        "glDeleteShader", "glGetUniformBlockIndex", "glGetActiveUniformBlockiv"}) {
     INFO(function);
     driver.fail(function, 0);
     CHECK(contains(outcome_of([&] { return frame_on(*device); }).error, "the graphics memory has run out"));
@@ -138,7 +148,9 @@ TEST_CASE("gl: a driver that fails while a device starts gives another device, o
   }
   // Where a display works too, more can fail for good.
   CHECK(std::includes(done_without.begin(), done_without.end(), kNotNeeded.begin(), kNotNeeded.end()));
-  CHECK(done_without.count("eglInitialize") + done_without.count("eglCreateContext") + done_without.count("eglMakeCurrent") == 0);
+  CHECK(done_without.count("eglInitialize") + done_without.count("eglCreateContext") +
+            done_without.count("eglMakeCurrent") ==
+        0);
 }
 
 TEST_CASE("gl: a display that offers no contexts without a surface gets a surface of one pixel") {
@@ -152,7 +164,8 @@ TEST_CASE("gl: a display that offers no contexts without a surface gets a surfac
   CHECK(outcome.result == frame_on(*device));
   driver.fail("eglChooseConfig", FaultyDriver::kAlways);
   driver.hide_display_extensions();
-  CHECK(contains(outcome_of([] { return make_gl_device(kWithAll)->renderer(); }).error, "EGL has no configuration"));
+  CHECK(contains(outcome_of([] { return make_gl_device(kWithAll)->renderer(); }).error,
+                 "EGL has no configuration"));
 }
 
 TEST_CASE("gl: a device that takes the place of one that fails says which, and why") {

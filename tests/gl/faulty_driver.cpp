@@ -72,7 +72,8 @@ struct Through<R (*)(Arguments...)> {
   }
 
  private:
-  // Until its first call, libepoxy's own pointer leads to what looks the function up, puts it there and calls what is there.
+  // Until its first call, libepoxy's own pointer leads to what looks the function up, puts it there and calls
+  // what is there.
   template <auto* kPointer, std::size_t kFunction>
   static R real(Arguments... arguments) {
     struct ThroughHereAgain {

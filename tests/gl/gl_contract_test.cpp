@@ -25,16 +25,14 @@ Image numbered(Format format, int width, int height) {
 }
 
 struct FetchRun {
-  PassDefinition definition{
-      .name = "fetch",
-      .purpose = "test",
-      .reads = {{.name = "first", .meaning = "m"}, {.name = "second", .meaning = "m"}},
-      .writes = {{.name = "sum", .meaning = "m"}},
-      .shader = &gl_fetch_shader};
+  PassDefinition definition{.name = "fetch",
+                            .purpose = "test",
+                            .reads = {{.name = "first", .meaning = "m"}, {.name = "second", .meaning = "m"}},
+                            .writes = {{.name = "sum", .meaning = "m"}},
+                            .shader = &gl_fetch_shader};
   PassRun run;
 
-  FetchRun(TextureId target, TextureId first, TextureId second,
-           std::vector<std::array<float, 4>> tints) {
+  FetchRun(TextureId target, TextureId first, TextureId second, std::vector<std::array<float, 4>> tints) {
     run.definition = &definition;
     run.colors = {target};
     for (const std::array<float, 4>& tint : tints) {
@@ -66,8 +64,7 @@ TEST_CASE("gl: half texels keep what they are, the largest and the smallest too"
   Image image(Format::RGBA16F, 2, 1);
   image.values = {65504.0f, -65504.0f, 0x1p-24f, -0.0f, 1.0f / 0.0f, -0x1p-14f, 2049.0f, 0.1f};
   const Image back = device->read_back(device->upload(image));
-  for (std::size_t i = 0; i < 8; ++i)
-    CHECK(back.values[i] == stored_value(Format::RGBA16F, image.values[i]));
+  for (std::size_t i = 0; i < 8; ++i) CHECK(back.values[i] == stored_value(Format::RGBA16F, image.values[i]));
   CHECK(std::signbit(back.values[3]));
 }
 
@@ -165,8 +162,7 @@ TEST_CASE("gl: a run is timed, and its figures are those of the software device"
   if (!device) return;
   RasterBench b = counting(64, 64);
   b.definition.count_samples = true;
-  const auto square = {b.at(0, 0), b.at(64, 0),  b.at(64, 64),
-                       b.at(0, 0), b.at(64, 64), b.at(0, 64)};
+  const auto square = {b.at(0, 0), b.at(64, 0), b.at(64, 64), b.at(0, 0), b.at(64, 64), b.at(0, 64)};
   b.on = device.get();
   b.draw(square);
   CHECK(b.result.milliseconds > 0.0);
@@ -236,12 +232,16 @@ TEST_CASE("gl: OpenGL takes every form that the rewriting to precise gives a tex
       "struct Pair { Float a; Vec2 b; };\n"
       "const int kThree = 3;\n"
       "#ifdef VERTEX_STAGE\n"
-      "void main() { set_position(Vec4(vertex_id() == 1 ? 3.0f : -1.0f, vertex_id() == 2 ? 3.0f : -1.0f, 0.5f, 1.0f)); }\n"
+      "void main() { set_position(Vec4(vertex_id() == 1 ? 3.0f : -1.0f, vertex_id() == 2 ? 3.0f : -1.0f, "
+      "0.5f, 1.0f)); }\n"
       "#else\n"
-      "Pair pair_of(Float a, mat4 m, const Int n) { Pair p; p.a = a * 2.0f; p.b = Vec2(m[0].x, Float(n)); return p; }\n"
+      "Pair pair_of(Float a, mat4 m, const Int n) { Pair p; p.a = a * 2.0f; p.b = Vec2(m[0].x, Float(n)); "
+      "return p; }\n"
       "Bool grows(Pair p) { if (p.a * p.a > p.a) return p.b.x < p.b.y; else return false; }\n"
-      "Int count(INOUT(Float) x) { const float step = 1.5f; Int n = 0; while (x * step < 10.0f) { x *= step; n++; } return n; }\n"
-      "void twice(OUT(Vec3) v, Float x) { Float both[2]; both[0] = x; both[1] = x + x; v = Vec3(both[1]); return; }\n"
+      "Int count(INOUT(Float) x) { const float step = 1.5f; Int n = 0; while (x * step < 10.0f) { x *= step; "
+      "n++; } return n; }\n"
+      "void twice(OUT(Vec3) v, Float x) { Float both[2]; both[0] = x; both[1] = x + x; v = Vec3(both[1]); "
+      "return; }\n"
       "void main() {\n"
       "  Float x = 1.0f, y = 0.0f;\n"
       "  for (float i = 0.0f; i + 0.5f < float(kThree); i += 1.0f) y += i;\n"

@@ -21,7 +21,8 @@ TEST_CASE("precise text: local variables and parameters of every type bear the m
   CHECK(in_function("if (x) { vec4 a = b; }") == "if (x) { precise vec4 a = b; }");
   CHECK(in_function("for (int i = 0; i < n; i++) Vec3 p;") ==
         "for (precise int i = 0; i < n; i++) precise Vec3 p;");
-  CHECK(precise_text("struct Hit { Float t; };\nvoid g(Hit h, mat4 m, Texture t, OUT(Bool) b) { Hit k = h; }") ==
+  CHECK(precise_text(
+            "struct Hit { Float t; };\nvoid g(Hit h, mat4 m, Texture t, OUT(Bool) b) { Hit k = h; }") ==
         "struct Hit { Float t; };\nvoid g(precise Hit h, precise mat4 m, Texture t, OUT(Bool) b) "
         "{ precise Hit k = h; }");
 }
@@ -32,7 +33,8 @@ TEST_CASE("precise text: a result passes through a variable of the function's ty
         "if (c) { precise Float returned = a; return returned; } "
         "else { precise Float returned = f(b); return returned; }");
   CHECK(precise_text("Bool g(Float x) {\n  return x > 1.0f &&\n    x < 2.0f;\n}\n") ==
-        "Bool g(precise Float x) {\n  { precise Bool returned = x > 1.0f &&\n    x < 2.0f; return returned; }\n}\n");
+        "Bool g(precise Float x) {\n  { precise Bool returned = x > 1.0f &&\n    x < 2.0f; return returned; "
+        "}\n}\n");
   CHECK(precise_text("void main() { return; }") == "void main() { return; }");
 }
 

@@ -6,10 +6,11 @@ add_executable(caustics_shader_texts ${PROJECT_SOURCE_DIR}/tests/gl/shader_texts
 caustics_target_options(caustics_shader_texts)
 target_link_libraries(caustics_shader_texts PRIVATE caustics_passes caustics_gl_backend)
 
-# A driver that fails at will leads every function that the backend calls through itself (faulty_driver.hpp): their names,
-# from the backend's sources.
+# A driver that fails at will leads every function that the backend calls through itself (faulty_driver.hpp):
+# their names, from the backend's sources.
 if(TARGET PkgConfig::EPOXY)
-  file(GLOB gl_backend_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gl_backend/*.cpp ${PROJECT_SOURCE_DIR}/gl_backend/*.hpp)
+  file(GLOB gl_backend_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gl_backend/*.cpp
+    ${PROJECT_SOURCE_DIR}/gl_backend/*.hpp)
   set(driver_calls "")
   foreach(file ${gl_backend_files})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})

@@ -1,5 +1,5 @@
-// caustics_shader_texts FOLDER: writes what the OpenGL Device hands to the driver, <shader>.vert and <shader>.frag
-// of every registered pass and of the template, for compilers that need no driver
+// caustics_shader_texts FOLDER: writes what the OpenGL Device hands to the driver, <shader>.vert and
+// <shader>.frag of every registered pass and of the template, for compilers that need no driver
 // (tests/architecture/shaders.py).
 #include <algorithm>
 #include <cstdio>

@@ -14,21 +14,17 @@ namespace caustics::test {
 inline std::string blend_class(const ColorWrite& write) {
   const BlendState& b = write.blend;
   const bool adds = b.enabled && b.equation == BlendEquation::Add;
-  const auto constant = [](BlendFactor f) {
-    return f == BlendFactor::Zero || f == BlendFactor::One;
-  };
+  const auto constant = [](BlendFactor f) { return f == BlendFactor::Zero || f == BlendFactor::One; };
   const auto pair = [&](BlendFactor one, BlendFactor other) {
-    return (b.source == one && b.destination == other) ||
-           (b.source == other && b.destination == one);
+    return (b.source == one && b.destination == other) || (b.source == other && b.destination == one);
   };
   if (write.format == Format::RGBA16F) return "half";
   if (!adds) return "";
   if (write.format == Format::RGBA8)
     return constant(b.source) && constant(b.destination) ? "" : "8 bits, products";
   if (b.source == b.destination && !constant(b.source)) return "equal factors";
-  if (write.format == Format::R32F &&
-      (pair(BlendFactor::One, BlendFactor::Zero) ||
-       pair(BlendFactor::SourceAlpha, BlendFactor::OneMinusSourceAlpha)))
+  if (write.format == Format::R32F && (pair(BlendFactor::One, BlendFactor::Zero) ||
+                                       pair(BlendFactor::SourceAlpha, BlendFactor::OneMinusSourceAlpha)))
     return "one channel, complementary factors";
   return "";
 }

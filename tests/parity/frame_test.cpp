@@ -76,7 +76,8 @@ struct ReadyFrame {
 
   FrameParity against(Device& device) const {
     const SceneOnDevice on_device(scene, renderer.effects(), device);
-    return compare_devices(renderer.plan(), pass_registry(), renderer.on_device(), on_device, renderer.inputs());
+    return compare_devices(renderer.plan(), pass_registry(), renderer.on_device(), on_device,
+                           renderer.inputs());
   }
 };
 
@@ -190,14 +191,15 @@ TEST_CASE("parity: OpenGL draws every pass and the whole frame as the software d
   check_against_gl(ReadyFrame(textured_scene()), *gl, driver);
 }
 
-TEST_CASE(
-    "parity: a frame loop on OpenGL makes nothing after its first frame and reads nothing back") {
+TEST_CASE("parity: a frame loop on OpenGL makes nothing after its first frame and reads nothing back") {
   const auto gl = gl_or_skip();
   if (!gl) return;
   ReadyFrame frame;
   const SceneOnDevice on_gl(frame.scene, frame.renderer.effects(), *gl);
   const FrameTargets targets(frame.renderer.plan(), *gl);
-  const auto draw = [&] { run_plan(frame.renderer.plan(), pass_registry(), on_gl, targets, frame.renderer.inputs()); };
+  const auto draw = [&] {
+    run_plan(frame.renderer.plan(), pass_registry(), on_gl, targets, frame.renderer.inputs());
+  };
   draw();
   const DeviceObjects first = gl->made();
   CHECK(first.programs > 10);

@@ -47,8 +47,8 @@ class Match {
   void finish() const {
     CHECK(fragments_ > 1000);  // something was drawn
     const std::string result = driver_ + ": " + std::to_string(differing_) + " of " +
-                               std::to_string(values_) + " values differ in " +
-                               std::to_string(draws_) + " draws; " + first_ + " " + miscounted_;
+                               std::to_string(values_) + " values differ in " + std::to_string(draws_) +
+                               " draws; " + first_ + " " + miscounted_;
     if (!measured()) {
       WARN("not measured: " << result);
       return;
@@ -75,18 +75,17 @@ class Match {
   std::string describe(std::size_t image, const std::string& name, const TortureCase& c,
                        const ImageDifference& d) const {
     const ValuePair& first = *d.all.first;
-    return "draw " + std::to_string(draws_) + ", attachment " + std::to_string(image) + " (" +
-           name + ") of " + std::to_string(c.width) + "x" + std::to_string(c.height) + ": " +
-           std::to_string(d.differing_texels) + " texels by " +
-           std::to_string(d.all.absolute.largest) + " at most, first at " +
-           std::to_string(first.x) + "," + std::to_string(first.y) + " channel " +
+    return "draw " + std::to_string(draws_) + ", attachment " + std::to_string(image) + " (" + name +
+           ") of " + std::to_string(c.width) + "x" + std::to_string(c.height) + ": " +
+           std::to_string(d.differing_texels) + " texels by " + std::to_string(d.all.absolute.largest) +
+           " at most, first at " + std::to_string(first.x) + "," + std::to_string(first.y) + " channel " +
            std::to_string(first.channel) + ": software " + std::to_string(first.a) + ", gl " +
            std::to_string(first.b);
   }
 
   static std::string count_text(const PassResult& r) {
-    return std::to_string(r.vertices) + " vertices, " + std::to_string(r.primitives) +
-           " primitives, " + std::to_string(r.samples_passed) + " samples";
+    return std::to_string(r.vertices) + " vertices, " + std::to_string(r.primitives) + " primitives, " +
+           std::to_string(r.samples_passed) + " samples";
   }
 
   std::unique_ptr<GlDevice> gl_;

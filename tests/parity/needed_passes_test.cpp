@@ -44,7 +44,8 @@ TEST_CASE("needed passes: direct light needs shadows, but no landings") {
   CHECK(runs(labels, "shadow_map"));
   CHECK(runs(labels, "caster_map["));
   CHECK(runs(labels, "light_shading["));
-  for (const char* pass : {"receiver_map", "landing", "cells", "caustic_", "cascade_", "compose", "glass", "tone_map"})
+  for (const char* pass :
+       {"receiver_map", "landing", "cells", "caustic_", "cascade_", "compose", "glass", "tone_map"})
     CHECK_FALSE(runs(labels, pass));
 }
 

@@ -64,8 +64,7 @@ inline void random_color(Random& random, TortureVertex& v) {
 }
 
 // How the three corners of one triangle are placed in a target of this size.
-using TriangleMaker =
-    std::function<void(Random&, int width, int height, TortureVertex (&corner)[3])>;
+using TriangleMaker = std::function<void(Random&, int width, int height, TortureVertex (&corner)[3])>;
 
 namespace torture {
 
@@ -146,8 +145,7 @@ inline void behind_the_eye(Random& r, int width, int height, TortureVertex (&c)[
 }
 
 inline float not_finite(Random& r) {
-  const float values[3] = {std::numeric_limits<float>::quiet_NaN(),
-                           std::numeric_limits<float>::infinity(),
+  const float values[3] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                            -std::numeric_limits<float>::infinity()};
   return values[r.below(3)];
 }
@@ -189,8 +187,7 @@ inline void non_finite_color(Random& r, TortureVertex& v) {
 using Painter = void (*)(Random&, TortureVertex&);
 
 inline std::vector<TortureVertex> random_triangles(Random& r, int count, int width, int height,
-                                                   const TriangleMaker& maker,
-                                                   Painter paint = random_color) {
+                                                   const TriangleMaker& maker, Painter paint = random_color) {
   std::vector<TortureVertex> vertices;
   for (int i = 0; i < count; ++i) {
     TortureVertex corner[3];
@@ -247,15 +244,14 @@ inline TortureCase plain_case(Topology topology, int width, int height) {
   TortureCase c;
   c.width = width;
   c.height = height;
-  c.definition = {
-      .name = "torture",
-      .purpose = "test",
-      .writes = {{.name = "smooth", .meaning = "m"}, {.name = "flat", .meaning = "m"}},
-      .depth = DepthWrite{.name = "depth", .meaning = "m"},
-      .topology = topology,
-      .depth_state = {Compare::Less, true},
-      .count_samples = true,
-      .shader = topology == Topology::Points ? &torture_points_shader : &torture_shader};
+  c.definition = {.name = "torture",
+                  .purpose = "test",
+                  .writes = {{.name = "smooth", .meaning = "m"}, {.name = "flat", .meaning = "m"}},
+                  .depth = DepthWrite{.name = "depth", .meaning = "m"},
+                  .topology = topology,
+                  .depth_state = {Compare::Less, true},
+                  .count_samples = true,
+                  .shader = topology == Topology::Points ? &torture_points_shader : &torture_shader};
   return c;
 }
 
@@ -268,8 +264,7 @@ inline TortureResult draw(Device& device, const TortureCase& c) {
   MeshData mesh;
   mesh.layout = {{"position", 4}, {"color", 4}, {"size", 1}};
   for (const TortureVertex& v : c.vertices)
-    for (const float f :
-         {v.x, v.y, v.z, v.w, v.color[0], v.color[1], v.color[2], v.color[3], v.size})
+    for (const float f : {v.x, v.y, v.z, v.w, v.color[0], v.color[1], v.color[2], v.color[3], v.size})
       mesh.vertices.push_back(f);
   const auto target = [&](std::size_t i, Format format) {
     return !c.keep.empty() && c.keep[i] ? device.upload(c.before[i])

@@ -35,8 +35,7 @@ void torture_triangles(const std::string& name, const TriangleMaker& maker, int 
   match.finish();
 }
 
-void torture_points(const std::string& name, float largest, int points,
-                    Painter paint = random_color) {
+void torture_points(const std::string& name, float largest, int points, Painter paint = random_color) {
   Match match;
   if (!match) return;
   Random random(name);
@@ -59,8 +58,7 @@ T pick(Random& random, const T (&choices)[N]) {
   return choices[random.below(static_cast<int>(N))];
 }
 
-constexpr Format kFormats[] = {Format::R32F, Format::RG32F, Format::RGBA32F, Format::RGBA16F,
-                               Format::RGBA8};
+constexpr Format kFormats[] = {Format::R32F, Format::RG32F, Format::RGBA32F, Format::RGBA16F, Format::RGBA8};
 constexpr BlendFactor kFactors[] = {BlendFactor::Zero,
                                     BlendFactor::One,
                                     BlendFactor::SourceColor,
@@ -108,36 +106,28 @@ TortureCase random_state(Random& random) {
     c.keep.push_back(random.one_in(3));
     c.before.push_back(random_image(random, format, size.width, size.height));
   }
-  const TriangleMaker makers[] = {torture::large, torture::perspective, torture::medium,
-                                  torture::aligned, torture::off_screen};
-  c.vertices = topology == Topology::Points ? random_points(random, 200, 64.0f, unit_color)
-                                            : random_triangles(random, 100, size.width, size.height,
-                                                               pick(random, makers), unit_color);
+  const TriangleMaker makers[] = {torture::large, torture::perspective, torture::medium, torture::aligned,
+                                  torture::off_screen};
+  c.vertices = topology == Topology::Points
+                   ? random_points(random, 200, 64.0f, unit_color)
+                   : random_triangles(random, 100, size.width, size.height, pick(random, makers), unit_color);
   return c;
 }
 
 }  // namespace
 
 TEST_CASE("torture: large triangles") { torture_triangles("large", torture::large); }
-TEST_CASE("torture: triangles in perspective") {
-  torture_triangles("perspective", torture::perspective);
-}
+TEST_CASE("torture: triangles in perspective") { torture_triangles("perspective", torture::perspective); }
 TEST_CASE("torture: tiny triangles") { torture_triangles("tiny", torture::tiny, 3000); }
-TEST_CASE("torture: triangles of some pixels") {
-  torture_triangles("medium", torture::medium, 3000);
-}
+TEST_CASE("torture: triangles of some pixels") { torture_triangles("medium", torture::medium, 3000); }
 TEST_CASE("torture: slivers") { torture_triangles("slivers", torture::sliver, 1000); }
-TEST_CASE("torture: corners on pixel centres and borders") {
-  torture_triangles("aligned", torture::aligned);
-}
+TEST_CASE("torture: corners on pixel centres and borders") { torture_triangles("aligned", torture::aligned); }
 TEST_CASE("torture: degenerate triangles") {
   torture_triangles("degenerate", [](Random& r, int w, int h, TortureVertex(&c)[3]) {
     r.one_in(2) ? torture::degenerate(r, w, h, c) : torture::large(r, w, h, c);
   });
 }
-TEST_CASE("torture: triangles far off the target") {
-  torture_triangles("off-screen", torture::off_screen);
-}
+TEST_CASE("torture: triangles far off the target") { torture_triangles("off-screen", torture::off_screen); }
 TEST_CASE("torture: triangles through the near and the far plane") {
   torture_triangles("near and far", torture::near_and_far);
 }
@@ -197,8 +187,7 @@ TEST_CASE("torture: combinations of formats, blending, depth, culling, masks and
   Random random("states");
   for (int i = 0; i < 400; ++i) {
     const TortureCase c = random_state(random);
-    match.compare(c,
-                  {blend_class(c.definition.writes[0]), blend_class(c.definition.writes[1]), ""});
+    match.compare(c, {blend_class(c.definition.writes[0]), blend_class(c.definition.writes[1]), ""});
   }
   match.finish();
 }
@@ -208,8 +197,7 @@ TEST_CASE("torture: every blend equation and factor in every format, and no allo
   if (!match) return;
   Random random("blending");
   for (const Format format : kFormats)
-    for (const BlendEquation equation :
-         {BlendEquation::Add, BlendEquation::Min, BlendEquation::Max})
+    for (const BlendEquation equation : {BlendEquation::Add, BlendEquation::Min, BlendEquation::Max})
       for (const BlendFactor source : kFactors)
         for (const BlendFactor destination : kFactors) {
           TortureCase c = plain_case(Topology::Triangles, 48, 32);

@@ -100,7 +100,7 @@ class Frames(MovingTest):
 
     def test_wrong_wishes_are_refused(self):
         self.fails(2, "go.glb", "--time", "1", "--frames", "0..1", "-o", "f.%d.png", saying="--time")
-        self.fails(2, "go.glb", "--time", "-1", saying="0..1e+06")
+        self.fails(2, "go.glb", "--time", "-1", saying="0..1e6")
         self.fails(2, "go.glb", "--time", "nan", saying="--time")
         self.fails(2, "go.glb", "--fps", "0", saying="--fps")
         self.fails(2, "go.glb", *SMALL, "--animation", "stop", "--quiet", saying="0 'go'")

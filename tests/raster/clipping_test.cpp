@@ -50,15 +50,14 @@ TEST_CASE("clipping: each plane cuts a triangle in the middle") {
   struct Cut {
     float dx, dy, z_left, z_right;
   };
-  for (const Cut& cut : {Cut{1.0f, 0.0f, 0.5f, 0.5f}, Cut{-1.0f, 0.0f, 0.5f, 0.5f},
-                         Cut{0.0f, 1.0f, 0.5f, 0.5f}, Cut{0.0f, -1.0f, 0.5f, 0.5f},
-                         Cut{0.0f, 0.0f, -0.5f, 0.5f}, Cut{0.0f, 0.0f, 0.5f, 1.5f}}) {
+  for (const Cut& cut :
+       {Cut{1.0f, 0.0f, 0.5f, 0.5f}, Cut{-1.0f, 0.0f, 0.5f, 0.5f}, Cut{0.0f, 1.0f, 0.5f, 0.5f},
+        Cut{0.0f, -1.0f, 0.5f, 0.5f}, Cut{0.0f, 0.0f, -0.5f, 0.5f}, Cut{0.0f, 0.0f, 0.5f, 1.5f}}) {
     RasterBench b = counting(16, 16);
     const auto at = [&](float x, float y) {
       return clip(x + cut.dx, y + cut.dy, x < 0.0f ? cut.z_left : cut.z_right, 1.0f);
     };
-    const Image image =
-        b.draw({at(-1, -1), at(1, -1), at(1, 1), at(-1, -1), at(1, 1), at(-1, 1)})[0];
+    const Image image = b.draw({at(-1, -1), at(1, -1), at(1, 1), at(-1, -1), at(1, 1), at(-1, 1)})[0];
     CHECK(RasterBench::sum(image) == 128.0);
   }
 }

@@ -41,11 +41,12 @@ TEST_CASE("coverage: a right triangle covers the pixels whose centres lie inside
         "###.\n");
 }
 
-TEST_CASE("coverage: left and bottom edges through pixel centres belong to the triangle, right and top do not") {
+TEST_CASE(
+    "coverage: left and bottom edges through pixel centres belong to the triangle, right and top do not") {
   RasterBench b = counting(4, 4);
   // The square from centre (0.5, 0.5) to centre (2.5, 2.5): pixels 0 and 1 in both directions.
-  const auto image = b.draw({b.at(0.5, 0.5), b.at(2.5, 0.5), b.at(2.5, 2.5), b.at(0.5, 0.5),
-                             b.at(2.5, 2.5), b.at(0.5, 2.5)})[0];
+  const auto image = b.draw(
+      {b.at(0.5, 0.5), b.at(2.5, 0.5), b.at(2.5, 2.5), b.at(0.5, 0.5), b.at(2.5, 2.5), b.at(0.5, 2.5)})[0];
   CHECK(drawing(image) ==
         "....\n"
         "....\n"
@@ -58,8 +59,8 @@ TEST_CASE("coverage: a step of 1/256 of a pixel decides whether a centre is cove
   // A right-hand edge at x = 2.5 leaves the centre of column 2 out; 1/256 further it takes it in.
   RasterBench b = counting(4, 4);
   const auto column_2 = [&](double right) {
-    return b.draw({b.at(0, 0), b.at(right, 0), b.at(right, 4), b.at(0, 0), b.at(right, 4), b.at(0, 4)})[0]
-        .at(2, 1, 0);
+    return b.draw({b.at(0, 0), b.at(right, 0), b.at(right, 4), b.at(0, 0), b.at(right, 4), b.at(0, 4)})[0].at(
+        2, 1, 0);
   };
   CHECK(column_2(2.5) == 0.0f);
   CHECK(column_2(2.5 + 1.0 / 256.0) == 1.0f);
@@ -71,8 +72,8 @@ TEST_CASE("coverage: window coordinates are snapped to 1/256 with ties to even")
   // the centre stays out. One and a half steps go to two.
   RasterBench b = counting(4, 4);
   const auto column_2 = [&](double right) {
-    return b.draw({b.at(0, 0), b.at(right, 0), b.at(right, 4), b.at(0, 0), b.at(right, 4), b.at(0, 4)})[0]
-        .at(2, 1, 0);
+    return b.draw({b.at(0, 0), b.at(right, 0), b.at(right, 4), b.at(0, 0), b.at(right, 4), b.at(0, 4)})[0].at(
+        2, 1, 0);
   };
   CHECK(column_2(2.5 + 0.5 / 256.0) == 0.0f);
   CHECK(column_2(2.5 + 1.5 / 256.0) == 1.0f);

@@ -12,9 +12,7 @@ using namespace caustics::test;
 namespace {
 
 // Uniform in [-1, 1) from the generator's bits alone: the library's distributions differ.
-float random_value(std::mt19937& bits) {
-  return static_cast<float>(bits() >> 8) * 0x1p-23f - 1.0f;
-}
+float random_value(std::mt19937& bits) { return static_cast<float>(bits() >> 8) * 0x1p-23f - 1.0f; }
 
 std::string digest(Topology topology, SoftwareOptions options) {
   std::mt19937 bits(20260u + static_cast<unsigned>(topology));
@@ -76,8 +74,7 @@ TEST_CASE("device: sizes beyond the limit are refused, one texel is enough") {
   CHECK_THROWS_AS(device->create_texture(Format::R32F, 1, 16385), Error);
   RasterBench b;
   b.width = b.height = 1;
-  CHECK(b.draw({b.at(0, 0, 4.0f), b.at(2, 0, 4.0f), b.at(0, 2, 4.0f)})[0].values ==
-        std::vector<float>{4.0f});
+  CHECK(b.draw({b.at(0, 0, 4.0f), b.at(2, 0, 4.0f), b.at(0, 2, 4.0f)})[0].values == std::vector<float>{4.0f});
 }
 
 TEST_CASE("device: ids that do not exist, indices beyond the vertices and other sizes are refused") {

@@ -82,8 +82,7 @@ TEST_CASE("interpolation: a flat varying has the last vertex's value") {
   b.width = b.height = 4;
   b.definition.shader = &raster_two_targets_shader;
   b.definition.writes = {{.name = "a", .meaning = "m"}, {.name = "b", .meaning = "m"}};
-  const std::vector<Image> images =
-      b.draw({b.at(0, 0, 1.0f), b.at(8, 0, 2.0f), b.at(0, 8, 3.0f)});
+  const std::vector<Image> images = b.draw({b.at(0, 0, 1.0f), b.at(8, 0, 2.0f), b.at(0, 8, 3.0f)});
   CHECK(images[1].at(1, 1, 0) == 3.0f);
   CHECK(images[1].at(1, 1, 2) == 1.0f);
   CHECK(images[0].at(1, 1, 0) == Approx(1.0 + 1.5 / 8.0 + 2.0 * 1.5 / 8.0));
@@ -96,10 +95,9 @@ TEST_CASE("depth: every comparison passes as its name says") {
     unsigned passed[3];
   };
   for (const Expected& e : {Expected{Compare::Always, {4, 4, 4}}, Expected{Compare::Less, {4, 0, 0}},
-                            Expected{Compare::LessEqual, {4, 4, 0}},
-                            Expected{Compare::Greater, {0, 0, 4}},
-                            Expected{Compare::GreaterEqual, {0, 4, 4}},
-                            Expected{Compare::Equal, {0, 4, 0}}, Expected{Compare::Never, {0, 0, 0}}})
+                            Expected{Compare::LessEqual, {4, 4, 0}}, Expected{Compare::Greater, {0, 0, 4}},
+                            Expected{Compare::GreaterEqual, {0, 4, 4}}, Expected{Compare::Equal, {0, 4, 0}},
+                            Expected{Compare::Never, {0, 0, 0}}})
     for (int i = 0; i < 3; ++i) {
       RasterBench b = with_depth(e.compare, 0.5f, false);
       b.draw(layers(b, {1.0f}, {0.25f + 0.25f * static_cast<float>(i)}));
@@ -141,8 +139,8 @@ TEST_CASE("blending: min, max, multiply and alpha") {
   CHECK(blended({true, BlendEquation::Max}, 2.0f, 3.0f) == 3.0f);
   CHECK(blended(kMultiply, 2.0f, 3.0f) == 6.0f);
   // source 0.25 with alpha 0.25 over 1: 0.25 * 0.25 + 1 * 0.75.
-  CHECK(blended({true, BlendEquation::Add, BlendFactor::SourceAlpha, BlendFactor::OneMinusSourceAlpha},
-                1.0f, 0.25f) == 0.8125f);
+  CHECK(blended({true, BlendEquation::Add, BlendFactor::SourceAlpha, BlendFactor::OneMinusSourceAlpha}, 1.0f,
+                0.25f) == 0.8125f);
   CHECK(blended(kReplace, 2.0f, 3.0f) == 3.0f);
 }
 
@@ -175,11 +173,9 @@ TEST_CASE("targets: a colour mask keeps channels, and each target takes its own 
   RasterBench b;
   b.width = b.height = 1;
   b.definition.shader = &raster_two_targets_shader;
-  b.definition.writes = {{.name = "a",
-                          .meaning = "m",
-                          .clear = {9, 9, 9, 9},
-                          .mask = {true, false, false, true}},
-                         {.name = "b", .format = Format::RG32F, .meaning = "m"}};
+  b.definition.writes = {
+      {.name = "a", .meaning = "m", .clear = {9, 9, 9, 9}, .mask = {true, false, false, true}},
+      {.name = "b", .format = Format::RG32F, .meaning = "m"}};
   RasterVertex v = b.at(0, 0);
   v.red = 1, v.green = 2, v.blue = 3, v.alpha = 4;
   RasterVertex p = v, q = v;
@@ -199,8 +195,7 @@ TEST_CASE("targets: what is kept is drawn onto, what is not is cleared") {
   b.definition.writes[0].clear = {5, 0, 0, 0};
   CHECK(b.draw(layers(b, {10.0f}), &before)[0].values == std::vector<float>{15, 15, 15, 15});
   // Without a fragment anywhere.
-  CHECK(b.draw({b.at(0, 0), b.at(0, 0), b.at(0, 0)}, &before)[0].values ==
-        std::vector<float>{5, 5, 5, 5});
+  CHECK(b.draw({b.at(0, 0), b.at(0, 0), b.at(0, 0)}, &before)[0].values == std::vector<float>{5, 5, 5, 5});
 }
 
 TEST_CASE("queries: samples passed count covered texels, layer by layer") {

@@ -40,7 +40,8 @@ TEST_CASE("points: odd sizes at a pixel's centre cover as many pixels a side") {
   }
 }
 
-TEST_CASE("points: the square takes in its lower and left border's centres and leaves out the upper and right") {
+TEST_CASE(
+    "points: the square takes in its lower and left border's centres and leaves out the upper and right") {
   // Size 2 at a pixel's centre reaches from one neighbour's centre to the other's: [7.5, 9.5).
   RasterBench b = points(16, 16);
   const Image image = b.draw({point(b, 8.5, 8.5, 2.0f)})[0];
@@ -55,7 +56,8 @@ TEST_CASE("points: sizes below 1 are drawn as 1") {
     CHECK(RasterBench::sum(b.draw({point(b, 3.5, 3.5, size)})[0]) == 1.0);
 }
 
-TEST_CASE("points: a point at the border is cut, not dropped, and one whose centre lies outside is dropped whole") {
+TEST_CASE(
+    "points: a point at the border is cut, not dropped, and one whose centre lies outside is dropped whole") {
   RasterBench b = points(8, 8);
   CHECK(RasterBench::sum(b.draw({point(b, 0.5, 0.5, 5.0f)})[0]) == 9.0);
   CHECK(RasterBench::sum(b.draw({point(b, 7.5, 4.5, 5.0f)})[0]) == 15.0);

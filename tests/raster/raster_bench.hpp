@@ -43,8 +43,7 @@ struct RasterBench {
 
   // All colour targets after one draw of these vertices; `before` fills the first target
   // beforehand.
-  std::vector<Image> draw(const std::vector<RasterVertex>& vertices,
-                          const Image* before = nullptr) {
+  std::vector<Image> draw(const std::vector<RasterVertex>& vertices, const Image* before = nullptr) {
     const std::unique_ptr<Device> own = on ? nullptr : make_software_device(options);
     Device* const device = on ? on : own.get();
     MeshData mesh;

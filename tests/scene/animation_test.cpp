@@ -24,8 +24,8 @@ void animate(Gltf& gltf, int node, const std::string& path, const std::vector<fl
   const int output = gltf.add(values, 5126, type, values.size() / width);
   gltf.rest += R"(,"animations":[{"name":"walk","samplers":[{"input":)" + std::to_string(input) +
                R"(,"output":)" + std::to_string(output) + R"(,"interpolation":")" + interpolation +
-               R"("}],"channels":[{"sampler":0,"target":{"node":)" + std::to_string(node) +
-               R"(,"path":")" + path + R"("}}]}])";
+               R"("}],"channels":[{"sampler":0,"target":{"node":)" + std::to_string(node) + R"(,"path":")" +
+               path + R"("}}]}])";
 }
 
 Gltf sliding_triangle() {
@@ -43,11 +43,9 @@ bool equal_bits(const Scene& a, const Scene& b) {
   if (a.meshes.size() != b.meshes.size()) return false;
   for (std::size_t m = 0; m < a.meshes.size(); ++m) {
     if (a.meshes[m].indices != b.meshes[m].indices) return false;
-    if (a.meshes[m].lower != b.meshes[m].lower || a.meshes[m].upper != b.meshes[m].upper)
-      return false;
+    if (a.meshes[m].lower != b.meshes[m].lower || a.meshes[m].upper != b.meshes[m].upper) return false;
     for (std::size_t v = 0; v < a.meshes[m].vertices.size(); ++v)
-      if (std::memcmp(&a.meshes[m].vertices[v], &b.meshes[m].vertices[v], sizeof(Vertex)) != 0)
-        return false;
+      if (std::memcmp(&a.meshes[m].vertices[v], &b.meshes[m].vertices[v], sizeof(Vertex)) != 0) return false;
   }
   return true;
 }
@@ -69,18 +67,17 @@ Gltf morphing_triangle(const std::string& more = "") {
 Gltf skinned_triangle(const std::string& joints = "[2,3]") {
   Gltf gltf = triangle();
   const int which = gltf.add<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4", 3);
-  const int how_much =
-      gltf.add<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0}, 5126, "VEC4", 3);
+  const int how_much = gltf.add<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0}, 5126, "VEC4", 3);
   // The second joint stood at (0 3 0) when the skin was bound.
-  const int binds = gltf.add<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
-                                     1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -3, 0, 1},
-                                    5126, "MAT4", 2);
-  gltf.mesh = R"("attributes":{"POSITION":0,"JOINTS_0":)" + std::to_string(which) +
-              R"(,"WEIGHTS_0":)" + std::to_string(how_much) + "}";
+  const int binds = gltf.add<float>(
+      {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -3, 0, 1}, 5126,
+      "MAT4", 2);
+  gltf.mesh = R"("attributes":{"POSITION":0,"JOINTS_0":)" + std::to_string(which) + R"(,"WEIGHTS_0":)" +
+              std::to_string(how_much) + "}";
   gltf.node = R"("children":[1,2]},{"mesh":0,"skin":0,"translation":[100,0,0]},)"
               R"({"name":"hip","children":[3]},{"name":"knee","translation":[0,3,0])";
-  gltf.rest = R"(,"skins":[{"joints":)" + joints + R"(,"inverseBindMatrices":)" +
-              std::to_string(binds) + "}]";
+  gltf.rest =
+      R"(,"skins":[{"joints":)" + joints + R"(,"inverseBindMatrices":)" + std::to_string(binds) + "}]";
   return gltf;
 }
 
@@ -141,9 +138,7 @@ TEST_CASE("Children, cameras and lights move with the nodes that they hang on") 
   const float half = std::sqrt(0.5f);
   animate(gltf, 0, "rotation", {0, 1}, {0, 0, 0, 1, 0, half, 0, half}, "VEC4");
   const AnimatedScene scene = load_moving(gltf);
-  const auto near = [](const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::length(a - b) < 1e-6;
-  };
+  const auto near = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) < 1e-6; };
   const Scene start = scene.at(0.0), later = scene.at(1.0 - 1e-9);
   CHECK(near(start.cameras[0].position + start.origin, {0, 0, 5}));
   CHECK(near(start.lights[0].direction, {0, 0, -1}));
@@ -209,8 +204,7 @@ TEST_CASE("An animator's meshes start from the file at every moment") {
    public:
     std::vector<int> meshes() const override { return {0}; }
     void move(double seconds, Scene& scene) override {
-      for (Vertex& vertex : scene.meshes[0].vertices)
-        vertex.position.z += static_cast<float>(seconds);
+      for (Vertex& vertex : scene.meshes[0].vertices) vertex.position.z += static_cast<float>(seconds);
     }
   };
   for (const bool moving : {false, true}) {
@@ -236,7 +230,8 @@ TEST_CASE("An animator of a mesh that the scene lacks is refused") {
   CHECK_THROWS_AS(scene.add(std::make_shared<Stray>()), Error);
 }
 
-// Twelve nodes, one in the other, whose scales are 1 at the file's moments and rise to 1e29 between them: 1e348 together.
+// Twelve nodes, one in the other, whose scales are 1 at the file's moments and rise to 1e29 between them:
+// 1e348 together.
 TEST_CASE("A motion that overflows between its moments is refused there") {
   constexpr int kDepth = 12;
   Gltf gltf = triangle();
@@ -249,11 +244,14 @@ TEST_CASE("A motion that overflows between its moments is refused there") {
   std::string channels;
   gltf.node = R"("children":[1])";
   for (int node = 0; node < kDepth; ++node) {
-    channels += std::string(node ? "," : "") + R"({"sampler":0,"target":{"node":)" + std::to_string(node) + R"(,"path":"scale"}})";
+    channels += std::string(node ? "," : "") + R"({"sampler":0,"target":{"node":)" + std::to_string(node) +
+                R"(,"path":"scale"}})";
     if (node > 1) gltf.node += R"(},{"children":[)" + std::to_string(node) + "]";
   }
   gltf.node += R"(},{"mesh":0)";
-  gltf.rest = R"(,"animations":[{"samplers":[{"input":1,"output":2,"interpolation":"CUBICSPLINE"}],"channels":[)" + channels + "]}]";
+  gltf.rest =
+      R"(,"animations":[{"samplers":[{"input":1,"output":2,"interpolation":"CUBICSPLINE"}],"channels":[)" +
+      channels + "]}]";
   std::string message;
   try {
     load_moving(gltf).at(1.0);
@@ -293,8 +291,7 @@ TEST_CASE("Bad animations are refused in one line") {
   CHECK(contains(refusal(sampled({0, 1}, {0, 0, 0})), "1 values for 2 moments"));
   CHECK(contains(refusal(sampled({0, 1}, {0, 0, 0, 1, 1, 1}, "translation", "VEC3", "CUBICSPLINE")),
                  "2 values for 2 moments of 3"));
-  CHECK(contains(refusal(sampled({0, 1}, {0, 0, 0, 1, 1, 1, 1, 1}, "translation", "VEC4")),
-                 "wrong type"));
+  CHECK(contains(refusal(sampled({0, 1}, {0, 0, 0, 1, 1, 1, 1, 1}, "translation", "VEC4")), "wrong type"));
   CHECK(contains(refusal(sampled({0, 1}, {0, 0, 0, 1, 1, 1}, "rotation")), "wrong type"));
   CHECK(contains(refusal(sampled({0, 1}, {0, 1}, "weights", "SCALAR")), "no morph targets"));
   CHECK(contains(refusal(sampled({0, 1}, {0, 0, 0, 1, 1, 1}, "translation", "VEC3", "LOOSE")),

@@ -53,8 +53,7 @@ TEST_CASE("The added camera sees the object's corners and their shadows") {
   const double slope = 0.3650;  // tan(0.35)
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 p((i & 1) ? 1 : -1, (i & 2) ? 2 : -2, (i & 4) ? 1 : -1);
-    const glm::dvec3 shadow =
-        p + scene.lights[0].direction * ((-2 - p.y) / scene.lights[0].direction.y);
+    const glm::dvec3 shadow = p + scene.lights[0].direction * ((-2 - p.y) / scene.lights[0].direction.y);
     for (const glm::dvec3& point : {p, shadow}) {
       const glm::dvec3 seen = point - camera.position;
       const double depth = glm::dot(seen, camera.forward);

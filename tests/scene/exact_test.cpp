@@ -36,8 +36,7 @@ TEST_CASE("Lengths neither overflow nor underflow") {
 
 TEST_CASE("A perpendicular is one, whatever the direction") {
   for (int i = 0; i < 1000; ++i) {
-    const glm::dvec3 n =
-        normalise({(i % 10) - 4.5, ((i / 10) % 10) - 4.5, (i / 100) - 4.5}, {1, 0, 0});
+    const glm::dvec3 n = normalise({(i % 10) - 4.5, ((i / 10) % 10) - 4.5, (i / 100) - 4.5}, {1, 0, 0});
     CHECK(std::abs(dot(n, perpendicular(n))) < 1e-15);
     CHECK(length(perpendicular(n)) == Approx(1));
   }

@@ -73,13 +73,13 @@ struct Gltf {
   std::string uri;                   // of the buffer; empty: a data URI
 
   template <typename T>
-  int add(const std::vector<T>& values, int component_type, const std::string& type,
-          std::size_t elements, const std::string& more = "") {
+  int add(const std::vector<T>& values, int component_type, const std::string& type, std::size_t elements,
+          const std::string& more = "") {
     while (data.size() % 4 != 0) data += '\0';
     const std::string comma = count > 0 ? "," : "";
     const std::string bytes = bytes_of(values);
-    views += comma + R"({"buffer":0,"byteOffset":)" + std::to_string(data.size()) +
-             R"(,"byteLength":)" + std::to_string(bytes.size()) + "}";
+    views += comma + R"({"buffer":0,"byteOffset":)" + std::to_string(data.size()) + R"(,"byteLength":)" +
+             std::to_string(bytes.size()) + "}";
     accessors += comma + R"({"bufferView":)" + std::to_string(count) + R"(,"componentType":)" +
                  std::to_string(component_type) + R"(,"type":")" + type + R"(","count":)" +
                  std::to_string(elements) + more + "}";
@@ -88,8 +88,7 @@ struct Gltf {
   }
 
   std::string json() const {
-    const std::string source =
-        uri.empty() ? "data:application/octet-stream;base64," + base64(data) : uri;
+    const std::string source = uri.empty() ? "data:application/octet-stream;base64," + base64(data) : uri;
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{)" + node +
            R"(}],"meshes":[{"primitives":[{)" + mesh + R"(}]}],"buffers":[{"byteLength":)" +
            std::to_string(data.size()) + R"(,"uri":")" + source + R"("}],"bufferViews":[)" + views +
@@ -111,8 +110,8 @@ inline std::string glb(std::string json, std::string bin) {
   const auto word = [](std::size_t value) {
     return bytes_of(std::vector<std::uint32_t>{static_cast<std::uint32_t>(value)});
   };
-  return "glTF" + word(2) + word(28 + json.size() + bin.size()) + word(json.size()) + "JSON" +
-         json + word(bin.size()) + std::string("BIN\0", 4) + bin;
+  return "glTF" + word(2) + word(28 + json.size() + bin.size()) + word(json.size()) + "JSON" + json +
+         word(bin.size()) + std::string("BIN\0", 4) + bin;
 }
 
 inline Scene load_text(const std::string& text, const LoadOptions& options = {}) {

@@ -11,10 +11,7 @@ using namespace caustics;
 namespace {
 
 Keyframes scalar(Interpolation interpolation, std::vector<float> times, std::vector<float> values) {
-  return {.interpolation = interpolation,
-          .width = 1,
-          .times = std::move(times),
-          .values = std::move(values)};
+  return {.interpolation = interpolation, .width = 1, .times = std::move(times), .values = std::move(values)};
 }
 
 double at(const Keyframes& keys, double seconds) { return keys.at(seconds)[0]; }
@@ -56,8 +53,7 @@ TEST_CASE("Linear keyframes go straight from value to value and stay before and 
 
 TEST_CASE("A cubic spline meets its values and uses tangents per second") {
   // In-tangent, value, out-tangent. Half way: 1/2 * 1 + 2 s * 1/8 * 2 + 1/2 * 5 - 2 s * 1/8 * (-1).
-  const Keyframes keys =
-      scalar(Interpolation::CubicSpline, {1, 3}, {99, 1, 2, -1, 5, 99});
+  const Keyframes keys = scalar(Interpolation::CubicSpline, {1, 3}, {99, 1, 2, -1, 5, 99});
   CHECK(at(keys, 0.0) == 1);
   CHECK(at(keys, 1.0) == 1);
   CHECK(at(keys, 2.0) == 3.75);

@@ -55,20 +55,18 @@ TEST_CASE("References that lead nowhere are refused with their path") {
   CHECK(contains(refusal(replaced("\"nodes\":[0]", "\"nodes\":[3]")), "scenes[0].nodes[0]: "));
   CHECK(contains(refusal(replaced("\"scene\":0", "\"scene\":1")), "scene: refers to scenes[1]"));
   CHECK(contains(refusal(replaced("\"buffer\":0", "\"buffer\":1")), "bufferViews[0].buffer: "));
-  CHECK(contains(refusal(replaced("\"mesh\":0", "\"mesh\":0.5")),
-                 "nodes[0].mesh: must be an integer"));
+  CHECK(contains(refusal(replaced("\"mesh\":0", "\"mesh\":0.5")), "nodes[0].mesh: must be an integer"));
 }
 
 TEST_CASE("Values of the wrong type are refused with their path") {
   CHECK(contains(refusal(replaced("\"count\":3", "\"count\":\"3\"")),
                  "accessors[0].count: must be an integer, is the string"));
-  CHECK(
-      contains(refusal(replaced("\"type\":\"VEC3\"", "\"type\":\"VEC9\"")), "accessors[0].type: "));
+  CHECK(contains(refusal(replaced("\"type\":\"VEC3\"", "\"type\":\"VEC9\"")), "accessors[0].type: "));
   CHECK(contains(refusal(replaced("5126", "5130")), "accessors[0].componentType: "));
   CHECK(contains(refusal(replaced("\"mesh\":0", "\"mesh\":0,\"matrix\":[1]")),
                  "nodes[0].matrix: must have 16 numbers, has 1"));
-  CHECK(contains(refusal(replaced("[{\"primitives\"", "[7,{\"primitives\"")),
-                 "meshes[0]: must be an object"));
+  CHECK(
+      contains(refusal(replaced("[{\"primitives\"", "[7,{\"primitives\"")), "meshes[0]: must be an object"));
 }
 
 TEST_CASE("Accessors must lie inside their view, views inside their buffer") {
@@ -77,8 +75,7 @@ TEST_CASE("Accessors must lie inside their view, views inside their buffer") {
   CHECK(contains(refusal(replaced("\"count\":3", "\"count\":0")), "accessors[0].count: "));
   CHECK(contains(refusal(replaced("\"byteOffset\":0", "\"byteOffset\":9007199254740990")),
                  "bufferViews[0]: ends at byte"));
-  CHECK(contains(refusal(replaced("\"byteOffset\":0", "\"byteOffset\":-4")),
-                 "bufferViews[0].byteOffset: "));
+  CHECK(contains(refusal(replaced("\"byteOffset\":0", "\"byteOffset\":-4")), "bufferViews[0].byteOffset: "));
   CHECK(contains(refusal(replaced("\"buffer\":0", "\"buffer\":0,\"byteStride\":4")),
                  "bufferViews[0].byteStride: is 4"));
   CHECK(contains(refusal(replaced("\"byteLength\":36,\"uri\"", "\"byteLength\":40,\"uri\"")),
@@ -86,14 +83,11 @@ TEST_CASE("Accessors must lie inside their view, views inside their buffer") {
 }
 
 TEST_CASE("Indices beyond the vertices and the restart value are refused with accessor and index") {
-  CHECK(contains(refusal(indexed({0, 1, 3})),
-                 "accessors[1]: index 2 is 3, but there are 3 vertices"));
-  CHECK(contains(refusal(indexed({0, 65535, 2})),
-                 "accessors[1]: index 1 is 65535, the primitive restart"));
+  CHECK(contains(refusal(indexed({0, 1, 3})), "accessors[1]: index 2 is 3, but there are 3 vertices"));
+  CHECK(contains(refusal(indexed({0, 65535, 2})), "accessors[1]: index 1 is 65535, the primitive restart"));
 }
 
-TEST_CASE(
-    "Positions that are not finite, or absurdly far away, are refused with accessor and index") {
+TEST_CASE("Positions that are not finite, or absurdly far away, are refused with accessor and index") {
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
     Gltf gltf;
@@ -134,7 +128,8 @@ TEST_CASE("A buffer with neither a URI nor a binary chunk is refused") {
 TEST_CASE("A mesh that is only there in compressed form is refused with the way to unpack it") {
   Gltf gltf = triangle();
   gltf.accessors += R"(,{"componentType":5126,"type":"VEC3","count":3})";
-  gltf.mesh = R"("attributes":{"POSITION":1},"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{}}})";
+  gltf.mesh = R"("attributes":{"POSITION":1},)"
+              R"("extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{}}})";
   CHECK(contains(refusal(gltf), "only there in compressed form"));
 }
 
@@ -151,7 +146,8 @@ TEST_CASE("Instances of the wrong type or count are refused") {
     gltf.add<float>({0, 0, 0, 1, 0, 0}, 5126, "VEC3", 2);
     gltf.add<float>({1, 1, 1}, 5126, wrong_type ? "SCALAR" : "VEC3", wrong_type ? 3 : 1);
     gltf.node += R"(,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":1,"SCALE":2}}})";
-    CHECK(contains(refusal(gltf), "EXT_mesh_gpu_instancing.attributes.SCALE: has the wrong type, or another count"));
+    CHECK(contains(refusal(gltf),
+                   "EXT_mesh_gpu_instancing.attributes.SCALE: has the wrong type, or another count"));
   }
 }
 
@@ -198,10 +194,12 @@ TEST_CASE("More lights than the limit are refused") {
   options.max_lights = 2;
   CHECK(load_text(gltf.json(), options).lights.size() == 2);
   options.max_lights = 1;
-  CHECK(contains(refusal(gltf.json(), options), "nodes[1].extensions.KHR_lights_punctual: the scene has more than 1 lights"));
+  CHECK(contains(refusal(gltf.json(), options),
+                 "nodes[1].extensions.KHR_lights_punctual: the scene has more than 1 lights"));
   options = {};
   options.max_lit_meshes = 2;
   CHECK(load_text(gltf.json(), options).lights.size() == 2);
   options.max_lit_meshes = 1;
-  CHECK(contains(refusal(gltf.json(), options), "nodes: the scene's lights times its meshes are more than 1"));
+  CHECK(
+      contains(refusal(gltf.json(), options), "nodes: the scene's lights times its meshes are more than 1"));
 }

@@ -83,14 +83,12 @@ TEST_CASE("Buffers outside the file's folder are refused, however they are spell
   CHECK(contains(with_buffer(folder, up), "buffers[0].uri: leaves"));
   CHECK(contains(with_buffer(folder, "%2e%2e" + up.substr(2)), "buffers[0].uri: leaves"));
   CHECK(contains(with_buffer(folder, "a/../" + up), "buffers[0].uri: leaves"));
-  CHECK(contains(with_buffer(folder, (outer.path() / "secret.bin").string()),
-                 "buffers[0].uri: leaves"));
+  CHECK(contains(with_buffer(folder, (outer.path() / "secret.bin").string()), "buffers[0].uri: leaves"));
   CHECK(contains(with_buffer(folder, "file:///etc/passwd"), "buffers[0].uri: only data: URIs"));
   CHECK(contains(with_buffer(folder, "..%5csecret.bin"), "buffers[0].uri: holds"));
   CHECK(contains(with_buffer(folder, "a%00b"), "buffers[0].uri: holds a control character"));
   fs::create_symlink(outer.path() / "secret.bin", folder.path() / "link.bin");
-  CHECK(contains(with_buffer(folder, "link.bin"),
-                 "buffers[0].uri: leaves the glTF file's folder by a link"));
+  CHECK(contains(with_buffer(folder, "link.bin"), "buffers[0].uri: leaves the glTF file's folder by a link"));
 }
 
 TEST_CASE("Folders, missing files and broken data URIs are no buffers") {
@@ -120,8 +118,7 @@ TEST_CASE("A Radiance image becomes an environment with its bottom row first") {
   const Folder folder;
   // Two texels, one above the other: red 1 on top, green 2 below (RGBE, not run-length coded).
   const std::string texels("\x80\x00\x00\x81\x00\x80\x00\x82", 8);
-  const auto path =
-      folder.write("sky.bin", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 1\n" + texels);
+  const auto path = folder.write("sky.bin", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 1\n" + texels);
   const Environment environment = load_environment(path);
   REQUIRE(environment.image);
   CHECK(environment.image->shape == ImageShape{Format::RGBA32F, 1, 2});
@@ -133,7 +130,6 @@ TEST_CASE("A Radiance image becomes an environment with its bottom row first") {
 TEST_CASE("Other images are no environments") {
   const Folder folder;
   CHECK_THROWS_AS(load_environment(folder.write("a.hdr", "not an image")), Error);
-  CHECK_THROWS_AS(load_environment(folder.write("a.hdr", "#?RADIANCE\n\n-Y 99999 +X 99999\n")),
-                  Error);
+  CHECK_THROWS_AS(load_environment(folder.write("a.hdr", "#?RADIANCE\n\n-Y 99999 +X 99999\n")), Error);
   CHECK_THROWS_AS(load_environment(folder.write("a.exr", "\x76\x2f\x31\x01 broken")), Error);
 }

@@ -105,10 +105,8 @@ TEST_CASE("A sparse accessor replaces elements of its base, or of zeros") {
 
 TEST_CASE("Quantised positions and normals are converted as KHR_mesh_quantization says") {
   Gltf gltf;
-  gltf.add<std::int16_t>({0, 0, 0, 32767, 0, 0, 0, -32768, 0}, 5122, "VEC3", 3,
-                         R"(,"normalized":true)");
-  gltf.add<std::int8_t>({0, 0, -127, 0, 0, -128, 0, 0, -127}, 5120, "VEC3", 3,
-                        R"(,"normalized":true)");
+  gltf.add<std::int16_t>({0, 0, 0, 32767, 0, 0, 0, -32768, 0}, 5122, "VEC3", 3, R"(,"normalized":true)");
+  gltf.add<std::int8_t>({0, 0, -127, 0, 0, -128, 0, 0, -127}, 5120, "VEC3", 3, R"(,"normalized":true)");
   gltf.mesh = R"("attributes":{"POSITION":0,"NORMAL":1})";
   gltf.rest = R"(,"extensionsUsed":["KHR_mesh_quantization"],
                  "extensionsRequired":["KHR_mesh_quantization"])";
@@ -123,8 +121,7 @@ TEST_CASE("Interleaved attributes are read at their stride") {
   Gltf gltf;
   gltf.add<float>({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1}, 5126, "VEC3", 3);
   gltf.views = R"({"buffer":0,"byteLength":72,"byteStride":24})";
-  gltf.accessors +=
-      R"(,{"bufferView":0,"byteOffset":12,"componentType":5126,"type":"VEC3","count":3})";
+  gltf.accessors += R"(,{"bufferView":0,"byteOffset":12,"componentType":5126,"type":"VEC3","count":3})";
   gltf.mesh = R"("attributes":{"POSITION":0,"NORMAL":1})";
   const Scene scene = load(gltf);
   CHECK(world(scene, scene.meshes.at(0).vertices[2]) == glm::vec3(0, 1, 0));

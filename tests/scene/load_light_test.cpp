@@ -8,8 +8,7 @@ namespace {
 
 Gltf lit(const std::string& light, const std::string& node = "") {
   Gltf gltf = triangle();
-  gltf.node =
-      R"("mesh":0,"children":[1]},{"extensions":{"KHR_lights_punctual":{"light":0}})" + node;
+  gltf.node = R"("mesh":0,"children":[1]},{"extensions":{"KHR_lights_punctual":{"light":0}})" + node;
   gltf.rest = R"(,"extensions":{"KHR_lights_punctual":{"lights":[{)" + light + "}]}}";
   return gltf;
 }
@@ -47,12 +46,10 @@ TEST_CASE("A directional light shines along its node's -z, whatever the scale") 
 }
 
 TEST_CASE("Spot cones are put in order, with a note") {
-  const Scene good =
-      load(lit(R"("type":"spot","spot":{"innerConeAngle":0.2,"outerConeAngle":0.4})"));
+  const Scene good = load(lit(R"("type":"spot","spot":{"innerConeAngle":0.2,"outerConeAngle":0.4})"));
   CHECK(good.lights.at(0).inner_cone == 0.2f);
   CHECK(good.lights[0].outer_cone == 0.4f);
-  const Scene swapped =
-      load(lit(R"("type":"spot","spot":{"innerConeAngle":0.9,"outerConeAngle":0.4})"));
+  const Scene swapped = load(lit(R"("type":"spot","spot":{"innerConeAngle":0.9,"outerConeAngle":0.4})"));
   CHECK(swapped.lights.at(0).inner_cone == 0.4f);
   CHECK(has_note(swapped, "innerConeAngle"));
 }
@@ -83,14 +80,13 @@ TEST_CASE("Extras give a light its size") {
   CHECK(light.direction == glm::dvec3(0, 0, -1));
   CHECK(light.width == glm::dvec3(2, 0, 0));
   CHECK(light.height == glm::dvec3(0, 0.5, 0));
-  const Scene spot =
-      load(lit(R"("type":"spot","spot":{},"extras":{"rectangle":[2,0.5]})"));
+  const Scene spot = load(lit(R"("type":"spot","spot":{},"extras":{"rectangle":[2,0.5]})"));
   CHECK_FALSE(spot.lights.at(0).lambertian);
 }
 
 TEST_CASE("Extras that say nothing of this light's size leave it a point") {
-  for (const char* extras : {"7", R"("radius")", "[1]", "{}", R"({"radius":0})",
-                             R"({"rectangle":[0,0]})", R"({"size":3})"}) {
+  for (const char* extras :
+       {"7", R"("radius")", "[1]", "{}", R"({"radius":0})", R"({"rectangle":[0,0]})", R"({"size":3})"}) {
     INFO(extras);
     const Scene scene = load(lit(R"("type":"point","extras":)" + std::string(extras)));
     CHECK(scene.lights.at(0).shape == LightShape::None);
@@ -130,9 +126,8 @@ TEST_CASE("A node cannot refer to a light that is not there, nor aim one without
 }
 
 TEST_CASE("A perspective camera keeps its angle, and without zfar it sees to infinity") {
-  const Scene scene =
-      load(seen(R"("name":"eye","type":"perspective","perspective":{"yfov":0.7,"znear":0.1})",
-                R"(,"translation":[0,0,5],"scale":[2,-2,2])"));
+  const Scene scene = load(seen(R"("name":"eye","type":"perspective","perspective":{"yfov":0.7,"znear":0.1})",
+                                R"(,"translation":[0,0,5],"scale":[2,-2,2])"));
   const Camera& camera = scene.cameras.at(0);
   CHECK(camera.name == "eye");
   CHECK(camera.vertical_fov == 0.7);
@@ -159,8 +154,7 @@ TEST_CASE("Cameras that see nothing are refused") {
   CHECK(contains(refusal(seen(R"("type":"perspective","perspective":{"yfov":1,"znear":0})")),
                  "cameras[0].perspective.znear: "));
   CHECK(contains(
-      refusal(
-          seen(R"("type":"orthographic","orthographic":{"xmag":0,"ymag":1,"znear":0,"zfar":1})")),
+      refusal(seen(R"("type":"orthographic","orthographic":{"xmag":0,"ymag":1,"znear":0,"zfar":1})")),
       "cameras[0].orthographic.xmag: "));
   CHECK(contains(refusal(seen(R"("type":"fisheye")")), "cameras[0].type: "));
 }

@@ -33,8 +33,8 @@ std::string textured(const std::string& material, const std::string& uri) {
   Gltf gltf = triangle();
   gltf.add<float>({0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
   gltf.mesh = R"("attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0)";
-  gltf.rest = R"(,"materials":[{)" + material +
-              R"(}],"textures":[{"source":0}],"images":[{"uri":")" + uri + R"("}])";
+  gltf.rest =
+      R"(,"materials":[{)" + material + R"(}],"textures":[{"source":0}],"images":[{"uri":")" + uri + R"("}])";
   return gltf.json();
 }
 const std::string kBase = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}})";
@@ -96,8 +96,8 @@ TEST_CASE("An index of refraction is 0, above 0, or refused") {
 }
 
 TEST_CASE("An attenuation distance of 0 absorbs nothing and is noted") {
-  const Scene scene = with_material(
-      extension("KHR_materials_volume", R"("thicknessFactor":1,"attenuationDistance":0)"));
+  const Scene scene =
+      with_material(extension("KHR_materials_volume", R"("thicknessFactor":1,"attenuationDistance":0)"));
   CHECK(scene.materials.at(0).attenuation_distance == std::numeric_limits<float>::infinity());
   CHECK(has_note(scene, "attenuationDistance is 0"));
 }
@@ -132,15 +132,15 @@ TEST_CASE("A colour texture is decoded to linear half floats with its bottom row
   CHECK(image.at(0, 0, 0) == stored_value(Format::RGBA16F, image.at(0, 0, 0)));
   CHECK(image.at(0, 0, 3) == stored_value(Format::RGBA16F, 128.0f / 255.0f));
   CHECK(scene.meshes.at(0).has_uv);
-  const glm::vec3 corner =
-      scene.materials.at(0).base_color_texture.uv_transform * glm::vec3(0, 0, 1);
+  const glm::vec3 corner = scene.materials.at(0).base_color_texture.uv_transform * glm::vec3(0, 0, 1);
   CHECK(corner == glm::vec3(0, 1, 1));
 }
 
 TEST_CASE("A normal texture of 16 bits a channel keeps its steps") {
   // One texel: 32769, 32768, 65535.
-  const std::string png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABEAIAAADA54+dAAAA"
-                          "D0lEQVR42mNoYGxg+P8fAAgJAwB2DzdBAAAAAElFTkSuQmCC";
+  const std::string png =
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABEAIAAADA54+dAAAA"
+      "D0lEQVR42mNoYGxg+P8fAAgJAwB2DzdBAAAAAElFTkSuQmCC";
   const Scene scene = load_text(textured(R"("normalTexture":{"index":0})", "data:image/png;base64," + png));
   CHECK(scene.images.at(0).at(0, 0, 0) == 32769.0f / 65535.0f);
   CHECK(scene.images[0].at(0, 0, 1) == 32768.0f / 65535.0f);
@@ -148,8 +148,8 @@ TEST_CASE("A normal texture of 16 bits a channel keeps its steps") {
 
 TEST_CASE("A transmission texture is placed as data beside its mean, on what transmits alone") {
   const auto material = [](const std::string& factor) {
-    return load_text(textured(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":)" + factor +
-                                  R"(,"transmissionTexture":{"index":0}}})",
+    return load_text(textured(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":)" +
+                                  factor + R"(,"transmissionTexture":{"index":0}}})",
                               std::string("data:image/png;base64,") + kPng));
   };
   const Scene scene = material("1");
@@ -160,8 +160,8 @@ TEST_CASE("A transmission texture is placed as data beside its mean, on what tra
 }
 
 TEST_CASE("A normal texture stays as it is and brings tangents") {
-  const Scene scene = load_text(textured(R"("normalTexture":{"index":0,"scale":0.5})",
-                                         std::string("data:image/png;base64,") + kPng));
+  const Scene scene = load_text(
+      textured(R"("normalTexture":{"index":0,"scale":0.5})", std::string("data:image/png;base64,") + kPng));
   CHECK(scene.images.at(0).shape.format == Format::RGBA32F);
   CHECK(scene.images[0].at(0, 0, 0) == 188.0f / 255.0f);
   CHECK(scene.materials.at(0).normal_scale == 0.5f);
@@ -171,15 +171,13 @@ TEST_CASE("A normal texture stays as it is and brings tangents") {
 }
 
 TEST_CASE("A metallic-roughness texture counts with its mean") {
-  const Scene scene =
-      load_text(textured(R"("pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}})",
-                         std::string("data:image/png;base64,") + kPng));
+  const Scene scene = load_text(textured(R"("pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}})",
+                                         std::string("data:image/png;base64,") + kPng));
   CHECK(scene.materials.at(0).roughness == 0.0f);
   CHECK(scene.materials.at(0).metallic == 0.0f);
-  const Scene glass =
-      load_text(textured(extension("KHR_materials_transmission",
-                                   R"("transmissionFactor":1,"transmissionTexture":{"index":0})"),
-                         std::string("data:image/png;base64,") + kPng));
+  const Scene glass = load_text(textured(
+      extension("KHR_materials_transmission", R"("transmissionFactor":1,"transmissionTexture":{"index":0})"),
+      std::string("data:image/png;base64,") + kPng));
   CHECK(glass.materials.at(0).transmission == Approx((255 + 0 + 188 + 188) / (4 * 255.0)));
 }
 

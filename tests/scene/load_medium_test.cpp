@@ -18,7 +18,8 @@ std::string medium(const std::string& members) { return in(R"({"medium":{)" + me
 }  // namespace
 
 TEST_CASE("A scene's extras can fill it with a medium") {
-  const Medium haze = load_text(medium(R"("scattering":[0.1,0.2,0.3],"absorption":0.5,"anisotropy":-0.4)")).medium;
+  const Medium haze =
+      load_text(medium(R"("scattering":[0.1,0.2,0.3],"absorption":0.5,"anisotropy":-0.4)")).medium;
   CHECK(haze.scattering == glm::vec3(0.1f, 0.2f, 0.3f));
   CHECK(haze.absorption == glm::vec3(0.5f));
   CHECK(haze.anisotropy == -0.4f);

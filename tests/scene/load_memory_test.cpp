@@ -1,4 +1,5 @@
-// Memory that runs out while a scene is loaded: one line about the file, nothing leaks, and the next load is right.
+// Memory that runs out while a scene is loaded: one line about the file, nothing leaks, and the next load is
+// right.
 #include <optional>
 
 #include "tests/scene/gltf_builder.hpp"
@@ -16,11 +17,12 @@ Gltf lively() {
   gltf.add<float>({0, 0, 0, 4, 0, 0}, 5126, "VEC3", 2);
   gltf.mesh += R"(,"material":0)";
   gltf.node = R"("mesh":0,"camera":0,"children":[1]},{"extensions":{"KHR_lights_punctual":{"light":0}})";
-  gltf.rest =
-      R"(,"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],)"
-      R"("materials":[{"name":"glass","extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}}],)"
-      R"("animations":[{"samplers":[{"input":1,"output":2}],"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}]}],)"
-      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional","intensity":3}]}})";
+  gltf.rest = R"(,"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],)"
+              R"("materials":[{"name":"glass",)"
+              R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}}],)"
+              R"("animations":[{"samplers":[{"input":1,"output":2}],)"
+              R"("channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}]}],)"
+              R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional","intensity":3}]}})";
   return gltf;
 }
 

@@ -37,8 +37,8 @@ TEST_CASE("Empty extras.water has the documented defaults") {
   CHECK(water.settings.damping == 0.4);
   CHECK(water.settings.start == 0.0);
   CHECK(water.settings.interval == 0.4);
-  CHECK(water.radius == Approx(0.1));    // 1/20 of 2 m
-  CHECK(water.height == Approx(0.02));   // 1/5 of that
+  CHECK(water.radius == Approx(0.1));   // 1/20 of 2 m
+  CHECK(water.height == Approx(0.02));  // 1/5 of that
   // 0.5 m/s may go half a cell, 2 / 512 m, in a step; 0.4 s are 51.2 of those, so 52 steps.
   CHECK(water.steps_per_plop == 52);
   CHECK(water.step * 52 == Approx(0.4));
@@ -110,7 +110,8 @@ TEST_CASE("All waters together have a limited number of cells") {
 
 TEST_CASE("Waters may not ask for endless steps before time 0") {
   // 2 million cells, 15 000 steps a second.
-  CHECK(contains(refusal(sheet(R"({"cells":1500,"speed":10,"start":3600})")), "too many steps before time 0"));
+  CHECK(
+      contains(refusal(sheet(R"({"cells":1500,"speed":10,"start":3600})")), "too many steps before time 0"));
   // The defaults after the longest start: 31 billion.
   CHECK(load(sheet(R"({"start":3600})")).waters.size() == 1);
 }

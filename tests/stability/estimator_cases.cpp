@@ -27,8 +27,8 @@ Mesh stairs(int steps, float run, float rise) {
   const float half = 1.5f;
   const auto quad = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& normal) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const glm::vec3& p : {glm::vec3(a.x, a.y, half), glm::vec3(b.x, b.y, half), glm::vec3(b.x, b.y, -half),
-                               glm::vec3(a.x, a.y, -half)})
+    for (const glm::vec3& p : {glm::vec3(a.x, a.y, half), glm::vec3(b.x, b.y, half),
+                               glm::vec3(b.x, b.y, -half), glm::vec3(a.x, a.y, -half)})
       mesh.vertices.push_back({.position = p, .normal = normal});
     for (const std::uint32_t v : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + v);
   };
@@ -44,9 +44,11 @@ Mesh stairs(int steps, float run, float rise) {
 
 HardCase steep_case(Estimator estimator, double degrees) {
   char text[96];
-  std::snprintf(text, sizeof text, "a ramp of %g degrees, %s", degrees, std::string(name_of(estimator)).c_str());
-  HardCase c{text, estimator == Estimator::Paper ? "diverges: booked as not converged, never drawn off the ramp"
-                                                 : "what is drawn lies on the ramp; the rest is booked",
+  std::snprintf(text, sizeof text, "a ramp of %g degrees, %s", degrees,
+                std::string(name_of(estimator)).c_str());
+  HardCase c{text,
+             estimator == Estimator::Paper ? "diverges: booked as not converged, never drawn off the ramp"
+                                           : "what is drawn lies on the ramp; the rest is booked",
              sphere_scene(1.5f, 4)};
   const double slope = degrees * 3.14159265358979323846 / 180.0;
   c.scene.meshes[0] = ramp(slope, 6.0);
@@ -56,15 +58,17 @@ HardCase steep_case(Estimator estimator, double degrees) {
   c.settings.estimator = estimator;
   c.expect = [=](const DrawnCase& drawn) {
     const Image& landing = drawn.of_light(kLanding);
-    // A landing may be off by what the pass itself takes for converged: three texels of the receiver map; with impostors
-    // two texels of their cube across a slope that stretches them by 1 / cos.
-    const double texel = (drawn.rendering.views[0].receiver.window_upper - drawn.rendering.views[0].receiver.window_lower).x /
-                         drawn.settings.map;
+    // A landing may be off by what the pass itself takes for converged: three texels of the receiver map;
+    // with impostors two texels of their cube across a slope that stretches them by 1 / cos.
+    const double texel =
+        (drawn.rendering.views[0].receiver.window_upper - drawn.rendering.views[0].receiver.window_lower).x /
+        drawn.settings.map;
     double worst = 0.0;
     for (int y = 0; y < landing.height(); ++y)
       for (int x = 0; x < landing.width(); ++x) {
         if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
-        const double off = double(landing.at(x, y, 1)) * std::cos(slope) - double(landing.at(x, y, 0)) * std::sin(slope);
+        const double off =
+            double(landing.at(x, y, 1)) * std::cos(slope) - double(landing.at(x, y, 0)) * std::sin(slope);
         worst = std::max(worst, std::fabs(off));
       }
     CHECK(worst < (estimator == Estimator::Impostor ? 4.0 : 3.0) * texel);
@@ -95,14 +99,18 @@ HardCase nothing_below_case() {
 }
 
 HardCase behind_case() {
-  HardCase c{"the only receiver stands before the caster", "no pass for caustics runs: nothing stands where they could land", sphere_scene(1.5f, 4)};
+  HardCase c{"the only receiver stands before the caster",
+             "no pass for caustics runs: nothing stands where they could land", sphere_scene(1.5f, 4)};
   c.scene.meshes[0] = box({0.1, 1.6, -0.4}, {0.4, 1.7, 0.4}, 0);
-  c.expect = [](const DrawnCase& drawn) { CHECK(drawn.rendering.images.count(light_texture(kCausticMap, 0)) == 0); };
+  c.expect = [](const DrawnCase& drawn) {
+    CHECK(drawn.rendering.images.count(light_texture(kCausticMap, 0)) == 0);
+  };
   return c;
 }
 
 HardCase small_floor_case() {
-  HardCase c{"a floor smaller than the caustic", "light past its edge is missed, not drawn on its border", sphere_scene(1.5f, 4)};
+  HardCase c{"a floor smaller than the caustic", "light past its edge is missed, not drawn on its border",
+             sphere_scene(1.5f, 4)};
   // The sphere's light comes together 0.8 m under its middle, within some millimetres.
   c.scene.meshes[0] = floor(0.05, -1.0, 0);
   c.expect = [](const DrawnCase& drawn) {
@@ -117,7 +125,8 @@ HardCase small_floor_case() {
 }
 
 HardCase holed_floor_case() {
-  HardCase c{"a hole in the floor under the caster", "no texel of the hole is taken for a receiver at the origin", sphere_scene(1.5f, 4)};
+  HardCase c{"a hole in the floor under the caster",
+             "no texel of the hole is taken for a receiver at the origin", sphere_scene(1.5f, 4)};
   const Mesh hole = floor(3.0, 0.0, 0);
   c.scene.meshes.erase(c.scene.meshes.begin());
   for (const glm::vec2& at : {glm::vec2(-1.2f, 0.0f), {1.2f, 0.0f}, {0.0f, -1.2f}, {0.0f, 1.2f}}) {
@@ -139,21 +148,24 @@ HardCase holed_floor_case() {
 }
 
 HardCase steps_case(int iterations) {
-  HardCase c{"iterations " + std::to_string(iterations), "ends; what has not converged is booked", sphere_scene(1.5f, 4)};
+  HardCase c{"iterations " + std::to_string(iterations), "ends; what has not converged is booked",
+             sphere_scene(1.5f, 4)};
   c.settings.iterations = iterations;
   c.settings.estimator = iterations == 1 ? Estimator::Secant : Estimator::Paper;
   return c;
 }
 
 HardCase cut_case() {
-  HardCase c{"a floor that cuts the caster", "light lands on what lies in its way or is booked", sphere_scene(1.5f, 4)};
+  HardCase c{"a floor that cuts the caster", "light lands on what lies in its way or is booked",
+             sphere_scene(1.5f, 4)};
   for (Vertex& v : c.scene.meshes[1].vertices) v.position.y -= 0.8f;
   finish(c.scene.meshes[1], 1.0f);
   return c;
 }
 
 HardCase touching_case() {
-  HardCase c{"a caster that stands on its receiver", "ways of length 0 land where they leave", sphere_scene(1.5f, 4)};
+  HardCase c{"a caster that stands on its receiver", "ways of length 0 land where they leave",
+             sphere_scene(1.5f, 4)};
   c.scene.meshes[1] = box({-0.5, 0.0, -0.5}, {0.5, 0.4, 0.5}, 1);
   c.expect = [](const DrawnCase& drawn) { CHECK(drawn.share(&Ledger::in_map) > 0.9); };
   return c;
@@ -163,9 +175,11 @@ HardCase touching_case() {
 
 std::vector<HardCase> estimator_cases() {
   std::vector<HardCase> cases;
-  for (const Estimator estimator : {Estimator::Paper, Estimator::Newton, Estimator::Secant, Estimator::Impostor})
+  for (const Estimator estimator :
+       {Estimator::Paper, Estimator::Newton, Estimator::Secant, Estimator::Impostor})
     for (const double degrees : {60.0, 80.0}) cases.push_back(steep_case(estimator, degrees));
-  for (const Estimator estimator : {Estimator::Paper, Estimator::Newton, Estimator::Secant, Estimator::Impostor})
+  for (const Estimator estimator :
+       {Estimator::Paper, Estimator::Newton, Estimator::Secant, Estimator::Impostor})
     cases.push_back(stairs_case(estimator));
   cases.push_back(nothing_below_case());
   cases.push_back(behind_case());

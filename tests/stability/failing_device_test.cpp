@@ -1,5 +1,5 @@
-// A device that fails at any of its calls: the error comes out as it is, nothing is left on the device, and the next frame
-// on it is drawn as if nothing had been.
+// A device that fails at any of its calls: the error comes out as it is, nothing is left on the device, and
+// the next frame on it is drawn as if nothing had been.
 #include <new>
 #include <set>
 
@@ -88,7 +88,9 @@ Scene small_scene() {
 
 const Settings kSettings = small_settings(16, 16, 8);
 
-std::string picture_on(Device& device) { return sha256(render_on(device, small_scene(), kSettings, {})["picture"]); }
+std::string picture_on(Device& device) {
+  return sha256(render_on(device, small_scene(), kSettings, {})["picture"]);
+}
 
 // The error that a frame ends with.
 std::string error_of(FailingDevice& device) {

@@ -1,5 +1,5 @@
-// Memory that runs out at any allocation of a frame: std::bad_alloc comes out, nothing is left on the device, and the next
-// frame on it is drawn as if nothing had been.
+// Memory that runs out at any allocation of a frame: std::bad_alloc comes out, nothing is left on the device,
+// and the next frame on it is drawn as if nothing had been.
 #include <new>
 
 #include "tests/support/catch.hpp"
@@ -48,7 +48,9 @@ class CountingDevice final : public ForwardingDevice {
 
 }  // namespace
 
-TEST_CASE("failing memory: an allocation of a frame that fails comes out, leaves nothing behind, and the device goes on") {
+TEST_CASE(
+    "failing memory: an allocation of a frame that fails comes out, leaves nothing behind, and the device "
+    "goes on") {
   const Scene scene = sphere_scene(1.5f, 2);
   const Settings settings = small_settings(16, 16, 8);
   CountingDevice device;

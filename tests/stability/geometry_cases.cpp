@@ -25,7 +25,8 @@ HardCase changed_sphere(const std::string& name, const std::string& behaviour, c
 }
 
 void turn_inside_out(Mesh& mesh) {
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
   for (Vertex& v : mesh.vertices) v.normal = -v.normal;
 }
 
@@ -61,14 +62,16 @@ void add_degenerates(Mesh& mesh) {
 }
 
 HardCase degenerate_case() {
-  HardCase c = changed_sphere("triangles without area, and slivers", "cover no texel, or the slivers' own: the rest is the sphere's",
-                              add_degenerates);
+  HardCase c =
+      changed_sphere("triangles without area, and slivers",
+                     "cover no texel, or the slivers' own: the rest is the sphere's", add_degenerates);
   c.expect = [](const DrawnCase& drawn) { CHECK(drawn.leaves() == Approx(0.8355).margin(0.02)); };
   return c;
 }
 
 HardCase doubled_case() {
-  HardCase c = changed_sphere("the same mesh twice in one place", "the first one counts: as one sphere, to the bit", [](Mesh&) {});
+  HardCase c = changed_sphere("the same mesh twice in one place",
+                              "the first one counts: as one sphere, to the bit", [](Mesh&) {});
   c.scene.meshes.push_back(c.scene.meshes[1]);
   HardCase single = changed_sphere("", "", [](Mesh&) {});
   c.expect = [single](const DrawnCase& drawn) {
@@ -80,40 +83,47 @@ HardCase doubled_case() {
 }
 
 HardCase inside_out_case() {
-  return changed_sphere("winding and normals inside out",
-                        "files: turned on loading (docs/materials.md); as it stands: its far wall bends the light, books close",
-                        turn_inside_out);
+  return changed_sphere(
+      "winding and normals inside out",
+      "files: turned on loading (docs/materials.md); as it stands: its far wall bends the light, books close",
+      turn_inside_out);
 }
 
 HardCase open_case() {
-  HardCase c = changed_sphere("a sphere without its lower half", "not closed: bent once, at its first surface", [](Mesh& mesh) {
-    std::vector<std::uint32_t> upper;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-      bool all = true;
-      for (std::size_t k = 0; k < 3; ++k) all = all && mesh.vertices[mesh.indices[i + k]].position.y >= 0.79f;
-      if (all)
-        for (std::size_t k = 0; k < 3; ++k) upper.push_back(mesh.indices[i + k]);
-    }
-    mesh.indices = upper;
-    mesh.closedness = 0.5f;
-  });
+  HardCase c = changed_sphere("a sphere without its lower half",
+                              "not closed: bent once, at its first surface", [](Mesh& mesh) {
+                                std::vector<std::uint32_t> upper;
+                                for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+                                  bool all = true;
+                                  for (std::size_t k = 0; k < 3; ++k)
+                                    all = all && mesh.vertices[mesh.indices[i + k]].position.y >= 0.79f;
+                                  if (all)
+                                    for (std::size_t k = 0; k < 3; ++k) upper.push_back(mesh.indices[i + k]);
+                                }
+                                mesh.indices = upper;
+                                mesh.closedness = 0.5f;
+                              });
   c.expect = [](const DrawnCase& drawn) { CHECK(drawn.share(&Ledger::total_reflection) == 0.0); };
   return c;
 }
 
 HardCase pierced_case() {
-  HardCase c = changed_sphere("a mesh that cuts itself", "the nearest front counts, and the first back behind it", [](Mesh& mesh) {
-    Mesh other = sphere({0.3, 0.8, 0.1}, 0.4, 3, 1);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const std::uint32_t i : other.indices) mesh.indices.push_back(first + i);
-    finish(mesh, 1.0f);
-  });
+  HardCase c = changed_sphere(
+      "a mesh that cuts itself", "the nearest front counts, and the first back behind it", [](Mesh& mesh) {
+        Mesh other = sphere({0.3, 0.8, 0.1}, 0.4, 3, 1);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+        for (const std::uint32_t i : other.indices) mesh.indices.push_back(first + i);
+        finish(mesh, 1.0f);
+      });
   return c;
 }
 
 HardCase nested_case() {
-  HardCase c = changed_sphere("glass in glass", "two surfaces bend light, no more: the outer front, and the first back behind it, which is the inner body's", [](Mesh&) {});
+  HardCase c = changed_sphere("glass in glass",
+                              "two surfaces bend light, no more: the outer front, and the first back behind "
+                              "it, which is the inner body's",
+                              [](Mesh&) {});
   c.scene.materials.push_back(glass(1.2f));
   c.scene.meshes.push_back(sphere({0.0, 0.8, 0.0}, 0.3, 3, 2));
   return c;
@@ -124,7 +134,8 @@ HardCase triangle_case() {
     mesh.vertices.resize(3);
     mesh.indices = {0, 1, 2};
     const glm::vec3 corners[] = {{-0.2f, 0.8f, 0.2f}, {0.2f, 0.8f, 0.2f}, {0.0f, 0.9f, -0.2f}};
-    for (std::size_t i = 0; i < 3; ++i) mesh.vertices[i] = {.position = corners[i], .normal = {0.0f, 1.0f, 0.0f}};
+    for (std::size_t i = 0; i < 3; ++i)
+      mesh.vertices[i] = {.position = corners[i], .normal = {0.0f, 1.0f, 0.0f}};
     finish(mesh, 0.0f);
   });
   c.expect = [](const DrawnCase& drawn) { CHECK(drawn.share(&Ledger::in_map) > 0.9); };
@@ -132,8 +143,11 @@ HardCase triangle_case() {
 }
 
 HardCase thin_case() {
-  HardCase c = changed_sphere("a plate a ten-millionth of a metre thick", "both surfaces in one texel's depth: light passes as through a plate",
-                              [](Mesh& mesh) { mesh = box({-0.4, 0.8, -0.4}, {0.4, 0.8 + 1e-7, 0.4}, 1); });
+  HardCase c =
+      changed_sphere("a plate a ten-millionth of a metre thick",
+                     "both surfaces in one texel's depth: light passes as through a plate", [](Mesh& mesh) {
+                       mesh = box({-0.4, 0.8, -0.4}, {0.4, 0.8 + 1e-7, 0.4}, 1);
+                     });
   // Twice 4 % at normal incidence.
   c.expect = [](const DrawnCase& drawn) { CHECK(drawn.leaves() == Approx(0.96 * 0.96).margin(0.01)); };
   return c;
@@ -150,9 +164,15 @@ HardCase speck_case() {
 
 std::vector<HardCase> geometry_cases() {
   std::vector<HardCase> cases;
-  cases.push_back(changed_sphere("normals that cancel between vertices", "where none is left the triangle's own normal stands in", cancel_normals));
-  cases.push_back(changed_sphere("normals that point anywhere", "tilted towards the light's side where they face away; books close", scatter_normals));
-  cases.push_back(changed_sphere("normals that face away from the light on every front", "files: turned on loading; as they stand: tilted to where the surface ends, which mirrors nearly all", flip_normals));
+  cases.push_back(changed_sphere("normals that cancel between vertices",
+                                 "where none is left the triangle's own normal stands in", cancel_normals));
+  cases.push_back(changed_sphere("normals that point anywhere",
+                                 "tilted towards the light's side where they face away; books close",
+                                 scatter_normals));
+  cases.push_back(changed_sphere(
+      "normals that face away from the light on every front",
+      "files: turned on loading; as they stand: tilted to where the surface ends, which mirrors nearly all",
+      flip_normals));
   cases.push_back(inside_out_case());
   cases.push_back(degenerate_case());
   cases.push_back(doubled_case());

@@ -6,13 +6,15 @@
 namespace caustics::test {
 
 double DrawnCase::leaves() const {
-  return share(&Ledger::in_map) + share(&Ledger::missed) + share(&Ledger::outside) + share(&Ledger::not_converged) +
-         share(&Ledger::kernel_edge) + share(&Ledger::rounding);
+  return share(&Ledger::in_map) + share(&Ledger::missed) + share(&Ledger::outside) +
+         share(&Ledger::not_converged) + share(&Ledger::kernel_edge) + share(&Ledger::rounding);
 }
 
 DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& framer) {
-  DrawnCase drawn{hard_case.scene, hard_case.settings,
-                  render_on(device, hard_case.scene, hard_case.settings, {}, &framer), {}};
+  DrawnCase drawn{hard_case.scene,
+                  hard_case.settings,
+                  render_on(device, hard_case.scene, hard_case.settings, {}, &framer),
+                  {}};
   for (int light = 0; light < static_cast<int>(hard_case.scene.lights.size()); ++light) {
     const bool throws = drawn.rendering.images.count(light_texture(kCausticMap, light)) > 0;
     drawn.ledgers.push_back(throws ? ledger_of(drawn.rendering, hard_case.settings, light) : Ledger{});

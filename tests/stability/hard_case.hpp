@@ -1,4 +1,5 @@
-// Numerically hard cases: scenes that break renderers, each with the behaviour that docs/stability.md promises.
+// Numerically hard cases: scenes that break renderers, each with the behaviour that docs/stability.md
+// promises.
 #pragma once
 #include <functional>
 #include <string>
@@ -45,7 +46,8 @@ std::vector<HardCase> map_cases();
 // Draws the whole frame; `framer` fits the light views (the software device, whichever draws).
 DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& framer);
 
-// What must hold for every frame of every scene: how many texels are not finite, and the worst residual of a ledger.
+// What must hold for every frame of every scene: how many texels are not finite, and the worst residual of a
+// ledger.
 struct Invariants {
   std::size_t non_finite = 0;
   std::string first_non_finite;  // the texture's name

@@ -1,5 +1,5 @@
-// Every hard case on both backends: finite texels, closed ledgers, equal bits, and what each promises. docs/stability.md
-// has the table that the hidden test prints.
+// Every hard case on both backends: finite texels, closed ledgers, equal bits, and what each promises.
+// docs/stability.md has the table that the hidden test prints.
 #include <cstdio>
 #include <iostream>
 
@@ -65,20 +65,26 @@ std::string percent(double share) {
 std::string books(const DrawnCase& drawn) {
   if (drawn.ledgers.empty() || !(drawn.ledger().entered[1] > 0.0)) return "nothing enters";
   const std::pair<const char*, FluxRgb Ledger::*> accounts[] = {
-      {"in the map", &Ledger::in_map},       {"Fresnel", &Ledger::fresnel},
-      {"absorbed", &Ledger::absorbed},       {"total reflection", &Ledger::total_reflection},
-      {"missed", &Ledger::missed},           {"outside", &Ledger::outside},
-      {"not converged", &Ledger::not_converged}, {"map's edge", &Ledger::kernel_edge}};
+      {"in the map", &Ledger::in_map},
+      {"Fresnel", &Ledger::fresnel},
+      {"absorbed", &Ledger::absorbed},
+      {"total reflection", &Ledger::total_reflection},
+      {"missed", &Ledger::missed},
+      {"outside", &Ledger::outside},
+      {"not converged", &Ledger::not_converged},
+      {"map's edge", &Ledger::kernel_edge}};
   std::string text;
   for (const auto& [name, account] : accounts)
-    if (std::fabs(drawn.share(account)) > 5e-5) text += (text.empty() ? "" : ", ") + std::string(name) + " " + percent(drawn.share(account));
+    if (std::fabs(drawn.share(account)) > 5e-5)
+      text += (text.empty() ? "" : ", ") + std::string(name) + " " + percent(drawn.share(account));
   return text;
 }
 
 std::string backends(const HardCase& hard_case, const DrawnCase& drawn, GlDevice* gl, Device& software) {
   if (!gl) return "software only";
   std::string first;
-  const std::size_t differing = differing_values(drawn.rendering, draw_case(hard_case, *gl, software).rendering, first);
+  const std::size_t differing =
+      differing_values(drawn.rendering, draw_case(hard_case, *gl, software).rendering, first);
   return differing == 0 ? "equal" : std::to_string(differing) + " values differ";
 }
 
@@ -95,15 +101,17 @@ TEST_CASE("hard cases: the table of docs/stability.md", "[.hard_cases]") {
   const auto software = make_software_device();
   const std::unique_ptr<GlDevice> gl = gl_or_skip();
   for (const HardCaseGroup& group : kHardCaseGroups) {
-    std::cout << "| " << group.name << " | behaviour | where the light went | residual | rounding / its bound | backends |\n"
+    std::cout << "| " << group.name
+              << " | behaviour | where the light went | residual | rounding / its bound | backends |\n"
               << "|---|---|---|---|---|---|\n";
     for (const HardCase& hard_case : group.cases()) {
       const DrawnCase drawn = draw_case(hard_case, *software, *software);
       const Invariants found = invariants_of(drawn);
       char sums[64];
-      std::snprintf(sums, sizeof sums, "%.0e | %.0e / %.0e", found.residual, found.rounding, found.rounding_bound);
-      std::cout << "| " << hard_case.name << " | " << hard_case.behaviour << " | " << books(drawn) << " | " << sums << " | "
-                << backends(hard_case, drawn, gl.get(), *software) << " |\n";
+      std::snprintf(sums, sizeof sums, "%.0e | %.0e / %.0e", found.residual, found.rounding,
+                    found.rounding_bound);
+      std::cout << "| " << hard_case.name << " | " << hard_case.behaviour << " | " << books(drawn) << " | "
+                << sums << " | " << backends(hard_case, drawn, gl.get(), *software) << " |\n";
       CHECK(found.non_finite == 0);
     }
     std::cout << "|\n";

@@ -39,7 +39,8 @@ HardCase on_cube(HardCase c, Cube cube) {
 }
 
 HardCase hidden_case() {
-  HardCase c = lit_by("no texel of the caster is lit", "nothing enters; no division by what is seen of it", sun({0.0, -1.0, 0.0}, 1.0f));
+  HardCase c = lit_by("no texel of the caster is lit", "nothing enters; no division by what is seen of it",
+                      sun({0.0, -1.0, 0.0}, 1.0f));
   c.scene.meshes.push_back(box({-0.8, 1.6, -0.8}, {0.8, 1.7, 0.8}, 0));
   c.expect = [](const DrawnCase& drawn) {
     CHECK(drawn.ledger().entered[1] == 0.0);
@@ -51,16 +52,21 @@ HardCase hidden_case() {
 
 // The steradians that enter: all that the sphere is seen under from inside.
 HardCase inside_case() {
-  HardCase c = on_cube(lit_by("a lamp in the middle of a glass sphere", "lights it from inside, all around: 4 pi enters", lamp({0.0, 0.8, 0.0})), Cube::Auto);
-  c.expect = [](const DrawnCase& drawn) { CHECK(drawn.ledger().entered[1] == Approx(4.0 * kHalfTurn).epsilon(0.01)); };
+  HardCase c = on_cube(lit_by("a lamp in the middle of a glass sphere",
+                              "lights it from inside, all around: 4 pi enters", lamp({0.0, 0.8, 0.0})),
+                       Cube::Auto);
+  c.expect = [](const DrawnCase& drawn) {
+    CHECK(drawn.ledger().entered[1] == Approx(4.0 * kHalfTurn).epsilon(0.01));
+  };
   return c;
 }
 
 HardCase intensity_case(float intensity) {
   char text[64];
   std::snprintf(text, sizeof text, "a sun of %g lux", static_cast<double>(intensity));
-  HardCase c = lit_by(text, "maps are relative to the light, so they are those of 1 lux to the bit; the picture stays finite",
-                      sun({0.0, -1.0, 0.0}, intensity));
+  HardCase c = lit_by(
+      text, "maps are relative to the light, so they are those of 1 lux to the bit; the picture stays finite",
+      sun({0.0, -1.0, 0.0}, intensity));
   HardCase plain = lit_by("", "", sun({0.0, -1.0, 0.0}, 1.0f));
   c.expect = [plain, intensity](const DrawnCase& drawn) {
     const auto device = make_software_device();
@@ -78,7 +84,8 @@ HardCase intensity_case(float intensity) {
 HardCase far_case() {
   Light light = lamp({0.0, 1e8, 0.0});
   light.intensity = 1e16f;  // 1 lux at the scene
-  HardCase c = lit_by("a lamp a hundred million metres away", "drawn as parallel light: the caustic of a sun of 1 lux", light);
+  HardCase c = lit_by("a lamp a hundred million metres away",
+                      "drawn as parallel light: the caustic of a sun of 1 lux", light);
   make_far_lights_parallel(c.scene);
   HardCase plain = lit_by("", "", sun({0.0, -1.0, 0.0}, 1.0f));
   c.expect = [plain](const DrawnCase& drawn) {
@@ -91,7 +98,8 @@ HardCase far_case() {
   return c;
 }
 
-HardCase view_case(const std::string& name, const std::string& behaviour, const std::function<void(Camera&)>& change) {
+HardCase view_case(const std::string& name, const std::string& behaviour,
+                   const std::function<void(Camera&)>& change) {
   HardCase c = lit_by(name, behaviour, sun({0.2, -1.0, 0.1}, 1.0f));
   Camera& camera = c.scene.cameras[0];
   camera.orthographic = false;
@@ -100,10 +108,12 @@ HardCase view_case(const std::string& name, const std::string& behaviour, const 
   return c;
 }
 
-// Of even brightness in its cone, 2 pi (1 - cos a) steradians, all of which falls on the sphere's top at nearly 0 degrees.
+// Of even brightness in its cone, 2 pi (1 - cos a) steradians, all of which falls on the sphere's top at
+// nearly 0 degrees.
 HardCase narrow_spot_case() {
-  HardCase c = lit_by("a spot a milliradian wide", "the grid covers its cone, not the whole caster: pi 1e-6 sr enter",
-                      spot({0.0, 3.0, 0.0}, 0.000999, 0.001));
+  HardCase c =
+      lit_by("a spot a milliradian wide", "the grid covers its cone, not the whole caster: pi 1e-6 sr enter",
+             spot({0.0, 3.0, 0.0}, 0.000999, 0.001));
   c.expect = [](const DrawnCase& drawn) {
     CHECK(drawn.ledger().entered[1] == Approx(kHalfTurn * 1e-6).epsilon(0.02));
     CHECK(drawn.leaves() == Approx(0.96 * 0.96).margin(0.002));
@@ -135,22 +145,36 @@ std::vector<HardCase> light_cases() {
   std::vector<HardCase> cases;
   cases.push_back(hidden_case());
   cases.push_back(inside_case());
-  cases.push_back(on_cube(lit_by("a lamp in a glass sphere, near its wall", "likewise", lamp({0.0, 1.2999, 0.0})), Cube::Auto));
-  cases.push_back(on_cube(lit_by("a lamp in a sphere, seen through a window", "what the window does not see gets no light", lamp({0.0, 0.8, 0.0})), Cube::Off));
-  cases.push_back(on_cube(lit_by("a lamp on a vertex of the caster", "light past the near plane enters, books close", lamp({0.0, 1.3, 0.0})), Cube::Auto));
-  cases.push_back(on_cube(lit_by("a caster half behind a lamp's near plane", "its other half gets none", lamp({0.45, 1.05, 0.0})), Cube::Off));
-  cases.push_back(lit_by("a lamp on the floor", "lights the caster from below: what it throws up is missed", lamp({1.0, 0.0, 0.0})));
+  cases.push_back(on_cube(
+      lit_by("a lamp in a glass sphere, near its wall", "likewise", lamp({0.0, 1.2999, 0.0})), Cube::Auto));
+  cases.push_back(on_cube(lit_by("a lamp in a sphere, seen through a window",
+                                 "what the window does not see gets no light", lamp({0.0, 0.8, 0.0})),
+                          Cube::Off));
+  cases.push_back(on_cube(lit_by("a lamp on a vertex of the caster",
+                                 "light past the near plane enters, books close", lamp({0.0, 1.3, 0.0})),
+                          Cube::Auto));
+  cases.push_back(on_cube(
+      lit_by("a caster half behind a lamp's near plane", "its other half gets none", lamp({0.45, 1.05, 0.0})),
+      Cube::Off));
+  cases.push_back(lit_by("a lamp on the floor", "lights the caster from below: what it throws up is missed",
+                         lamp({1.0, 0.0, 0.0})));
   cases.push_back(narrow_spot_case());
   cases.push_back(lit_by("a spot of 180 degrees", "a half space", spot({0.0, 1.5, 0.0}, 1.5, 1.5707963)));
-  cases.push_back(lit_by("a spot with equal cones", "a sharp edge, no 0/0 between them", spot({0.0, 3.0, 0.0}, 0.3, 0.3)));
+  cases.push_back(lit_by("a spot with equal cones", "a sharp edge, no 0/0 between them",
+                         spot({0.0, 3.0, 0.0}, 0.3, 0.3)));
   cases.push_back(far_case());
   cases.push_back(out_of_range_case());
   cases.push_back(dark_case());
   for (const float intensity : {1e-30f, 1e30f}) cases.push_back(intensity_case(intensity));
-  cases.push_back(view_case("a view of 179.9 degrees", "finite texels", [](Camera& c) { c.vertical_fov = 3.1398; }));
-  cases.push_back(view_case("a view of a thousandth of a degree", "finite texels", [](Camera& c) { c.vertical_fov = 1.7e-5; }));
-  cases.push_back(view_case("a camera inside glass", "looks out of it through its surface", [](Camera& c) { c.position = {0.0, 0.8, 0.0}; }));
-  cases.push_back(view_case("near and far a factor of 1e12 apart", "finite texels", [](Camera& c) { c.near = 1e-6, c.far = 1e6; }));
+  cases.push_back(
+      view_case("a view of 179.9 degrees", "finite texels", [](Camera& c) { c.vertical_fov = 3.1398; }));
+  cases.push_back(view_case("a view of a thousandth of a degree", "finite texels",
+                            [](Camera& c) { c.vertical_fov = 1.7e-5; }));
+  cases.push_back(view_case("a camera inside glass", "looks out of it through its surface", [](Camera& c) {
+    c.position = {0.0, 0.8, 0.0};
+  }));
+  cases.push_back(view_case("near and far a factor of 1e12 apart", "finite texels",
+                            [](Camera& c) { c.near = 1e-6, c.far = 1e6; }));
   return cases;
 }
 

@@ -19,7 +19,9 @@ HardCase gaussian_case(float sigma, int map) {
   char text[96];
   std::snprintf(text, sizeof text, "a Gaussian of %g texels on a map of %d", static_cast<double>(sigma), map);
   const bool wider = 6.0 * static_cast<double>(sigma) > map;
-  HardCase c = splatted(text, wider ? "the part beyond the map is booked as its edge's" : "keeps its mass: weights are integrals over texels",
+  HardCase c = splatted(text,
+                        wider ? "the part beyond the map is booked as its edge's"
+                              : "keeps its mass: weights are integrals over texels",
                         Splat::Gaussian, 48, map);
   c.settings.gaussian_sigma = sigma;
   c.expect = [wider](const DrawnCase& drawn) {
@@ -34,15 +36,18 @@ HardCase gaussian_case(float sigma, int map) {
 
 // Parallel light through a level plate, so that each of a million vertices gives the one texel the same.
 HardCase million_case() {
-  HardCase c = splatted("a million splats into one texel", "single precision loses part of the sum: measured, booked as rounding, and below n 2^-24",
-                        Splat::Point, 1024, 1);
+  HardCase c =
+      splatted("a million splats into one texel",
+               "single precision loses part of the sum: measured, booked as rounding, and below n 2^-24",
+               Splat::Point, 1024, 1);
   c.scene.meshes[1] = box({-0.4, 0.5, -0.4}, {0.4, 0.6, 0.4}, 1);
   c.expect = [](const DrawnCase& drawn) {
     const Ledger& ledger = drawn.ledger();
     const auto landed = ledger.vertices[static_cast<std::size_t>(LandingStatus::Landed)];
     CHECK(landed > 900000);
     // The bound itself, from its formula: n splats in the only texel.
-    CHECK(ledger.rounding_bound[1] == Approx(static_cast<double>(landed) * 0x1p-24 * ledger.in_map[1]).epsilon(0.01));
+    CHECK(ledger.rounding_bound[1] ==
+          Approx(static_cast<double>(landed) * 0x1p-24 * ledger.in_map[1]).epsilon(0.01));
     CHECK(std::fabs(ledger.rounding[1]) <= ledger.rounding_bound[1]);
     CHECK(std::fabs(ledger.rounding[1]) > 1e-5 * ledger.entered[1]);  // it is there to be seen
     CHECK(drawn.leaves() == Approx(0.96 * 0.96).margin(0.005));
@@ -51,7 +56,8 @@ HardCase million_case() {
 }
 
 HardCase least_case() {
-  HardCase c = splatted("grid, maps and picture of one texel", "one ray, one splat, one pixel", Splat::Cell, 1, 1);
+  HardCase c =
+      splatted("grid, maps and picture of one texel", "one ray, one splat, one pixel", Splat::Cell, 1, 1);
   c.settings.width = c.settings.height = c.settings.shadow = 1;
   return c;
 }
@@ -64,7 +70,8 @@ HardCase flat_picture_case() {
 }
 
 HardCase coarse_case(Splat splat) {
-  return splatted("a grid of 2 on a map of 64, " + std::string(name_of(splat)), "few rays; books close", splat, 2, 64);
+  return splatted("a grid of 2 on a map of 64, " + std::string(name_of(splat)), "few rays; books close",
+                  splat, 2, 64);
 }
 
 // One ray through a plate that stands away from the axes, so that no coordinate is exact.
@@ -76,15 +83,17 @@ HardCase point_case(Splat splat) {
     CHECK(drawn.share(&Ledger::in_map) == Approx(0.96 * 0.96).margin(0.005));
     CHECK(drawn.share(&Ledger::kernel_edge) < 1e-6);
     const View& view = drawn.rendering.views.front().caustic;
-    CHECK(view.window_area() > std::pow(64 * 8 * 0x1p-24 * 0.5, 2.0));  // it lies more than half a metre from the origin
+    CHECK(view.window_area() >
+          std::pow(64 * 8 * 0x1p-24 * 0.5, 2.0));  // it lies more than half a metre from the origin
     CHECK(view.window_area() < 1e-6);
   };
   return c;
 }
 
 HardCase no_margin_case(double share) {
-  HardCase c = splatted(share > 0.0 ? "half of the flux may fall outside the map" : "no flux may fall outside the map",
-                        "what falls outside is booked", Splat::Cell, 48, 64);
+  HardCase c =
+      splatted(share > 0.0 ? "half of the flux may fall outside the map" : "no flux may fall outside the map",
+               "what falls outside is booked", Splat::Cell, 48, 64);
   c.settings.outside_share = share;
   c.scene.lights = {sun({0.9, -1.0, 0.3}, 1.0f)};
   return c;
@@ -98,7 +107,8 @@ std::vector<HardCase> map_cases() {
   cases.push_back(gaussian_case(4.0f, 64));
   cases.push_back(gaussian_case(4.0f, 4));
   for (const Splat splat : {Splat::Point, Splat::Gaussian, Splat::Cell})
-    cases.push_back(splatted("a map of one texel, " + std::string(name_of(splat)), "holds all that lands", splat, 48, 1));
+    cases.push_back(
+        splatted("a map of one texel, " + std::string(name_of(splat)), "holds all that lands", splat, 48, 1));
   cases.push_back(least_case());
   cases.push_back(flat_picture_case());
   for (const Splat splat : {Splat::Point, Splat::Cell}) cases.push_back(coarse_case(splat));

@@ -10,8 +10,8 @@ namespace caustics::test {
 
 namespace {
 
-// A prism whose vertical face takes nothing and whose hypotenuse, at 45 degrees, is met from inside by light that came
-// in through the level top without bending.
+// A prism whose vertical face takes nothing and whose hypotenuse, at 45 degrees, is met from inside by light
+// that came in through the level top without bending.
 Mesh right_prism() {
   Mesh mesh;
   mesh.name = "prism";
@@ -41,7 +41,8 @@ HardCase critical_angle_case(float index, const std::string& where, const std::s
   c.scene.cameras = {camera_down(0.2, 1.0)};
   // Through the level face at 0 degrees, at the slanted one from inside at 45 degrees.
   const double n = static_cast<double>(index);
-  const double first = 1.0 - fresnel(1.0, 1.0, n).mean(), second = 1.0 - fresnel(std::sqrt(0.5), n, 1.0).mean();
+  const double first = 1.0 - fresnel(1.0, 1.0, n).mean(),
+               second = 1.0 - fresnel(std::sqrt(0.5), n, 1.0).mean();
   c.expect = [=](const DrawnCase& drawn) {
     CHECK(drawn.leaves() == Approx(first * second).margin(0.01));
     CHECK(drawn.share(&Ledger::total_reflection) == Approx(second > 0.0 ? 0.0 : first).margin(0.01));
@@ -49,8 +50,8 @@ HardCase critical_angle_case(float index, const std::string& where, const std::s
   return c;
 }
 
-// The mean over a disc of light of the share that passes a sphere's two surfaces; Snell's and Fresnel's laws, by 4,000
-// rings of equal area.
+// The mean over a disc of light of the share that passes a sphere's two surfaces; Snell's and Fresnel's laws,
+// by 4,000 rings of equal area.
 double passes_sphere(double n) {
   double sum = 0.0;
   const int rings = 4000;
@@ -76,7 +77,8 @@ HardCase index_case(float index, const std::string& behaviour) {
 
 // Light goes on as if there was no sphere: each landing lies under where it entered.
 HardCase index_one_case() {
-  HardCase c = index_case(1.0f, "nothing bends or is reflected: each landing lies straight under where light entered");
+  HardCase c =
+      index_case(1.0f, "nothing bends or is reflected: each landing lies straight under where light entered");
   c.expect = [](const DrawnCase& drawn) {
     CHECK(drawn.share(&Ledger::fresnel) == 0.0);
     CHECK(drawn.share(&Ledger::in_map) == Approx(1.0).margin(2e-3));
@@ -95,7 +97,8 @@ HardCase index_one_case() {
 }
 
 HardCase index_zero_case() {
-  HardCase c{"index 0", "glTF's value for what never refracts: no caster, a receiver of light", sphere_scene(0.0f, 4)};
+  HardCase c{"index 0", "glTF's value for what never refracts: no caster, a receiver of light",
+             sphere_scene(0.0f, 4)};
   c.expect = [](const DrawnCase& drawn) {
     CHECK(drawn.ledger().entered[1] == 0.0);
     CHECK(drawn.rendering.images.count(light_texture(kCausticMap, 0)) == 0);
@@ -114,7 +117,8 @@ HardCase grazing_case(double degrees) {
   c.scene.cameras = {camera_down(0.2, 1.0)};
   const double reflected = fresnel(std::cos(angle), 1.0, static_cast<double>(1.33f)).mean();
   c.expect = [=](const DrawnCase& drawn) {
-    if (drawn.ledger().entered[1] > 0.0) CHECK(drawn.share(&Ledger::fresnel) == Approx(reflected).margin(1e-3));
+    if (drawn.ledger().entered[1] > 0.0)
+      CHECK(drawn.share(&Ledger::fresnel) == Approx(reflected).margin(1e-3));
   };
   return c;
 }
@@ -127,7 +131,8 @@ HardCase edge_on_case() {
   return c;
 }
 
-HardCase absorbing_case(const std::string& name, const std::string& behaviour, float distance, float color, bool black) {
+HardCase absorbing_case(const std::string& name, const std::string& behaviour, float distance, float color,
+                        bool black) {
   HardCase c{name, behaviour, sphere_scene(1.5f, 4)};
   c.scene.materials[1].attenuation_distance = distance;
   c.scene.materials[1].attenuation_color = glm::vec3(color);
@@ -137,8 +142,8 @@ HardCase absorbing_case(const std::string& name, const std::string& behaviour, f
     } else {
       CHECK(drawn.share(&Ledger::absorbed) < 1e-3);
     }
-    CHECK(drawn.share(&Ledger::fresnel) + drawn.share(&Ledger::absorbed) + drawn.share(&Ledger::total_reflection) +
-              drawn.leaves() ==
+    CHECK(drawn.share(&Ledger::fresnel) + drawn.share(&Ledger::absorbed) +
+              drawn.share(&Ledger::total_reflection) + drawn.leaves() ==
           Approx(1.0).epsilon(1e-5));
   };
   return c;
@@ -146,8 +151,8 @@ HardCase absorbing_case(const std::string& name, const std::string& behaviour, f
 
 HardCase dispersing_case(float dispersion, int wavelengths, const std::string& behaviour) {
   char text[96];
-  std::snprintf(text, sizeof text, "dispersion %g (Abbe number %g), %d wavelengths", static_cast<double>(dispersion),
-                20.0 / static_cast<double>(dispersion), wavelengths);
+  std::snprintf(text, sizeof text, "dispersion %g (Abbe number %g), %d wavelengths",
+                static_cast<double>(dispersion), 20.0 / static_cast<double>(dispersion), wavelengths);
   HardCase c{text, behaviour, sphere_scene(1.5f, 4)};
   c.scene.materials[1].dispersion = dispersion;
   c.settings = small_settings(24, 32, 16);
@@ -156,13 +161,16 @@ HardCase dispersing_case(float dispersion, int wavelengths, const std::string& b
 }
 
 HardCase reflections_case() {
-  HardCase c{"a diamond ball and what it mirrors", "both branches' books close together", sphere_scene(2.42f, 4)};
+  HardCase c{"a diamond ball and what it mirrors", "both branches' books close together",
+             sphere_scene(2.42f, 4)};
   c.settings.reflections = true;
   return c;
 }
 
 HardCase black_mirror_case() {
-  HardCase c{"a black mirror, and one whiter than white may be", "all absorbed but Schlick's share; never more light than fell on it", {}};
+  HardCase c{"a black mirror, and one whiter than white may be",
+             "all absorbed but Schlick's share; never more light than fell on it",
+             {}};
   c.scene.materials = {diffuse(0.8f), metal(glm::vec3(0.0f)), metal(glm::vec3(1.0f))};
   c.scene.meshes = {floor(3.0, 0.0, 0), half_ring(0.5, 0.3, 24, 1), half_ring(0.8, 0.3, 24, 2)};
   c.scene.lights = {sun({1.0, -1.0, 0.0}, 1.0f)};
@@ -177,7 +185,8 @@ std::vector<HardCase> optics_cases() {
   std::vector<HardCase> cases;
   cases.push_back(critical_angle_case(1.41f, "just below the critical index (1.41 at 45 degrees)",
                                       "leaves along the surface, less what Fresnel's law keeps"));
-  cases.push_back(critical_angle_case(1.41421356f, "at the critical index, the float nearest to the root of 2",
+  cases.push_back(critical_angle_case(1.41421356f,
+                                      "at the critical index, the float nearest to the root of 2",
                                       "a rounding decides between both, and both leave nearly nothing"));
   cases.push_back(critical_angle_case(1.42f, "just above the critical index",
                                       "all booked as total reflection, nothing drawn"));
@@ -186,15 +195,19 @@ std::vector<HardCase> optics_cases() {
   cases.push_back(edge_on_case());
   cases.push_back(index_one_case());
   cases.push_back(index_case(1.000001f, "as index 1 to six digits: no cancellation near 1"));
-  cases.push_back(index_case(0.9f, "light from denser into thinner: total reflection at the entry is booked as Fresnel's"));
+  cases.push_back(index_case(
+      0.9f, "light from denser into thinner: total reflection at the entry is booked as Fresnel's"));
   cases.push_back(index_zero_case());
   cases.push_back(index_case(2.42f, "diamond: Fresnel's law at both surfaces"));
   cases.push_back(index_case(4.0f, "germanium: likewise"));
-  cases.push_back(absorbing_case("absorption 1e9 per metre", "all absorbed; the exponential's underflow is 0", 1e-9f, 0.5f, true));
+  cases.push_back(absorbing_case("absorption 1e9 per metre", "all absorbed; the exponential's underflow is 0",
+                                 1e-9f, 0.5f, true));
   cases.push_back(absorbing_case("absorption colour 0", "all absorbed", 1.0f, 0.0f, true));
   cases.push_back(absorbing_case("attenuation over 1e30 m", "nothing absorbed", 1e30f, 0.5f, false));
   cases.push_back(dispersing_case(20.0f, 3, "all three lines' books close"));
-  cases.push_back(dispersing_case(200.0f, 64, "indices below 1 and below 0 go on as any other; saturated colours have negative shares of a channel; books close"));
+  cases.push_back(dispersing_case(200.0f, 64,
+                                  "indices below 1 and below 0 go on as any other; saturated colours have "
+                                  "negative shares of a channel; books close"));
   cases.push_back(reflections_case());
   cases.push_back(black_mirror_case());
   return cases;

@@ -1,5 +1,5 @@
-// Properties of frames over random scenes (RapidCheck), to find what nobody thought of. A failure prints the choices that
-// led to it, made as small as they go, and the RC_PARAMS that repeat it.
+// Properties of frames over random scenes (RapidCheck), to find what nobody thought of. A failure prints the
+// choices that led to it, made as small as they go, and the RC_PARAMS that repeat it.
 #include <rapidcheck.h>
 
 #include <cmath>
@@ -17,10 +17,13 @@ namespace {
 // The same scenes in every run of the tests; RC_PARAMS asks for others, and for more.
 void fix_seed() { setenv("RC_PARAMS", "seed=20261122 max_success=60", 0); }
 
-// RapidCheck begins with small numbers and lets them grow; a body a millimetre wide is no simpler than one of a metre.
+// RapidCheck begins with small numbers and lets them grow; a body a millimetre wide is no simpler than one of
+// a metre.
 int from(int low, int end) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, end)); }
 
-float between(float low, float high) { return low + (high - low) * static_cast<float>(from(0, 1001)) * 1e-3f; }
+float between(float low, float high) {
+  return low + (high - low) * static_cast<float>(from(0, 1001)) * 1e-3f;
+}
 
 // Powers of ten, both signs of the exponent.
 float magnitude(int most) { return std::pow(10.0f, static_cast<float>(from(-most, most + 1))); }
@@ -34,7 +37,8 @@ Mesh random_body(int material) {
     case 1:
       return box({x, y, -0.3}, {x + size, y + static_cast<double>(between(1e-6f, 0.5f)), 0.3}, material);
     case 2:
-      return wave_sheet(size, y, static_cast<double>(between(0.0f, 0.2f)), static_cast<double>(between(0.1f, 30.0f)), 12, material);
+      return wave_sheet(size, y, static_cast<double>(between(0.0f, 0.2f)),
+                        static_cast<double>(between(0.1f, 30.0f)), 12, material);
     case 3:
       return ring(0.5 * size, size, static_cast<double>(between(0.01f, 0.5f)), from(3, 24), material);
     default:
@@ -53,9 +57,12 @@ Material random_caster() {
 }
 
 Light random_light() {
-  Light light = sun({static_cast<double>(between(-1.5f, 1.5f)), static_cast<double>(between(-2.0f, 0.1f)), 0.2}, magnitude(20));
+  Light light =
+      sun({static_cast<double>(between(-1.5f, 1.5f)), static_cast<double>(between(-2.0f, 0.1f)), 0.2},
+          magnitude(20));
   light.type = *rc::gen::element(LightType::Directional, LightType::Point, LightType::Spot);
-  light.position = {static_cast<double>(between(-2.0f, 2.0f)), static_cast<double>(between(0.5f, 4.0f)), static_cast<double>(between(-1.0f, 1.0f))};
+  light.position = {static_cast<double>(between(-2.0f, 2.0f)), static_cast<double>(between(0.5f, 4.0f)),
+                    static_cast<double>(between(-1.0f, 1.0f))};
   light.outer_cone = between(0.01f, 1.57f);
   light.inner_cone = light.outer_cone * between(0.0f, 1.0f);
   return light;
@@ -80,10 +87,12 @@ HardCase random_case() {
   for (int i = 1; i < bodies; ++i) c.scene.meshes.push_back(random_body(*rc::gen::element(1, 1, 2, 0)));
   c.scene.lights = {random_light()};
   aim(c.scene.lights[0], c.scene.meshes[1]);
-  c.scene.cameras = {camera_down(static_cast<double>(between(0.1f, 5.0f)), static_cast<double>(between(0.1f, 4.0f)))};
+  c.scene.cameras = {
+      camera_down(static_cast<double>(between(0.1f, 5.0f)), static_cast<double>(between(0.1f, 4.0f)))};
   Settings& s = c.settings;
   s = small_settings(*rc::gen::element(24, 24, 24, 40, 40, 9, 2, 1), *rc::gen::element(24, 24, 40, 7, 1), 12);
-  s.estimator = *rc::gen::element(Estimator::Secant, Estimator::Paper, Estimator::Newton, Estimator::Impostor);
+  s.estimator =
+      *rc::gen::element(Estimator::Secant, Estimator::Paper, Estimator::Newton, Estimator::Impostor);
   s.splat = *rc::gen::element(Splat::Cell, Splat::Point, Splat::Gaussian);
   s.interfaces = *rc::gen::element(Interfaces::Auto, Interfaces::One, Interfaces::Two);
   s.thickness = *rc::gen::element(Thickness::Map, Thickness::Wyman);
@@ -103,23 +112,31 @@ std::string description(const HardCase& c, const DrawnCase& drawn) {
        << ", interfaces " << name_of(s.interfaces) << ", thickness " << name_of(s.thickness)
        << (s.reflections ? ", reflections" : "") << "\n";
   for (const Mesh& mesh : c.scene.meshes)
-    text << mesh.name << " of material " << mesh.material << ", " << mesh.indices.size() / 3 << " triangles, from "
-         << mesh.lower.x << " " << mesh.lower.y << " " << mesh.lower.z << " to " << mesh.upper.x << " " << mesh.upper.y << " "
-         << mesh.upper.z << "\n";
+    text << mesh.name << " of material " << mesh.material << ", " << mesh.indices.size() / 3
+         << " triangles, from " << mesh.lower.x << " " << mesh.lower.y << " " << mesh.lower.z << " to "
+         << mesh.upper.x << " " << mesh.upper.y << " " << mesh.upper.z << "\n";
   for (const Material& m : c.scene.materials)
     text << m.name << ": index " << m.ior << ", dispersion " << m.dispersion << ", thickness " << m.thickness
          << ", attenuation over " << m.attenuation_distance << "\n";
   const Light& light = c.scene.lights[0];
-  text << "light of type " << static_cast<int>(light.type) << " at " << light.position.x << " " << light.position.y << " "
-       << light.position.z << " along " << light.direction.x << " " << light.direction.y << " " << light.direction.z << ", cone "
-       << light.inner_cone << " to " << light.outer_cone << "\n";
+  text << "light of type " << static_cast<int>(light.type) << " at " << light.position.x << " "
+       << light.position.y << " " << light.position.z << " along " << light.direction.x << " "
+       << light.direction.y << " " << light.direction.z << ", cone " << light.inner_cone << " to "
+       << light.outer_cone << "\n";
   const Ledger& l = drawn.ledger();
-  const std::pair<const char*, FluxRgb> accounts[] = {
-      {"entered", l.entered}, {"in map", l.in_map}, {"fresnel", l.fresnel}, {"absorbed", l.absorbed},
-      {"total reflection", l.total_reflection}, {"missed", l.missed}, {"outside", l.outside},
-      {"not converged", l.not_converged}, {"kernel edge", l.kernel_edge}, {"rounding", l.rounding},
-      {"rounding bound", l.rounding_bound}};
-  for (const auto& [name, flux] : accounts) text << name << " " << flux[0] << " " << flux[1] << " " << flux[2] << "\n";
+  const std::pair<const char*, FluxRgb> accounts[] = {{"entered", l.entered},
+                                                      {"in map", l.in_map},
+                                                      {"fresnel", l.fresnel},
+                                                      {"absorbed", l.absorbed},
+                                                      {"total reflection", l.total_reflection},
+                                                      {"missed", l.missed},
+                                                      {"outside", l.outside},
+                                                      {"not converged", l.not_converged},
+                                                      {"kernel edge", l.kernel_edge},
+                                                      {"rounding", l.rounding},
+                                                      {"rounding bound", l.rounding_bound}};
+  for (const auto& [name, flux] : accounts)
+    text << name << " " << flux[0] << " " << flux[1] << " " << flux[2] << "\n";
   return text.str();
 }
 
@@ -137,7 +154,8 @@ TEST_CASE("random scenes: every texel is finite and every ledger closes") {
     RC_CLASSIFY(!(drawn.ledger().entered[1] > 0.0), "no light enters");
     RC_ASSERT(found.first_non_finite == "");
     RC_ASSERT(found.residual < kLedgerTolerance);
-    for (const Ledger& ledger : drawn.ledgers) RC_ASSERT(ledger.in_map[1] <= ledger.entered[1] * 1.00001 + 1e-30);
+    for (const Ledger& ledger : drawn.ledgers)
+      RC_ASSERT(ledger.in_map[1] <= ledger.entered[1] * 1.00001 + 1e-30);
   }));
 }
 
@@ -151,7 +169,8 @@ TEST_CASE("random scenes: a light's intensity changes no map") {
     brighter.scene.lights[0].intensity *= 4.0f;
     const DrawnCase more = draw_case(brighter, *device, *device);
     for (const auto& [name, image] : once.rendering.images)
-      if (name.starts_with("caustic_map") || name.starts_with("landing")) RC_ASSERT(sha256(image) == sha256(more.rendering[name]));
+      if (name.starts_with("caustic_map") || name.starts_with("landing"))
+        RC_ASSERT(sha256(image) == sha256(more.rendering[name]));
   }));
 }
 
@@ -165,6 +184,7 @@ TEST_CASE("random scenes: threads and lanes change no bit") {
     device.reset();
     device = make_software_device({.threads = from(1, 8), .lanes = Lanes::Scalar});
     const DrawnCase b = draw_case(c, *device, *device);
-    for (const auto& [name, image] : a.rendering.images) RC_ASSERT(sha256(image) == sha256(b.rendering[name]));
+    for (const auto& [name, image] : a.rendering.images)
+      RC_ASSERT(sha256(image) == sha256(b.rendering[name]));
   }));
 }

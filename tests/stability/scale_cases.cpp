@@ -17,7 +17,8 @@ void scale(Scene& scene, double factor) {
   for (Mesh& mesh : scene.meshes) scale(mesh, factor);
   for (Camera& camera : scene.cameras) {
     camera.position *= factor;
-    for (double* length : {&camera.half_width, &camera.half_height, &camera.near, &camera.far}) *length *= factor;
+    for (double* length : {&camera.half_width, &camera.half_height, &camera.near, &camera.far})
+      *length *= factor;
   }
   for (Light& light : scene.lights) light.position *= factor;
 }
@@ -52,10 +53,11 @@ HardCase sized_case(double factor) {
   return c;
 }
 
-// Single precision has steps of a sixteenth of a metre there; the loader moves scenes to the origin before it rounds
-// (tests/scene), so that this does not happen to files.
+// Single precision has steps of a sixteenth of a metre there; the loader moves scenes to the origin before it
+// rounds (tests/scene), so that this does not happen to files.
 HardCase shifted_case() {
-  HardCase c{"a scene left at 1e4 m from its origin", "coarser by the coordinates' steps of a millimetre, never broken", base_scene()};
+  HardCase c{"a scene left at 1e4 m from its origin",
+             "coarser by the coordinates' steps of a millimetre, never broken", base_scene()};
   const glm::dvec3 shift(1e4, 0.0, -1e4);
   for (Mesh& mesh : c.scene.meshes) {
     for (Vertex& v : mesh.vertices) v.position = glm::vec3(glm::dvec3(v.position) + shift);
@@ -66,16 +68,21 @@ HardCase shifted_case() {
   return c;
 }
 
-HardCase tiny_in_vast_case(double half, const std::string& name, const std::string& behaviour, bool resolved) {
+HardCase tiny_in_vast_case(double half, const std::string& name, const std::string& behaviour,
+                           bool resolved) {
   HardCase c{name, behaviour, base_scene()};
   scale(c.scene.meshes[1], 1e-3);
   scale(c.scene.meshes[0], half / 3.0);
-  if (resolved) c.expect = [](const DrawnCase& drawn) { CHECK(drawn.share(&Ledger::in_map) == Approx(0.8355).margin(0.02)); };
+  if (resolved)
+    c.expect = [](const DrawnCase& drawn) {
+      CHECK(drawn.share(&Ledger::in_map) == Approx(0.8355).margin(0.02));
+    };
   return c;
 }
 
 HardCase vast_over_tiny_case() {
-  HardCase c{"a caster of a kilometre over a floor of a metre", "what passes the floor is booked", base_scene()};
+  HardCase c{"a caster of a kilometre over a floor of a metre", "what passes the floor is booked",
+             base_scene()};
   scale(c.scene.meshes[1], 1e3);
   return c;
 }
@@ -97,9 +104,11 @@ std::vector<HardCase> scale_cases() {
   for (const double factor : {1e-4, 1e-2, 1e2, 1e5}) cases.push_back(sized_case(factor));
   cases.push_back(shifted_case());
   cases.push_back(tiny_in_vast_case(15.0, "a caster of a millimetre over a floor of thirty metres",
-                                    "maps are framed on the caster and on its light, not on the floor", true));
-  cases.push_back(tiny_in_vast_case(9e3, "a caster of a millimetre over a floor of eighteen kilometres",
-                                    "beyond single precision (a part in 2^24): landings scatter, and what is off is booked", false));
+                                    "maps are framed on the caster and on its light, not on the floor",
+                                    true));
+  cases.push_back(tiny_in_vast_case(
+      9e3, "a caster of a millimetre over a floor of eighteen kilometres",
+      "beyond single precision (a part in 2^24): landings scatter, and what is off is booked", false));
   cases.push_back(vast_over_tiny_case());
   cases.push_back(flat_case());
   return cases;

@@ -13,7 +13,8 @@ thread_local std::int64_t left = kNever;
 
 bool is_own_code(const void* address) {
   Dl_info there{}, here{};
-  return dladdr(address, &there) && dladdr(reinterpret_cast<const void*>(&is_own_code), &here) && there.dli_fbase == here.dli_fbase;
+  return dladdr(address, &there) && dladdr(reinterpret_cast<const void*>(&is_own_code), &here) &&
+         there.dli_fbase == here.dli_fbase;
 }
 
 inline void* allocate(std::size_t bytes, const void* caller) {
@@ -28,8 +29,12 @@ inline void* allocate(std::size_t bytes, const void* caller) {
 // All forms but the aligned ones, which pair among themselves: what one of these gives another takes back.
 void* operator new(std::size_t bytes) { return allocate(bytes, __builtin_return_address(0)); }
 void* operator new[](std::size_t bytes) { return allocate(bytes, __builtin_return_address(0)); }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return std::malloc(bytes > 0 ? bytes : 1); }
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept { return std::malloc(bytes > 0 ? bytes : 1); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return std::malloc(bytes > 0 ? bytes : 1);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return std::malloc(bytes > 0 ? bytes : 1);
+}
 void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* memory) noexcept { std::free(memory); }

@@ -9,7 +9,8 @@ namespace caustics::test {
 
 class ForwardingDevice : public Device {
  public:
-  explicit ForwardingDevice(std::unique_ptr<Device> device = make_software_device()) : device_(std::move(device)) {}
+  explicit ForwardingDevice(std::unique_ptr<Device> device = make_software_device())
+      : device_(std::move(device)) {}
   std::string description() const override { return "forwarding"; }
   int max_texture_size() const override { return device_->max_texture_size(); }
   TextureId create_texture(Format format, int width, int height) override {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "passes/registry.hpp"
-#include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/measure/error_estimate.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/pixel_side.hpp"
+#include "pipeline/renderer/frame_renderer.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::test {
@@ -56,7 +56,7 @@ inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light 
 
 // What estimate_of reads.
 inline const std::vector<std::string> kEstimateTextures = {
-    kLanding,  kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear,
+    kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear,
     kCellFar, kCellFlux,    kCausticMap,     kCascadeMap,      "view_position"};
 
 inline ErrorEstimate estimate_of(const Rendering& r, const Settings& settings, int light = 0) {
@@ -64,15 +64,17 @@ inline ErrorEstimate estimate_of(const Rendering& r, const Settings& settings, i
   const auto read = [&](const std::string& name) { return has(name) ? r[name] : Image{}; };
   const Image& map = r[light_texture(kCausticMap, light)];
   const LightViews& views = r.views[static_cast<std::size_t>(light)];
-  return estimate_error(branch_images(light, r.branches, has, read), cell_images(light, r.branches, has, read), map,
-                        read(light_texture(kCascadeMap, light)), views, settings, ledger_of(r, settings, light),
-                        pixel_side(r["view_position"], map, views.caustic));
+  return estimate_error(branch_images(light, r.branches, has, read),
+                        cell_images(light, r.branches, has, read), map,
+                        read(light_texture(kCascadeMap, light)), views, settings,
+                        ledger_of(r, settings, light), pixel_side(r["view_position"], map, views.caustic));
 }
 
 // The sizes of grid and map at which an estimate is held against the truth.
 struct EstimateCase {
   int grid, map;
 };
-inline constexpr EstimateCase kEstimateCases[] = {{64, 64}, {64, 128}, {128, 64}, {128, 128}, {256, 128}, {256, 256}};
+inline constexpr EstimateCase kEstimateCases[] = {{64, 64},   {64, 128},  {128, 64},
+                                                  {128, 128}, {256, 128}, {256, 256}};
 
 }  // namespace caustics::test

@@ -30,8 +30,8 @@ inline void revolve(Mesh& mesh, const std::vector<ProfilePoint>& points, int sec
       const double angle = 2.0 * 3.14159265358979323846 * (j % sectors) / sectors;
       const glm::dvec3 out(std::cos(angle), 0.0, std::sin(angle));
       const glm::dvec3 normal = glm::normalize(p.normal_r * out + glm::dvec3(0.0, p.normal_y, 0.0));
-      mesh.vertices.push_back({.position = glm::vec3(p.r * out + glm::dvec3(0.0, p.y, 0.0)),
-                               .normal = glm::vec3(normal)});
+      mesh.vertices.push_back(
+          {.position = glm::vec3(p.r * out + glm::dvec3(0.0, p.y, 0.0)), .normal = glm::vec3(normal)});
     }
   const auto at = [&](std::size_t i, int j) {
     return first + static_cast<std::uint32_t>(i) * static_cast<std::uint32_t>(sectors + 1) +

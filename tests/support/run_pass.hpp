@@ -21,13 +21,14 @@ struct PassImages {
 struct PassInputs {
   int width = 1, height = 1;
   UniformBytes uniforms{};
-  std::vector<Image> textures{};   // in the order of the definition's reads; empty images are unbound
-  MeshData mesh{};                 // empty: `vertex_count` vertices without attributes
+  std::vector<Image> textures{};  // in the order of the definition's reads; empty images are unbound
+  MeshData mesh{};                // empty: `vertex_count` vertices without attributes
   int vertex_count = 3;
 };
 
 // What a frame with this effect makes of a pass.
-inline PassDefinition definition_with(const Pass& pass, Effect Effects::*effect, const DrawnFor& drawn_for = kFrame) {
+inline PassDefinition definition_with(const Pass& pass, Effect Effects::*effect,
+                                      const DrawnFor& drawn_for = kFrame) {
   Effects effects;
   (effects.*effect).active = true;
   return definition_of(pass, effects, drawn_for);
@@ -38,8 +39,7 @@ inline PassImages run_pass(const PassDefinition& definition, const PassInputs& i
   PassRun run{.definition = &definition};
   for (const ColorWrite& write : definition.writes)
     run.colors.push_back(device->create_texture(write.format, inputs.width, inputs.height));
-  if (definition.depth)
-    run.depth = device->create_texture(Format::Depth32F, inputs.width, inputs.height);
+  if (definition.depth) run.depth = device->create_texture(Format::Depth32F, inputs.width, inputs.height);
   Draw draw{.vertex_count = inputs.vertex_count, .uniforms = inputs.uniforms};
   if (!inputs.mesh.vertices.empty()) {
     draw.mesh = device->create_mesh(inputs.mesh);
@@ -62,9 +62,8 @@ inline MeshData quad(const glm::vec3 (&corners)[4], const glm::vec3& normal) {
   data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}};
   const float uv[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int i = 0; i < 4; ++i) {
-    const float vertex[12] = {corners[i].x, corners[i].y, corners[i].z, normal.x,
-                              normal.y,     normal.z,     1.0f,         0.0f,
-                              0.0f,         1.0f,         uv[i][0],     uv[i][1]};
+    const float vertex[12] = {corners[i].x, corners[i].y, corners[i].z, normal.x, normal.y, normal.z,
+                              1.0f,         0.0f,         0.0f,         1.0f,     uv[i][0], uv[i][1]};
     data.vertices.insert(data.vertices.end(), vertex, vertex + 12);
   }
   data.indices = {0, 1, 2, 0, 2, 3};

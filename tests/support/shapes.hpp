@@ -26,10 +26,9 @@ inline Mesh sphere(const glm::dvec3& centre, double radius, int levels, int mate
   std::vector<glm::dvec3> points = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
                                     {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
                                     {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  std::vector<std::uint32_t> faces = {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11,
-                                      1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6, 7, 1, 8,
-                                      3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9,
-                                      4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+  std::vector<std::uint32_t> faces = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                      4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                      6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
   for (glm::dvec3& p : points) p = glm::normalize(p);
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -97,8 +96,7 @@ inline Mesh box(const glm::dvec3& lower, const glm::dvec3& upper, int material) 
 }
 
 // An open sheet y = height + amplitude cos(k x) over [-half, half]^2, with exact normals.
-inline Mesh wave_sheet(double half, double height, double amplitude, double k, int cells,
-                       int material) {
+inline Mesh wave_sheet(double half, double height, double amplitude, double k, int cells, int material) {
   Mesh mesh;
   mesh.name = "water";
   mesh.material = material;
@@ -106,15 +104,14 @@ inline Mesh wave_sheet(double half, double height, double amplitude, double k, i
     for (int i = 0; i <= cells; ++i) {
       const double x = -half + 2.0 * half * i / cells, z = half - 2.0 * half * j / cells;
       const glm::dvec3 normal = glm::normalize(glm::dvec3(amplitude * k * std::sin(k * x), 1.0, 0.0));
-      mesh.vertices.push_back(
-          {.position = glm::vec3(glm::dvec3(x, height + amplitude * std::cos(k * x), z)),
-           .normal = glm::vec3(normal)});
+      mesh.vertices.push_back({.position = glm::vec3(glm::dvec3(x, height + amplitude * std::cos(k * x), z)),
+                               .normal = glm::vec3(normal)});
     }
   const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
   for (int j = 0; j < cells; ++j)
     for (int i = 0; i < cells; ++i)
-      for (const std::uint32_t v : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j),
-                                    at(i + 1, j + 1), at(i, j + 1)})
+      for (const std::uint32_t v :
+           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
         mesh.indices.push_back(v);
   finish(mesh, 0.0f);
   return mesh;
@@ -130,8 +127,8 @@ inline Mesh half_ring(double radius, double height, int cells, int material) {
     const double angle = 3.14159265358979323846 * (static_cast<double>(i) / cells - 0.5);
     const glm::dvec3 out(std::cos(angle), 0.0, std::sin(angle));
     for (const double y : {0.0, height})
-      mesh.vertices.push_back({.position = glm::vec3(radius * out + glm::dvec3(0.0, y, 0.0)),
-                               .normal = glm::vec3(-out)});
+      mesh.vertices.push_back(
+          {.position = glm::vec3(radius * out + glm::dvec3(0.0, y, 0.0)), .normal = glm::vec3(-out)});
   }
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(cells); ++i)
     for (const std::uint32_t v : {2 * i, 2 * i + 3, 2 * i + 1, 2 * i, 2 * i + 2, 2 * i + 3})
@@ -140,8 +137,8 @@ inline Mesh half_ring(double radius, double height, int cells, int material) {
   return mesh;
 }
 
-// A closed, flat-topped ring around the y axis that stands on y = 0; its walls have the cylinders' normals. With
-// `inner` 0 a rod with two lids.
+// A closed, flat-topped ring around the y axis that stands on y = 0; its walls have the cylinders' normals.
+// With `inner` 0 a rod with two lids.
 inline Mesh ring(double inner, double outer, double height, int cells, int material) {
   Mesh mesh;
   mesh.name = "ring";

@@ -23,8 +23,8 @@ inline Water bare_water(int columns, int rows, double damping = 0.0) {
   return water;
 }
 
-// A floor of 2 x 2 m and water of the same size over it; a vertical light of 1 lux, and an orthographic camera
-// between the two that looks down on the floor.
+// A floor of 2 x 2 m and water of the same size over it; a vertical light of 1 lux, and an orthographic
+// camera between the two that looks down on the floor.
 inline Scene pool_scene(double depth, const WaterSettings& settings) {
   Scene scene;
   scene.materials = {diffuse(0.8f), glass(1.33f)};

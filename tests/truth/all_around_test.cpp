@@ -67,8 +67,8 @@ bool near_edge(int x, int y) {
 
 // Within two grid vertices of a corner of the cube around the lamp.
 bool in_corner(const glm::dvec3& lamp, const Image& position, int x, int y) {
-  const glm::dvec3 way = glm::abs(
-      glm::dvec3(position.at(x, y, 0), position.at(x, y, 1), position.at(x, y, 2)) - lamp);
+  const glm::dvec3 way =
+      glm::abs(glm::dvec3(position.at(x, y, 0), position.at(x, y, 1), position.at(x, y, 2)) - lamp);
   return std::min({way.x, way.y, way.z}) > 0.9 * std::max({way.x, way.y, way.z});
 }
 
@@ -101,11 +101,11 @@ bool sees_all_around(const Scene& scene, const Settings& settings) {
 }  // namespace
 
 TEST_CASE("all around: through glass of index 1 a lamp lights all six walls as it would without") {
-  // The glass is a sphere around the lamp, so that all of its light takes the caustics' way. The lamp stands off the
-  // middle: the cube's edges cross the walls. A face of the grid has 74 vertices a side here. A cell across an edge of
-  // the cube has the flux of its own face's last vertex, whose density is 1.5 / 74 above the edge's: 2 %, measured 3 %
-  // with the maps' own texels. At the cube's corners three vertices meet instead of four. Near the room's own
-  // edges cells would have to bend, and points are laid instead.
+  // The glass is a sphere around the lamp, so that all of its light takes the caustics' way. The lamp stands
+  // off the middle: the cube's edges cross the walls. A face of the grid has 74 vertices a side here. A cell
+  // across an edge of the cube has the flux of its own face's last vertex, whose density is 1.5 / 74 above
+  // the edge's: 2 %, measured 3 % with the maps' own texels. At the cube's corners three vertices meet
+  // instead of four. Near the room's own edges cells would have to bend, and points are laid instead.
   const glm::dvec3 lamp{0.2, -0.1, 0.15};
   const Scene scene = room_with(lamp, {sphere(lamp, 0.4, 3, 1)}, 1.0f);
   const Settings settings = room_settings(240, 240);
@@ -174,9 +174,10 @@ TEST_CASE("all around: a whole sphere of light is 4 pi") {
 }
 
 TEST_CASE("all around: a caustic over an edge or a corner of the cube keeps its flux on the walls") {
-  // The same sphere in three directions; the lamp and the sphere turn, the room stays. What lands is what entered,
-  // and what the walls show of it is what landed: the sum of irradiance times area.
-  for (const glm::dvec3& towards : {glm::dvec3(1.0, 0.02, 0.03), glm::dvec3(1.0, 0.0, 1.0), glm::dvec3(1.0, -1.0, 1.0)}) {
+  // The same sphere in three directions; the lamp and the sphere turn, the room stays. What lands is what
+  // entered, and what the walls show of it is what landed: the sum of irradiance times area.
+  for (const glm::dvec3& towards :
+       {glm::dvec3(1.0, 0.02, 0.03), glm::dvec3(1.0, 0.0, 1.0), glm::dvec3(1.0, -1.0, 1.0)}) {
     const glm::dvec3 centre = 0.5 * glm::normalize(towards);
     Settings settings = room_settings(288, 288);
     settings.cube = Cube::On;
@@ -208,8 +209,8 @@ TEST_CASE("all around: a symmetric room is lit alike on opposite walls") {
     for (int y = 0; y < kPixels; ++y)
       for (int x = 0; x < kPixels; ++x)
         if (!near_edge(x, y))
-          worst = std::max(worst, std::fabs(double(other.caustic.at(x, y, 0)) /
-                                              double(first.caustic.at(x, y, 0)) - 1.0));
+          worst = std::max(
+              worst, std::fabs(double(other.caustic.at(x, y, 0)) / double(first.caustic.at(x, y, 0)) - 1.0));
     INFO("wall " << wall << ": " << worst);
     CHECK(worst < 0.005);
   }

@@ -178,8 +178,8 @@ TEST_CASE("truth: a prism turns light by its deviation") {
 }
 
 TEST_CASE("truth: a dispersing prism fans light out by its closed form") {
-  // BK7: n_d = 1.5168, Abbe number 64.17. With Cauchy's n_F - n_C = 0.008054 the F and C lines leave 0.70 degrees
-  // apart (0.7026 by Sellmeier's formula), and each lands where light of its own index does.
+  // BK7: n_d = 1.5168, Abbe number 64.17. With Cauchy's n_F - n_C = 0.008054 the F and C lines leave 0.70
+  // degrees apart (0.7026 by Sellmeier's formula), and each lands where light of its own index does.
   Material bk7 = glass(1.5168f);
   bk7.dispersion = static_cast<float>(20.0 / 64.17);
   const Prism prism(bk7);

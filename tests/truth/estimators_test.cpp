@@ -1,5 +1,5 @@
-// How far from its landing each estimator puts a ray after so many steps: rays of known direction from around a
-// caster's middle, onto receivers of known shape (docs/accuracy.md has the table).
+// How far from its landing each estimator puts a ray after so many steps: rays of known direction from around
+// a caster's middle, onto receivers of known shape (docs/accuracy.md has the table).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "passes/landing/landing.hpp"
-#include "pipeline/scene/cube_view.hpp"
 #include "pipeline/measure/ledger.hpp"
+#include "pipeline/scene/cube_view.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/cube_map.hpp"
 #include "tests/support/run_pass.hpp"
@@ -19,8 +19,8 @@ using namespace caustics::test;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kHalf = 4.0;          // of the frame's window, metres
-constexpr int kMap = 512;              // texels of the receiver map, a side: 1 / 64 m
+constexpr double kHalf = 4.0;             // of the frame's window, metres
+constexpr int kMap = 512;                 // texels of the receiver map, a side: 1 / 64 m
 const glm::dvec3 kMiddle{0.0, 1.5, 0.0};  // of the caster, metres
 
 // A receiver as the light from above sees it: metres above y = 0.
@@ -39,8 +39,8 @@ const Receiver kReceivers[] = {{"plane", [](double x, double) { return 0.2 * x; 
                                {"waves", [](double x, double) { return 0.2 * std::sin(3.0 * x); }},
                                {"step", [](double x, double) { return x > 0.4 ? 0.5 : 0.0; }}};
 
-// Where the ray first comes below the receiver, walls and all, in units of `direction`: by steps of 0.4 to 10 mm,
-// the smaller the nearer it is, then by bisection.
+// Where the ray first comes below the receiver, walls and all, in units of `direction`: by steps of 0.4 to 10
+// mm, the smaller the nearer it is, then by bisection.
 double first_meeting(const Receiver& receiver, const glm::dvec3& start, const glm::dvec3& direction) {
   const double length = glm::length(direction);
   const auto above = [&](double t) {
@@ -63,8 +63,8 @@ struct Ray {
   bool seen = true;     // by the light: not on a wall
 };
 
-// side x side rays 1 to 55 degrees from the light, all around, from within 0.2 m of the caster's middle. A mirror's
-// normal in single precision says the direction, so that the pass and the truth have the same.
+// side x side rays 1 to 55 degrees from the light, all around, from within 0.2 m of the caster's middle. A
+// mirror's normal in single precision says the direction, so that the pass and the truth have the same.
 struct Fan {
   int side;
   std::vector<Ray> rays;
@@ -78,9 +78,11 @@ struct Fan {
 
   void add(const Receiver& receiver, int x, int y) {
     const double angle = (1.0 + 54.0 * (y + 0.5) / side) * kPi / 180.0, turn = 2.0 * kPi * (x + 0.5) / side;
-    const glm::dvec3 wanted{std::sin(angle) * std::cos(turn), -std::cos(angle), std::sin(angle) * std::sin(turn)};
+    const glm::dvec3 wanted{std::sin(angle) * std::cos(turn), -std::cos(angle),
+                            std::sin(angle) * std::sin(turn)};
     const glm::vec3 n(glm::normalize(wanted - glm::dvec3(0.0, -1.0, 0.0)));
-    const glm::vec3 start(kMiddle + 0.2 * glm::dvec3(std::cos(5.0 * turn), 0.3 * std::sin(3.0 * turn), std::sin(5.0 * turn)));
+    const glm::vec3 start(
+        kMiddle + 0.2 * glm::dvec3(std::cos(5.0 * turn), 0.3 * std::sin(3.0 * turn), std::sin(5.0 * turn)));
     for (int c = 0; c < 3; ++c) {
       position.at(x, y, c) = start[c];
       normal.at(x, y, c) = n[c];
@@ -109,7 +111,9 @@ Image seen_from_above(const Receiver& receiver) {
 // What an estimator makes of a fan, for one receiver.
 struct Trial {
   Trial(const Receiver& r, int rays_a_side, int atlas)
-      : fan(r, rays_a_side), receiver(seen_from_above(r)), impostors(with_atlas(cube_view(kMiddle, {0.2, 20.0}), atlas)) {
+      : fan(r, rays_a_side),
+        receiver(seen_from_above(r)),
+        impostors(with_atlas(cube_view(kMiddle, {0.2, 20.0}), atlas)) {
     impostor = positions_around(impostors, [&](const glm::dvec3& d) {
       return d.y < 0.0 && glm::dot(d, d) < 1e4 * d.y * d.y ? first_meeting(r, kMiddle, d) : 0.0;
     });
@@ -117,40 +121,41 @@ struct Trial {
 
   PassImages run(int estimator, int iterations) const {
     const std140::View seen = shader_view(view);
-    const std140::Landing u{.caster = seen,
-                            .receiver = seen,
-                            .caustic = seen,
-                            .cone = {.axis = {0.0f, -1.0f, 0.0f}, .scale = 0.0f, .offset = 0.0f, .lambertian = 0},
-                            .light = {0.0f, -1.0f, 0.0f},
-                            .cell_area = 1.0f,
-                            .channel_share = {1.0f, 1.0f, 1.0f},
-                            .bend = 0.0f,
-                            .receivers_lower = {-4.0f, -2.0f, -4.0f},
-                            .exit_tolerance = 2.0f,
-                            .receivers_upper = {4.0f, 2.0f, 4.0f},
-                            .landing_tolerance = 2.0f,
-                            .impostor_centre = impostors.origin,
-                            .tile_width = 0.0f,
-                            .tile_height = 0.0f,
-                            .tile_guard = 0.0f,
-                            .iterations = iterations,
-                            .estimator = estimator,
-                            .paper_weights = 0,
-                            .is_reflection = 0,
-                            .has_mirrors = 1,
-                            .has_exit_maps = 0,
-                            .wyman_thickness = 0,
-                            .has_caster_tint = 0,
-                            .only_unconverged = 0,
-                            .impostor = shader_view(impostors)};
+    const std140::Landing u{
+        .caster = seen,
+        .receiver = seen,
+        .caustic = seen,
+        .cone = {.axis = {0.0f, -1.0f, 0.0f}, .scale = 0.0f, .offset = 0.0f, .lambertian = 0},
+        .light = {0.0f, -1.0f, 0.0f},
+        .cell_area = 1.0f,
+        .channel_share = {1.0f, 1.0f, 1.0f},
+        .bend = 0.0f,
+        .receivers_lower = {-4.0f, -2.0f, -4.0f},
+        .exit_tolerance = 2.0f,
+        .receivers_upper = {4.0f, 2.0f, 4.0f},
+        .landing_tolerance = 2.0f,
+        .impostor_centre = impostors.origin,
+        .tile_width = 0.0f,
+        .tile_height = 0.0f,
+        .tile_guard = 0.0f,
+        .iterations = iterations,
+        .estimator = estimator,
+        .paper_weights = 0,
+        .is_reflection = 0,
+        .has_mirrors = 1,
+        .has_exit_maps = 0,
+        .wyman_thickness = 0,
+        .has_caster_tint = 0,
+        .only_unconverged = 0,
+        .impostor = shader_view(impostors)};
     Image materials = filled(3, 1, {1.0f, 1.0f, 1.0f, 0.0f});
     materials.at(0, 0, 3) = 1.0f;  // a mirror
     return run_pass(definition_of(landing_pass()),
                     {.width = fan.side,
                      .height = fan.side,
                      .uniforms = uniform_bytes(u),
-                     .textures = {fan.position, fan.normal, Image{}, Image{}, receiver, materials, Image{}, impostor,
-                                  Image{}}});
+                     .textures = {fan.position, fan.normal, Image{}, Image{}, receiver, materials, Image{},
+                                  impostor, Image{}}});
   }
 
   Fan fan;
@@ -163,7 +168,7 @@ struct Trial {
 // Over the rays whose landing the light sees.
 struct Errors {
   double median = 0.0, ninety_fifth = 0.0;  // metres from the landing, of all, said to have converged or not
-  double booked = 0.0;      // share that the pass itself says has not landed
+  double booked = 0.0;                      // share that the pass itself says has not landed
   double undetected = 0.0;  // share drawn as landed though farther off than two texels' extents
 };
 
@@ -191,11 +196,10 @@ Errors errors_of(const Trial& trial, int estimator, int iterations) {
   return result;
 }
 
-constexpr std::pair<int, const char*> kEstimators[] = {
-    {ESTIMATOR_PAPER, "paper"},
-    {ESTIMATOR_NEWTON, "newton"},
-    {ESTIMATOR_IMPOSTOR, "impostor"},
-    {ESTIMATOR_SECANT, "secant"}};
+constexpr std::pair<int, const char*> kEstimators[] = {{ESTIMATOR_PAPER, "paper"},
+                                                       {ESTIMATOR_NEWTON, "newton"},
+                                                       {ESTIMATOR_IMPOSTOR, "impostor"},
+                                                       {ESTIMATOR_SECANT, "secant"}};
 
 }  // namespace
 
@@ -206,7 +210,8 @@ TEST_CASE("estimators: after five steps the secant beats paper and Newton, and o
     INFO(receiver.name);
     CHECK(secant <= errors_of(trial, ESTIMATOR_PAPER, 5).ninety_fifth);
     CHECK(secant <= errors_of(trial, ESTIMATOR_NEWTON, 5).ninety_fifth);
-    if (receiver.name == std::string("sphere")) CHECK(secant <= errors_of(trial, ESTIMATOR_IMPOSTOR, 5).ninety_fifth);
+    if (receiver.name == std::string("sphere"))
+      CHECK(secant <= errors_of(trial, ESTIMATOR_IMPOSTOR, 5).ninety_fifth);
   }
 }
 

@@ -31,8 +31,7 @@ struct Slab {
     material.attenuation_color = glm::vec3(left);
     material.attenuation_distance = static_cast<float>(thickness);
     scene.materials = {diffuse(0.8f), material};
-    scene.meshes = {floor(5.0, 0.0, 0),
-                    box({-1.0, bottom, -1.0}, {1.0, bottom + thickness, 1.0}, 1)};
+    scene.meshes = {floor(5.0, 0.0, 0), box({-1.0, bottom, -1.0}, {1.0, bottom + thickness, 1.0}, 1)};
     scene.lights = {sun({std::sin(angle), -std::cos(angle), 0.0}, 1.0f)};
     Camera camera = camera_down(0.5 * bottom, 0.8);
     camera.position.x = patch().x;
@@ -96,8 +95,7 @@ double booked_reflectance(const Bench& bench, double incidence, double index) {
   scene.meshes = {floor(8.0, 0.0, 0), wave_sheet(1.0, 0.1, 0.0, 1.0, 4, 1)};
   scene.lights = {sun({std::sin(incidence), -std::cos(incidence), 0.0}, 1.0f)};
   // Fine enough to see the sheet at half a degree: 17 mm of a window of 1 m.
-  const Rendering r =
-      bench.render(scene, small_settings(256, 256, 8), {kLandingFresnel, kCausticMap});
+  const Rendering r = bench.render(scene, small_settings(256, 256, 8), {kLandingFresnel, kCausticMap});
   const Image& fresnel = r[light_texture(kLandingFresnel, 0)];
   double reflected = 0.0, entered = 0.0;
   for (int y = 0; y < fresnel.height(); ++y)
@@ -109,17 +107,14 @@ double booked_reflectance(const Bench& bench, double incidence, double index) {
   return reflected / entered;
 }
 
-double reflectance(double incidence, double index) {
-  return fresnel(std::cos(incidence), 1.0, index).mean();
-}
+double reflectance(double incidence, double index) { return fresnel(std::cos(incidence), 1.0, index).mean(); }
 
 // The cosine between two rounded unit vectors is off by some roundings, and R by its slope times as
 // much, besides its own roundings.
 double reflectance_bound(double incidence, double index) {
   const double off = 4.0 * kUlp, cosine = std::cos(incidence);
   const auto at = [&](double c) { return fresnel(std::max(c, 0.0), 1.0, index).mean(); };
-  return std::max(std::fabs(at(cosine + off) - at(cosine)),
-                  std::fabs(at(cosine - off) - at(cosine))) +
+  return std::max(std::fabs(at(cosine + off) - at(cosine)), std::fabs(at(cosine - off) - at(cosine))) +
          4.0 * kUlp;
 }
 
@@ -136,8 +131,8 @@ bool all_reflected(const Bench& bench, double incidence, double index) {
   const int y = landing.height() / 2;
   for (int x = 0; x < landing.width(); ++x) {
     const glm::dvec3 p1{position.at(x, y, 0), position.at(x, y, 1), 0.0};
-    if (position.at(x, y, 3) == 0.0f ||
-        !prism.is_entry(r[light_texture("caster_normal", 0)], x, y) || !prism.exit_point(p1, index))
+    if (position.at(x, y, 3) == 0.0f || !prism.is_entry(r[light_texture("caster_normal", 0)], x, y) ||
+        !prism.exit_point(p1, index))
       continue;
     ++compared;
     reflected += landing.at(x, y, 3) == float(LandingStatus::TotalReflection) ? 1 : 0;
@@ -186,8 +181,8 @@ Rows slab_rows(const Bench& bench) {
     for (int c = 0; c < 3; ++c)
       rows.push_back({c == 0 ? "slab" : "Beer and Lambert",
                       std::string(names[c]) + ", " + degrees_text(angle) + ", worst pixel",
-                      worst_pixel(slab, r, settings.width, margin, c),
-                      4.0 * settings.map * 0.5 * kUlp, text});
+                      worst_pixel(slab, r, settings.width, margin, c), 4.0 * settings.map * 0.5 * kUlp,
+                      text});
   }
   return rows;
 }
@@ -204,8 +199,7 @@ Rows prism_rows(const Bench& bench) {
     const double deviation = *prism_deviation(60.0 * kDegree, 1.5, incidence * kDegree);
     // Across the ray, seen from the prism's middle.
     const double squared_cosine = std::cos(deviation) * std::cos(deviation);
-    rows.push_back({"prism",
-                    "deviation at " + degrees_text(incidence * kDegree) + ", worst ray, radians",
+    rows.push_back({"prism", "deviation at " + degrees_text(incidence * kDegree) + ", worst ray, radians",
                     compared > 0 ? worst * squared_cosine / prism.height : 1.0,
                     // Some ulps of each coordinate, up to 4 m; the exit's cosine divides them.
                     4.0 * 4.0 * kUlp, text_of(settings)});

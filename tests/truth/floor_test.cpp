@@ -26,8 +26,8 @@ double radius(int x, int y, int picture) {
 
 TEST_CASE("floor: glass of index 1 leaves no trace but at the shadow's edge") {
   // The caustic must fill the shadow exactly. The kernel's radius (2.1 texels) plus two texels of the map,
-  // 1.06 m / 256 each, is 17 mm. A pixel, 3.8 texels wide, is averaged over sqrt(3.8^2 - 3) texels, whose corners
-  // are 10 mm from its middle.
+  // 1.06 m / 256 each, is 17 mm. A pixel, 3.8 texels wide, is averaged over sqrt(3.8^2 - 3) texels, whose
+  // corners are 10 mm from its middle.
   Settings settings = small_settings(256, 256, 128);
   const Rendering with = render(sphere_scene(1.0f), settings, kLayers);
   double worst = 0.0;

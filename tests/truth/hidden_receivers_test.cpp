@@ -11,15 +11,20 @@ using namespace caustics::test;
 namespace {
 
 const std::vector<std::string> kTextures = [] {
-  std::vector<std::string> textures{"aov_caustic", far_texture(kLanding), far_texture(kLandingFlux),
-                                    far_texture(kLandingFresnel), far_texture(kLandingAbsorbed),
-                                    far_texture(kCellFlux), far_texture(kCausticMap)};
+  std::vector<std::string> textures{"aov_caustic",
+                                    far_texture(kLanding),
+                                    far_texture(kLandingFlux),
+                                    far_texture(kLandingFresnel),
+                                    far_texture(kLandingAbsorbed),
+                                    far_texture(kCellFlux),
+                                    far_texture(kCausticMap)};
   textures.insert(textures.end(), kEstimateTextures.begin(), kEstimateTextures.end());
   return textures;
 }();
 
-// Below the focus of a sphere of glass light goes outwards. A board beside the axis, 0.12 m above the floor, hides the floor
-// below it from the light's own view, but light goes in under its inner edge at x = 0.15 m. The camera is below the board.
+// Below the focus of a sphere of glass light goes outwards. A board beside the axis, 0.12 m above the floor,
+// hides the floor below it from the light's own view, but light goes in under its inner edge at x = 0.15 m.
+// The camera is below the board.
 Scene sphere_above(bool board) {
   Scene scene = sphere_scene(1.5f);
   scene.cameras = {camera_down(0.1, 1.0)};
@@ -50,7 +55,8 @@ TEST_CASE("far receivers: light lands on what a receiver hides from the light") 
   const Rendering with = render(sphere_above(true), settings, kTextures);
   settings.hidden_receivers = false;
   const Rendering without = render(sphere_above(true), settings, kTextures);
-  // The board takes nothing of what lands there; a texel of 4 mm at its edge is shared by both sides, of 30 mm that are counted.
+  // The board takes nothing of what lands there; a texel of 4 mm at its edge is shared by both sides, of 30
+  // mm that are counted.
   CHECK(behind_edge(with, 256) == Approx(behind_edge(open, 256)).epsilon(0.1));
   CHECK(behind_edge(without, 256) < 0.1 * behind_edge(open, 256));
   const Ledger ledger = ledger_of(with, settings);

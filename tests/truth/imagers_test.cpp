@@ -36,8 +36,7 @@ struct Imager {
   std::function<double(double)> height, tilt;
   double turn = 1.0, steepest = 0.0;  // of the ray that leaves, tan from the vertical
   std::function<double(double)> landing;
-  double texel =
-      0.0;  // of the maps that hold the bending surface, metres, where they interpolate it
+  double texel = 0.0;  // of the maps that hold the bending surface, metres, where they interpolate it
 };
 
 void add_floor_and_light(Imager& imager, double half) {
@@ -65,9 +64,7 @@ Imager hyperbolic_lens(double plane, const Fineness& fine) {
   const auto flat = [&](double r) { return ProfilePoint{r, top, 0.0, 1.0}; };
   revolve(mesh, profile(0.0, radius, 1, flat), fine.sectors());
   revolve(mesh, {{radius, top, 1.0, 0.0}, {radius, rim, 1.0, 0.0}}, fine.sectors());
-  const auto exit = [&](double r) {
-    return ProfilePoint{r, imager.height(r), -lens.slope(r), -1.0};
-  };
+  const auto exit = [&](double r) { return ProfilePoint{r, imager.height(r), -lens.slope(r), -1.0}; };
   revolve(mesh, profile(0.0, radius, fine.rings, exit), fine.sectors());
   finish(mesh, 1.0f);
   imager.scene.materials = {glass(1.5f)};
@@ -94,9 +91,7 @@ Imager ellipsoidal_entry(double plane, const Fineness& fine) {
   Mesh mesh;
   mesh.name = "entry face";
   mesh.material = 1;
-  const auto entry = [&](double r) {
-    return ProfilePoint{r, imager.height(r), face.slope(r), 1.0};
-  };
+  const auto entry = [&](double r) { return ProfilePoint{r, imager.height(r), face.slope(r), 1.0}; };
   revolve(mesh, profile(0.0, radius, fine.rings, entry), fine.sectors());
   finish(mesh, 0.0f);
   imager.scene.materials = {glass(1.5f)};
@@ -123,9 +118,7 @@ Imager paraboloid(double plane, const Fineness& fine) {
   Mesh mesh;
   mesh.name = "bowl";
   mesh.material = 1;
-  const auto wall = [&](double r) {
-    return ProfilePoint{r, imager.height(r), -bowl.slope(r), 1.0};
-  };
+  const auto wall = [&](double r) { return ProfilePoint{r, imager.height(r), -bowl.slope(r), 1.0}; };
   revolve(mesh, profile(inner, outer, fine.rings, wall), fine.sectors());
   finish(mesh, 0.0f);
   imager.scene.materials = {metal(glm::vec3(1.0f))};
@@ -159,8 +152,7 @@ double landing_bound(const Imager& i, const Fineness& fine) {
   height += height_slope * sagitta;
   const double cosine = std::sqrt(1.0 - i.tilt(r) * i.tilt(r));
   const double slant = 1.0 + i.steepest * i.steepest;
-  return i.lever * slant * i.turn * normal / cosine + i.steepest * height +
-         16.0 * kUlp * i.lever * slant;
+  return i.lever * slant * i.turn * normal / cosine + i.steepest * height + 16.0 * kUlp * i.lever * slant;
 }
 
 struct Landings {
@@ -200,8 +192,7 @@ Landings compare(const Imager& imager, const Rendering& r) {
 
 Landings measure(const Bench& bench, const Imager& imager, const Fineness& fine) {
   Settings settings = small_settings(fine.grid, fine.grid, 8);
-  const Landings found =
-      compare(imager, bench.render(imager.scene, settings, {kLanding, kCausticMap}));
+  const Landings found = compare(imager, bench.render(imager.scene, settings, {kLanding, kCausticMap}));
   INFO(found.lost << " of " << found.compared << " rays did not land");
   CHECK(found.compared > fine.grid);
   CHECK(found.lost == 0);
@@ -212,8 +203,8 @@ Landings measure(const Bench& bench, const Imager& imager, const Fineness& fine)
 
 using MakeImager = Imager (*)(double plane, const Fineness&);
 
-void add_rows(const Bench& bench, MakeImager make, const std::string& name,
-              const std::vector<double>& planes, double focus, Rows& rows) {
+void add_rows(const Bench& bench, MakeImager make, const std::string& name, const std::vector<double>& planes,
+              double focus, Rows& rows) {
   const Fineness fine{.grid = bench.full ? 512 : 256, .rings = bench.full ? 128 : 64};
   for (const double plane : planes) {
     const Imager imager = make(plane, fine);
@@ -222,9 +213,8 @@ void add_rows(const Bench& bench, MakeImager make, const std::string& name,
     std::snprintf(text, sizeof text, "landing radius, floor at %.2f m, worst, m", plane);
     rows.push_back({name, text, found.worst, landing_bound(imager, fine), fine.text()});
   }
-  for (const Fineness& f :
-       {Fineness{fine.grid / 2, fine.rings / 2}, Fineness{fine.grid, fine.rings / 2},
-        Fineness{fine.grid / 2, fine.rings}, fine}) {
+  for (const Fineness& f : {Fineness{fine.grid / 2, fine.rings / 2}, Fineness{fine.grid, fine.rings / 2},
+                            Fineness{fine.grid / 2, fine.rings}, fine}) {
     const Imager imager = make(focus, f);
     const Landings found = measure(bench, imager, f);
     rows.push_back({name, "spot at the focus, root mean square radius, m", found.spread,
@@ -247,24 +237,22 @@ Row lens_irradiance(const Bench& bench) {
     double low = 0.0, high = 0.3;
     for (int i = 0; i < 60; ++i)
       (lens.landing(0.5 * (low + high), plane) < landed ? low : high) = 0.5 * (low + high);
-    const double passed =
-        0.96 * (1.0 - fresnel(std::cos(std::atan(lens.slope(low))), 1.5, 1.0).mean());
+    const double passed = 0.96 * (1.0 - fresnel(std::cos(std::atan(lens.slope(low))), 1.5, 1.0).mean());
     return passed * lens.irradiance(low, plane);
   };
   const double texel = texel_on_floor(imager.scene, r, settings);
   std::vector<double> picture, exact, shifted;
   for (int y = 0; y < settings.height; ++y)
     for (int x = 0; x < settings.width; ++x) {
-      const glm::dvec2 p =
-          1.2 * reach * (2.0 * (glm::dvec2(x, y) + 0.5) / double(settings.width) - 1.0);
+      const glm::dvec2 p = 1.2 * reach * (2.0 * (glm::dvec2(x, y) + 0.5) / double(settings.width) - 1.0);
       const double landed = glm::length(p);
       if (landed > reach) continue;
       picture.push_back(double(r["aov_caustic"].at(x, y, 0)));
       exact.push_back(truth(landed));
       shifted.push_back(truth(landed + texel));
     }
-  return {"hyperbolic lens", "irradiance, floor at half the focus, relative L1",
-          relative_l1(picture, exact), relative_l1(shifted, exact), fine.text()};
+  return {"hyperbolic lens", "irradiance, floor at half the focus, relative L1", relative_l1(picture, exact),
+          relative_l1(shifted, exact), fine.text()};
 }
 
 }  // namespace

@@ -12,8 +12,7 @@ using namespace caustics::test;
 namespace {
 
 Ledger ledger(const Scene& scene, const Settings& settings) {
-  return ledger_of(render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed}),
-                   settings);
+  return ledger_of(render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed}), settings);
 }
 
 constexpr double kPi = 3.14159265358979323846;
@@ -63,8 +62,8 @@ TEST_CASE("ledger: where all wavelengths bend alike the map is that of one") {
 }
 
 TEST_CASE("ledger: what glass mirrors moves from Fresnel's account into the map") {
-  // A sheet of water above a wall-less floor sends its share upwards: missed or outside. A sphere's first surface
-  // mirrors 0.09178 of the light; half of that goes up, the rest can land.
+  // A sheet of water above a wall-less floor sends its share upwards: missed or outside. A sphere's first
+  // surface mirrors 0.09178 of the light; half of that goes up, the rest can land.
   Settings settings = small_settings(128, 128, 16);
   const Ledger without = ledger(sphere_scene(1.5f), settings);
   settings.reflections = true;

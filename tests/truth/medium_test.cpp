@@ -1,4 +1,5 @@
-// A medium around scenes with known answers: attenuation, single scattering, flux on planes, the place of a focus.
+// A medium around scenes with known answers: attenuation, single scattering, flux on planes, the place of a
+// focus.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-Scene with_medium(Scene scene, const glm::vec3& scattering, const glm::vec3& absorption, float anisotropy = 0.0f) {
+Scene with_medium(Scene scene, const glm::vec3& scattering, const glm::vec3& absorption,
+                  float anisotropy = 0.0f) {
   scene.medium = {scattering, absorption, anisotropy};
   return scene;
 }
@@ -29,8 +31,9 @@ Scene side_view() {
   return scene;
 }
 
-// Light left of a vertical unit irradiance under a sphere of radius 0.5 that bends and takes nothing and is no
-// medium itself: integral of exp(-s (h - 2 c)) 2 pi r dr, c = sqrt(R^2 - r^2), h the way without the sphere.
+// Light left of a vertical unit irradiance under a sphere of radius 0.5 that bends and takes nothing and is
+// no medium itself: integral of exp(-s (h - 2 c)) 2 pi r dr, c = sqrt(R^2 - r^2), h the way without the
+// sphere.
 double under_clear_sphere(double s, double h) {
   return 2.0 * kPi * std::exp(-s * h) * (std::exp(s) * (s - 1.0) + 1.0) / (4.0 * s * s);
 }
@@ -60,7 +63,8 @@ TEST_CASE("medium: light that reaches all of a ray alike scatters as the closed 
     const double y = 0.5 + (row + 0.5) / 8.0;
     for (int c = 0; c < 3; ++c) {
       const double s = double(scattering[c]) + double(absorption[c]);
-      const double expected = scattering[c] * phase * std::exp(-s * (1.0 - y)) * (1.0 - std::exp(-6.0 * s)) / s;
+      const double expected =
+          scattering[c] * phase * std::exp(-s * (1.0 - y)) * (1.0 - std::exp(-6.0 * s)) / s;
       CHECK(r["beauty"].at(3, row, c) == Approx(expected).epsilon(1e-5));
     }
   }
@@ -69,8 +73,8 @@ TEST_CASE("medium: light that reaches all of a ray alike scatters as the closed 
 }
 
 TEST_CASE("medium: towards the light both ways count") {
-  // Straight down on the floor from 0.2 m, light from behind the camera: it has come as far as it goes back. The
-  // steps follow the sum of both ways exactly.
+  // Straight down on the floor from 0.2 m, light from behind the camera: it has come as far as it goes back.
+  // The steps follow the sum of both ways exactly.
   Scene scene = with_medium(without_casters(sphere_scene(1.5f)), glm::vec3(2.0f), glm::vec3(1.0f));
   scene.materials[0].base_color = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
   const Rendering r = render(scene, small_settings(8, 8, 9), {"beauty"});
@@ -103,7 +107,8 @@ TEST_CASE("medium: the flux on every plane is the photons' alive, less what the 
   const double s = 0.7;
   const Scene scene = with_medium(sphere_scene(1.0f), glm::vec3(0.4f), glm::vec3(0.3f));
   const Settings settings = small_settings(128, 128, 16);
-  const Rendering r = render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
+  const Rendering r =
+      render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
   const Image &start = r["landing_start[0]"], &way = r["landing_way[0]"], &flux = r["landing_start_flux[0]"];
   for (const double height : {0.25, 0.1, 0.0}) {
     double sum = 0.0;
@@ -128,7 +133,8 @@ TEST_CASE("medium: the ledger closes with every branch") {
   scene.materials[1].dispersion = 0.5f;
   Settings settings = small_settings(64, 64, 16);
   settings.reflections = true;
-  const Rendering r = render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
+  const Rendering r =
+      render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
   const Ledger ledger = ledger_of(r, settings);
   CHECK(ledger.residual() < 1e-5);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -139,8 +145,9 @@ TEST_CASE("medium: the ledger closes with every branch") {
 }
 
 TEST_CASE("medium: behind clear glass beams fill in what it takes out of the direct haze") {
-  // IOR 1 bends and takes nothing, so below the sphere the haze is as bright, all in all, as without it. Seen from
-  // the side; a lid of 2 cm keeps the medium as high. With one grid vertex a beam, and with four by four.
+  // IOR 1 bends and takes nothing, so below the sphere the haze is as bright, all in all, as without it. Seen
+  // from the side; a lid of 2 cm keeps the medium as high. With one grid vertex a beam, and with four by
+  // four.
   Scene scene = with_medium(sphere_scene(1.0f), glm::vec3(1e-3f), glm::vec3(0.0f));
   Camera& camera = scene.cameras[0];
   camera.position = {0.0, 0.6, 3.0};

@@ -18,8 +18,7 @@ namespace caustics::test {
 struct Prism {
   static constexpr double kDegree = 3.14159265358979323846 / 180.0;
   double incidence;  // on the entry face
-  double entry = 90.0 * kDegree + incidence, exit = entry + 120.0 * kDegree,
-         base = exit + 120.0 * kDegree;
+  double entry = 90.0 * kDegree + incidence, exit = entry + 120.0 * kDegree, base = exit + 120.0 * kDegree;
   double inner = 0.1, height = 0.6;  // of the faces from the middle; of the middle above the floor
   Scene scene;
 
@@ -35,8 +34,7 @@ struct Prism {
   // Where the lines normal(a).p = inner and normal(b).p = inner meet.
   glm::dvec2 corner(double a, double b) const {
     const double d = std::cos(a) * std::sin(b) - std::sin(a) * std::cos(b);
-    return glm::dvec2(inner * (std::sin(b) - std::sin(a)) / d,
-                      inner * (std::cos(a) - std::cos(b)) / d);
+    return glm::dvec2(inner * (std::sin(b) - std::sin(a)) / d, inner * (std::cos(a) - std::cos(b)) / d);
   }
 
   Mesh mesh() const {
@@ -99,8 +97,8 @@ struct Prism {
 
 // The largest distance between landings and those followed by hand, over the middle row of the
 // entry face, metres.
-inline double worst_landing(const Prism& prism, const Rendering& r, const std::string& landing_name,
-                            double n, int& compared) {
+inline double worst_landing(const Prism& prism, const Rendering& r, const std::string& landing_name, double n,
+                            int& compared) {
   const Image& landing = r[landing_name];
   const Image& position = r[light_texture("caster_position", 0)];
   const Image& normal = r[light_texture("caster_normal", 0)];

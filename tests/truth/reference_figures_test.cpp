@@ -1,14 +1,15 @@
-// The light tracer against closed forms, box by box, in the errors that it states itself. The boxes are the picture's
-// pixels, wide enough to hold many rays; the truth of each is the closed form's mean over it, folds included.
+// The light tracer against closed forms, box by box, in the errors that it states itself. The boxes are the
+// picture's pixels, wide enough to hold many rays; the truth of each is the closed form's mean over it, folds
+// included.
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "pipeline/effects/spectrum.hpp"
-#include "pipeline/scene/light_samples.hpp"
 #include "lab/reference/glass_bar.hpp"
 #include "lab/reference/ring_floor.hpp"
 #include "lab/reference/tracer/tracer.hpp"
+#include "pipeline/effects/spectrum.hpp"
+#include "pipeline/scene/light_samples.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/truth/prism.hpp"
@@ -21,8 +22,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 // How fine and how long.
 struct Effort {
-  int boxes;    // a side of the picture
-  int side;     // side^2 rays a batch
+  int boxes;  // a side of the picture
+  int side;   // side^2 rays a batch
   int batches;
 };
 // 16.8 million rays a scene for the table in docs/reference.md, 0.2 million for a run of the tests.
@@ -40,22 +41,23 @@ struct Case {
 // Of one channel.
 struct Figures {
   int channel = 0;
-  int boxes = 0;            // that count
-  double left_out = 0.0;    // share of the light in boxes that too few rays reach
-  double stray = 0.0;       // share of the light where there should be none
-  double l1 = 0.0;          // sum |difference| over the sum of the truth
-  double stated = 0.0;      // 0.80 of the sum of the stated errors over the same: what l1 is if they are right
-  double chi_square = 0.0;  // mean of (difference / stated error)^2
+  int boxes = 0;          // that count
+  double left_out = 0.0;  // share of the light in boxes that too few rays reach
+  double stray = 0.0;     // share of the light where there should be none
+  double l1 = 0.0;        // sum |difference| over the sum of the truth
+  double stated = 0.0;    // 0.80 of the sum of the stated errors over the same: what l1 is if they are right
+  double chi_square = 0.0;              // mean of (difference / stated error)^2
   double expected = 0.0, spread = 0.0;  // of chi_square, if they are right: mean and standard deviation
-  double flux = 0.0, flux_error = 0.0;  // of all boxes over the truth's, and its standard error, from batch to batch
+  double flux = 0.0,
+         flux_error = 0.0;  // of all boxes over the truth's, and its standard error, from batch to batch
 };
 
 // A box that fewer rays of a batch reach has no normal error.
 constexpr double kLeastRays = 8.0;
 
-// The error of each box is estimated from as many batches: its square is distributed as F(1, n), n = batches - 1, with
-// mean n / (n - 2) and variance 2 n^2 (n - 1) / ((n - 2)^2 (n - 4)). What one box has too much a neighbour may have too
-// little: four correlations of -1/4 at most add a quarter to the variance of the mean.
+// The error of each box is estimated from as many batches: its square is distributed as F(1, n), n = batches
+// - 1, with mean n / (n - 2) and variance 2 n^2 (n - 1) / ((n - 2)^2 (n - 4)). What one box has too much a
+// neighbour may have too little: four correlations of -1/4 at most add a quarter to the variance of the mean.
 void expect(int boxes, int batches, Figures& f) {
   const double n = batches - 1.0;
   f.expected = n / (n - 2.0);
@@ -154,15 +156,16 @@ std::vector<Figures> figures_of(const Case& c, const Effort& effort) {
   return figures;
 }
 
-// Rays start a scene's diameter before their caster, 12 m, where single precision places them to 7e-7 m: some that pass
-// a silhouette as near as that meet the far side of its edge first. The prism has 1.6 m of silhouettes around 0.27 m^2.
+// Rays start a scene's diameter before their caster, 12 m, where single precision places them to 7e-7 m: some
+// that pass a silhouette as near as that meet the far side of its edge first. The prism has 1.6 m of
+// silhouettes around 0.27 m^2.
 constexpr double kAstray = 1e-5;
 
 // No error that is not there is stated, and none hidden.
 void check(const std::string& name, const Figures& f) {
   INFO(name << ", channel " << f.channel << ": " << f.boxes << " boxes, chi-square " << f.chi_square << " of "
-            << f.expected << " +- " << f.spread << ", flux " << f.flux << " +- " << f.flux_error << ", left out "
-            << f.left_out << ", stray " << f.stray);
+            << f.expected << " +- " << f.spread << ", flux " << f.flux << " +- " << f.flux_error
+            << ", left out " << f.left_out << ", stray " << f.stray);
   CHECK(f.boxes > 30);
   CHECK(std::fabs(f.chi_square - f.expected) < 3.0 * f.spread);
   CHECK(std::fabs(f.flux - 1.0) < 3.0 * f.flux_error + kAstray);
@@ -197,15 +200,20 @@ Case slab_case(int boxes) {
   c.scene.lights = {test::sun({std::sin(lean), -std::cos(lean), 0.0}, 1.0f)};
   c.scene.cameras = {test::camera_down(0.4, 1.0)};
   c.scene.cameras[0].position.x = 0.5;
-  const GlassBar bar{.corners = {{-0.5, 0.5}, {0.5, 0.5}, {0.5, 0.8}, {-0.5, 0.8}}, .half_length = 0.5,
-                     .travel = {std::sin(lean), -std::cos(lean)}, .index = 1.5};
+  const GlassBar bar{.corners = {{-0.5, 0.5}, {0.5, 0.5}, {0.5, 0.8}, {-0.5, 0.8}},
+                     .half_length = 0.5,
+                     .travel = {std::sin(lean), -std::cos(lean)},
+                     .index = 1.5};
   c.truth[1] = irradiance_average(bar, square(0.5, 1.0, boxes));
   return c;
 }
 
 // Gold, in its green; boxes that the ring stands on do not count.
 Case ring_case(int boxes) {
-  const MetalRing ring{.inner = 0.5, .outer = 0.54, .height = 0.18, .elevation = std::atan(0.8),
+  const MetalRing ring{.inner = 0.5,
+                       .outer = 0.54,
+                       .height = 0.18,
+                       .elevation = std::atan(0.8),
                        .reflectance = static_cast<double>(0.78f)};
   Case c{.name = "ring"};
   c.scene.materials = {test::diffuse(0.8f), test::metal({1.0f, 0.78f, 0.34f})};
@@ -233,10 +241,12 @@ Case water_case(int boxes) {
   c.scene.meshes = {test::floor(2.5, 0.0, 0),
                     test::wave_sheet(1.0, wave.depth, wave.amplitude, wave.wave_number, 32, 1)};
   c.scene.stated_shapes = {
-      {.mesh = 1, .kind = ShapeKind::Waves,
+      {.mesh = 1,
+       .kind = ShapeKind::Waves,
        .field = {.level = wave.depth, .waves = {{wave.amplitude, {wave.wave_number, 0.0}, 0.5 * kPi}}}}};
   c.scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
-  // Not a whole number of cells wide, or no ray would ever cross the picture's border, and its flux have no error.
+  // Not a whole number of cells wide, or no ray would ever cross the picture's border, and its flux have no
+  // error.
   const double half = 0.47;
   c.scene.cameras = {test::camera_down(0.5 * wave.depth, half)};
   c.exact = {exact_shape_of(c.scene, 1, ShapeKind::Waves)};
@@ -253,7 +263,8 @@ Case prism_case(int boxes) {
   Case c{.name = "prism", .scene = prism.scene};
   c.scene.cameras = {test::camera_down(0.3, 1.0)};
   GlassBar bar{.half_length = 0.4};
-  for (const auto& [a, b] : {std::pair{prism.base, prism.entry}, {prism.entry, prism.exit}, {prism.exit, prism.base}})
+  for (const auto& [a, b] :
+       {std::pair{prism.base, prism.entry}, {prism.entry, prism.exit}, {prism.exit, prism.base}})
     bar.corners.push_back(prism.corner(a, b) + glm::dvec2(0.0, prism.height));
   const double n = static_cast<double>(material.ior), dispersion = static_cast<double>(material.dispersion);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -265,28 +276,38 @@ Case prism_case(int boxes) {
 
 }  // namespace
 
-TEST_CASE("tracer truth: an exact sphere's light, box by box in the error stated") { check(sphere_case(kShort.boxes)); }
+TEST_CASE("tracer truth: an exact sphere's light, box by box in the error stated") {
+  check(sphere_case(kShort.boxes));
+}
 
 TEST_CASE("tracer truth: a slab's light, box by box in the error stated") { check(slab_case(kShort.boxes)); }
 
-TEST_CASE("tracer truth: an exact ring's light, box by box in the error stated") { check(ring_case(kShort.boxes)); }
+TEST_CASE("tracer truth: an exact ring's light, box by box in the error stated") {
+  check(ring_case(kShort.boxes));
+}
 
-TEST_CASE("tracer truth: exact waves' light, box by box in the error stated") { check(water_case(kShort.boxes)); }
+TEST_CASE("tracer truth: exact waves' light, box by box in the error stated") {
+  check(water_case(kShort.boxes));
+}
 
-TEST_CASE("tracer truth: a prism's three colours, box by box in the error stated") { check(prism_case(kShort.boxes)); }
+TEST_CASE("tracer truth: a prism's three colours, box by box in the error stated") {
+  check(prism_case(kShort.boxes));
+}
 
 TEST_CASE("tracer truth: figures of the reference against closed forms", "[.figures]") {
   // Not part of a run by default: it prints the table of docs/reference.md.
   if (!has_ray_queries()) return;
   const int n = kLong.boxes;
-  std::printf("| scene | boxes | relative L1 | 0.80 x stated | chi-square | expected, +- 3 sigma | flux / truth | stray |\n"
-              "|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| scene | boxes | relative L1 | 0.80 x stated | chi-square | expected, +- 3 sigma | flux / truth | "
+      "stray |\n"
+      "|---|---|---|---|---|---|---|---|\n");
   for (const Case& c : {sphere_case(n), slab_case(n), ring_case(n), water_case(n), prism_case(n)})
     for (const Figures& f : figures_of(c, kLong)) {
       const char* const channels[] = {"red", "green", "blue"};
-      std::printf("| %s, %s | %d | %.5f | %.5f | %.3f | %.3f +- %.3f | %.6f +- %.6f | %.0e |\n", c.name.c_str(),
-                  channels[f.channel], f.boxes, f.l1, f.stated, f.chi_square, f.expected, 3.0 * f.spread, f.flux,
-                  f.flux_error, f.stray);
+      std::printf("| %s, %s | %d | %.5f | %.5f | %.3f | %.3f +- %.3f | %.6f +- %.6f | %.0e |\n",
+                  c.name.c_str(), channels[f.channel], f.boxes, f.l1, f.stated, f.chi_square, f.expected,
+                  3.0 * f.spread, f.flux, f.flux_error, f.stray);
       check(c.name, f);
     }
 }

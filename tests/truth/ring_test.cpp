@@ -27,8 +27,7 @@ std::vector<double> inside_ring(const std::vector<double>& picture, int pixels) 
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) {
       const glm::dvec2 p = 2.0 * (glm::dvec2(x, y) + 0.5) / double(pixels) - 1.0;
-      if (glm::length(p) < 0.95)
-        inside.push_back(picture[static_cast<std::size_t>(y * pixels + x)]);
+      if (glm::length(p) < 0.95) inside.push_back(picture[static_cast<std::size_t>(y * pixels + x)]);
     }
   return inside;
 }
@@ -51,9 +50,7 @@ double cusp_by_extrapolation(const std::vector<double>& picture, int pixels) {
   double place[2], inverse[2];
   for (int i = 0; i < 2; ++i) {
     const int column = static_cast<int>((i == 0 ? 1.25 : 1.33) / 2.0 * pixels);
-    const auto at = [&](int row) {
-      return picture[static_cast<std::size_t>(row * pixels + column)];
-    };
+    const auto at = [&](int row) { return picture[static_cast<std::size_t>(row * pixels + column)]; };
     place[i] = 2.0 * (column + 0.5) / pixels - 1.0;
     inverse[i] = 2.0 / (at(pixels / 2) + at(pixels / 2 - 1));
   }
@@ -72,8 +69,8 @@ Rows ring_rows(const Bench& bench) {
     for (int x = 0; x < pixels; ++x) picture.push_back(double(r["aov_caustic"].at(x, y, 0)));
   const HalfRing ring{.radius = 1.0, .reach = 0.8 / std::tan(kElevation)};
   const auto truth = [&](double shift) {
-    std::vector<double> values = irradiance_average(
-        ring, {.lower = {-1.0 + shift, -1.0}, .side = 2.0, .pixels = pixels}, 16);
+    std::vector<double> values =
+        irradiance_average(ring, {.lower = {-1.0 + shift, -1.0}, .side = 2.0, .pixels = pixels}, 16);
     for (double& value : values) value *= std::sin(kElevation);
     return values;
   };

@@ -17,8 +17,8 @@ struct SphereFigures {
   double error = 0.0, by_a_texel = 0.0;
 };
 
-SphereFigures compare(const Rendering& r, const Scene& scene, const Settings& settings,
-                      double index, double reach) {
+SphereFigures compare(const Rendering& r, const Scene& scene, const Settings& settings, double index,
+                      double reach) {
   const int pixels = settings.width;
   const GlassSphere sphere{.radius = 0.5, .index = index, .distance = 0.8};
   const auto truth = [&](double shift) {
@@ -41,12 +41,10 @@ SphereFigures compare(const Rendering& r, const Scene& scene, const Settings& se
   const std::vector<double> exact = of(truth(0.0));
   const std::vector<double> picture =
       within([&](int x, int y) { return double(r["aov_caustic"].at(x, y, 0)); });
-  return {relative_l1(picture, exact),
-          relative_l1(of(truth(texel_on_floor(scene, r, settings))), exact)};
+  return {relative_l1(picture, exact), relative_l1(of(truth(texel_on_floor(scene, r, settings))), exact)};
 }
 
-const std::vector<std::string> kTextures = {"aov_caustic", kCausticMap, kLandingFresnel,
-                                            kLandingAbsorbed};
+const std::vector<std::string> kTextures = {"aov_caustic", kCausticMap, kLandingFresnel, kLandingAbsorbed};
 
 // How far the area of a disc round the sphere's middle, by counting the centres of grid cells, is
 // from its own; its rim is drawn to a facet's sagitta, for edges of 0.02 radii.
@@ -95,12 +93,11 @@ Rows sphere_rows(const Bench& bench) {
   const double lost = (l.fresnel[0] + l.total_reflection[0] + l.not_converged[0]) / l.entered[0];
   const double counted = counted_area_error(r, settings.grid, 0.5);
   const std::string text = text_of(settings) + ", 81 920 triangles";
-  return {{"glass sphere", "irradiance in the shadow, relative L1", figures.error,
-           figures.by_a_texel, text},
-          {"glass sphere", "flux that enters, relative",
-           std::fabs(l.entered[0] / (0.25 * kPi) - 1.0), counted, text},
-          {"glass sphere", "share reflected, and not followed at the rim",
-           std::fabs(lost - (1.0 - share)), counted + rim_share(r, settings.grid), text}};
+  return {{"glass sphere", "irradiance in the shadow, relative L1", figures.error, figures.by_a_texel, text},
+          {"glass sphere", "flux that enters, relative", std::fabs(l.entered[0] / (0.25 * kPi) - 1.0),
+           counted, text},
+          {"glass sphere", "share reflected, and not followed at the rim", std::fabs(lost - (1.0 - share)),
+           counted + rim_share(r, settings.grid), text}};
 }
 
 Rows bubble_rows(const Bench& bench) {
@@ -113,14 +110,14 @@ Rows bubble_rows(const Bench& bench) {
     const std::string text = text_of(settings) + ", 81 920 triangles";
     const std::string name = index == 0.75 ? "n = 0.75" : "n = 1 / 1.33";
     // Two discs are counted: the sphere's and that of what passes.
-    rows.push_back({"gas bubble", "share of total reflection, 1 - n^2, " + name,
-                    std::fabs(l.total_reflection[0] / l.entered[0] - (1.0 - index * index)),
-                    counted_area_error(r, settings.grid, 0.5) +
-                        counted_area_error(r, settings.grid, 0.5 * index),
-                    text});
+    rows.push_back(
+        {"gas bubble", "share of total reflection, 1 - n^2, " + name,
+         std::fabs(l.total_reflection[0] / l.entered[0] - (1.0 - index * index)),
+         counted_area_error(r, settings.grid, 0.5) + counted_area_error(r, settings.grid, 0.5 * index),
+         text});
     const SphereFigures figures = compare(r, scene, settings, index, 0.5);
-    rows.push_back({"gas bubble", "irradiance in the shadow, relative L1, " + name,
-                    figures.error, figures.by_a_texel, text});
+    rows.push_back({"gas bubble", "irradiance in the shadow, relative L1, " + name, figures.error,
+                    figures.by_a_texel, text});
   }
   return rows;
 }
@@ -132,7 +129,8 @@ TEST_CASE("truth: a glass sphere's irradiance, flux and loss on both devices") {
   caustics::test::check_rows(caustics::test::sphere_rows);
 }
 
-TEST_CASE("truth: a cascade takes the sphere's caustic closer to its closed form than a map of twice the side") {
+TEST_CASE(
+    "truth: a cascade takes the sphere's caustic closer to its closed form than a map of twice the side") {
   using namespace caustics;
   using namespace caustics::test;
   const Scene scene = sphere_scene(1.5f, 6);

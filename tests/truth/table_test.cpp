@@ -33,8 +33,8 @@ namespace {
 
 void check(const Rows& rows, const std::string& backend) {
   for (const Row& row : rows) {
-    INFO(backend << ": " << row.truth << ", " << row.what << ": " << row.error << ", bound "
-                 << row.bound << " (" << row.settings << ")");
+    INFO(backend << ": " << row.truth << ", " << row.what << ": " << row.error << ", bound " << row.bound
+                 << " (" << row.settings << ")");
     CHECK(row.error <= row.bound);
   }
 }
@@ -44,8 +44,7 @@ void check(const Rows& rows, const std::string& backend) {
 void check_rows(Rows (*rows)(const Bench&)) {
   const std::unique_ptr<Device> software = make_software_device();
   check(rows({*software, *software}), "software");
-  if (const std::unique_ptr<GlDevice> gl = gl_or_skip())
-    check(rows({*gl, *software}), gl->description());
+  if (const std::unique_ptr<GlDevice> gl = gl_or_skip()) check(rows({*gl, *software}), gl->description());
 }
 
 }  // namespace caustics::test
@@ -65,15 +64,15 @@ void print_table(bool full) {
   const auto gl = gl_or_skip();
   std::cout << "| closed form | figure | error, software | error, OpenGL | bound | settings |\n"
                "|---|---|---|---|---|---|\n";
-  for (const auto rows : {sphere_rows, bubble_rows, ring_rows, water_rows, point_light_rows,
-                          slab_rows, prism_rows, interface_rows, imager_rows}) {
+  for (const auto rows : {sphere_rows, bubble_rows, ring_rows, water_rows, point_light_rows, slab_rows,
+                          prism_rows, interface_rows, imager_rows}) {
     const Rows by_software = rows({*software, *software, full});
     const Rows by_gl = gl ? rows({*gl, *software, full}) : Rows{};
     for (std::size_t i = 0; i < by_software.size(); ++i) {
       const Row& row = by_software[i];
       std::cout << "| " << row.truth << " | " << row.what << " | " << figure(row.error) << " | "
-                << (gl ? figure(by_gl[i].error) : "no driver") << " | " << figure(row.bound)
-                << " | " << row.settings << " |" << std::endl;
+                << (gl ? figure(by_gl[i].error) : "no driver") << " | " << figure(row.bound) << " | "
+                << row.settings << " |" << std::endl;
     }
   }
 }

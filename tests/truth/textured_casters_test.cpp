@@ -43,8 +43,7 @@ void set_texel(Image& image, int x, int y, const glm::vec4& value) {
 // The texel for a surface that rises by `slope` along +u.
 glm::vec4 normal_of_slope(double slope) {
   const double length = std::sqrt(1.0 + slope * slope);
-  return {static_cast<float>(0.5 - 0.5 * slope / length), 0.5f,
-          static_cast<float>(0.5 + 0.5 / length), 1.0f};
+  return {static_cast<float>(0.5 - 0.5 * slope / length), 0.5f, static_cast<float>(0.5 + 0.5 / length), 1.0f};
 }
 
 Material water_with_normals(float index) {
@@ -53,8 +52,8 @@ Material water_with_normals(float index) {
   return m;
 }
 
-// Snell's law on vertical light that meets a surface of this slope: how far it lands to +x for each metre down,
-// and the share that enters.
+// Snell's law on vertical light that meets a surface of this slope: how far it lands to +x for each metre
+// down, and the share that enters.
 struct Bent {
   double shift, entered;
 };
@@ -88,8 +87,7 @@ std::vector<double> sine_picture(double slope, double k, double n, double depth,
   // Whole waves over the 2 m, the first at x = -1.
   water.normal_texture.uv_transform[0][0] = static_cast<float>(2.0 * k / (2.0 * kPi));
   const Settings settings = small_settings(512, 512, 64);
-  const Rendering r =
-      render(under_sheet(water, depth, {normals}), settings, {"aov_direct", "aov_caustic"});
+  const Rendering r = render(under_sheet(water, depth, {normals}), settings, {"aov_direct", "aov_caustic"});
   std::vector<double> row;
   for (int x = 0; x < 64; ++x)
     row.push_back(double(r["aov_direct"].at(x, 32, 0)) + double(r["aov_caustic"].at(x, 32, 0)));
@@ -143,16 +141,17 @@ TEST_CASE("textured casters: a sine of normals on level water is as light follow
   const double k = 4.0 * kPi, n = 1.33;
   for (const double slope : {0.1, 0.3}) {
     const double depth = 0.6 * n / ((n - 1.0) * slope * k);
-    const double error = relative_l1(sine_picture(slope, k, n, depth, 64), level_sine_truth(slope, k, n, depth));
+    const double error =
+        relative_l1(sine_picture(slope, k, n, depth, 64), level_sine_truth(slope, k, n, depth));
     INFO("slope " << slope << ": relative L1 " << error);
     CHECK(error < 0.005);
   }
 }
 
 TEST_CASE("textured casters: a sine of normals equals the sine's own surface while its waves are low") {
-  // Texture and geometry differ by where the light enters: the wave's height a against the depth. The landings
-  // then differ by up to (n - 1) / n (a k) a, and irradiance by k times that, (n - 1) / n (a k)^2 = 0.25 %
-  // at a k = 0.1, magnified up to 2.5-fold at 0.6 of the first focus.
+  // Texture and geometry differ by where the light enters: the wave's height a against the depth. The
+  // landings then differ by up to (n - 1) / n (a k) a, and irradiance by k times that, (n - 1) / n (a k)^2 =
+  // 0.25 % at a k = 0.1, magnified up to 2.5-fold at 0.6 of the first focus.
   const double k = 4.0 * kPi, n = 1.33, slope = 0.1;
   WaterWave wave{.amplitude = slope / k, .wave_number = k, .index = n, .depth = 1.0};
   wave.depth = 0.6 * wave.first_focus();
@@ -163,8 +162,9 @@ TEST_CASE("textured casters: a sine of normals equals the sine's own surface whi
 }
 
 TEST_CASE("textured casters: a coloured texture leaves its mean of each channel") {
-  // 8 x 8 texels of three patterns, no two of which have the same mean. The sheet, a whole period of the texture, covers
-  // 256 / (1 + 4 / 256) = 252.06 grid vertices each way: 252 samples of it but for 0.06 / 252.
+  // 8 x 8 texels of three patterns, no two of which have the same mean. The sheet, a whole period of the
+  // texture, covers 256 / (1 + 4 / 256) = 252.06 grid vertices each way: 252 samples of it but for 0.06 /
+  // 252.
   Image stained = texels(8, 8);
   glm::dvec3 mean{0.0};
   for (int y = 0; y < 8; ++y)
@@ -201,16 +201,17 @@ TEST_CASE("textured casters: the flux ledger closes with textures") {
 }
 
 TEST_CASE("textured casters: light falls straight through the holes of an alpha mask") {
-  // The left half of the sheet is cut out; the floor below it, away from the edge, has the light's full 1 lux, and
-  // the rest what glass of index 1.5 lets in, 0.96. The wall of the mask lies at x = 0, texels of the grid are 16 mm.
+  // The left half of the sheet is cut out; the floor below it, away from the edge, has the light's full 1
+  // lux, and the rest what glass of index 1.5 lets in, 0.96. The wall of the mask lies at x = 0, texels of
+  // the grid are 16 mm.
   Image mask = texels(2, 1);
   set_texel(mask, 0, 0, {1.0f, 1.0f, 1.0f, 0.0f});
   set_texel(mask, 1, 0, {1.0f, 1.0f, 1.0f, 1.0f});
   Material m = glass(1.5f);
   m.base_color_texture.image = 0;
   m.alpha_mode = AlphaMode::Mask;
-  const Rendering r = render(under_sheet(m, 0.5, {mask}), small_settings(128, 128, 32),
-                             {"aov_direct", "aov_caustic"});
+  const Rendering r =
+      render(under_sheet(m, 0.5, {mask}), small_settings(128, 128, 32), {"aov_direct", "aov_caustic"});
   for (int x = 0; x < 32; ++x) {
     if (x >= 14 && x < 18) continue;
     INFO("pixel " << x);
@@ -225,21 +226,22 @@ TEST_CASE("textured casters: a scene without textures on casters runs the plain 
   const auto names = [&](const Scene& s) {
     std::string all;
     const FramePlan plan = make_plan(s, effects_of(s, settings), settings, pass_registry());
-    for (const PlannedPass& pass : plan.passes) all += pass.label + " ";
+    for (const PlannedPass& pass : plan.passes)
+      all += pass.label + " by " + std::string(pass.definition.shader->name) + " ";
     for (const PlannedTexture& texture : plan.textures) all += texture.name + " ";
     return all;
   };
   // A texture on the floor is no caster's.
   scene.materials[0].base_color_texture.image = 0;
   scene.images = {texels(1, 1)};
-  CHECK(names(scene).find("caster_map[sun]") != std::string::npos);
+  CHECK(names(scene).find("caster_map[sun] by caster_map ") != std::string::npos);
   for (const char* part : {"detailed", "tint"}) CHECK(names(scene).find(part) == std::string::npos);
   scene.materials[1].normal_texture.image = 0;
-  CHECK(names(scene).find("detailed_caster_map[sun]") != std::string::npos);
-  CHECK(names(scene).find("detailed_exit_map[sun]") != std::string::npos);
+  CHECK(names(scene).find("caster_map[sun] by caster_map_detailed ") != std::string::npos);
+  CHECK(names(scene).find("caster_exit_map[sun] by caster_exit_map_detailed ") != std::string::npos);
   CHECK(names(scene).find("tint") == std::string::npos);
   scene.materials[1].base_color_texture.image = 0;
-  CHECK(names(scene).find("tinted_caster_map[sun]") != std::string::npos);
+  CHECK(names(scene).find("caster_map[sun] by caster_map_tinted ") != std::string::npos);
   CHECK(names(scene).find("caster_tint[0]") != std::string::npos);
   CHECK(names(scene).find("detailed_caster_map") == std::string::npos);
 }

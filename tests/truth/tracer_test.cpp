@@ -2,13 +2,13 @@
 // numbers every time.
 #include <cmath>
 
-#include "pipeline/gpu/error.hpp"
-#include "pipeline/effects/spectrum.hpp"
-#include "pipeline/scene/light_samples.hpp"
 #include "lab/reference/closed_forms.hpp"
 #include "lab/reference/half_ring.hpp"
 #include "lab/reference/tracer/direct.hpp"
 #include "lab/reference/tracer/state_file.hpp"
+#include "pipeline/effects/spectrum.hpp"
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/light_samples.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/truth/prism.hpp"
@@ -55,7 +55,7 @@ std::vector<double> red(const std::vector<float>& values) {
 // How the picture differs from the truth, in its own standard errors, over the pixels that `counts`.
 // Normal errors give |difference| = 0.80 of the standard error on the mean.
 struct Agreement {
-  double mean_in_errors = 0.0;  // mean |difference| over mean standard error
+  double mean_in_errors = 0.0;   // mean |difference| over mean standard error
   double total_in_errors = 0.0;  // |sum of differences| over the root of the sum of squared errors
   double total_error = 0.0;      // that root over the sum of the truth
 };
@@ -137,7 +137,8 @@ TEST_CASE("tracer truth: a glass sphere's floor is the closed form's within the 
   CHECK(a.mean_in_errors < 1.0);
   CHECK(a.total_in_errors < 4.0);
   CHECK(run.tracer->relative_error() < 0.05);
-  // All light that hits the disc, the share that passes it: the mesh lies within its sphere by 1e-4 of its area.
+  // All light that hits the disc, the share that passes it: the mesh lies within its sphere by 1e-4 of its
+  // area.
   CHECK(run.account().entered.x / run.batches() == Approx(kPi * 0.25).epsilon(5e-4));
   const double share = (run.account().landed.x + run.account().missed.x) / run.account().entered.x;
   CHECK(share == Approx(sphere.transmitted_share()).epsilon(5e-4));
@@ -271,7 +272,8 @@ TEST_CASE("tracer truth: glass of index 1 is not there, up to the floor's very e
       CHECK(picture[i] == 0.0);
       continue;
     }
-    // 400 x 400 jittered rays over 3 x 3 m, 44 a pixel, in 4 batches; a pixel's share is counted to 1 in 64 or so.
+    // 400 x 400 jittered rays over 3 x 3 m, 44 a pixel, in 4 batches; a pixel's share is counted to 1 in 64
+    // or so.
     const bool whole = seen.share == 1.0;
     (whole ? inner : border) += 1;
     INFO(i << " share " << seen.share);
@@ -382,7 +384,8 @@ TEST_CASE("tracer: what glass mirrors lands where that is asked for, and the led
   if (!has_ray_queries()) return;
   Settings with;
   with.reflections = true;
-  const Run off(test::sphere_scene(1.5f, 4), 8, 128, 2), on(test::sphere_scene(1.5f, 4), 8, 128, 2, Physics::Single, with);
+  const Run off(test::sphere_scene(1.5f, 4), 8, 128, 2),
+      on(test::sphere_scene(1.5f, 4), 8, 128, 2, Physics::Single, with);
   check_closed(on.account());
   // What is followed now is no longer lost to Fresnel.
   const auto reached = [](const Account& a) { return a.landed.x + a.missed.x; };

@@ -15,7 +15,8 @@ namespace {
 class Film {
  public:
   Film(Scene scene, const Settings& settings)
-      : scene_(std::move(scene)), settings_(settings),
+      : scene_(std::move(scene)),
+        settings_(settings),
         renderer_(scene_, settings_, pass_registry(), *device_,
                   {.goal = {{"picture", "aov_caustic", "aov_direct", kCausticMap, kLanding, kLandingFlux,
                              kLandingFresnel, kLandingAbsorbed, kCellFlux}}}) {}
@@ -38,7 +39,14 @@ class Film {
 };
 
 WaterSettings waves() {
-  return {.speed = 0.5, .damping = 0.2, .cells = 64, .start = 2.0, .interval = 0.3, .radius = 0.2, .height = 0.02, .seed = 5};
+  return {.speed = 0.5,
+          .damping = 0.2,
+          .cells = 64,
+          .start = 2.0,
+          .interval = 0.3,
+          .radius = 0.2,
+          .height = 0.02,
+          .seed = 5};
 }
 
 double mean(const std::vector<double>& values) {
@@ -83,7 +91,8 @@ TEST_CASE("water film: all light that enters is booked in every frame, and as mu
     // A vertical light of 1 lux on 4 square metres, in grid cells of 2 m / 124 whose middles are in or out:
     // 1 / 124 a side at worst.
     CHECK(ledger.entered[0] == Approx(4.0).epsilon(0.01));
-    const double lost = ledger.missed[0] + ledger.outside[0] + ledger.not_converged[0] + ledger.total_reflection[0];
+    const double lost =
+        ledger.missed[0] + ledger.outside[0] + ledger.not_converged[0] + ledger.total_reflection[0];
     // What a wave at the edge throws beyond the floor: it is booked as missed.
     CHECK(lost < 0.05 * ledger.entered[0]);
     CHECK(ledger.fresnel[0] == Approx(0.02 * ledger.entered[0]).epsilon(0.05));

@@ -15,8 +15,7 @@ constexpr double kPi = 3.14159265358979323846;
 // focus' depth below the crest.
 
 struct SineWater {
-  WaterWave wave{
-      .amplitude = 0.3 * 0.5 / (2.0 * kPi), .wave_number = 2.0 * kPi / 0.5, .index = 1.33};
+  WaterWave wave{.amplitude = 0.3 * 0.5 / (2.0 * kPi), .wave_number = 2.0 * kPi / 0.5, .index = 1.33};
   int cells = 0;
   Scene scene;
 
@@ -62,8 +61,7 @@ std::vector<double> strips(const Rendering& r, int pixels) {
   std::vector<double> values;
   for (int x = 0; x < pixels; ++x) {
     double sum = 0.0;
-    for (int y = pixels * 3 / 8; y < pixels * 5 / 8; ++y)
-      sum += double(r["aov_caustic"].at(x, y, 0));
+    for (int y = pixels * 3 / 8; y < pixels * 5 / 8; ++y) sum += double(r["aov_caustic"].at(x, y, 0));
     values.push_back(sum / (pixels / 4));
   }
   return values;
@@ -81,8 +79,8 @@ void add_picture_rows(const Bench& bench, double share, const std::string& where
   rows.push_back({"sine water", "irradiance, floor at " + where + ", relative L1",
                   relative_l1(strips(r, settings.width), exact),
                   relative_l1(truth(texel_on_floor(water.scene, r, settings)), exact), text});
-  rows.push_back({"sine water", "landings, floor at " + where + ", worst, m",
-                  worst_landing(water, r), water.landing_bound(), text});
+  rows.push_back({"sine water", "landings, floor at " + where + ", worst, m", worst_landing(water, r),
+                  water.landing_bound(), text});
 }
 
 // Share of the first focus' depth at which the strip under the crest is brightest: by the picture
@@ -101,9 +99,7 @@ Brightest brightest_depth(const Bench& bench) {
     const SineWater water(share, 400);
     const Settings settings = bench.settings();
     const Rendering r = bench.render(water.scene, settings, {"aov_caustic"});
-    const auto crest = [](const std::vector<double>& v) {
-      return v[v.size() / 2] + v[v.size() / 2 - 1];
-    };
+    const auto crest = [](const std::vector<double>& v) { return v[v.size() / 2] + v[v.size() / 2 - 1]; };
     const double picture = crest(strips(r, settings.width));
     const double truth = crest(irradiance_average(water.wave, -0.25, 0.25, settings.width, 0.5));
     if (picture > most) found.picture = share;
@@ -217,19 +213,19 @@ TEST_CASE("truth: the estimated error of water's caustic is honest") {
   for (const EstimateCase c : kEstimateCases) {
     const Settings settings = small_settings(c.grid, c.map, 128);
     const Rendering r = render(water.scene, settings, textures);
-    const double error =
-        relative_l1(strips(r, settings.width), irradiance_average(water.wave, -0.25, 0.25, settings.width, 0.5));
+    const double error = relative_l1(strips(r, settings.width),
+                                     irradiance_average(water.wave, -0.25, 0.25, settings.width, 0.5));
     const double estimate = estimate_of(r, settings).total();
     INFO("grid " << c.grid << ", map " << c.map << ": " << error << ", estimated " << estimate);
-    // The picture shows the middle only, and its means over strips: the estimate also knows the light's border.
+    // The picture shows the middle only, and its means over strips: the estimate also knows the light's
+    // border.
     CHECK(estimate > error);
     estimates.push_back(estimate);
   }
   CHECK(estimates.back() < 0.35 * estimates.front());
 }
 
-TEST_CASE(
-    "truth: a sine wave's light before, at and behind the first focus, and the focus' depth") {
+TEST_CASE("truth: a sine wave's light before, at and behind the first focus, and the focus' depth") {
   // Irradiance: less than what a shift by one texel would make. Landings: what straight lines
   // between the mesh's vertices account for.
   caustics::test::check_rows(caustics::test::water_rows);

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "lab/reference/tracer/exact_cylinder.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
-#include "lab/reference/tracer/exact_cylinder.hpp"
 
 namespace caustics::tracer {
 
@@ -20,7 +20,7 @@ constexpr double kLeastOfLid = 0.9;
 
 // A triangle with an area.
 struct Face {
-  std::size_t first = 0;  // of its corners, in Mesh::indices
+  std::size_t first = 0;   // of its corners, in Mesh::indices
   glm::dvec3 normal{0.0};  // unit, outward
   double area = 0.0;
 };
@@ -88,7 +88,8 @@ class CylinderFit {
       const bool fits = std::all_of(faces_.begin(), faces_.end(), [&](const Face& face) {
         return along(face, candidate) || lies_across(face, candidate);
       });
-      if (fits && std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) { return along(f, candidate); })) {
+      if (fits &&
+          std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) { return along(f, candidate); })) {
         cylinder_.axis = refined(candidate);
         split();
         return;
@@ -198,7 +199,8 @@ class CylinderFit {
     double arcs[2] = {};
     for (const Face& face : walls_) {
       const Corner a = corner_of(face, 0), b = corner_of(face, 1), c = corner_of(face, 2);
-      const double ab = std::remainder(b.turn - a.turn, 2.0 * kPi), ac = std::remainder(c.turn - a.turn, 2.0 * kPi);
+      const double ab = std::remainder(b.turn - a.turn, 2.0 * kPi),
+                   ac = std::remainder(c.turn - a.turn, 2.0 * kPi);
       arcs[wall_of(face)] += 0.5 * std::fabs(ab * (c.height - a.height) - ac * (b.height - a.height));
     }
     for (std::size_t wall = 0; wall < cylinder_.walls.size(); ++wall) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/scene/exact.hpp"
 #include "lab/reference/closed_forms.hpp"
 #include "lab/reference/tracer/emission.hpp"
 #include "lab/reference/tracer/work.hpp"
+#include "pipeline/scene/exact.hpp"
 
 namespace caustics::tracer {
 
@@ -72,7 +72,8 @@ class Lamp {
           world_.scene().meshes[static_cast<std::size_t>(hit->mesh)].material)];
       const double r =
           fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior)).mean();
-      left *= glm::dvec3(glm::vec3(m.base_color)) * (static_cast<double>(m.transmission) * (1.0 - r) / (1.0 + r));
+      left *=
+          glm::dvec3(glm::vec3(m.base_color)) * (static_cast<double>(m.transmission) * (1.0 - r) / (1.0 + r));
       from = std::max(hit->distance, from) * (1.0 + 1e-6) + world_.nearest();
     }
     return left;
@@ -102,7 +103,8 @@ std::vector<float> direct_light(const World& world, const Film& film, int thread
       if (seen.mesh < 0 || seen.caster) continue;
       glm::dvec3 sum(0.0);
       for (const Lamp& lamp : lamps) sum += lamp.at(seen, pixel);
-      for (int c = 0; c < 3; ++c) result[3 * pixel + static_cast<std::size_t>(c)] = static_cast<float>(sum[c]);
+      for (int c = 0; c < 3; ++c)
+        result[3 * pixel + static_cast<std::size_t>(c)] = static_cast<float>(sum[c]);
     }
   });
   return result;

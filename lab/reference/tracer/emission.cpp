@@ -198,8 +198,8 @@ LightRay Emission::ray(int index, int side, int batch, Numbers& numbers) const {
     own = window_of(point, corners_);
     window = &own;
   }
-  LightRay light = light_.type == LightType::Directional ? parallel(*window, u, v)
-                                                         : from_point(*window, point, u, v);
+  LightRay light =
+      light_.type == LightType::Directional ? parallel(*window, u, v) : from_point(*window, point, u, v);
   light.flux /= static_cast<double>(count);
   return light;
 }

@@ -8,7 +8,7 @@
 namespace caustics::tracer {
 
 struct LightRay {
-  Ray ray;            // unit direction
+  Ray ray;  // unit direction
   // Relative to the light's intensity: square metres (lumen per lux) of a directional light, steradians
   // (lumen per candela) of the others; times a cone's or a Lambertian emitter's falloff.
   double flux = 0.0;
@@ -50,8 +50,8 @@ class Emission {
  public:
   // `source`: index into Scene::sources.
   Emission(const World& world, int source);
-  // Ray `index` of side * side: its direction in a cell of its own, jittered; the place on the light in a cell
-  // of its own too, shuffled by `batch`. The flux of all together is what shines on the casters' window.
+  // Ray `index` of side * side: its direction in a cell of its own, jittered; the place on the light in a
+  // cell of its own too, shuffled by `batch`. The flux of all together is what shines on the casters' window.
   LightRay ray(int index, int side, int batch, Numbers& numbers) const;
 
  private:

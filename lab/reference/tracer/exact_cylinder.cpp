@@ -10,7 +10,8 @@ namespace caustics::tracer {
 namespace {
 
 // Keeps the nearest of several meetings.
-void keep(std::optional<ShapeMeeting>& best, double t, const glm::dvec3& normal, const glm::dvec3& direction) {
+void keep(std::optional<ShapeMeeting>& best, double t, const glm::dvec3& normal,
+          const glm::dvec3& direction) {
   if (best && best->distance <= t) return;
   best = ShapeMeeting{t, normal, exact::dot(normal, direction) < 0.0};
 }

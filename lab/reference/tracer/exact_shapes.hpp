@@ -4,10 +4,10 @@
 #include <variant>
 #include <vector>
 
-#include "pipeline/scene/scene.hpp"
 #include "lab/reference/tracer/exact_cylinder.hpp"
 #include "lab/reference/tracer/exact_sphere.hpp"
 #include "lab/reference/tracer/exact_waves.hpp"
+#include "pipeline/scene/scene.hpp"
 
 namespace caustics::tracer {
 
@@ -22,8 +22,8 @@ struct ExactShape {
   std::vector<double> numbers() const;
 };
 
-// What the mesh stands for. Throws Error (BadInput) naming the mesh where its vertices do not lie on such a shape, and
-// of waves where the scene does not state their formula.
+// What the mesh stands for. Throws Error (BadInput) naming the mesh where its vertices do not lie on such a
+// shape, and of waves where the scene does not state their formula.
 ExactShape exact_shape_of(const Scene& scene, int mesh, ShapeKind kind);
 
 }  // namespace caustics::tracer

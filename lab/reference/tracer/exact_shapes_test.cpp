@@ -80,7 +80,8 @@ TEST_CASE("exact shapes: a coarse ring has the walls and lids of a tube, whichev
   CHECK(ring.lower_lid);
   CHECK(ring.upper_lid);
   CHECK(ring.least_cosine == -2.0);
-  // Through the axis half-way up: outer wall, inner wall, and both again, turn by turn from outside and from within.
+  // Through the axis half-way up: outer wall, inner wall, and both again, turn by turn from outside and from
+  // within.
   const glm::dvec3 middle = ring.foot + ring.axis * 0.09;
   const Ray ray{middle - 2.0 * ring.middle, ring.middle};
   double from = 0.0;
@@ -176,7 +177,8 @@ TEST_CASE("exact shapes: waves of a mesh need their formula, and vertices that l
   Scene scene = scene_of(test::wave_sheet(1.0, 0.5, 0.02, 6.0, 32, 0));
   CHECK(says(refusal(scene, ShapeKind::Waves), "extras.exact_shape"));
   const auto stated = [&](double amplitude, double k) {
-    scene.stated_shapes = {{.mesh = 0, .kind = ShapeKind::Waves,
+    scene.stated_shapes = {{.mesh = 0,
+                            .kind = ShapeKind::Waves,
                             .field = {.level = 0.5, .waves = {{amplitude, {k, 0.0}, 1.5707963267948966}}}}};
   };
   stated(0.02, 6.0);
@@ -206,9 +208,12 @@ TEST_CASE("exact shapes: waves of a mesh that lies on its side, mirrored, are me
   }
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i], mesh.indices[i + 1]);
   Scene scene = scene_of(mesh);
-  scene.stated_shapes = {{.mesh = 0, .kind = ShapeKind::Waves,
-                          .field = {.level = 0.5, .waves = {{0.02, {6.0, 0.0}, 1.5707963267948966}},
-                                    .axes = {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)}}}};
+  scene.stated_shapes = {
+      {.mesh = 0,
+       .kind = ShapeKind::Waves,
+       .field = {.level = 0.5,
+                 .waves = {{0.02, {6.0, 0.0}, 1.5707963267948966}},
+                 .axes = {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)}}}};
   const ExactShape shape = exact_shape_of(scene, 0, ShapeKind::Waves);
   const auto met = shape.nearest({{3.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}}, 0.0, kFar);
   REQUIRE(met);

@@ -31,7 +31,8 @@ void ExactSphere::append_numbers(std::vector<double>& numbers) const {
 
 ExactSphere sphere_of(const Mesh& mesh) {
   ExactSphere sphere{.centre = bounds_of(mesh).centre()};
-  // The box of an even mesh has the sphere's middle; the farthest vertex has its radius, for none lies beyond.
+  // The box of an even mesh has the sphere's middle; the farthest vertex has its radius, for none lies
+  // beyond.
   double least = std::numeric_limits<double>::infinity();
   for (const Vertex& v : mesh.vertices) {
     const double distance = exact::length(glm::dvec3(v.position) - sphere.centre);

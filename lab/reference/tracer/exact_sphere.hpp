@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/scene/scene.hpp"
 #include "lab/reference/tracer/ray.hpp"
 #include "lab/reference/tracer/shape_meeting.hpp"
+#include "pipeline/scene/scene.hpp"
 
 namespace caustics::tracer {
 
@@ -18,8 +18,8 @@ struct ExactSphere {
   void append_numbers(std::vector<double>& numbers) const;
 };
 
-// The sphere of a mesh, all of whose vertices lie on it to a thousandth of its radius and all around it. Throws
-// Error (BadInput) naming the mesh where they do not.
+// The sphere of a mesh, all of whose vertices lie on it to a thousandth of its radius and all around it.
+// Throws Error (BadInput) naming the mesh where they do not.
 ExactSphere sphere_of(const Mesh& mesh);
 
 }  // namespace caustics::tracer

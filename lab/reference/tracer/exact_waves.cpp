@@ -139,8 +139,8 @@ void ExactWaves::append_numbers(std::vector<double>& numbers) const {
     numbers.insert(numbers.end(), {wave.amplitude, wave.k.x, wave.k.y, wave.phase});
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) numbers.push_back(field.axes[column][row]);
-  numbers.insert(numbers.end(), {field.level, field.origin.x, field.origin.y, field.origin.z, lower.x, lower.y,
-                                 upper.x, upper.y, side});
+  numbers.insert(numbers.end(), {field.level, field.origin.x, field.origin.y, field.origin.z, lower.x,
+                                 lower.y, upper.x, upper.y, side});
 }
 
 ExactWaves waves_of(const Mesh& mesh, const HeightField& field) {
@@ -167,7 +167,8 @@ ExactWaves waves_of(const Mesh& mesh, const HeightField& field) {
       refuse(mesh, "its vertices must lie on them to a thousandth of their height");
   double covered = 0.0, upward = 0.0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const glm::dvec3 &a = points[mesh.indices[i]], &b = points[mesh.indices[i + 1]], &c = points[mesh.indices[i + 2]];
+    const glm::dvec3 &a = points[mesh.indices[i]], &b = points[mesh.indices[i + 1]],
+                     &c = points[mesh.indices[i + 2]];
     const double up = 0.5 * exact::cross(b - a, c - a).y;
     covered += std::fabs(up);
     upward += up;

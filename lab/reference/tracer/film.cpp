@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/scene/exact.hpp"
 #include "lab/reference/tracer/work.hpp"
+#include "pipeline/scene/exact.hpp"
 
 namespace caustics::tracer {
 
@@ -63,7 +63,8 @@ bool Film::same_surface(const Seen& centre, int mesh, const glm::dvec3& plane,
 // Does the pixel lie within its surface, as its neighbours and its corners tell?
 bool Film::inner(int column, int row) const {
   const auto at = [&](int x, int y) -> const Seen& {
-    return seen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    return seen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                 static_cast<std::size_t>(x)];
   };
   const Seen& centre = at(column, row);
   for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height_ - 1); ++y)
@@ -95,7 +96,8 @@ bool Film::visible(const glm::dvec3& position) const {
   const glm::dvec3 c = view_.coordinates(position);
   const Ray ray = ray_at(view_.window(c));
   const double until = c.z - world_.nearest();
-  return !world_.receivers().blocked(ray, view_.near, until) && !world_.casters().blocked(ray, view_.near, until);
+  return !world_.receivers().blocked(ray, view_.near, until) &&
+         !world_.casters().blocked(ray, view_.near, until);
 }
 
 bool Film::measure(const Landing& landing, std::uint32_t& pixel, glm::dvec3& irradiance) const {
@@ -104,7 +106,8 @@ bool Film::measure(const Landing& landing, std::uint32_t& pixel, glm::dvec3& irr
   if (!(c.z >= view_.near && c.z <= view_.far)) return false;
   const glm::dvec2 at = (view_.window(c) - view_.window_lower) / pixel_size_;
   if (!(at.x >= 0.0 && at.y >= 0.0 && at.x < width_ && at.y < height_)) return false;
-  pixel = static_cast<std::uint32_t>(at.y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(at.x);
+  pixel = static_cast<std::uint32_t>(at.y) * static_cast<std::uint32_t>(width_) +
+          static_cast<std::uint32_t>(at.x);
   const Seen& centre = seen_[pixel];
   if (centre.mesh != hit.mesh || centre.caster) return false;
   // The side that the camera sees must be the one that is lit.

@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/scene/view.hpp"
 #include "lab/reference/tracer/paths.hpp"
+#include "pipeline/scene/view.hpp"
 
 namespace caustics::tracer {
 
 // The first surface at a pixel's centre. Thin panes are looked through, as `render`'s layers do.
 struct Seen {
-  int mesh = -1;        // none: the sky
+  int mesh = -1;  // none: the sky
   bool caster = false;
   glm::dvec3 position{0.0};
   glm::dvec3 plane{0.0};   // unit normal of the triangle, on the camera's side

@@ -16,7 +16,8 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
 // The numbers of one ray, SplitMix64 started at a place of its own.
 class Numbers {
  public:
-  Numbers(std::uint64_t stream, std::uint64_t ray) : state_(mixed(mixed(stream + kStep) + (ray + 1) * kStep)) {}
+  Numbers(std::uint64_t stream, std::uint64_t ray)
+      : state_(mixed(mixed(stream + kStep) + (ray + 1) * kStep)) {}
   // In [0, 1), 53 bits.
   double next() {
     state_ += kStep;

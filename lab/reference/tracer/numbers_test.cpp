@@ -23,7 +23,8 @@ TEST_CASE("tracer numbers: a shuffle meets every place once, whatever the count 
 }
 
 TEST_CASE("tracer numbers: rays draw independent even numbers, and always the same") {
-  // Of 40,000 even numbers the mean is 1/2 +- 0.0014, that of products of neighbours 1/4 +- 0.0011; 4 of these.
+  // Of 40,000 even numbers the mean is 1/2 +- 0.0014, that of products of neighbours 1/4 +- 0.0011; 4 of
+  // these.
   double sum = 0.0, products = 0.0, across = 0.0;
   constexpr int kRays = 20'000;
   for (int ray = 0; ray < kRays; ++ray) {

@@ -60,14 +60,16 @@ void Paths::follow(const LightRay& light, Numbers& numbers, std::vector<Landing>
   const Optics& optics = world_.optics(hit->mesh);
   const std::size_t before = landings.size();
   if (physics_ == Physics::Full) {
-    if (!dispersion_) full(arrival, {0.0, white_}, numbers, landings, account);
+    if (!dispersion_)
+      full(arrival, {0.0, white_}, numbers, landings, account);
     else
       for (const Way& way : ways_) full(arrival, way, numbers, landings, account);
   } else if (optics.role == Role::Mirror) {
     mirrored(arrival, landings, account);
   } else {
     // Colours part where the glass disperses only.
-    if (optics.spread == 0.0) single(arrival, {0.0, white_}, landings, account);
+    if (optics.spread == 0.0)
+      single(arrival, {0.0, white_}, landings, account);
     else
       for (const Way& way : ways_) single(arrival, way, landings, account);
     if (reflections_ && hit->front) off_dielectric(arrival, landings, account);

@@ -35,8 +35,9 @@ struct Landing {
   glm::dvec3 flux{0.0};       // relative to the light's intensity
 };
 
-// Of `--physics full`: a path is followed both ways at a surface until it has met kSplits of them or the weaker
-// way has less than kSplitShare of the ray's flux; from then on one way is drawn, in proportion to Fresnel's shares.
+// Of `--physics full`: a path is followed both ways at a surface until it has met kSplits of them or the
+// weaker way has less than kSplitShare of the ray's flux; from then on one way is drawn, in proportion to
+// Fresnel's shares.
 inline constexpr int kSplits = 4, kMostSurfaces = 64;
 inline constexpr double kSplitShare = 0.02, kLeastShare = 1e-6;
 
@@ -44,7 +45,8 @@ class Paths {
  public:
   Paths(const World& world, int source, Physics physics);
   // Adds to both.
-  void follow(const LightRay& light, Numbers& numbers, std::vector<Landing>& landings, Account& account) const;
+  void follow(const LightRay& light, Numbers& numbers, std::vector<Landing>& landings,
+              Account& account) const;
 
  private:
   // One kind of light.
@@ -52,8 +54,8 @@ class Paths {
     double bend = 0.0;  // Branch::bend
     glm::dvec3 share{1.0};
   };
-  struct Arrival;   // light at its first caster
-  struct Moving;    // light between two surfaces
+  struct Arrival;  // light at its first caster
+  struct Moving;   // light between two surfaces
   void single(const Arrival& arrival, const Way& way, std::vector<Landing>& landings, Account& account) const;
   void mirrored(const Arrival& arrival, std::vector<Landing>& landings, Account& account) const;
   void off_dielectric(const Arrival& arrival, std::vector<Landing>& landings, Account& account) const;

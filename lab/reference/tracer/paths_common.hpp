@@ -2,9 +2,9 @@
 #pragma once
 #include <cmath>
 
-#include "pipeline/scene/exact.hpp"
 #include "lab/reference/closed_forms.hpp"
 #include "lab/reference/tracer/paths.hpp"
+#include "pipeline/scene/exact.hpp"
 
 namespace caustics::tracer {
 
@@ -31,8 +31,8 @@ inline glm::dvec3 metal(const glm::dvec3& straight_on, double cosine) {
 
 // A surface as the light meets it.
 struct Facing {
-  glm::dvec3 normal;   // against the light
-  double cosine;       // of incidence
+  glm::dvec3 normal;  // against the light
+  double cosine;      // of incidence
 };
 inline Facing facing(const SurfaceHit& hit, const glm::dvec3& direction) {
   const glm::dvec3 n = facing_normal(hit.normal, direction, !hit.front);

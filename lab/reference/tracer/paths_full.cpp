@@ -32,14 +32,13 @@ struct Media {
     if (count < kMostNested) list[static_cast<std::size_t>(count++)] = inside;
   }
   void leave(int at) {
-    for (int i = at + 1; i < count; ++i) list[static_cast<std::size_t>(i - 1)] = list[static_cast<std::size_t>(i)];
+    for (int i = at + 1; i < count; ++i)
+      list[static_cast<std::size_t>(i - 1)] = list[static_cast<std::size_t>(i)];
     --count;
   }
 };
 
-double largest(const glm::dvec3& v) {
-  return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-}
+double largest(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 // An index below 1 is relative to what surrounds the body, as of a bubble; others are absolute.
 double absolute_index(double ior, double around) { return ior < 1.0 ? ior * around : ior; }
@@ -117,8 +116,10 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
     onward.crossed = crosses;
     // An interpolated normal can send light to the wrong side of its own surface.
     const double side = exact::dot(direction, outer);
-    if (crosses ? side < 0.0 : side > 0.0) pending.push_back(onward);
-    else account.cut += onward.flux;
+    if (crosses ? side < 0.0 : side > 0.0)
+      pending.push_back(onward);
+    else
+      account.cut += onward.flux;
   };
   if (optics.role == Role::Mirror) {
     next.flux = moving.flux * metal(optics.color, f.cosine);

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <limits>
 
+#include "lab/reference/tracer/work.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
-#include "lab/reference/tracer/work.hpp"
 
 #if CAUSTICS_EMBREE == 4
 #include <embree4/rtcore.h>
@@ -147,12 +147,10 @@ struct RaySet::Handles {
   void add(const Mesh& mesh, unsigned number) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               mesh.vertices.data(), offsetof(Vertex, position), sizeof(Vertex),
-                               mesh.vertices.size());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               mesh.indices.data(), 0, 3 * sizeof(std::uint32_t),
-                               mesh.indices.size() / 3);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(),
+                               offsetof(Vertex, position), sizeof(Vertex), mesh.vertices.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(), 0,
+                               3 * sizeof(std::uint32_t), mesh.indices.size() / 3);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene, geometry, number);
     rtcReleaseGeometry(geometry);
@@ -191,8 +189,10 @@ RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::ve
   handles_ = std::make_unique<Handles>();
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const auto number = static_cast<unsigned>(i);
-    if (const ExactShape* shape = shape_of(meshes_[i])) handles_->add(*shape, number);
-    else handles_->add(scene.meshes[static_cast<std::size_t>(meshes_[i])], number);
+    if (const ExactShape* shape = shape_of(meshes_[i]))
+      handles_->add(*shape, number);
+    else
+      handles_->add(scene.meshes[static_cast<std::size_t>(meshes_[i])], number);
   }
   handles_->commit();
 }
@@ -275,8 +275,8 @@ SurfaceHit RaySet::met_again(const Ray& ray, int mesh, int triangle, double dist
   wb = std::clamp(wb, 0.0, 1.0);
   wc = std::clamp(wc, 0.0, 1.0 - wb);
   const double wa = 1.0 - wb - wc;
-  hit.normal = exact::normalise(glm::dvec3(a.normal) * wa + glm::dvec3(b.normal) * wb + glm::dvec3(c.normal) * wc,
-                                hit.plane);
+  hit.normal = exact::normalise(
+      glm::dvec3(a.normal) * wa + glm::dvec3(b.normal) * wb + glm::dvec3(c.normal) * wc, hit.plane);
   hit.uv = glm::dvec2(a.uv) * wa + glm::dvec2(b.uv) * wb + glm::dvec2(c.uv) * wc;
   return hit;
 }

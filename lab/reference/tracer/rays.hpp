@@ -1,15 +1,15 @@
 // Ray queries on the scene's triangles: Embree finds the triangle in single precision, and the ray meets its
-// plane once more in double precision. Exact shapes are met in double precision from the start; Embree finds their
-// boxes. The only room that knows Embree, of version 3 or 4.
+// plane once more in double precision. Exact shapes are met in double precision from the start; Embree finds
+// their boxes. The only room that knows Embree, of version 3 or 4.
 #pragma once
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "pipeline/scene/scene.hpp"
 #include "lab/reference/tracer/exact_shapes.hpp"
 #include "lab/reference/tracer/ray.hpp"
+#include "pipeline/scene/scene.hpp"
 
 namespace caustics::tracer {
 
@@ -30,8 +30,8 @@ const char* ray_queries_version();
 
 class RaySet {
  public:
-  // Of these meshes; the scene must outlive the set and keep its vertices. No meshes are fine: nothing is hit.
-  // Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then.
+  // Of these meshes; the scene must outlive the set and keep its vertices. No meshes are fine: nothing is
+  // hit. Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then.
   RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact = {});
   ~RaySet();
   RaySet(RaySet&&) noexcept;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/gpu/error.hpp"
 #include "lab/reference/tracer/work.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -45,10 +45,12 @@ TEST_CASE("tracer rays: normals are interpolated between the vertices as the ren
   scene.meshes = {test::floor(1.0, 0.0, 0)};
   scene.meshes[0].vertices[0].normal = {0.6f, 0.8f, 0.0f};
   const RaySet rays(scene, {0});
-  // A quarter of the way from the first corner (-1, 0, 1) to the second (1, 0, 1), on the triangle's edge but a hair.
+  // A quarter of the way from the first corner (-1, 0, 1) to the second (1, 0, 1), on the triangle's edge but
+  // a hair.
   const auto hit = rays.nearest({{-0.5, 1.0, 1.0 - 1e-6}, {0.0, -1.0, 0.0}}, 0.0, kFar);
   REQUIRE(hit);
-  const glm::dvec3 expected = glm::normalize(0.75 * glm::dvec3(0.6, 0.8, 0.0) + 0.25 * glm::dvec3(0.0, 1.0, 0.0));
+  const glm::dvec3 expected =
+      glm::normalize(0.75 * glm::dvec3(0.6, 0.8, 0.0) + 0.25 * glm::dvec3(0.0, 1.0, 0.0));
   CHECK(glm::length(hit->normal - expected) < 2e-6);
 }
 

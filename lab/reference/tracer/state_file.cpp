@@ -57,8 +57,9 @@ std::string meshes_text(const Scene& scene, const Effects& effects) {
 std::string lights_text(const Scene& scene, const Effects& effects) {
   Digest d;
   for (const Light& l : scene.sources)
-    d << l.type << l.color << l.intensity << l.position << l.direction << l.range << l.inner_cone << l.outer_cone
-      << l.lambertian << l.shape << l.radius << l.width << l.height << l.angular_radius << l.emitter;
+    d << l.type << l.color << l.intensity << l.position << l.direction << l.range << l.inner_cone
+      << l.outer_cone << l.lambertian << l.shape << l.radius << l.width << l.height << l.angular_radius
+      << l.emitter;
   for (const Expectation& e : effects.expectations) d << e.light << e.mesh << e.expected;
   for (const Branch& b : effects.branches) d << b.reflected << b.bend << b.color;
   return d.text();
@@ -116,7 +117,8 @@ std::string request_text(const Scene& scene, const Effects& effects, const Camer
   return "size: " + std::to_string(settings.width) + "x" + std::to_string(settings.height) +
          "\nrays: " + std::to_string(settings.side) +
          "\nphysics: " + (settings.physics == Physics::Full ? "full" : "single") +
-         exact_text(settings.exact) + "\nview: " + view_text(view_of(camera, settings.width, settings.height, bounds_of(scene))) +
+         exact_text(settings.exact) +
+         "\nview: " + view_text(view_of(camera, settings.width, settings.height, bounds_of(scene))) +
          "\nlights: " + lights_text(scene, effects) + "\nscene: " + meshes_text(scene, effects) +
          "\nnumbers: " + (std::endian::native == std::endian::little ? "little" : "big") + " endian";
 }

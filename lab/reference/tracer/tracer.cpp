@@ -27,7 +27,8 @@ struct Tracer::Piece {
   Account account;
 };
 
-Tracer::Tracer(const Scene& scene, const Effects& effects, const Camera& camera, const TraceSettings& settings)
+Tracer::Tracer(const Scene& scene, const Effects& effects, const Camera& camera,
+               const TraceSettings& settings)
     : settings_(settings),
       world_(scene, effects, settings.exact),
       film_(world_, view_of(camera, settings.width, settings.height, bounds_of(scene)), settings.width,
@@ -88,7 +89,8 @@ bool Tracer::run_batch(const std::function<bool()>& stop) {
   std::vector<double> batch(state_.sum.size(), 0.0);
   std::vector<Account> accounts(state_.accounts.size());
   for (std::size_t s = 0; s < sources_.size(); ++s)
-    if (!trace_light(static_cast<int>(s), batch, accounts[static_cast<std::size_t>(sources_[s])], stop)) return false;
+    if (!trace_light(static_cast<int>(s), batch, accounts[static_cast<std::size_t>(sources_[s])], stop))
+      return false;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     state_.sum[i] += batch[i];
     state_.squares[i] += batch[i] * batch[i];

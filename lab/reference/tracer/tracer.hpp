@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/effects/effects.hpp"
 #include "lab/reference/tracer/film.hpp"
 #include "lab/reference/tracer/paths.hpp"
+#include "pipeline/effects/effects.hpp"
 
 namespace caustics::tracer {
 
@@ -17,7 +17,7 @@ struct TraceSettings {
   int width = 1280, height = 720;  // picture
   int side = 512;                  // side^2 rays for each light and batch; 1..16384
   Physics physics = Physics::Single;
-  int threads = 0;  // 0: one a core; changes no bit
+  int threads = 0;                // 0: one a core; changes no bit
   std::vector<ExactShape> exact;  // traced in place of their meshes
 };
 
@@ -30,13 +30,14 @@ struct TraceState {
 
 class Tracer {
  public:
-  // `camera` and both others must outlive the tracer; sample_lights has run on the scene. Throws Error: BadInput
-  // for what is not simulated, BackendUnavailable in a build without Embree.
+  // `camera` and both others must outlive the tracer; sample_lights has run on the scene. Throws Error:
+  // BadInput for what is not simulated, BackendUnavailable in a build without Embree.
   Tracer(const Scene& scene, const Effects& effects, const Camera& camera, const TraceSettings& settings);
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  // One more batch. `stop` is asked between pieces of it; where it says so the batch is dropped and false returned.
+  // One more batch. `stop` is asked between pieces of it; where it says so the batch is dropped and false
+  // returned.
   bool run_batch(const std::function<bool()>& stop = {});
 
   const TraceState& state() const { return state_; }
@@ -54,7 +55,8 @@ class Tracer {
 
  private:
   struct Piece;
-  bool trace_light(int source, std::vector<double>& batch, Account& account, const std::function<bool()>& stop);
+  bool trace_light(int source, std::vector<double>& batch, Account& account,
+                   const std::function<bool()>& stop);
 
   TraceSettings settings_;
   World world_;

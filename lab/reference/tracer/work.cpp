@@ -14,7 +14,8 @@ namespace caustics::tracer {
 
 namespace {
 
-// The thread sanitizer cannot see into a oneTBB that was built without it, and is told what happens before what.
+// The thread sanitizer cannot see into a oneTBB that was built without it, and is told what happens before
+// what.
 #if defined(__SANITIZE_THREAD__)
 #define CAUSTICS_THREAD_SANITIZER 1
 #elif defined(__has_feature)

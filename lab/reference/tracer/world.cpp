@@ -4,8 +4,8 @@
 #include <map>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/material_optics.hpp"
 
 namespace caustics::tracer {
 
@@ -31,8 +31,7 @@ void refuse_what_is_not_traced(const Scene& scene, const Effects& effects) {
     if (role == Role::Receiver && m.alpha_mode == AlphaMode::Mask && m.base_color_texture.present())
       throw Error(ExitCode::BadInput, "the reference does not trace alpha masks: material '" + m.name +
                                           "' has one; docs/reference.md lists what it does");
-    if (role == Role::ThinPane &&
-        (m.base_color_texture.present() || m.transmission_texture.present()))
+    if (role == Role::ThinPane && (m.base_color_texture.present() || m.transmission_texture.present()))
       throw Error(ExitCode::BadInput, "the reference does not trace textured panes: material '" + m.name +
                                           "' is one; docs/reference.md lists what it does");
   }

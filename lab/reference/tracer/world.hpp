@@ -2,20 +2,20 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/effects/effects.hpp"
 #include "lab/reference/tracer/rays.hpp"
+#include "pipeline/effects/effects.hpp"
 
 namespace caustics::tracer {
 
 // What a mesh does to light; the numbers are the renderer's own (pipeline/renderer/scene_on_device.hpp).
 struct Optics {
   Role role = Role::Receiver;
-  bool solid = false;      // light leaves through a second surface
-  double ior = 1.0;        // at the d line
-  double spread = 0.0;     // n_F - n_C
+  bool solid = false;          // light leaves through a second surface
+  double ior = 1.0;            // at the d line
+  double spread = 0.0;         // n_F - n_C
   glm::dvec3 absorption{0.0};  // per metre
-  glm::dvec3 color{1.0};   // of what passes; of a mirror its reflectance straight on
-  int body = 0;            // primitives of one object and material are one body
+  glm::dvec3 color{1.0};       // of what passes; of a mirror its reflectance straight on
+  int body = 0;                // primitives of one object and material are one body
   double index(double bend) const { return ior + spread * bend; }
 };
 

@@ -86,8 +86,8 @@ void Accessor::read_sparse(const Context& context, const tinygltf::Model& model)
     }
     sparse_indices_.push_back(target);
   }
-  sparse_values_ = view_data(model, sparse.values.bufferView,
-                             static_cast<std::size_t>(sparse.values.byteOffset));
+  sparse_values_ =
+      view_data(model, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset));
 }
 
 const std::uint8_t* Accessor::element(std::size_t i) const {
@@ -104,8 +104,7 @@ const std::uint8_t* Accessor::element(std::size_t i) const {
 double Accessor::value(std::size_t i, int c) const {
   const std::uint8_t* bytes = element(i);
   if (!bytes) return 0.0;
-  return load_number(bytes + static_cast<std::size_t>(c) * component_size_, component_type(),
-                     normalized());
+  return load_number(bytes + static_cast<std::size_t>(c) * component_size_, component_type(), normalized());
 }
 
 std::uint32_t Accessor::unsigned_value(std::size_t i) const {

@@ -19,8 +19,7 @@ const char* kFix = "export the file again, or show it at rest with --animation n
   if (all.size() == 0) throw Error(ExitCode::WrongUsage, line + "; the file has none");
   line += "; there are " + std::to_string(all.size()) + ":";
   for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 8); ++i)
-    line += " " + std::to_string(i) + " '" +
-            printable(all.element(i).member("name").string(""), 40) + "'";
+    line += " " + std::to_string(i) + " '" + printable(all.element(i).member("name").string(""), 40) + "'";
   throw Error(ExitCode::WrongUsage, line);
 }
 
@@ -50,8 +49,7 @@ class AnimationReader {
     if (channels.size() == 0) context_.note("The animation has no channels.");
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (auto channel = read_channel(channels.element(i), samplers)) {
-        animation.duration = std::max(animation.duration,
-                                      static_cast<double>(channel->keys.times.back()));
+        animation.duration = std::max(animation.duration, static_cast<double>(channel->keys.times.back()));
         animation.channels.push_back(std::move(*channel));
       }
     }
@@ -76,8 +74,7 @@ class AnimationReader {
   std::uint64_t values_ = 0;
 };
 
-std::optional<Channel> AnimationReader::read_channel(const Cursor& cursor,
-                                                     const Cursor& samplers) {
+std::optional<Channel> AnimationReader::read_channel(const Cursor& cursor, const Cursor& samplers) {
   const Cursor target = cursor.member("target");
   const int sampler = cursor.member("sampler").index("samplers", samplers.size());
   const auto node = target.member("node").optional_index("nodes", model_.nodes.size());
@@ -96,10 +93,14 @@ std::optional<Channel> AnimationReader::read_channel(const Cursor& cursor,
 // False for what extensions animate.
 bool AnimationReader::is_property(const Cursor& path, Channel& channel) {
   const std::string name = path.string();
-  if (name == "translation") channel.property = Property::Translation;
-  else if (name == "rotation") channel.property = Property::Rotation;
-  else if (name == "scale") channel.property = Property::Scale;
-  else if (name == "weights") channel.property = Property::Weights;
+  if (name == "translation")
+    channel.property = Property::Translation;
+  else if (name == "rotation")
+    channel.property = Property::Rotation;
+  else if (name == "scale")
+    channel.property = Property::Scale;
+  else if (name == "weights")
+    channel.property = Property::Weights;
   else {
     context_.note("Animated properties of the kind '" + name + "' stay as they are.");
     return false;
@@ -144,8 +145,7 @@ void AnimationReader::spend(const Cursor& cursor, std::uint64_t values) {
 
 void AnimationReader::read_times(const Cursor& cursor, Keyframes& keys) {
   const Accessor accessor(context_, model_, cursor.index("accessors", model_.accessors.size()));
-  if (accessor.components() != 1 || !accessor.is_float())
-    cursor.fail("must be floats of type SCALAR", kFix);
+  if (accessor.components() != 1 || !accessor.is_float()) cursor.fail("must be floats of type SCALAR", kFix);
   spend(cursor, accessor.size());
   for (std::size_t i = 0; i < accessor.size(); ++i) {
     const auto time = static_cast<float>(accessor.value(i, 0));
@@ -165,8 +165,8 @@ void AnimationReader::read_values(const Cursor& cursor, const Channel& channel, 
   const bool integer = !accessor.is_float();
   if (accessor.components() != components || (integer && (plain || !accessor.normalized())))
     cursor.fail("has the wrong type for what it animates", kFix);
-  const std::size_t a_key = (weights ? keys.width : 1) *
-                            (keys.interpolation == Interpolation::CubicSpline ? 3 : 1);
+  const std::size_t a_key =
+      (weights ? keys.width : 1) * (keys.interpolation == Interpolation::CubicSpline ? 3 : 1);
   if (accessor.size() / a_key != keys.times.size() || accessor.size() % a_key != 0)
     cursor.fail("has " + std::to_string(accessor.size()) + " values for " +
                     std::to_string(keys.times.size()) + " moments of " + std::to_string(a_key),
@@ -187,9 +187,8 @@ Keyframes AnimationReader::read_keys(const Cursor& sampler, const Channel& chann
   keys.rotation = channel.property == Property::Rotation;
   keys.width = width(channel);
   if (keys.width == 0)
-    sampler.fail("animates weights of nodes[" + std::to_string(channel.node) +
-                     "], which has no morph targets",
-                 kFix);
+    sampler.fail(
+        "animates weights of nodes[" + std::to_string(channel.node) + "], which has no morph targets", kFix);
   read_times(sampler.member("input"), keys);
   read_values(sampler.member("output"), channel, keys);
   return keys;
@@ -203,8 +202,7 @@ std::optional<Animation> read_animation(Context& context, const Document& docume
   const auto chosen = choose(context, all);
   if (!chosen) return std::nullopt;
   if (all.size() > 1 && context.options().animation.empty())
-    context.note("The file has " + std::to_string(all.size()) +
-                 " animations; the first one is shown.");
+    context.note("The file has " + std::to_string(all.size()) + " animations; the first one is shown.");
   return AnimationReader(context, document, model).read(all.element(*chosen));
 }
 

@@ -15,7 +15,7 @@ struct MorphTarget {
 };
 
 struct Body {
-  Shape shape;  // in the mesh's own coordinates; triangles as the file winds them
+  Shape shape;                // in the mesh's own coordinates; triangles as the file winds them
   std::string position_path;  // JSON path of the positions, for messages
   std::vector<MorphTarget> targets;
   // By vertex `influences` joints (numbers of the skin's) and weights that add up to 1; 0: no skin.

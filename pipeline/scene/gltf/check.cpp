@@ -15,11 +15,9 @@ struct Counts {
 };
 
 Counts count(const Cursor& root) {
-  return {root.member("buffers").size(),   root.member("bufferViews").size(),
-          root.member("accessors").size(), root.member("meshes").size(),
-          root.member("nodes").size(),     root.member("materials").size(),
-          root.member("cameras").size(),   root.member("textures").size(),
-          root.member("images").size()};
+  return {root.member("buffers").size(), root.member("bufferViews").size(), root.member("accessors").size(),
+          root.member("meshes").size(),  root.member("nodes").size(),       root.member("materials").size(),
+          root.member("cameras").size(), root.member("textures").size(),    root.member("images").size()};
 }
 
 std::int64_t component_size(const Cursor& type) {
@@ -49,29 +47,24 @@ std::int64_t component_count(const Cursor& type) {
   type.fail("is not an accessor type of glTF 2.0: " + name, kFix);
 }
 
-std::int64_t length_of(const Cursor& object) {
-  return object.member("byteLength").integer(1, kMostBytes);
-}
-std::int64_t offset_of(const Cursor& object) {
-  return object.member("byteOffset").integer(0, kMostBytes, 0);
-}
+std::int64_t length_of(const Cursor& object) { return object.member("byteLength").integer(1, kMostBytes); }
+std::int64_t offset_of(const Cursor& object) { return object.member("byteOffset").integer(0, kMostBytes, 0); }
 
 void check_view(const Cursor& root, const Cursor& view, const Counts& counts) {
   const int buffer = view.member("buffer").index("buffers", counts.buffers);
-  const std::int64_t room =
-      length_of(root.member("buffers").element(static_cast<std::size_t>(buffer)));
+  const std::int64_t room = length_of(root.member("buffers").element(static_cast<std::size_t>(buffer)));
   const std::int64_t offset = offset_of(view), length = length_of(view);
   view.member("byteStride").integer(4, 252, 4);
   if (offset > room || length > room - offset) {
-    view.fail("ends at byte " + std::to_string(offset + length) + ", but buffers[" +
-                  std::to_string(buffer) + "] has " + std::to_string(room),
+    view.fail("ends at byte " + std::to_string(offset + length) + ", but buffers[" + std::to_string(buffer) +
+                  "] has " + std::to_string(room),
               kFix);
   }
 }
 
 // `count` elements of `size` bytes at a stride, from `offset` on, must lie inside the view.
-void check_extent(const Cursor& root, const Cursor& place, const Counts& counts,
-                  std::int64_t elements, std::int64_t size, bool may_be_strided) {
+void check_extent(const Cursor& root, const Cursor& place, const Counts& counts, std::int64_t elements,
+                  std::int64_t size, bool may_be_strided) {
   const int index = place.member("bufferView").index("bufferViews", counts.views);
   const Cursor view = root.member("bufferViews").element(static_cast<std::size_t>(index));
   const Cursor step = view.member("byteStride");
@@ -86,14 +79,14 @@ void check_extent(const Cursor& root, const Cursor& place, const Counts& counts,
   const bool fits =
       offset <= room && size <= room - offset && (elements - 1) <= (room - offset - size) / stride;
   if (!fits) {
-    place.fail("its " + std::to_string(elements) + " elements reach beyond the " +
-                   std::to_string(room) + " bytes of bufferViews[" + std::to_string(index) + "]",
+    place.fail("its " + std::to_string(elements) + " elements reach beyond the " + std::to_string(room) +
+                   " bytes of bufferViews[" + std::to_string(index) + "]",
                kFix);
   }
 }
 
-void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts,
-                  std::int64_t elements, std::int64_t element_size) {
+void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts, std::int64_t elements,
+                  std::int64_t element_size) {
   const std::int64_t changed = sparse.member("count").integer(1, elements);
   const Cursor indices = sparse.member("indices");
   const Cursor type = indices.member("componentType");
@@ -165,8 +158,7 @@ void check_structure(const Context& context, const Document& document) {
   const Cursor root = document.root(context);
   const Counts counts = count(root);
   check_each(root.member("buffers"), [](const Cursor& buffer) { length_of(buffer); });
-  check_each(root.member("bufferViews"),
-             [&](const Cursor& view) { check_view(root, view, counts); });
+  check_each(root.member("bufferViews"), [&](const Cursor& view) { check_view(root, view, counts); });
   check_each(root.member("accessors"),
              [&](const Cursor& accessor) { check_accessor(root, accessor, counts); });
   check_each(root.member("meshes"), [&](const Cursor& mesh) {
@@ -176,8 +168,7 @@ void check_structure(const Context& context, const Document& document) {
   });
   check_each(root.member("nodes"), [&](const Cursor& node) { check_node(node, counts); });
   check_each(root.member("scenes"), [&](const Cursor& scene) {
-    check_each(scene.member("nodes"),
-               [&](const Cursor& node) { node.index("nodes", counts.nodes); });
+    check_each(scene.member("nodes"), [&](const Cursor& node) { node.index("nodes", counts.nodes); });
   });
   check_each(root.member("textures"), [&](const Cursor& texture) {
     texture.member("source").optional_index("images", counts.images);

@@ -57,7 +57,8 @@ Chunks split_glb(Context& context, const Bytes& bytes) {
     if (size > length - at) context.fail(where, "is longer than the file", kDamaged);
     if (number == 0 && type != kJsonChunk) context.fail(where, "must be the JSON", kDamaged);
     if (number > 0 && type == kJsonChunk) context.fail(where, "is a second JSON chunk", kDamaged);
-    if (number == 0) chunks.json = {reinterpret_cast<const char*>(bytes.data() + at), static_cast<std::size_t>(size)};
+    if (number == 0)
+      chunks.json = {reinterpret_cast<const char*>(bytes.data() + at), static_cast<std::size_t>(size)};
     if (number == 1 && type == kBinChunk) {
       chunks.bin = {bytes.data() + at, static_cast<std::size_t>(size)};
       chunks.has_bin = true;
@@ -86,17 +87,16 @@ void check_json_size(Context& context, std::string_view text) {
     if (c == '}' || c == ']') --depth;
     if (c == '{' || c == '[' || c == ',') ++values;
     if (depth > context.options().max_json_depth) {
-      context.fail("",
-                   "the JSON is nested deeper than " +
-                       std::to_string(context.options().max_json_depth) + " levels",
-                   "no sensible exporter writes such a file");
+      context.fail(
+          "",
+          "the JSON is nested deeper than " + std::to_string(context.options().max_json_depth) + " levels",
+          "no sensible exporter writes such a file");
     }
   }
   if (values > context.options().max_json_values) {
-    context.fail(
-        "",
-        "the JSON has more than " + std::to_string(context.options().max_json_values) + " values",
-        "split the scene");
+    context.fail("",
+                 "the JSON has more than " + std::to_string(context.options().max_json_values) + " values",
+                 "split the scene");
   }
 }
 
@@ -130,8 +130,7 @@ Bytes read_file(Context& context, const std::filesystem::path& path, const std::
   context.spend_bytes(size, where);
   std::ifstream file(path, std::ios::binary);
   Bytes bytes(static_cast<std::size_t>(size));
-  if (!file ||
-      !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
+  if (!file || !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
     context.fail(where, "cannot be read", "check the file's permissions");
   }
   return bytes;
@@ -141,8 +140,7 @@ Document read_document(Context& context) {
   Document document;
   document.bytes = read_file(context, context.path(), "");
   if (document.bytes.empty()) context.fail("", "is empty", "name a .gltf or .glb file");
-  std::string_view text(reinterpret_cast<const char*>(document.bytes.data()),
-                        document.bytes.size());
+  std::string_view text(reinterpret_cast<const char*>(document.bytes.data()), document.bytes.size());
   if (is_glb(document.bytes)) {
     const Chunks chunks = split_glb(context, document.bytes);
     text = chunks.json;

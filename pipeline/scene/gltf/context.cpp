@@ -25,8 +25,7 @@ std::string printable(const std::string& text, std::size_t longest) {
 Context::Context(const std::filesystem::path& path, const LoadOptions& options)
     : path_(path), options_(options), bytes_left_(options.max_bytes) {}
 
-void Context::fail(const std::string& where, const std::string& what,
-                   const std::string& advice) const {
+void Context::fail(const std::string& where, const std::string& what, const std::string& advice) const {
   std::string line = printable(path_.string(), 400) + ": ";
   if (!where.empty()) line += printable(where) + ": ";
   line += printable(what, 500);
@@ -44,8 +43,7 @@ void Context::note(const std::string& sentence) {
 void Context::spend_bytes(std::uint64_t bytes, const std::string& where) {
   if (bytes > bytes_left_) {
     fail(where,
-         "the file and what it refers to hold more than " + std::to_string(options_.max_bytes) +
-             " bytes",
+         "the file and what it refers to hold more than " + std::to_string(options_.max_bytes) + " bytes",
          "split the scene or shrink its textures");
   }
   bytes_left_ -= bytes;

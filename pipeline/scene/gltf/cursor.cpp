@@ -8,9 +8,7 @@ const char* kFix = "export the file again or correct it by hand";
 
 std::string type_of(const Json& value) {
   if (value.is_string()) return "the string \"" + printable(value.get<std::string>(), 40) + "\"";
-  return value.is_array()    ? "an array"
-         : value.is_object() ? "an object"
-                             : printable(value.dump(), 40);
+  return value.is_array() ? "an array" : value.is_object() ? "an object" : printable(value.dump(), 40);
 }
 
 }  // namespace
@@ -74,8 +72,7 @@ std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest) const {
   return whole;
 }
 
-std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest,
-                             std::int64_t fallback) const {
+std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest, std::int64_t fallback) const {
   return value_ ? integer(lowest, highest) : fallback;
 }
 
@@ -108,9 +105,7 @@ std::string Cursor::string() const {
   return value_->get<std::string>();
 }
 
-std::string Cursor::string(const std::string& fallback) const {
-  return value_ ? string() : fallback;
-}
+std::string Cursor::string(const std::string& fallback) const { return value_ ? string() : fallback; }
 
 std::vector<double> Cursor::numbers(std::size_t count) const {
   std::vector<double> values;

@@ -35,8 +35,8 @@ Environment load_environment(const std::filesystem::path& path, const LoadOption
   }
   gltf::Pixels pixels;
   std::string problem;
-  if (!gltf::decode_image(bytes, header.kind, options.max_image_side, options.max_image_pixels,
-                          pixels, problem)) {
+  if (!gltf::decode_image(bytes, header.kind, options.max_image_side, options.max_image_pixels, pixels,
+                          problem)) {
     context.fail("", problem, "use another image");
   }
   Environment environment;

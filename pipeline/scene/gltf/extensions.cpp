@@ -43,8 +43,8 @@ std::string advice_for(std::string_view name) {
   if (name.find("meshopt") != std::string_view::npos) {
     return "re-export without meshopt compression: gltf-transform copy in.glb out.glb";
   }
-  if (name.find("texture_basisu") != std::string_view::npos ||
-      name.find("webp") != std::string_view::npos || name.find("avif") != std::string_view::npos) {
+  if (name.find("texture_basisu") != std::string_view::npos || name.find("webp") != std::string_view::npos ||
+      name.find("avif") != std::string_view::npos) {
     return "re-export with PNG or JPEG textures";
   }
   return "re-export without this extension";

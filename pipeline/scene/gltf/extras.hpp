@@ -17,8 +17,8 @@ Cursor extra_of(const Cursor& root, const Placement& placement, const char* key)
 // Fails where the object has other keys: a word that is misspelt would be left out without a word.
 void check_keys(const Cursor& cursor, const std::vector<std::string>& known);
 
-// The only one of the scene's meshes that the placement of this number put there. Fails, at `extra`, where there is
-// none or are several.
+// The only one of the scene's meshes that the placement of this number put there. Fails, at `extra`, where
+// there is none or are several.
 int only_mesh(const Cursor& extra, const Scene& scene, int object);
 
 }  // namespace caustics::gltf

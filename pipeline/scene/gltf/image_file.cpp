@@ -23,8 +23,7 @@ const char* plugin_name(ImageKind kind) {
 }
 
 // Empty when a picture of this size may be decoded.
-std::string size_problem(std::int64_t width, std::int64_t height, int max_side,
-                         std::uint64_t max_pixels) {
+std::string size_problem(std::int64_t width, std::int64_t height, int max_side, std::uint64_t max_pixels) {
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   if (width <= 0 || height <= 0) return "has no pixels (" + size + ")";
   if (width > max_side || height > max_side) {
@@ -47,8 +46,7 @@ bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, bool floa
   pixels.width = spec.width;
   pixels.height = spec.height;
   pixels.channels = spec.nchannels;
-  const std::size_t count = static_cast<std::size_t>(spec.width) *
-                            static_cast<std::size_t>(spec.height) *
+  const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                             static_cast<std::size_t>(spec.nchannels);
   bool good = false;
   if (floats) {
@@ -70,8 +68,8 @@ bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, bool floa
 
 }  // namespace
 
-bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side,
-                  std::uint64_t max_pixels, Pixels& pixels, std::string& problem) {
+bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side, std::uint64_t max_pixels,
+                  Pixels& pixels, std::string& problem) {
   const ImageHeader header = sniff_image(bytes);
   problem = header.problem;
   if (header.kind != kind && problem.empty()) problem = "is of another format";

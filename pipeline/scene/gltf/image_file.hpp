@@ -30,7 +30,7 @@ struct Pixels {
 };
 
 // False with a message on failure. Sides and number of pixels above the limits are failures.
-bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side,
-                  std::uint64_t max_pixels, Pixels& pixels, std::string& problem);
+bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side, std::uint64_t max_pixels,
+                  Pixels& pixels, std::string& problem);
 
 }  // namespace caustics::gltf

@@ -16,8 +16,7 @@ Cursor extra(const Cursor& node, const Cursor& light, const char* key) {
 
 void check_size(const Cursor& cursor, double value, double most, const char* what) {
   if (value >= 0.0 && value <= most) return;
-  cursor.fail(std::string("must be ") + what,
-              "correct it, or leave it out for a light without a size");
+  cursor.fail(std::string("must be ") + what, "correct it, or leave it out for a light without a size");
 }
 
 void read_radius(const Cursor& cursor, Light& light) {
@@ -28,8 +27,7 @@ void read_radius(const Cursor& cursor, Light& light) {
 
 void read_rectangle(const Cursor& cursor, const exact::Affine& to_world, Light& light) {
   const std::vector<double> size = cursor.numbers(2);
-  for (const double side : size)
-    check_size(cursor, side, kLargest, "two sides from 0 to 1e9 metres");
+  for (const double side : size) check_size(cursor, side, kLargest, "two sides from 0 to 1e9 metres");
   if (!(size[0] > 0.0 || size[1] > 0.0)) return;
   light.shape = LightShape::Rectangle;
   // The node's scale does not count, as for everything of a light.
@@ -51,18 +49,17 @@ void read_angular_diameter(const Cursor& cursor, Light& light) {
 
 }  // namespace
 
-void read_size(Context& context, const Cursor& cursor, const Cursor& node,
-               const exact::Affine& to_world, Light& light) {
+void read_size(Context& context, const Cursor& cursor, const Cursor& node, const exact::Affine& to_world,
+               Light& light) {
   const Cursor radius = extra(node, cursor, "radius");
   const Cursor rectangle = extra(node, cursor, "rectangle");
   const Cursor angle = extra(node, cursor, "angular_diameter");
   const bool directional = light.type == LightType::Directional;
   for (const Cursor& other : {directional ? radius : angle, directional ? rectangle : angle}) {
     if (!other.present()) continue;
-    context.note(
-        other.path() +
-        (directional ? " is not for directional lights: " : " is for directional lights: ") +
-        "it is ignored.");
+    context.note(other.path() +
+                 (directional ? " is not for directional lights: " : " is for directional lights: ") +
+                 "it is ignored.");
   }
   if (directional) {
     if (angle.present()) read_angular_diameter(angle, light);

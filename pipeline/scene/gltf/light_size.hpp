@@ -6,7 +6,7 @@
 namespace caustics::gltf {
 
 // Reads `extras` of the light and of its node, which counts more. Fails on values that are no size.
-void read_size(Context& context, const Cursor& cursor, const Cursor& node,
-               const exact::Affine& to_world, Light& light);
+void read_size(Context& context, const Cursor& cursor, const Cursor& node, const exact::Affine& to_world,
+               Light& light);
 
 }  // namespace caustics::gltf

@@ -53,18 +53,17 @@ void read_cone(Context& context, const Cursor& spot, Light& light) {
   }
   if (!(inner >= 0 && inner <= outer)) {
     inner = inner < 0 ? 0 : outer;
-    context.note(spot.path() +
-                 ".innerConeAngle is not within 0..outerConeAngle and was put there.");
+    context.note(spot.path() + ".innerConeAngle is not within 0..outerConeAngle and was put there.");
   }
   light.inner_cone = static_cast<float>(inner);
   light.outer_cone = static_cast<float>(outer);
 }
 
-Light read_light(Context& context, const Cursor& cursor, const Cursor& node,
-                 const Placement& placement, const glm::dvec3& origin) {
+Light read_light(Context& context, const Cursor& cursor, const Cursor& node, const Placement& placement,
+                 const glm::dvec3& origin) {
   Light light;
-  light.name = printable(!placement.name.empty() ? placement.name
-                                                 : cursor.member("name").string(cursor.path()));
+  light.name =
+      printable(!placement.name.empty() ? placement.name : cursor.member("name").string(cursor.path()));
   light.type = type_of(cursor);
   read_strength(context, cursor, light);
   if (light.type != LightType::Directional) read_range(context, cursor.member("range"), light);
@@ -148,15 +147,14 @@ std::vector<Light> read_lights(Context& context, const Document& document,
 }
 
 std::vector<Camera> read_cameras(Context& context, const Document& document,
-                                 const std::vector<Placement>& placements,
-                                 const glm::dvec3& origin) {
+                                 const std::vector<Placement>& placements, const glm::dvec3& origin) {
   const Cursor all = document.root(context).member("cameras");
   std::vector<Camera> cameras;
   for (const Placement& placement : placements) {
     const Cursor cursor = all.element(static_cast<std::size_t>(placement.index));
     Camera camera;
-    camera.name = printable(!placement.name.empty() ? placement.name
-                                                    : cursor.member("name").string(cursor.path()));
+    camera.name =
+        printable(!placement.name.empty() ? placement.name : cursor.member("name").string(cursor.path()));
     const Cursor type = cursor.member("type");
     const std::string name = type.string();
     if (name == "perspective") {

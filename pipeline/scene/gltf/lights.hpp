@@ -11,7 +11,6 @@ namespace caustics::gltf {
 std::vector<Light> read_lights(Context& context, const Document& document,
                                const std::vector<Placement>& placements, const glm::dvec3& origin);
 std::vector<Camera> read_cameras(Context& context, const Document& document,
-                                 const std::vector<Placement>& placements,
-                                 const glm::dvec3& origin);
+                                 const std::vector<Placement>& placements, const glm::dvec3& origin);
 
 }  // namespace caustics::gltf

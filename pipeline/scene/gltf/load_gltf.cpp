@@ -54,8 +54,8 @@ std::optional<Part> read_part(const Source& source, std::size_t placement, std::
   const int uv_set = source.materials.uv_sets[static_cast<std::size_t>(material)];
   const std::size_t joints =
       place.skin < 0 ? 0 : source.skins[static_cast<std::size_t>(place.skin)].joints.size();
-  auto body = gltf::read_primitive(source.context, source.document, source.model, place, primitive,
-                                   uv_set, joints, budget);
+  auto body = gltf::read_primitive(source.context, source.document, source.model, place, primitive, uv_set,
+                                   joints, budget);
   if (!body) return std::nullopt;
   std::vector<exact::Affine> matrices;
   gltf::Pose pose = gltf::pose_of(place, source.skins, source.rest, *body, matrices);
@@ -95,8 +95,7 @@ std::vector<Part> parts_of(const Source& source, std::size_t placement, int obje
   const auto& primitives = source.model.meshes[mesh].primitives;
   std::vector<Part> parts;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
-    const int material =
-        primitives[i].material < 0 ? source.materials.fallback() : primitives[i].material;
+    const int material = primitives[i].material < 0 ? source.materials.fallback() : primitives[i].material;
     auto part = read_part(source, placement, i, material, budget);
     if (!part) continue;
     part->shape.material = material;
@@ -189,17 +188,15 @@ std::vector<std::vector<double>> read_rest_weights(const Context& context, const
                                                    const gltf::Placements& placements) {
   std::vector<std::vector<double>> weights(placements.tree.size());
   for (const gltf::Placement& placement : placements.meshes) {
-    weights[placement.place] =
-        gltf::rest_weights(context, document, static_cast<std::size_t>(placement.node),
-                           static_cast<std::size_t>(placement.index));
+    weights[placement.place] = gltf::rest_weights(context, document, static_cast<std::size_t>(placement.node),
+                                                  static_cast<std::size_t>(placement.index));
   }
   return weights;
 }
 
 // The skins that meshes use, by their numbers; the others stay empty.
 std::vector<gltf::Skin> read_skins(const Context& context, const Document& document,
-                                   const tinygltf::Model& model,
-                                   const gltf::Placements& placements) {
+                                   const tinygltf::Model& model, const gltf::Placements& placements) {
   std::vector<gltf::Skin> skins(document.root(context).member("skins").size());
   std::vector<bool> read(skins.size(), false);
   for (const gltf::Placement& placement : placements.meshes) {
@@ -227,8 +224,7 @@ std::vector<bool> moving_nodes(const gltf::Placements& placements, const gltf::A
 }
 
 // By Placements::meshes.
-std::vector<bool> moving_meshes(const gltf::Placements& placements,
-                                const std::vector<gltf::Skin>& skins,
+std::vector<bool> moving_meshes(const gltf::Placements& placements, const std::vector<gltf::Skin>& skins,
                                 const gltf::Animation& animation, const std::vector<bool>& nodes) {
   std::vector<bool> morphs(placements.tree.size(), false);
   for (const gltf::Channel& channel : animation.channels) {
@@ -273,8 +269,7 @@ Loaded load(Context& context) {
   Document document = gltf::read_document(context);
   gltf::check_extensions(context, document);
   gltf::check_structure(context, document);
-  const tinygltf::Model model =
-      gltf::build_model(context, document, gltf::read_buffers(context, document));
+  const tinygltf::Model model = gltf::build_model(context, document, gltf::read_buffers(context, document));
   document.bin = {};
   document.bytes = {};
   Loaded loaded;
@@ -285,19 +280,22 @@ Loaded load(Context& context) {
   const gltf::Materials materials = gltf::read_materials(context, document, textures);
   std::vector<gltf::Skin> skins = read_skins(context, document, model, placements);
   std::vector<std::vector<double>> weights = read_rest_weights(context, document, placements);
-  gltf::Animation animation =
-      gltf::read_animation(context, document, model).value_or(gltf::Animation{});
+  gltf::Animation animation = gltf::read_animation(context, document, model).value_or(gltf::Animation{});
   const std::vector<bool> nodes = moving_nodes(placements, animation);
   gltf::Stance rest(placements, weights);
   rest.finish(context);
-  Geometry geometry =
-      read_geometry({context, document, model, materials, placements, skins, rest,
-                     moving_meshes(placements, skins, animation, nodes)});
+  Geometry geometry = read_geometry({context, document, model, materials, placements, skins, rest,
+                                     moving_meshes(placements, skins, animation, nodes)});
   if (!geometry.bodies.empty() || any_moves(placements.lights, nodes) ||
       any_moves(placements.cameras, nodes)) {
-    loaded.motion = std::make_shared<gltf::GltfMotion>(gltf::MotionParts{
-        context.path(), context.options(), {}, placements, std::move(weights), std::move(skins),
-        std::move(animation), std::move(geometry.bodies)});
+    loaded.motion = std::make_shared<gltf::GltfMotion>(gltf::MotionParts{context.path(),
+                                                                         context.options(),
+                                                                         {},
+                                                                         placements,
+                                                                         std::move(weights),
+                                                                         std::move(skins),
+                                                                         std::move(animation),
+                                                                         std::move(geometry.bodies)});
   }
   build_meshes(geometry, loaded.motion.get(), scene);
   gltf::read_stated_shapes(document.root(context), placements.meshes, scene);
@@ -309,9 +307,9 @@ Loaded load(Context& context) {
   scene.images = std::move(textures.images());
   scene.notes = std::move(context.notes());
   if (loaded.motion) loaded.motion->start(without_data(std::move(document)), scene);
-  const bool needs_fallback =
-      std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                  [&](const Mesh& mesh) { return mesh.material == materials.fallback(); });
+  const bool needs_fallback = std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+    return mesh.material == materials.fallback();
+  });
   if (!needs_fallback) scene.materials.pop_back();
   return loaded;
 }

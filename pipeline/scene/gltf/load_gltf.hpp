@@ -18,23 +18,22 @@ namespace caustics {
 // Limits on what a file may ask for. Beyond one of them the file is refused, images apart: those
 // are left out with a note.
 struct LoadOptions {
-  std::uint64_t max_bytes = std::uint64_t{512}
-                            << 20;  // the file and its buffers and images together
+  std::uint64_t max_bytes = std::uint64_t{512} << 20;  // the file and its buffers and images together
   std::uint64_t max_json_values = 4'000'000;
   int max_json_depth = 128;
   int max_node_depth = 128;
-  std::uint64_t max_nodes = 1'000'000;      // nodes and instances visited, and primitives placed
-  std::uint64_t max_lights = 1024;          // each has maps and passes of its own
+  std::uint64_t max_nodes = 1'000'000;        // nodes and instances visited, and primitives placed
+  std::uint64_t max_lights = 1024;            // each has maps and passes of its own
   std::uint64_t max_lit_meshes = 16'000'000;  // lights times placed meshes: each pair is judged by itself
-  std::uint64_t max_vertices = 50'000'000;  // after instancing
+  std::uint64_t max_vertices = 50'000'000;    // after instancing
   std::uint64_t max_triangles = 50'000'000;
-  double max_coordinate = 1e12;  // metres; beyond it, products overflow single precision
+  double max_coordinate = 1e12;                     // metres; beyond it, products overflow single precision
   std::uint64_t max_animation_values = 32'000'000;  // moments and what they hold, of one animation
   std::uint64_t max_water_cells = std::uint64_t{32} << 20;  // of all waters together
   double max_water_updates = 1e11;  // cells times the steps that they make before time 0, of all waters
   // The animation to show: its name or else its number; "" the first, "none" the scene at rest.
   std::string animation;
-  int max_image_side = 16384;    // pixels
+  int max_image_side = 16384;                                 // pixels
   std::uint64_t max_image_pixels = std::uint64_t{128} << 20;  // of all decoded images together
 };
 

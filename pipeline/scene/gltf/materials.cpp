@@ -13,18 +13,14 @@ std::string text(double value) {
   return std::string(digits, end);
 }
 
-double clamped(Context& context, const std::string& path, double value, double lowest,
-               double highest) {
+double clamped(Context& context, const std::string& path, double value, double lowest, double highest) {
   const double result = std::min(std::max(value, lowest), highest);
-  if (result != value)
-    context.note(path + " is " + text(value) + "; " + text(result) + " is used.");
+  if (result != value) context.note(path + " is " + text(value) + "; " + text(result) + " is used.");
   return result;
 }
 
-float factor(Context& context, const Cursor& cursor, double fallback, double lowest,
-             double highest) {
-  return static_cast<float>(
-      clamped(context, cursor.path(), cursor.number(fallback), lowest, highest));
+float factor(Context& context, const Cursor& cursor, double fallback, double lowest, double highest) {
+  return static_cast<float>(clamped(context, cursor.path(), cursor.number(fallback), lowest, highest));
 }
 
 glm::vec3 color_factor(Context& context, const Cursor& cursor, const glm::vec3& fallback) {
@@ -86,8 +82,7 @@ void Reader::read_core() {
   const auto roughness = textures_.mean(both, 1), metallic = textures_.mean(both, 2);
   if (roughness) result_.roughness *= static_cast<float>(*roughness);
   if (metallic) result_.metallic *= static_cast<float>(*metallic);
-  const Cursor strength =
-      extensions_.member("KHR_materials_emissive_strength").member("emissiveStrength");
+  const Cursor strength = extensions_.member("KHR_materials_emissive_strength").member("emissiveStrength");
   result_.emissive = color_factor(context_, material_.member("emissiveFactor"), glm::vec3(0)) *
                      factor(context_, strength, 1, 0, 1e9);
   result_.double_sided = material_.member("doubleSided").boolean(false);
@@ -144,8 +139,7 @@ void Reader::read_ior() {
 void Reader::read_volume() {
   const Cursor volume = extensions_.member("KHR_materials_volume");
   result_.thickness = factor(context_, volume.member("thicknessFactor"), 0, 0, 1e12);
-  result_.attenuation_color =
-      color_factor(context_, volume.member("attenuationColor"), glm::vec3(1));
+  result_.attenuation_color = color_factor(context_, volume.member("attenuationColor"), glm::vec3(1));
   const Cursor distance = volume.member("attenuationDistance");
   if (distance.present()) {
     const double value = distance.number();
@@ -164,8 +158,7 @@ TextureUse Reader::placed(const Cursor& info, int set, bool is_data) {
   if (!info.present()) return {};
   if (Textures::uv_set(info) != set) {
     context_.note(info.path() + " uses TEXCOORD_" + std::to_string(Textures::uv_set(info)) +
-                  ", other textures of the material TEXCOORD_" + std::to_string(set) +
-                  "; it is left out.");
+                  ", other textures of the material TEXCOORD_" + std::to_string(set) + "; it is left out.");
     return {};
   }
   return is_data ? textures_.normal(info) : textures_.color(info);
@@ -177,10 +170,7 @@ int Reader::read_textures() {
   const Cursor emissive = material_.member("emissiveTexture");
   // One set of coordinates serves all. Where light passes, the normals matter more than the colour.
   const bool normal_first = result_.transmission > 0 && normal.present();
-  const Cursor& first = normal_first       ? normal
-                        : base.present()   ? base
-                        : normal.present() ? normal
-                                           : emissive;
+  const Cursor& first = normal_first ? normal : base.present() ? base : normal.present() ? normal : emissive;
   const int set = Textures::uv_set(first);
   result_.base_color_texture = placed(base, set, false);
   result_.normal_texture = placed(normal, set, true);

@@ -7,8 +7,7 @@ namespace caustics::gltf {
 
 namespace {
 
-constexpr const char* kKept[] = {"asset", "bufferViews", "accessors", "meshes",
-                                 "nodes", "scenes",      "scene"};
+constexpr const char* kKept[] = {"asset", "bufferViews", "accessors", "meshes", "nodes", "scenes", "scene"};
 // In place of a buffer's URI: a name that only the callbacks below understand.
 const std::string kBufferName = "caustics-buffer-";
 
@@ -30,8 +29,7 @@ std::string slim_text(const Document& document, const std::vector<Bytes>& buffer
     if (document.json.contains(key)) slim[key] = document.json[key];
   }
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    slim["buffers"].push_back(
-        {{"byteLength", buffers[i].size()}, {"uri", kBufferName + std::to_string(i)}});
+    slim["buffers"].push_back({{"byteLength", buffers[i].size()}, {"uri", kBufferName + std::to_string(i)}});
   }
   if (slim.contains("nodes")) {
     for (Json& node : slim["nodes"]) {
@@ -78,9 +76,7 @@ tinygltf::FsCallbacks callbacks_for(std::vector<Bytes>& buffers) {
     if (buffer) *out = std::move(*buffer);
     return buffer != nullptr;
   };
-  callbacks.WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) {
-    return false;
-  };
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) { return false; };
   set_file_size(callbacks);
   callbacks.user_data = &buffers;
   return callbacks;
@@ -88,8 +84,7 @@ tinygltf::FsCallbacks callbacks_for(std::vector<Bytes>& buffers) {
 
 }  // namespace
 
-tinygltf::Model build_model(Context& context, const Document& document,
-                            std::vector<Bytes> buffers) {
+tinygltf::Model build_model(Context& context, const Document& document, std::vector<Bytes> buffers) {
   const std::string text = slim_text(document, buffers);
   tinygltf::Model model;
   tinygltf::TinyGLTF reader;

@@ -19,20 +19,17 @@ std::vector<glm::vec3> read_differences(const Context& context, const Cursor& at
   const auto index = attribute.optional_index("accessors", model.accessors.size());
   if (!index) return values;
   const Accessor accessor(context, model, *index);
-  if (accessor.components() != 3 ||
-      accessor.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+  if (accessor.components() != 3 || accessor.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
     attribute.fail("has the wrong type for a morph target", kFix);
   }
   if (accessor.size() != vertices) {
-    attribute.fail("has " + std::to_string(accessor.size()) + " elements, POSITION " +
-                       std::to_string(vertices),
-                   kFix);
+    attribute.fail(
+        "has " + std::to_string(accessor.size()) + " elements, POSITION " + std::to_string(vertices), kFix);
   }
   values.reserve(used.size());
   for (const std::uint32_t i : used) {
     glm::dvec3 value(accessor.value(i, 0), accessor.value(i, 1), accessor.value(i, 2));
-    if (!exact::finite(value))
-      attribute.fail("element " + std::to_string(i) + " is not finite", kFix);
+    if (!exact::finite(value)) attribute.fail("element " + std::to_string(i) + " is not finite", kFix);
     values.emplace_back(value);
   }
   return values;
@@ -54,8 +51,8 @@ std::size_t target_count(const Context& context, const Document& document, std::
   return count;
 }
 
-std::vector<double> rest_weights(const Context& context, const Document& document,
-                                 std::size_t node, std::size_t mesh) {
+std::vector<double> rest_weights(const Context& context, const Document& document, std::size_t node,
+                                 std::size_t mesh) {
   const std::size_t count = target_count(context, document, mesh);
   const Cursor own = document.root(context).member("nodes").element(node).member("weights");
   const Cursor given = own.present() ? own : mesh_cursor(context, document, mesh).member("weights");
@@ -66,9 +63,8 @@ std::vector<double> rest_weights(const Context& context, const Document& documen
   return weights;
 }
 
-std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive,
-                                      const tinygltf::Model& model, std::size_t vertices,
-                                      std::span<const std::uint32_t> used) {
+std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive, const tinygltf::Model& model,
+                                      std::size_t vertices, std::span<const std::uint32_t> used) {
   std::vector<MorphTarget> targets;
   const Cursor list = primitive.member("targets");
   for (std::size_t t = 0; t < list.size(); ++t) {
@@ -77,8 +73,7 @@ std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive,
       return read_differences(context, target.member(name), model, vertices, used);
     };
     for (const std::string& name : target.keys())
-      if (name.rfind("TEXCOORD_", 0) == 0)
-        context.note("Morph targets move no texture coordinates here.");
+      if (name.rfind("TEXCOORD_", 0) == 0) context.note("Morph targets move no texture coordinates here.");
     targets.push_back({read("POSITION"), read("NORMAL"), read("TANGENT")});
   }
   return targets;

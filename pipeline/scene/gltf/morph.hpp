@@ -13,13 +13,12 @@ std::size_t target_count(const Context& context, const Document& document, std::
 
 // The weights of a node's mesh at rest: the node's, else the mesh's, else zeros. Fails where they are
 // not as many as the targets, or not numbers that single precision holds.
-std::vector<double> rest_weights(const Context& context, const Document& document,
-                                 std::size_t node, std::size_t mesh);
+std::vector<double> rest_weights(const Context& context, const Document& document, std::size_t node,
+                                 std::size_t mesh);
 
 // The differences of a primitive's targets at the vertices `used` (numbers within the accessors).
 // `primitive` is its cursor, `vertices` the number of its positions.
-std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive,
-                                      const tinygltf::Model& model, std::size_t vertices,
-                                      std::span<const std::uint32_t> used);
+std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive, const tinygltf::Model& model,
+                                      std::size_t vertices, std::span<const std::uint32_t> used);
 
 }  // namespace caustics::gltf

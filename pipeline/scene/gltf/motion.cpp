@@ -98,8 +98,8 @@ void GltfMotion::sweep() {
     for (std::size_t i = 0; i < parts_.bodies.size(); ++i) {
       const MovingBody& moving = parts_.bodies[i];
       std::vector<exact::Affine> joints;
-      const Pose pose = pose_of(parts_.placements.meshes[moving.placement], parts_.skins, now,
-                                moving.body, joints);
+      const Pose pose =
+          pose_of(parts_.placements.meshes[moving.placement], parts_.skins, now, moving.body, joints);
       const Shape shape = posed(context, moving.body, pose);
       for (const auto& triangle : shape.triangles)
         for (const std::uint32_t corner : triangle) swept_[i].add(shape.positions[corner]);
@@ -113,8 +113,8 @@ void GltfMotion::place(double seconds, Scene& scene) const {
   const Stance now = stance(context, seconds);
   for (const MovingBody& moving : parts_.bodies) {
     std::vector<exact::Affine> joints;
-    const Pose pose = pose_of(parts_.placements.meshes[moving.placement], parts_.skins, now,
-                              moving.body, joints);
+    const Pose pose =
+        pose_of(parts_.placements.meshes[moving.placement], parts_.skins, now, moving.body, joints);
     Shape shape = posed(context, moving.body, pose);
     finish_normals(context, shape);
     if (moving.tangents) {

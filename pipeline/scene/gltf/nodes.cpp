@@ -68,9 +68,9 @@ std::vector<int> Walk::roots() {
 
 void Walk::count_visit(const Cursor& node, std::uint64_t number) {
   if (number > context_.options().max_nodes - count_) {
-    node.fail("the scene has more than " + std::to_string(context_.options().max_nodes) +
-                  " nodes and instances",
-              "split the scene");
+    node.fail(
+        "the scene has more than " + std::to_string(context_.options().max_nodes) + " nodes and instances",
+        "split the scene");
   }
   count_ += number;
 }
@@ -86,9 +86,9 @@ void Walk::visit(int index, int above, const Affine& parent, int depth, bool vis
   placements_.place_of[i] = here;
   count_visit(node, 1);
   if (depth > context_.options().max_node_depth) {
-    node.fail("lies deeper than " + std::to_string(context_.options().max_node_depth) +
-                  " levels in the node tree",
-              "flatten the hierarchy");
+    node.fail(
+        "lies deeper than " + std::to_string(context_.options().max_node_depth) + " levels in the node tree",
+        "flatten the hierarchy");
   }
   placements_.tree.push_back({index, above, transform(node, model_.nodes[i])});
   const Affine to_world = parent * placements_.tree.back().rest.local();
@@ -137,14 +137,12 @@ void Walk::place(const Cursor& node, int index, const Affine& to_world, bool vis
   const std::string name = node.member("name").string("");
   const Placement here{index, 0, to_world, name, placements_.tree.size() - 1, {}, -1};
   const auto mesh = node.member("mesh").optional_index("meshes", model_.meshes.size());
-  const auto camera =
-      node.member("camera").optional_index("cameras", root_.member("cameras").size());
+  const auto camera = node.member("camera").optional_index("cameras", root_.member("cameras").size());
   const Cursor light = node.member("extensions").member("KHR_lights_punctual");
   if (mesh && visible) {
     Placement body = here;
     body.index = *mesh;
-    body.skin =
-        node.member("skin").optional_index("skins", root_.member("skins").size()).value_or(-1);
+    body.skin = node.member("skin").optional_index("skins", root_.member("skins").size()).value_or(-1);
     place_mesh(node, body);
   }
   if (camera) {
@@ -190,8 +188,7 @@ void Walk::place_instances(const Cursor& attributes, const Placement& placement)
     }
   }
   if (given.empty()) attributes.fail("has no instances", "export the file again");
-  const std::uint64_t primitives =
-      model_.meshes[static_cast<std::size_t>(placement.index)].primitives.size();
+  const std::uint64_t primitives = model_.meshes[static_cast<std::size_t>(placement.index)].primitives.size();
   for (std::size_t i = 0; i < given[0].size(); ++i) {
     count_visit(attributes, 1 + primitives);
     double v[3][4] = {{0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 0}};
@@ -201,9 +198,8 @@ void Walk::place_instances(const Cursor& attributes, const Placement& placement)
       }
     }
     Placement instance = placement;
-    instance.inner =
-        exact::from_trs({v[0][0], v[0][1], v[0][2]}, {v[1][0], v[1][1], v[1][2], v[1][3]},
-                        {v[2][0], v[2][1], v[2][2]});
+    instance.inner = exact::from_trs({v[0][0], v[0][1], v[0][2]}, {v[1][0], v[1][1], v[1][2], v[1][3]},
+                                     {v[2][0], v[2][1], v[2][2]});
     instance.to_world = placement.to_world * instance.inner;
     instance.name += " instance " + std::to_string(i);
     if (!instance.to_world.finite()) {

@@ -30,15 +30,15 @@ struct Placement {
   int node = 0;
   int index = 0;
   exact::Affine to_world;
-  std::string name;  // the node's, may be empty
+  std::string name;       // the node's, may be empty
   std::size_t place = 0;  // the node's in Placements::tree
   exact::Affine inner;    // an instance within its node: to_world = the node's * inner
   int skin = -1;          // of a mesh
 };
 
 struct Placements {
-  std::vector<TreeNode> tree;  // parents first
-  std::vector<int> place_of;   // by node: its place in `tree`; -1: not in the scene
+  std::vector<TreeNode> tree;     // parents first
+  std::vector<int> place_of;      // by node: its place in `tree`; -1: not in the scene
   std::vector<Placement> meshes;  // one for each instance
   std::vector<Placement> cameras;
   std::vector<Placement> lights;  // index into KHR_lights_punctual's list

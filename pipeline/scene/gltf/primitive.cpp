@@ -30,8 +30,7 @@ std::optional<Accessor> attribute(const Context& context, const tinygltf::Model&
 
 // Checked indices of a primitive, 0, 1, 2, ... where it has none.
 std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::Model& model,
-                                        const tinygltf::Primitive& primitive,
-                                        std::size_t vertices) {
+                                        const tinygltf::Primitive& primitive, std::size_t vertices) {
   std::vector<std::uint32_t> indices;
   if (primitive.indices < 0) {
     for (std::size_t i = 0; i < vertices; ++i) indices.push_back(static_cast<std::uint32_t>(i));
@@ -39,9 +38,9 @@ std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::
   }
   const Accessor accessor(context, model, primitive.indices);
   const int type = accessor.component_type();
-  if (accessor.components() != 1 || (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-                                     type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-                                     type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+  if (accessor.components() != 1 ||
+      (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
     context.fail(accessor.path(), "indices must be unsigned scalars", kFix);
   }
   const std::uint32_t restart = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xFFu
@@ -51,12 +50,11 @@ std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::
   for (std::size_t i = 0; i < accessor.size(); ++i) {
     const std::uint32_t value = accessor.unsigned_value(i);
     if (value == restart || value >= vertices) {
-      context.fail(
-          accessor.path(),
-          "index " + std::to_string(i) + " is " + std::to_string(value) +
-              (value == restart ? ", the primitive restart value, which glTF forbids"
-                                : ", but there are " + std::to_string(vertices) + " vertices"),
-          kFix);
+      context.fail(accessor.path(),
+                   "index " + std::to_string(i) + " is " + std::to_string(value) +
+                       (value == restart ? ", the primitive restart value, which glTF forbids"
+                                         : ", but there are " + std::to_string(vertices) + " vertices"),
+                   kFix);
     }
     indices.push_back(value);
   }
@@ -64,8 +62,7 @@ std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::
 }
 
 // Triangles as glTF 2.0 section 3.7.2.1 winds them.
-std::vector<std::array<std::uint32_t, 3>> assemble(const std::vector<std::uint32_t>& index,
-                                                   int mode) {
+std::vector<std::array<std::uint32_t, 3>> assemble(const std::vector<std::uint32_t>& index, int mode) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (index.size() < 3) return triangles;
   if (mode == TINYGLTF_MODE_TRIANGLES) {
@@ -87,8 +84,7 @@ std::vector<std::array<std::uint32_t, 3>> assemble(const std::vector<std::uint32
 void spend(const Context& context, const std::string& path, std::uint64_t& used, std::uint64_t more,
            std::uint64_t most, const char* what) {
   if (more > most - used) {
-    context.fail(path, "the scene has more than " + std::to_string(most) + " " + what,
-                 "simplify the scene");
+    context.fail(path, "the scene has more than " + std::to_string(most) + " " + what, "simplify the scene");
   }
   used += more;
 }
@@ -193,10 +189,9 @@ bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive, const 
 
 }  // namespace
 
-std::optional<Body> read_primitive(Context& context, const Document& document,
-                                   const tinygltf::Model& model, const Placement& placement,
-                                   std::size_t number, int uv_set, std::size_t joints,
-                                   GeometryBudget& budget) {
+std::optional<Body> read_primitive(Context& context, const Document& document, const tinygltf::Model& model,
+                                   const Placement& placement, std::size_t number, int uv_set,
+                                   std::size_t joints, GeometryBudget& budget) {
   const auto mesh = static_cast<std::size_t>(placement.index);
   const tinygltf::Primitive& primitive = model.meshes[mesh].primitives[number];
   const Cursor cursor =
@@ -211,19 +206,17 @@ std::optional<Body> read_primitive(Context& context, const Document& document,
                                                  : "nodes[" + std::to_string(placement.node) + "]");
   Gather gather(context, model, primitive, uv_set);
   const LoadOptions& limits = context.options();
-  const std::uint64_t copies = 1 + cursor.member("targets").size() +
-                               (joints > 0 ? influence_set_count(primitive) : 0);
-  spend(context, shape.path, budget.vertices, copies * gather.vertices(), limits.max_vertices,
-        "vertices");
+  const std::uint64_t copies =
+      1 + cursor.member("targets").size() + (joints > 0 ? influence_set_count(primitive) : 0);
+  spend(context, shape.path, budget.vertices, copies * gather.vertices(), limits.max_vertices, "vertices");
   const auto indices = read_indices(context, model, primitive, gather.vertices());
   const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   if (mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0) {
     context.note(shape.path + ": the last " + std::to_string(indices.size() % 3) +
                  " indices make no triangle and are ignored.");
   }
-  const std::size_t triangles = mode == TINYGLTF_MODE_TRIANGLES
-                                    ? indices.size() / 3
-                                    : std::max<std::size_t>(indices.size(), 2) - 2;
+  const std::size_t triangles =
+      mode == TINYGLTF_MODE_TRIANGLES ? indices.size() / 3 : std::max<std::size_t>(indices.size(), 2) - 2;
   spend(context, shape.path, budget.triangles, triangles, limits.max_triangles, "triangles");
   shape.triangles = assemble(indices, mode);
   body.position_path = gather.position_path();

@@ -56,9 +56,8 @@ fs::path confined(const Context& context, const Cursor& uri, const std::string& 
   if (text.size() > kLongestUri) uri.fail("is longer than 4096 characters", advice);
   if (has_scheme(text)) uri.fail("only data: URIs and relative files are read: " + text, advice);
   const std::string name = percent_decoded(uri, text);
-  if (std::any_of(name.begin(), name.end(), [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\';
-      })) {
+  if (std::any_of(name.begin(), name.end(),
+                  [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\'; })) {
     uri.fail("holds a control character or a backslash", advice);
   }
   const fs::path relative = fs::path(name).lexically_normal();
@@ -94,8 +93,7 @@ Bytes decode_data_uri(const Cursor& uri, const std::string& text) {
 Bytes read_buffer(Context& context, const Document& document, std::size_t i) {
   const Cursor buffer = document.root(context).member("buffers").element(i);
   const auto length = static_cast<std::size_t>(
-      buffer.member("byteLength")
-          .integer(1, static_cast<std::int64_t>(context.options().max_bytes)));
+      buffer.member("byteLength").integer(1, static_cast<std::int64_t>(context.options().max_bytes)));
   const Cursor uri = buffer.member("uri");
   Bytes bytes;
   if (uri.present()) {
@@ -108,8 +106,8 @@ Bytes read_buffer(Context& context, const Document& document, std::size_t i) {
   }
   if (bytes.size() < length) {
     buffer.member("byteLength")
-        .fail("is " + std::to_string(length) + ", but there are only " +
-                  std::to_string(bytes.size()) + " bytes",
+        .fail("is " + std::to_string(length) + ", but there are only " + std::to_string(bytes.size()) +
+                  " bytes",
               "the file is damaged or was cut short: get or export it again");
   }
   bytes.resize(length);

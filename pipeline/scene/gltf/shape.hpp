@@ -15,9 +15,9 @@ struct Shape {
   int material = 0;
   int object = 0;
   std::vector<glm::dvec3> positions;  // world
-  std::vector<glm::dvec3> normals;   // world, not normalised, may hold NaN; empty: none in the file
-  std::vector<glm::dvec4> tangents;  // world, w handedness; empty: none
-  std::vector<glm::dvec2> uvs;       // as in the file; empty: none
+  std::vector<glm::dvec3> normals;    // world, not normalised, may hold NaN; empty: none in the file
+  std::vector<glm::dvec4> tangents;   // world, w handedness; empty: none
+  std::vector<glm::dvec2> uvs;        // as in the file; empty: none
   std::vector<std::array<std::uint32_t, 3>> triangles;
   float closedness = 0.0f;
 };

@@ -11,8 +11,7 @@ constexpr std::size_t kMostSets = 16;  // of four joints a vertex
 
 exact::Affine read_matrix(const Cursor& cursor, const Accessor& accessor, std::size_t i) {
   const auto column = [&](int c) {
-    return glm::dvec3(accessor.value(i, 4 * c), accessor.value(i, 4 * c + 1),
-                      accessor.value(i, 4 * c + 2));
+    return glm::dvec3(accessor.value(i, 4 * c), accessor.value(i, 4 * c + 1), accessor.value(i, 4 * c + 2));
   };
   const exact::Affine matrix{column(0), column(1), column(2), column(3)};
   if (!matrix.finite()) cursor.fail("matrix " + std::to_string(i) + " is not finite", kFix);
@@ -48,8 +47,7 @@ Accessor influence(const Context& context, const Cursor& cursor, const tinygltf:
   Accessor accessor(context, model, cursor.index("accessors", model.accessors.size()));
   if (accessor.components() != 4) cursor.fail("must be of type VEC4", kFix);
   if (accessor.size() != vertices) {
-    cursor.fail("has " + std::to_string(accessor.size()) + " elements, POSITION " +
-                    std::to_string(vertices),
+    cursor.fail("has " + std::to_string(accessor.size()) + " elements, POSITION " + std::to_string(vertices),
                 kFix);
   }
   return accessor;
@@ -66,11 +64,10 @@ std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& a
       (joints.present() ? joints : weights)
           .fail(joints.present() ? "has no WEIGHTS beside it" : "has no JOINTS beside it", kFix);
     if (n == kMostSets) joints.fail("is one set of joints too many", "use at most 64 joints a vertex");
-    sets.push_back({influence(context, joints, model, vertices),
-                    influence(context, weights, model, vertices)});
+    sets.push_back(
+        {influence(context, joints, model, vertices), influence(context, weights, model, vertices)});
     const int type = sets.back().joints.component_type();
-    if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-        type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+    if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
       joints.fail("must be unsigned bytes or shorts", kFix);
   }
   return sets;
@@ -78,8 +75,8 @@ std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& a
 
 class InfluenceReader {
  public:
-  InfluenceReader(const Cursor& attributes, const std::vector<InfluenceSet>& sets,
-                  std::size_t joints, Body& body)
+  InfluenceReader(const Cursor& attributes, const std::vector<InfluenceSet>& sets, std::size_t joints,
+                  Body& body)
       : attributes_(attributes), sets_(sets), joints_(joints), body_(body) {}
 
   void add(std::size_t vertex) {
@@ -100,12 +97,11 @@ class InfluenceReader {
   double add_one(const InfluenceSet& set, std::size_t vertex, int c) {
     const double weight = set.weights.value(vertex, c);
     if (!(weight >= 0 && weight < 1e30))
-      attributes_.fail("vertex " + std::to_string(vertex) + " has a weight below 0 or not finite",
-                       kFix);
+      attributes_.fail("vertex " + std::to_string(vertex) + " has a weight below 0 or not finite", kFix);
     const auto joint = static_cast<std::size_t>(set.joints.value(vertex, c));
     if (joint >= joints_ && weight > 0)
-      attributes_.fail("vertex " + std::to_string(vertex) + " hangs on joint " +
-                           std::to_string(joint) + ", but the skin has " + std::to_string(joints_),
+      attributes_.fail("vertex " + std::to_string(vertex) + " hangs on joint " + std::to_string(joint) +
+                           ", but the skin has " + std::to_string(joints_),
                        kFix);
     body_.joints.push_back(joint < joints_ ? static_cast<std::uint32_t>(joint) : 0u);
     body_.weights.push_back(static_cast<float>(weight));
@@ -122,8 +118,7 @@ class InfluenceReader {
 
 std::vector<exact::Affine> Skin::matrices(std::span<const exact::Affine> to_world) const {
   std::vector<exact::Affine> result;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    result.push_back(to_world[joints[i]] * inverse_binds[i]);
+  for (std::size_t i = 0; i < joints.size(); ++i) result.push_back(to_world[joints[i]] * inverse_binds[i]);
   return result;
 }
 
@@ -139,11 +134,9 @@ Skin read_skin(const Context& context, const Document& document, const tinygltf:
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const int node = joints.element(i).index("nodes", model.nodes.size());
     const int place = placements.place_of[static_cast<std::size_t>(node)];
-    if (place < 0)
-      joints.element(i).fail("nodes[" + std::to_string(node) + "] is not in the scene", kFix);
+    if (place < 0) joints.element(i).fail("nodes[" + std::to_string(node) + "] is not in the scene", kFix);
     const auto p = static_cast<std::size_t>(place);
-    if (used[p])
-      joints.element(i).fail("nodes[" + std::to_string(node) + "] is a joint twice", kFix);
+    if (used[p]) joints.element(i).fail("nodes[" + std::to_string(node) + "] is a joint twice", kFix);
     used[p] = true;
     skin.joints.push_back(p);
   }
@@ -152,8 +145,8 @@ Skin read_skin(const Context& context, const Document& document, const tinygltf:
 }
 
 void read_influences(Context& context, const Cursor& primitive, const tinygltf::Model& model,
-                     std::size_t vertices, std::span<const std::uint32_t> used,
-                     std::size_t joints, Body& body) {
+                     std::size_t vertices, std::span<const std::uint32_t> used, std::size_t joints,
+                     Body& body) {
   const Cursor attributes = primitive.member("attributes");
   const std::vector<InfluenceSet> sets = influence_sets(context, attributes, model, vertices);
   if (sets.empty()) {

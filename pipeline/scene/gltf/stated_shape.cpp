@@ -29,7 +29,8 @@ HeightField field_of(const Cursor& shape, const Placement& placement, const Scen
   HeightField field{.level = shape.member("level").number(0.0)};
   const Cursor waves = shape.member("waves");
   if (!waves.present() || !waves.json().is_array() || waves.size() == 0 || waves.size() > kMostWaves)
-    waves.fail("must be a list of 1 to 64 waves", "write { \"amplitude\": a, \"k\": [kx, kz], \"phase\": p } for each");
+    waves.fail("must be a list of 1 to 64 waves",
+               "write { \"amplitude\": a, \"k\": [kx, kz], \"phase\": p } for each");
   for (std::size_t i = 0; i < waves.size(); ++i) field.waves.push_back(wave_at(waves.element(i)));
   const exact::Affine& to_world = placement.to_world;
   field.axes = glm::dmat3(to_world.x, to_world.y, to_world.z);
@@ -50,7 +51,8 @@ void read_stated_shapes(const Cursor& root, const std::vector<Placement>& placem
     } else if (shape.json() == "cylinder") {
       stated.kind = ShapeKind::Cylinder;
     } else if (shape.json() != "sphere") {
-      shape.fail("is no shape that is known", "write \"sphere\", \"cylinder\" or { \"level\": y, \"waves\": [...] }");
+      shape.fail("is no shape that is known",
+                 "write \"sphere\", \"cylinder\" or { \"level\": y, \"waves\": [...] }");
     }
     scene.stated_shapes.push_back(std::move(stated));
   }

@@ -32,8 +32,8 @@ std::vector<float> plain_table(double largest, Format format) {
   return table;
 }
 
-// Data keep every bit of 8 and 16 bits a channel: light that normals bend shows their steps, and llvmpipe does not
-// round what it reads of 8-bit textures to the nearest float.
+// Data keep every bit of 8 and 16 bits a channel: light that normals bend shows their steps, and llvmpipe
+// does not round what it reads of 8-bit textures to the nearest float.
 Image to_image(const Pixels& pixels, bool is_normal) {
   const Format format = is_normal ? Format::RGBA32F : Format::RGBA16F;
   const std::vector<float> plain = plain_table(pixels.largest, format);
@@ -43,8 +43,7 @@ Image to_image(const Pixels& pixels, bool is_normal) {
   const auto width = static_cast<std::size_t>(pixels.width);
   float* out = image.values.data();
   for (int y = pixels.height - 1; y >= 0; --y) {  // row 0 is the bottom one
-    const std::uint16_t* texel =
-        pixels.integers.data() + static_cast<std::size_t>(y) * width * channels;
+    const std::uint16_t* texel = pixels.integers.data() + static_cast<std::size_t>(y) * width * channels;
     for (std::size_t x = 0; x < width; ++x, texel += channels) {
       for (int c = 0; c < 3; ++c) *out++ = color[texel[source_channel(c, pixels.channels)]];
       *out++ = has_alpha(pixels.channels) ? plain[texel[source_channel(3, pixels.channels)]] : 1;
@@ -90,8 +89,7 @@ std::optional<int> Textures::image_index(const Cursor& info) {
   const Cursor textures = root_.member("textures");
   const int index = info.member("index").index("textures", textures.size());
   const Cursor texture = textures.element(static_cast<std::size_t>(index));
-  const auto source =
-      texture.member("source").optional_index("images", root_.member("images").size());
+  const auto source = texture.member("source").optional_index("images", root_.member("images").size());
   if (!source) context_.note(texture.path() + " has no PNG or JPEG image and is left out.");
   const Cursor samplers = root_.member("samplers");
   const auto sampler = texture.member("sampler").optional_index("samplers", samplers.size());
@@ -108,8 +106,8 @@ std::optional<int> Textures::image_index(const Cursor& info) {
 Bytes Textures::image_bytes(const Cursor& image) {
   const Cursor view = image.member("bufferView");
   if (!view.present()) return read_uri(context_, image.member("uri"));
-  const auto& v = model_.bufferViews[static_cast<std::size_t>(
-      view.index("bufferViews", model_.bufferViews.size()))];
+  const auto& v =
+      model_.bufferViews[static_cast<std::size_t>(view.index("bufferViews", model_.bufferViews.size()))];
   const auto begin = model_.buffers[static_cast<std::size_t>(v.buffer)].data.begin() +
                      static_cast<std::ptrdiff_t>(v.byteOffset);
   return Bytes(begin, begin + static_cast<std::ptrdiff_t>(v.byteLength));
@@ -125,10 +123,9 @@ bool Textures::decode(int index, Pixels& pixels) {
     if (header.kind == ImageKind::Hdr || header.kind == ImageKind::Exr) {
       problem = "is no PNG or JPEG";
     }
-    if (problem.empty() && decode_image(bytes, header.kind, context_.options().max_image_side,
-                                        pixels_left_, pixels, problem)) {
-      pixels_left_ -=
-          static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height);
+    if (problem.empty() &&
+        decode_image(bytes, header.kind, context_.options().max_image_side, pixels_left_, pixels, problem)) {
+      pixels_left_ -= static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height);
       return true;
     }
     problem = image.path() + " " + problem;
@@ -173,8 +170,7 @@ std::optional<double> Textures::mean(const Cursor& info, int channel) {
       for (int c = 0; c < 3; ++c) {
         // A sum of integers: exact, so the order does not matter.
         std::uint64_t sum = 0;
-        for (std::size_t i = source_channel(c, pixels.channels); i < pixels.integers.size();
-             i += channels) {
+        for (std::size_t i = source_channel(c, pixels.channels); i < pixels.integers.size(); i += channels) {
           sum += pixels.integers[i];
         }
         means[static_cast<std::size_t>(c)] =

@@ -32,8 +32,7 @@ std::vector<Face> faces_of(const std::vector<Shape*>& group) {
   for (std::uint32_t s = 0; s < group.size(); ++s) {
     for (std::uint32_t t = 0; t < group[s]->triangles.size(); ++t) {
       const Triangle& c = group[s]->triangles[t];
-      faces.push_back(
-          {s, t, {welded[offset + c[0]], welded[offset + c[1]], welded[offset + c[2]]}});
+      faces.push_back({s, t, {welded[offset + c[0]], welded[offset + c[1]], welded[offset + c[2]]}});
     }
     offset += static_cast<std::uint32_t>(group[s]->positions.size());
   }
@@ -107,8 +106,7 @@ struct Edges {
 };
 
 // Where each welded corner is, by its number.
-std::vector<glm::dvec3> corner_positions(const std::vector<Shape*>& group,
-                                         const std::vector<Face>& faces) {
+std::vector<glm::dvec3> corner_positions(const std::vector<Shape*>& group, const std::vector<Face>& faces) {
   std::vector<glm::dvec3> positions;
   for (const Face& face : faces) {
     const Shape& shape = *group[face.shape];
@@ -124,9 +122,7 @@ std::vector<glm::dvec3> corner_positions(const std::vector<Shape*>& group,
 // Groups numbers that have been joined; a group goes by its lowest member.
 class Groups {
  public:
-  explicit Groups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
   std::uint32_t of(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -150,8 +146,8 @@ double hole_share(const std::vector<Shape*>& group, const std::vector<Face>& fac
   const std::vector<glm::dvec3> p = corner_positions(group, faces);
   double area = 0.0;
   for (const Face& f : faces)
-    area += 0.5 * exact::length(exact::cross(p[f.corners[1]] - p[f.corners[0]],
-                                             p[f.corners[2]] - p[f.corners[0]]));
+    area += 0.5 *
+            exact::length(exact::cross(p[f.corners[1]] - p[f.corners[0]], p[f.corners[2]] - p[f.corners[0]]));
   Groups groups(p.size());
   for (const HalfEdge& edge : borders) groups.join(edge.low, edge.high);
   std::vector<glm::dvec3> spanned(p.size(), glm::dvec3(0.0));
@@ -173,8 +169,7 @@ Edges examine_edges(const std::vector<Shape*>& group, const std::vector<Face>& f
     std::size_t end = i + 1;
     while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
     if (end - i == 2) {
-      result.pairs.push_back(
-          {edges[i].face, edges[i + 1].face, edges[i].forward != edges[i + 1].forward});
+      result.pairs.push_back({edges[i].face, edges[i + 1].face, edges[i].forward != edges[i + 1].forward});
     }
     if (end - i == 1) borders.push_back(edges[i]);
     i = end;
@@ -282,11 +277,9 @@ std::size_t drop_degenerate(Shape& shape) {
   const auto flat = [&](const Triangle& t) {
     const glm::dvec3 &a = shape.positions[t[0]], &b = shape.positions[t[1]];
     const glm::dvec3& c = shape.positions[t[2]];
-    const double longest =
-        std::max({exact::length(b - a), exact::length(c - b), exact::length(a - c)});
+    const double longest = std::max({exact::length(b - a), exact::length(c - b), exact::length(a - c)});
     // No area, or too flat or too small (a picometre) for single precision to give it a direction.
-    return !(longest > 1e-12) ||
-           !(exact::length(exact::cross(b - a, c - a)) > 1e-10 * longest * longest);
+    return !(longest > 1e-12) || !(exact::length(exact::cross(b - a, c - a)) > 1e-10 * longest * longest);
   };
   return std::erase_if(shape.triangles, flat);
 }

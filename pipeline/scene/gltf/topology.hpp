@@ -13,10 +13,10 @@ namespace caustics::gltf {
 std::size_t drop_degenerate(Shape& shape);
 
 // Welds equal positions over all shapes of the group, drops triangles given twice, and writes to
-// each shape how closed the group is: 1 less the area of its holes over the area of its surface. Where `solid` (the material transmits
-// light) and the group is closed, triangles are turned to face outwards: those that disagree with
-// their neighbours, and all of them where the signed volume is negative. Other meshes keep the
-// winding of the file: a room seen from inside is rightly inside out.
+// each shape how closed the group is: 1 less the area of its holes over the area of its surface. Where
+// `solid` (the material transmits light) and the group is closed, triangles are turned to face outwards:
+// those that disagree with their neighbours, and all of them where the signed volume is negative. Other
+// meshes keep the winding of the file: a room seen from inside is rightly inside out.
 void join_group(Context& context, const std::vector<Shape*>& group, bool solid);
 
 }  // namespace caustics::gltf

@@ -25,14 +25,15 @@ WaterSettings settings_of(const Cursor& water) {
   s.interval = plops.member("interval").number(s.interval);
   s.radius = optional_number(plops.member("radius"));
   s.height = optional_number(plops.member("height"));
-  s.seed = static_cast<std::uint64_t>(plops.member("seed").integer(
-      0, std::int64_t{1} << 53, static_cast<std::int64_t>(s.seed)));
+  s.seed = static_cast<std::uint64_t>(
+      plops.member("seed").integer(0, std::int64_t{1} << 53, static_cast<std::int64_t>(s.seed)));
   return s;
 }
 
 // What the waters that are there leave of the limits; a mesh keeps the triangles that it has.
 WaterLimits limits_of(const LoadOptions& options, const Scene& scene) {
-  WaterLimits left{.cells = static_cast<double>(options.max_water_cells), .updates = options.max_water_updates};
+  WaterLimits left{.cells = static_cast<double>(options.max_water_cells),
+                   .updates = options.max_water_updates};
   std::uint64_t triangles = 0;
   for (const Water& water : scene.waters) {
     const double cells = static_cast<double>(water.columns) * water.rows;

@@ -56,8 +56,7 @@ class Grid {
   Cell cell(std::uint32_t vertex) const {
     // The cells lie round the grid's nodes; positions are at most a million cells from the corner.
     const glm::dvec3 p = (*positions_[vertex] - lower_) / width_ + 0.5;
-    return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y),
-            static_cast<std::int64_t>(p.z)};
+    return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y), static_cast<std::int64_t>(p.z)};
   }
 
   const glm::dvec3& place_of(std::uint32_t c) const { return *positions_[order_[first_[c]]]; }
@@ -71,9 +70,8 @@ class Grid {
         const bool own_column = dx == 0 && dy == 0;
         const Cell from{here[0] + dx, here[1] + dy, own_column ? here[2] + 1 : here[2] - 1};
         const Cell last{here[0] + dx, here[1] + dy, here[2] + 1};
-        auto next = std::lower_bound(
-            first_.begin() + c, first_.end(), from,
-            [&](std::uint32_t i, const Cell& key) { return cell(order_[i]) < key; });
+        auto next = std::lower_bound(first_.begin() + c, first_.end(), from,
+                                     [&](std::uint32_t i, const Cell& key) { return cell(order_[i]) < key; });
         for (; next != first_.end() && cell(order_[*next]) <= last; ++next) {
           join(c, static_cast<std::uint32_t>(next - first_.begin()));
         }
