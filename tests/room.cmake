@@ -69,6 +69,8 @@ add_test(NAME architecture.shaders_are_precise_glsl
     $<TARGET_FILE:caustics_shader_texts>)
 add_test(NAME architecture.shader_functions
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shader_functions.py)
+add_test(NAME architecture.passes
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/passes.py)
 add_test(NAME architecture.format
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/format.py)
 set_tests_properties(architecture.format PROPERTIES SKIP_RETURN_CODE 77)
