@@ -78,9 +78,10 @@ Entry entry_at(Int column, Int row) {
   entry.point = Vec3(position);
   entry.face = Int(FACE_FORWARD);
   entry.guard = Bool(false);
-  if (u.only_unconverged != 0)
+  if (u.only_unconverged != 0) {
     Vec4 before = texel_fetch(landed_before, column, row);
     entry.covered = entry.covered && has_status(before, STATUS_NOT_CONVERGED);
+  }
   if (u.caster.kind == VIEW_CUBE) find_tile(column, row, entry);
   return entry;
 }
