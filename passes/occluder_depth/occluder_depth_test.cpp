@@ -8,7 +8,8 @@ using namespace caustics;
 using namespace caustics::test;
 
 TEST_CASE("occluder_depth: the depth of the nearest opaque surface is left for the casters to be tested by") {
-  // A level square of 1 m at height 1, seen from 4 m up with depths from 0 to 8 m: 3 / 8 in the middle 4 x 4 texels.
+  // A level square of 1 m at height 1, seen from 4 m up with depths from 0 to 8 m: 3 / 8 in the middle 4 x 4
+  // texels.
   const glm::vec3 corners[4] = {{-0.5, 1, 0.5}, {0.5, 1, 0.5}, {0.5, 1, -0.5}, {-0.5, 1, -0.5}};
   const PassImages out =
       run_pass(definition_of(occluder_depth_pass()),
