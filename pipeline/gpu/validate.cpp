@@ -18,11 +18,13 @@ template <class Listed>
 void require_same_names(const PassDefinition& definition, const Listed& listed,
                         const std::vector<std::string>& declared, const std::string& what,
                         const std::string& keyword) {
-  const auto shader = " its shader '" + std::string(definition.shader->name) + "' declares ";
-  for (std::size_t i = 0; i < std::min(listed.size(), declared.size()); ++i)
-    if (listed[i].name != declared[i])
-      refuse(definition, what + " " + std::to_string(i) + " is '" + listed[i].name + "'," + shader + "'" +
-                             declared[i] + "' there; name and order them alike");
+  const std::string shader = " its shader '" + std::string(definition.shader->name) + "' declares ";
+  const auto [found, wanted] =
+      std::mismatch(listed.begin(), listed.end(), declared.begin(), declared.end(),
+                    [](const auto& here, const std::string& there) { return here.name == there; });
+  if (found != listed.end() && wanted != declared.end())
+    refuse(definition, what + " " + std::to_string(found - listed.begin()) + " is '" + found->name + "'," +
+                           shader + "'" + *wanted + "' there; name and order them alike");
   if (listed.size() != declared.size())
     refuse(definition, "lists " + std::to_string(listed.size()) + " " + what + "s," + shader +
                            std::to_string(declared.size()) + "; make the definition and the shader's " +

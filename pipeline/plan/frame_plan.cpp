@@ -56,7 +56,7 @@ std::optional<std::string> missing(Effect Effects::*wanted, const Effects& effec
 std::optional<std::string> not_called_for(const Pass& pass, const DrawnFor& drawn_for,
                                           const Effects& effects) {
   for (Effect Effects::*wanted : pass.when)
-    if (const auto reason = missing(wanted, effects)) return reason;
+    if (auto reason = missing(wanted, effects)) return reason;
   return missing(drawn_for.also, effects);
 }
 

@@ -33,6 +33,7 @@ std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, 
 
 std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views) {
   std::vector<PilotFinding> findings;
+  findings.reserve(views.size());
   for (const LightViews& v : views)
     findings.push_back({v.cascade ? v.caustic.window_area() / v.cascade->window_area() : 0.0});
   return findings;

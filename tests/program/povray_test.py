@@ -1,4 +1,4 @@
-"""reference/povray: what is handed to POV-Ray, and the arithmetic of the comparison. POV-Ray itself is not needed."""
+"""lab/reference/povray: what is handed to POV-Ray, and the arithmetic of the comparison. POV-Ray itself is not needed."""
 
 import math
 import pathlib
@@ -11,7 +11,7 @@ import pictures as files
 from program import PROGRAM, ProgramTest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TOOL = ROOT / "reference" / "povray"
+TOOL = ROOT / "lab" / "reference" / "povray"
 
 
 def modules_of_the_tool(*names):
