@@ -20,7 +20,7 @@ import bench as benches  # noqa: E402
 import glb  # noqa: E402
 import report  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 SCENES = 'glass_sphere', 'metal_ring', 'water_sine'
 SIZES = '64,128,256,512'
 # Few photons bear no wide estimate, of many a narrow one keeps the noise; a small radius keeps edges sharp and makes
