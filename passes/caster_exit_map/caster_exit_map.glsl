@@ -17,11 +17,12 @@ TEXTURE(1, normal_texture)
 #endif
 
 #ifndef VERTEX_STAGE
+#include "passes/shared/edge_on.glsl"
 OUTPUT(0, Vec4, caster_exit_position)
 OUTPUT(1, Vec4, caster_exit_normal)
 
 void main() {
-  discard_if(is_not_drawn());
+  discard_if(is_not_drawn() || is_edge_on(surface_position));
   caster_exit_position = Vec4(surface_position, Float(1.0f));
   caster_exit_normal = Vec4(caster_normal_here(), Float(1.0f));
 }

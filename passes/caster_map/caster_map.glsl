@@ -21,6 +21,7 @@ TEXTURE(2, transmission_texture)
 #endif
 
 #ifndef VERTEX_STAGE
+#include "passes/shared/edge_on.glsl"
 OUTPUT(0, Vec4, caster_position)
 OUTPUT(1, Vec4, caster_normal)
 #ifdef TINTED
@@ -38,7 +39,7 @@ Vec3 caster_color_here() {
 #endif
 
 void main() {
-  discard_if(is_not_drawn());
+  discard_if(is_not_drawn() || is_edge_on(surface_position));
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
   caster_normal = Vec4(caster_normal_here(), Float(u.material_row));
 #ifdef TINTED
