@@ -36,7 +36,7 @@ struct PlannedPass {
   int width = 0, height = 0;
 };
 
-// A pass of a water: run before the frame's passes, by pipeline/water.
+// A pass of a water: run before the frame's passes (pipeline/renderer/moving_water.hpp).
 struct PlannedSteps {
   std::string label;   // "water_step[pool]"
   std::string reason;  // with the number of steps

@@ -131,7 +131,7 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
   return result;
 }
 
-// The frames before anything is known of the landings: the receiver map sees everything.
+// The views before anything is known of the landings: the receiver map sees everything.
 LightViews widest_views(const LightExtents& extents, const Effects& effects, int grid) {
   LightViews views{extents.axes, extents.axes, extents.axes, extents.axes,
                    extents.axes, 0.0,          extents.axes, {}};

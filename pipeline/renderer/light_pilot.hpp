@@ -10,7 +10,7 @@ namespace caustics {
 // Finds the views of every light (by Scene::lights), fitted to the casters and to where their light
 // lands. Finds the latter by running the passes that lead to `landing` coarsely on the scene's device,
 // which should be the software device whatever backend renders, so that every backend sees the same
-// frames. Its textures are kept from one call to the next, for scenes that move; what a call returns
+// views. Its textures are kept from one call to the next, for scenes that move; what a call returns
 // does not depend on earlier ones. All that it is made from must outlive it.
 class LightPilot {
  public:

@@ -1,4 +1,4 @@
-// All waters of a scene, shown at a moment: their waves computed, their meshes put there; and frames for the
+// All waters of a scene, shown at a moment: their waves computed, their meshes put there; and views for the
 // lights' maps that hold whatever the waves do.
 #pragma once
 #include <memory>

@@ -1,4 +1,4 @@
-// A frame: from where and through which window something is seen. Cameras and lights use the same
+// A view: from where and through which window something is seen. Cameras and lights use the same
 // kind, so one shader text can draw from either.
 //
 // View coordinates of a scene-space point p: x = right.(p - origin), y = up.(p - origin),

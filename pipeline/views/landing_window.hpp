@@ -41,7 +41,7 @@ class LandedFlux {
   double total_ = 0.0, rounding_ = 0.0;
 };
 
-// Gives a frame this window and a margin, a share of its size. No side becomes shorter than half the other,
+// Gives a view this window and a margin, a share of its size. No side becomes shorter than half the other,
 // so that texels stay compact, or than `shortest`.
 void set_window(View& view, const Window& window, double margin, double shortest = 1e-9);
 
