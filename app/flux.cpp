@@ -20,6 +20,12 @@ std::vector<std::string> ledger_textures() {
   return textures;
 }
 
+PlanGoal goal_with_ledgers(std::vector<std::string> images) {
+  PlanGoal goal{.textures = std::move(images), .beside = ledger_textures()};
+  goal.beside.emplace_back("beauty");
+  return goal;
+}
+
 namespace {
 
 // The casters in the order of their rows in kCasterMaterials. None where casters share rows.

@@ -22,6 +22,8 @@ struct LightLedger {
 
 // The textures that ledgers are made from.
 std::vector<std::string> ledger_textures();
+// These images, and what can be told of the light on the way to them.
+PlanGoal goal_with_ledgers(std::vector<std::string> images);
 // One for each light whose caustic passes ran, in the order of the lights; an area light's is the sum
 // over its samples.
 std::vector<LightLedger> read_ledgers(const RenderedFrame& frame);

@@ -14,7 +14,7 @@ namespace caustics::app {
 
 namespace {
 
-std::uint64_t texture_bytes(const PlannedTexture& texture) {
+std::uint64_t texture_bytes(const TextureMemory& texture) {
   return static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height) *
          static_cast<std::uint64_t>(channel_count(texture.format)) * sizeof(float);
 }
@@ -37,8 +37,7 @@ std::uint64_t machine_memory() {
 
 std::uint64_t memory_needed(const FramePlan& plan) {
   std::uint64_t sum = 0, largest = 0;
-  for (const PlannedTexture& texture : plan.textures) {
-    if (texture.external) continue;
+  for (const TextureMemory& texture : plan.memory) {
     sum += texture_bytes(texture);
     largest = std::max(largest, texture_bytes(texture));
   }

@@ -45,8 +45,9 @@ ExitCode run_plan_command(const Arguments& arguments) {
   const LoadedScene* shown = loaded.get();
   // What `render` runs for a PNG picture.
   const std::unique_ptr<Device> pilot = make_pilot_device(request.backend);
-  const PlannedFrame frame = plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot,
-                                        {{"picture"}}, stop_if_interrupted);
+  const PlannedFrame frame =
+      plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot, goal_with_ledgers({"picture"}),
+                 &loaded->camera(), stop_if_interrupted);
   std::optional<RenderedFrame> coarse;
   std::vector<LightLedger> ledgers;
   if (frame.effects.caustics.active) {

@@ -98,12 +98,8 @@ Json passes_json(const FramePlan& plan) {
     for (const int read : pass.reads) {
       if (read >= 0) reads.push_back(plan.textures[static_cast<std::size_t>(read)].name);
     }
-    for (const int write : pass.writes) {
+    for (const int write : pass.attachments())
       writes.push_back(texture_json(plan.textures[static_cast<std::size_t>(write)]));
-    }
-    if (pass.depth >= 0) {
-      writes.push_back(texture_json(plan.textures[static_cast<std::size_t>(pass.depth)]));
-    }
     list.push_back({{"pass", pass.label}, {"reason", pass.reason}, {"reads", reads}, {"writes", writes}});
   }
   return list;

@@ -163,10 +163,10 @@ class TextReport {
   }
 
   std::string written(const PlannedPass& first, const PlannedPass& last) const {
+    const std::vector<int> of_first = first.attachments(), of_last = last.attachments();
     std::string text;
-    for (std::size_t i = 0; i < first.writes.size(); ++i)
-      text += (i == 0 ? "" : ", ") + texture_text(first.writes[i], last.writes[i]);
-    if (first.depth >= 0) text += (text.empty() ? "" : ", ") + texture_text(first.depth, last.depth);
+    for (std::size_t i = 0; i < of_first.size(); ++i)
+      text += (i == 0 ? "" : ", ") + texture_text(of_first[i], of_last[i]);
     return text;
   }
 

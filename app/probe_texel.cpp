@@ -89,13 +89,14 @@ ProbedTexel probe_texel(const RenderedFrame& frame, const PlannedPass& pass, int
   const raster::FlushDenormals as_the_device_does;
   const std::vector<LaneRow> outputs = run_kernel(run, views_of(images), x, y, probed.trace);
   for (std::size_t w = 0; w < definition.writes.size(); ++w) {
+    if (run.colors[w] == TextureId::None) continue;
     const Image image = frame.device().read_back(run.colors[w]);
     probed.stored.push_back(texel_of(definition.writes[w].name, image, x, y));
     for (int c = 0; c < image.channels(); ++c) {
       const std::size_t channel = static_cast<std::size_t>(c);
       const float computed = stored_value(image.shape.format, outputs[4 * w + channel][0]);
       probed.agrees = probed.agrees && std::bit_cast<std::uint32_t>(computed) ==
-                                           std::bit_cast<std::uint32_t>(probed.stored[w].values[channel]);
+                                           std::bit_cast<std::uint32_t>(probed.stored.back().values[channel]);
     }
   }
   return probed;

@@ -132,24 +132,12 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   return true;
 }
 
-// Whether anything that is asked for depends on the caustics: a picture, their own layer, figures of them.
-bool wants_caustics(const RenderRequest& request) {
-  if (!request.stats.empty() || !request.dump.empty() || request.demand.error || request.demand.milliseconds)
-    return true;
-  const std::vector<std::string> textures = textures_for(request.outputs);
-  return std::any_of(textures.begin(), textures.end(), [](const std::string& name) {
-    return name == "picture" || name == "beauty" || name == "aov_caustic";
-  });
-}
-
-// With --dump everything that the effects call for; otherwise what the outputs depend on. Where caustics are
-// wanted, the flux ledgers are, and `beauty`, to be checked.
+// With --dump everything that the effects call for; otherwise what the outputs depend on, and the caustics
+// where figures of them are asked for. `beauty` is kept to be checked.
 PlanGoal goal_of(const RenderRequest& request) {
-  PlanGoal goal;
-  if (!request.dump.empty()) return goal;
-  goal.textures = textures_for(request.outputs);
-  if (!wants_caustics(request)) return goal;
-  goal.textures.emplace_back("beauty");
+  if (!request.dump.empty()) return {};
+  PlanGoal goal = goal_with_ledgers(textures_for(request.outputs));
+  if (request.stats.empty() && !request.demand.any()) return goal;
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);
   return goal;
 }
@@ -370,7 +358,7 @@ class Renderer {
     }
     progress_.clear();
     if (request_.quiet) return;
-    if (!wants_caustics(request_) && frame_->effects().caustics.active)
+    if (ledgers.empty() && frame_->effects().caustics.active)
       std::fputs("no flux ledger and no estimated error: nothing that is asked for depends on the caustics\n",
                  stderr);
     if (found_) std::fputs(demand_text(request_.demand, *expected_, *found_, choosing_).c_str(), stderr);

@@ -8,6 +8,7 @@
 #include "gl_backend/gl_framebuffer.hpp"
 #include "gl_backend/gl_mesh.hpp"
 #include "gl_backend/gl_meter.hpp"
+#include "gl_backend/gl_occlusion.hpp"
 #include "gl_backend/gl_program.hpp"
 #include "gl_backend/gl_state.hpp"
 #include "gl_backend/gl_texture.hpp"
@@ -179,17 +180,24 @@ class OpenGlDevice final : public GlDevice {
     prepare_draws(run, program);
     debug_.check(what);
     PassResult result = counted(run);
-    meter_.begin(run.definition->count_samples);
+    const bool counts =
+        run.definition->count_samples && (meter_.measures() || run.counts_into != OcclusionQuery::None);
+    meter_.begin();
     begin_targets(run, framebuffer);
     glUseProgram(program.object.id());
+    if (counts) occlusion_.begin(run.counts_into);
+    occlusion_.begin_condition(run.only_if);
     for (std::size_t i = 0; i < run.draws.size(); ++i) draw(run, i);
+    occlusion_.drop();
     meter_.end(result);
+    if (counts && meter_.measures()) result.samples_passed = occlusion_.samples(run.counts_into);
     debug_.check(what);
     return result;
   }
 
   // What a driver has failed to make, or has half made, must not serve the next run.
   void drop_what_runs_made() {
+    occlusion_.drop();
     meter_.end_queries();
     framebuffers_.clear();
     for (auto& [id, mesh] : meshes_) mesh.arrays.clear();
@@ -271,7 +279,9 @@ class OpenGlDevice final : public GlDevice {
   }
 
   void begin_targets(const PassRun& run, GLuint framebuffer) {
-    const ImageShape size = shape(run.colors.empty() ? run.depth : run.colors[0]);
+    const auto drawn_into = std::find_if(run.colors.begin(), run.colors.end(),
+                                         [](TextureId id) { return id != TextureId::None; });
+    const ImageShape size = shape(drawn_into == run.colors.end() ? run.depth : *drawn_into);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.width, size.height);
     open_masks();
@@ -307,6 +317,7 @@ class OpenGlDevice final : public GlDevice {
   std::string platform_, renderer_, version_, passed_over_;
   std::function<void(std::string_view)> compiling_;
   RunMeter meter_;
+  OcclusionQueries occlusion_;
   VertexArrayObject no_vertices_;
   UniformBuffer uniforms_;
   Texture zeros_;

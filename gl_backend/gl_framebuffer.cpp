@@ -13,8 +13,9 @@ FramebufferObject make_framebuffer(const std::vector<GLuint>& textures) {
   FramebufferObject framebuffer(id);
   std::vector<GLenum> buffers;
   for (std::size_t i = 0; i + 1 < textures.size(); ++i) {
-    buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-    glNamedFramebufferTexture(id, buffers.back(), textures[i], 0);
+    const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    buffers.push_back(textures[i] ? attachment : GL_NONE);
+    if (textures[i]) glNamedFramebufferTexture(id, attachment, textures[i], 0);
   }
   if (textures.back()) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, textures.back(), 0);
   if (buffers.empty())
@@ -31,7 +32,7 @@ FramebufferObject make_framebuffer(const std::vector<GLuint>& textures) {
 void clear_targets(GLuint framebuffer, const PassRun& run) {
   const PassDefinition& definition = *run.definition;
   for (std::size_t i = 0; i < run.colors.size(); ++i) {
-    if (!run.keep.empty() && run.keep[i]) continue;
+    if (run.colors[i] == TextureId::None || (!run.keep.empty() && run.keep[i])) continue;
     const ColorWrite& write = definition.writes[i];
     std::array<float, 4> value{};
     for (std::size_t c = 0; c < 4; ++c) value[c] = stored_value(write.format, write.clear[c]);

@@ -22,7 +22,6 @@ std::uint64_t answer(const QueryObject& query) {
 RunMeter::RunMeter(bool measures, bool software_renderer)
     : measures_(measures), wall_clock_(software_renderer) {
   if (!measures) return;
-  samples_ = make_query();
   if (!wall_clock_) time_ = make_query();
   counts_pipeline_ = epoxy_gl_version() >= 46 || epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query");
   if (!counts_pipeline_) return;
@@ -31,16 +30,14 @@ RunMeter::RunMeter(bool measures, bool software_renderer)
   fragments_ = make_query();
 }
 
-void RunMeter::begin(bool count_samples) {
+void RunMeter::begin() {
   if (!measures_) return;
-  counts_samples_ = count_samples;
   if (wall_clock_) {
     glFinish();
     start_ = std::chrono::steady_clock::now();
   } else {
     glBeginQuery(GL_TIME_ELAPSED, time_.id());
   }
-  if (counts_samples_) glBeginQuery(GL_SAMPLES_PASSED, samples_.id());
   if (!counts_pipeline_) return;
   glBeginQuery(GL_VERTICES_SUBMITTED_ARB, vertices_.id());
   glBeginQuery(GL_PRIMITIVES_SUBMITTED_ARB, primitives_.id());
@@ -54,7 +51,6 @@ void RunMeter::end_queries() {
     glEndQuery(GL_PRIMITIVES_SUBMITTED_ARB);
     glEndQuery(GL_VERTICES_SUBMITTED_ARB);
   }
-  if (counts_samples_) glEndQuery(GL_SAMPLES_PASSED);
   if (!wall_clock_) glEndQuery(GL_TIME_ELAPSED);
 }
 
@@ -73,7 +69,6 @@ void RunMeter::end(PassResult& result) {
     result.primitives = answer(primitives_);
     result.fragments = answer(fragments_);
   }
-  if (counts_samples_) result.samples_passed = answer(samples_);
 }
 
 }  // namespace caustics::gl

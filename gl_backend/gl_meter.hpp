@@ -13,16 +13,17 @@ class RunMeter {
  public:
   // One that does not measure does nothing, but to hand each run on to the driver at once.
   RunMeter(bool measures, bool software_renderer);
-  void begin(bool count_samples);
+  void begin();
   // Fills in what was counted since begin(), and leaves what the driver does not count as it is. Waits for
   // the driver only for figures that were asked for.
   void end(PassResult& result);
   // Ends the queries of begin(), as end() does; of a run that failed. Sets error flags where none is open.
   void end_queries();
+  bool measures() const { return measures_; }
 
  private:
-  bool measures_, wall_clock_, counts_pipeline_ = false, counts_samples_ = false;
-  QueryObject time_, samples_, vertices_, primitives_, fragments_;
+  bool measures_, wall_clock_, counts_pipeline_ = false;
+  QueryObject time_, vertices_, primitives_, fragments_;
   std::chrono::steady_clock::time_point start_{};
 };
 

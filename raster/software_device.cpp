@@ -128,21 +128,24 @@ class SoftwareDevice final : public Device {
     const PassDefinition& definition = *run.definition;
     RenderTarget target;
     for (std::size_t i = 0; i < run.colors.size(); ++i)
-      target.colors.push_back(
-          {&textures_.at(run.colors[i]), &definition.writes[i], !run.keep.empty() && run.keep[i]});
+      target.colors.push_back({run.colors[i] == TextureId::None ? nullptr : &textures_.at(run.colors[i]),
+                               &definition.writes[i], !run.keep.empty() && run.keep[i]});
     if (definition.depth) {
       target.depth = &textures_.at(run.depth);
       target.depth_clear = definition.depth->clear;
       target.keep_depth = !run.keep.empty() && run.keep.back();
     }
-    const ImageShape size = target.depth ? target.depth->shape : target.colors[0].texture->shape;
+    const ImageShape size = target.shape();
     PassResult result;
-    if (run.draws.empty()) target.clear();
-    for (const Draw& draw : run.draws) {
-      execute_draw(run, draw, target, TileGrid(size.width, size.height), result);
+    const auto condition = run.only_if == OcclusionQuery::None ? samples_.end() : samples_.find(run.only_if);
+    const bool draws = condition == samples_.end() || condition->second > 0;
+    if (run.draws.empty() || !draws) target.clear();
+    for (std::size_t i = 0; draws && i < run.draws.size(); ++i) {
+      execute_draw(run, run.draws[i], target, TileGrid(size.width, size.height), result);
       target.keep_all();
     }
     if (!definition.count_samples) result.samples_passed = 0;
+    if (run.counts_into != OcclusionQuery::None) samples_[run.counts_into] = result.samples_passed;
     return result;
   }
 
@@ -209,6 +212,7 @@ class SoftwareDevice final : public Device {
   DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
   std::map<MeshId, MeshData> meshes_;
+  std::map<OcclusionQuery, std::uint64_t> samples_;  // that passed, by the query they were counted into
 };
 
 }  // namespace

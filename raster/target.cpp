@@ -29,7 +29,8 @@ class Tile {
   }
 
   void load() {
-    for (std::size_t i = 0; i < target_.colors.size(); ++i) load_color(i);
+    for (std::size_t i = 0; i < target_.colors.size(); ++i)
+      if (target_.colors[i].texture) load_color(i);
     if (!target_.depth) return;
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x)
@@ -39,6 +40,7 @@ class Tile {
 
   void store() {
     for (std::size_t i = 0; i < target_.colors.size(); ++i) {
+      if (!target_.colors[i].texture) continue;
       Texture& texture = *target_.colors[i].texture;
       const int channels = texture.channels();
       for (int y = 0; y < height_; ++y) {
@@ -125,9 +127,15 @@ std::vector<int> fullest_first(const std::vector<BinnedChunk>& chunks, const Til
 
 }  // namespace
 
+ImageShape RenderTarget::shape() const {
+  if (depth) return depth->shape;
+  return std::find_if(colors.begin(), colors.end(), [](const Color& color) { return color.texture; })
+      ->texture->shape;
+}
+
 void RenderTarget::clear() {
   for (const Color& color : colors) {
-    if (color.keep) continue;
+    if (color.keep || !color.texture) continue;
     const auto channels = static_cast<std::size_t>(color.texture->channels());
     for (std::size_t i = 0; i < color.texture->value_count(); ++i)
       color.texture->values[i] = cleared(*color.write, static_cast<int>(i % channels));

@@ -12,7 +12,7 @@ namespace caustics::raster {
 // The attachments of a run. What is not kept is cleared, whether or not anything is drawn there.
 struct RenderTarget {
   struct Color {
-    Texture* texture = nullptr;
+    Texture* texture = nullptr;  // null: what is written goes nowhere
     const ColorWrite* write = nullptr;
     bool keep = false;
   };
@@ -21,6 +21,7 @@ struct RenderTarget {
   float depth_clear = 1.0f;
   bool keep_depth = false;
 
+  ImageShape shape() const;
   void clear();     // everything that is not kept
   void keep_all();  // from now on: the next draw goes on where this one ended
 };

@@ -12,9 +12,7 @@ std::optional<Trial> try_sizes(FrameRequest request, int grid, int map) {
   request.settings.grid = grid;
   request.settings.map = map;
   request.backend.measure = true;
-  PlanGoal goal{ledger_textures()};
-  goal.textures.emplace_back("picture");
-  RenderedFrame frame(request, load_scene(request), goal);
+  RenderedFrame frame(request, load_scene(request), goal_with_ledgers({"picture"}));
   // The first run also fetches memory, which later frames have.
   frame.run();
   const double once = sum_of_passes(frame.run());

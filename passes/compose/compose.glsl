@@ -54,8 +54,8 @@ void main() {
   Bool covered = is_covered(texel_fetch(view_position, column, row));
   Vec3 n = Vec3(texel_fetch(view_normal, column, row));
   Vec3 albedo = Vec3(texel_fetch(view_albedo, column, row));
-  Vec3 emission = Vec3(texel_fetch(view_emission, column, row));
-  // Without lights these are one texel of zeros.
+  // What the frame lacks is one texel of zeros.
+  Vec3 emission = Vec3(fetch_clamped(view_emission, column, row));
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;

@@ -117,7 +117,10 @@ Pass light_shading_pass() {
       .writes = {{.name = "direct",
                   .meaning = "rgb: direct irradiance after shadows, lux",
                   .blend = kAccumulate},
-                 {.name = "caustic", .meaning = "rgb: irradiance from caustics, lux", .blend = kAccumulate}},
+                 {.name = "caustic",
+                  .meaning = "rgb: irradiance from caustics, lux",
+                  .blend = kAccumulate,
+                  .needed_with = with<&Effects::caustics>}},
       .owner = Each::Frame,
       .shaders = {{&light_shading_shader}, {&light_shading_in_medium_shader, with<&Effects::medium>}},
       .uniforms =

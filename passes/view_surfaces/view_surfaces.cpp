@@ -51,7 +51,9 @@ Pass view_surfaces_pass() {
                   .meaning = "xyz: unit shading normal on the camera's side, scene space; w: depth "
                              "along the camera's axis, metres"},
                  {.name = "view_albedo", .meaning = "rgb: diffuse albedo, linear"},
-                 {.name = "view_emission", .meaning = "rgb: emitted radiance, nit"}},
+                 {.name = "view_emission",
+                  .meaning = "rgb: emitted radiance, nit",
+                  .needed_with = with<&Effects::emission>}},
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .shaders = {{&view_surfaces_shader}},

@@ -16,13 +16,36 @@ std::string why_no_cascades(const Settings& settings) {
              : "a grid of less than half the map's side would show its cells in finer texels";
 }
 
+namespace {
+
+constexpr char kOutOfSight[] =
+    "the camera sees nothing of what its light through the caster lights or shades";
+
+// Lights whose casters change nothing in view are not expected to throw a caustic; without any other, there
+// is none.
+void leave_out_of_sight(const std::vector<PilotFinding>& findings, Effects& effects) {
+  bool any = false;
+  for (Expectation& e : effects.expectations) {
+    if (e.expected && findings[static_cast<std::size_t>(e.light)].out_of_sight)
+      e = {e.light, e.mesh, false, kOutOfSight};
+    any |= e.expected;
+  }
+  if (any || !effects.caustics.active) return;
+  for (Effect Effects::*effect :
+       {&Effects::caustics, &Effects::cells, &Effects::hidden_receivers, &Effects::distance_impostors})
+    if ((effects.*effect).active) effects.*effect = {false, "the camera sees nothing of the caustics"};
+}
+
+}  // namespace
+
 Effects with_findings(Effects effects, const Settings& settings, const std::vector<PilotFinding>& findings) {
+  leave_out_of_sight(findings, effects);
   std::string reason;
   std::size_t lights = 0;
   for (std::size_t i = 0; i < findings.size(); ++i) {
     std::string& cascade = effects.lights[i].cascade;
     cascade.clear();
-    if (!(findings[i].cascades_in_map > 0.0)) continue;
+    if (!(findings[i].cascades_in_map > 0.0) || findings[i].out_of_sight) continue;
     cascade = "most of its light falls on 1/" + std::to_string(std::lround(findings[i].cascades_in_map)) +
               " of its map's area";
     if (++lights == 1) reason = cascade;

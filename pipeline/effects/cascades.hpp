@@ -12,10 +12,11 @@ bool can_have_cascades(const Settings& settings);
 // The reason where none can be had, or where none was found worth it.
 std::string why_no_cascades(const Settings& settings);
 
-// What a pilot finds of one light: how many times its cascade's window fits into the map's, by area; 0
-// without a cascade.
+// What a pilot finds of one light.
 struct PilotFinding {
-  double cascades_in_map = 0.0;
+  double cascades_in_map =
+      0.0;  // how many times its cascade's window fits into the map's, by area; 0: no cascade
+  bool out_of_sight = false;  // the camera sees nothing of what its casters light and shade
 };
 
 // The effects with what the pilot found of every light (by Scene::lights): final.

@@ -6,6 +6,7 @@
 #include "pipeline/effects/all_around.hpp"
 #include "pipeline/effects/backdrop.hpp"
 #include "pipeline/effects/branches.hpp"
+#include "pipeline/effects/camera.hpp"
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/caustic_color.hpp"
 #include "pipeline/effects/expectations.hpp"
@@ -116,11 +117,6 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
                                              : "none in the scene"};
   effects.mirrors = {mirrors > 0, mirrors > 0 ? count(mirrors, "mirror", "mirrors") + ": smooth metal"
                                               : "none in the scene"};
-  effects.seen_casters = {refractors + mirrors > 0,
-                          refractors + mirrors == 0
-                              ? "no refractor to look through, no mirror to look into"
-                              : count(refractors, "refractor", "refractors") + " to look through, " +
-                                    count(mirrors, "mirror", "mirrors") + " to look into"};
 }
 
 // Meshes that shine light the scene only on request.
@@ -132,6 +128,7 @@ void add_emitters(const Scene& scene, Effects& effects) {
   }
   for (const Light& light : known_lights(scene)) lights += light.shape == LightShape::Mesh ? 1 : 0;
   const std::string found = count(shining, "mesh that shines", "meshes that shine");
+  effects.emission = {shining > 0, shining > 0 ? found : "nothing in the scene shines"};
   effects.emissive_lights = {
       lights > 0, shining == 0 ? "none in the scene"
                   : lights > 0 ? found + ", lights of their own"
@@ -180,11 +177,23 @@ std::string_view name_of(Role role) {
   return "unknown";
 }
 
+bool throws_caustic(const Effects& effects, int light) {
+  return std::any_of(effects.expectations.begin(), effects.expectations.end(),
+                     [&](const Expectation& e) { return e.light == light && e.expected; });
+}
+
+bool has_effect(const Effects& effects, int light) {
+  return throws_caustic(effects, light) ||
+         effects.lights[static_cast<std::size_t>(light)].lights_nothing.empty();
+}
+
 std::span<const NamedEffect> named_effects() {
   static constexpr NamedEffect kNames[] = {
       {"light", &Effects::light},
       {"area lights", &Effects::area_lights},
       {"receivers", &Effects::receivers},
+      {"reflecting receivers", &Effects::reflecting_receivers},
+      {"emission", &Effects::emission},
       {"caustics", &Effects::caustics},
       {"cells", &Effects::cells},
       {"exit surface", &Effects::exit_surface},
@@ -212,7 +221,7 @@ std::span<const NamedEffect> named_effects() {
   return kNames;
 }
 
-Effects effects_of(const Scene& scene, const Settings& settings) {
+Effects effects_of(const Scene& scene, const Settings& settings, const View* camera) {
   Effects effects;
   std::vector<Judgement> judgements;
   for (const Mesh& mesh : scene.meshes) {
@@ -232,6 +241,7 @@ Effects effects_of(const Scene& scene, const Settings& settings) {
   effects.cascades = {false, why_no_cascades(settings)};
   add_hidden_receivers(scene, settings, effects);
   add_missing_effects(judgements, effects);
+  add_camera(scene, camera, effects);
   return effects;
 }
 

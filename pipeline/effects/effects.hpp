@@ -55,8 +55,9 @@ struct Branch {
 
 // What is judged light by light. A reason is empty where the answer is no.
 struct LightEffects {
-  std::string all_around;  // why the light is drawn onto a cube
-  std::string cascade;     // why its caustic has a finer second map; known once a pilot has run
+  std::string lights_nothing;  // why its direct light falls on no receiver that the camera sees
+  std::string all_around;      // why the light is drawn onto a cube
+  std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
 };
 
 // Every effect is a member; named_effects() has their names for people. None depends on the order of the
@@ -71,6 +72,8 @@ struct Effects {
   Effect light;                  // any light
   Effect area_lights;            // a light with a size, drawn by more than one sample
   Effect receivers;              // any diffuse surface
+  Effect reflecting_receivers;   // one that is not black
+  Effect emission;               // a surface that shines
   Effect caustics;               // a refractor or mirror that a light can reach
   Effect cells;                  // caustics whose landings are joined to cells (Splat::Cell)
   Effect exit_surface;           // a refractor with two interfaces
@@ -104,7 +107,13 @@ struct NamedEffect {
 };
 std::span<const NamedEffect> named_effects();
 
-// Everything but what a pilot finds: cascades are inactive.
-Effects effects_of(const Scene& scene, const Settings& settings);
+// Does the light throw a caustic, through any caster?
+bool throws_caustic(const Effects& effects, int light);
+// Does anything that the camera sees depend on the light?
+bool has_effect(const Effects& effects, int light);
+
+// Everything but what a pilot finds (with_findings): cascades are inactive. `camera`: the picture's view;
+// null: everything counts as seen.
+Effects effects_of(const Scene& scene, const Settings& settings, const View* camera = nullptr);
 
 }  // namespace caustics

@@ -56,22 +56,12 @@ Reach reach_of(const Light& light, const Mesh& mesh) {
 
 // Why no light of this kind gets from the light by the mesh onto a receiver, or nothing.
 // `receivers`: the farthest that any of them reaches from the light; none where there is no receiver.
-std::string unreachable(const Scene& scene, const Light& light, std::size_t index, bool mirror,
+std::string unreachable(const Scene& scene, const Light& light, std::size_t mesh, bool mirror,
                         std::optional<double> receivers) {
-  const Mesh& mesh = scene.meshes[index];
-  if (is_dark(light)) return "the light's intensity or colour is 0";
-  if (light.emitter == static_cast<int>(index)) return "it is the light itself";
-  const Reach caster = reach_of(light, mesh);
-  if (light.type == LightType::Spot && cone_misses(light, sphere_of(mesh))) {
-    return "the spot light's cone misses it";
-  }
-  if (light.lambertian && cone_misses(light, sphere_of(mesh))) return "it lies behind the light";
-  if (light.type != LightType::Directional && caster.nearest > static_cast<double>(light.range)) {
-    return "it lies beyond the light's range of " + number_text(light.range) + " m";
-  }
+  if (std::string reason = why_not_lit(scene, light, mesh); !reason.empty()) return reason;
   if (!receivers) return "there is no diffuse receiver";
   // A mirror sends light any way.
-  if (mirror || *receivers > caster.nearest) return {};
+  if (mirror || *receivers > reach_of(light, scene.meshes[mesh]).nearest) return {};
   return "no receiver lies behind it, seen from the light";
 }
 
@@ -91,6 +81,19 @@ std::optional<double> farthest_receiver(const Scene& scene, const Light& light,
 
 bool is_dark(const Light& light) {
   return !(light.intensity > 0.0f) || !(std::max({light.color.x, light.color.y, light.color.z}) > 0.0f);
+}
+
+std::string why_not_lit(const Scene& scene, const Light& light, std::size_t index) {
+  const Mesh& mesh = scene.meshes[index];
+  if (is_dark(light)) return "the light's intensity or colour is 0";
+  if (light.emitter == static_cast<int>(index)) return "it is the light itself";
+  if (light.type == LightType::Spot && cone_misses(light, sphere_of(mesh)))
+    return "the spot light's cone misses it";
+  if (light.lambertian && cone_misses(light, sphere_of(mesh))) return "it lies behind the light";
+  if (light.type != LightType::Directional &&
+      reach_of(light, mesh).nearest > static_cast<double>(light.range))
+    return "it lies beyond the light's range of " + number_text(light.range) + " m";
+  return {};
 }
 
 std::vector<Expectation> expectations_of(const Scene& scene, const std::vector<Judgement>& judgements) {

@@ -39,14 +39,23 @@ struct Draw {
   std::vector<TextureId> textures{};
 };
 
+// An occlusion query, numbered by the caller: it holds the samples that passed the depth test in the last run
+// that counted into it.
+enum class OcclusionQuery : std::uint32_t { None = 0 };
+
 // One execution of a pass: its targets, all of one size, and its draws in API order.
 struct PassRun {
   const PassDefinition* definition = nullptr;
-  std::vector<TextureId> colors{};  // one for each of the definition's writes
+  // One for each of the definition's writes. What is written to None goes nowhere.
+  std::vector<TextureId> colors{};
   TextureId depth = TextureId::None;
   // Attachments whose contents are kept instead of cleared, by index; the depth attachment last.
   std::vector<bool> keep{};
   std::vector<Draw> draws{};
+  OcclusionQuery counts_into = OcclusionQuery::None;  // of a definition that counts samples
+  // Where that query holds 0 samples, nothing is drawn: the targets are cleared all the same. OpenGL decides
+  // it by conditional rendering, so that nothing is read back.
+  OcclusionQuery only_if = OcclusionQuery::None;
 };
 
 struct PassResult {

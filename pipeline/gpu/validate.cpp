@@ -89,8 +89,12 @@ void validate(const PassRun& run, const Device& device) {
       refuse(definition, "target '" + name + "' differs in size from the first target");
   };
   for (std::size_t i = 0; i < run.colors.size(); ++i)
-    check_target(run.colors[i], definition.writes[i].format, definition.writes[i].name);
+    if (run.colors[i] != TextureId::None)
+      check_target(run.colors[i], definition.writes[i].format, definition.writes[i].name);
   if (definition.depth) check_target(run.depth, Format::Depth32F, definition.depth->name);
+  if (size.width == 0) refuse(definition, "is drawn into nothing; give it a target");
+  if (run.counts_into != OcclusionQuery::None && !definition.count_samples)
+    refuse(definition, "counts no samples for its occlusion query; set `count_samples`");
 
   const ShaderInterface& interface = interface_of(*definition.shader);
   for (const Draw& draw : run.draws) {

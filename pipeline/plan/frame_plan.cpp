@@ -4,10 +4,21 @@
 #include <optional>
 #include <set>
 
+#include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/needed_passes.hpp"
+#include "pipeline/plan/texture_memory.hpp"
 
 namespace caustics {
+
+std::vector<int> PlannedPass::attachments() const {
+  std::vector<int> result;
+  for (const int texture : writes)
+    if (texture != kNothing) result.push_back(texture);
+  if (depth >= 0) result.push_back(depth);
+  return result;
+}
 
 int FramePlan::find(std::string_view name) const {
   for (std::size_t i = 0; i < textures.size(); ++i)
@@ -17,10 +28,9 @@ int FramePlan::find(std::string_view name) const {
 
 std::size_t FramePlan::bytes() const {
   std::size_t sum = 0;
-  for (const PlannedTexture& texture : textures)
-    if (!texture.external)
-      sum += bytes_per_texel(texture.format) * static_cast<std::size_t>(texture.width) *
-             static_cast<std::size_t>(texture.height);
+  for (const TextureMemory& each : memory)
+    sum += bytes_per_texel(each.format) * static_cast<std::size_t>(each.width) *
+           static_cast<std::size_t>(each.height);
   return sum;
 }
 
@@ -105,17 +115,23 @@ class Planner {
       for (int b = 0; drawn_for.each == Each::Branch && b < static_cast<int>(effects_.branches.size()); ++b)
         add(index, drawn_for, {light, b});
     }
-    if (!any)
-      plan_.skipped.push_back({with_label(pass.name, drawn_for.label),
-                               scene_.lights.empty() ? "light: no light shines" : "no light calls for it"});
+    if (!any) plan_.skipped.push_back({with_label(pass.name, drawn_for.label), why_no_light(pass)});
   }
 
   bool light_needs(const Pass& pass, const DrawnFor& drawn_for, int light) const {
-    if (!(scene_.lights[static_cast<std::size_t>(light)].intensity > 0.0f)) return false;
+    if (!has_effect(effects_, light)) return false;
     if (drawn_for.lights && !drawn_for.lights(effects_.lights[static_cast<std::size_t>(light)])) return false;
-    if (!pass.only_lights_with_caustics) return true;
-    return std::any_of(effects_.expectations.begin(), effects_.expectations.end(),
-                       [&](const Expectation& e) { return e.light == light && e.expected; });
+    return !pass.only_lights_with_caustics || throws_caustic(effects_, light);
+  }
+
+  // The first light's reason.
+  std::string why_no_light(const Pass& pass) const {
+    if (scene_.lights.empty()) return "light: no light shines";
+    if (!has_effect(effects_, 0)) return std::string("light: ").append(effects_.lights[0].lights_nothing);
+    if (pass.only_lights_with_caustics && !throws_caustic(effects_, 0))
+      for (const Expectation& e : effects_.expectations)
+        if (e.light == 0) return std::string("caustics: ").append(e.reason);
+    return "no light calls for it";
   }
 
   TargetSize size_of(const Pass& pass, const DrawnFor& drawn_for, Owner user) const {
@@ -139,6 +155,7 @@ class Planner {
                         .reason = std::string(pass.reason),
                         .width = size.width,
                         .height = size.height};
+    decide_by_query(pass, planned);
     for (const Read& read : pass.reads)
       if (!read.only_with || read.only_with(effects_))
         planned.reads.push_back(resolve(pass, read, drawn_for, user));
@@ -148,13 +165,26 @@ class Planner {
     std::size_t written = 0;
     for (const Write& write : pass.writes) {
       if (write.only_with && !write.only_with(effects_)) continue;
+      const Format format = planned.definition.writes[written++].format;
+      if (write.needed_with && !write.needed_with(effects_)) {
+        planned.writes.push_back(PlannedPass::kNothing);
+        planned.keep.push_back(false);
+        continue;
+      }
       const std::string_view name = write.texture_by ? write.texture_by(effects_) : write.name;
-      planned.writes.push_back(
-          target(planned, with_label(name, own), planned.definition.writes[written++].format, owner));
+      planned.writes.push_back(target(planned, with_label(name, own), format, owner));
     }
     if (pass.depth)
       planned.depth = target(planned, with_label(pass.depth->name, own), Format::Depth32F, owner);
     plan_.passes.push_back(std::move(planned));
+  }
+
+  // The pass that counts how much of its casters a light reaches comes before those that follow that light.
+  void decide_by_query(const Pass& pass, PlannedPass& planned) {
+    if (planned.light < 0 || !pass.only_lights_with_caustics) return;
+    planned.if_casters_lit = counted_.count(planned.light) > 0;
+    planned.counts_samples = pass.count_samples;
+    if (planned.counts_samples) counted_.insert(planned.light);
   }
 
   // The steps of a water, and the last of them once more as a pass of the plan.
@@ -209,6 +239,7 @@ class Planner {
   int resolve(const Pass& pass, const Read& read, const DrawnFor& drawn_for, Owner user) const {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
+    if (read.needed_with && !read.needed_with(effects_)) return PlannedPass::kNothing;
     const std::string name(read.texture.empty() ? read.name : read.texture);
     for (const std::string& wanted : {with_label(name, drawn_for.label), name})
       for (const Owner owner : {user, Owner{user.light, -1}, Owner{}})
@@ -241,85 +272,17 @@ class Planner {
   const Settings& settings_;
   const Registry& registry_;
   FramePlan plan_;
+  std::set<int> counted_;  // lights whose casters' samples an earlier pass counts
 };
-
-// "name" is meant by a goal for the frame's texture and for each light's own.
-bool is_wanted(const std::string& full_name, const std::vector<std::string>& goal) {
-  const std::string bare = full_name.substr(0, full_name.find('['));
-  return std::any_of(goal.begin(), goal.end(),
-                     [&](const std::string& wanted) { return wanted == full_name || wanted == bare; });
-}
-
-// Is the attachment that the read is for among those needed?
-bool is_towards_needed(const PlannedPass& pass, const TextureRead& read, const std::set<int>& needed) {
-  if (read.only_towards.empty()) return true;
-  for (std::size_t i = 0; i < pass.writes.size(); ++i)
-    if (pass.definition.writes[i].name == read.only_towards) return needed.count(pass.writes[i]) > 0;
-  return true;
-}
-
-// Walks backwards: a pass stays when something needed is written by it; what it reads towards that, and the
-// contents that it keeps, are needed from then on. Other reads of it become nothing.
-std::vector<bool> needed_passes(FramePlan& plan, const PlanGoal& goal) {
-  std::set<int> needed;
-  for (std::size_t i = 0; i < plan.textures.size(); ++i)
-    if (is_wanted(plan.textures[i].name, goal.textures)) needed.insert(static_cast<int>(i));
-  std::vector<bool> stays(plan.passes.size(), false);
-  for (std::size_t i = plan.passes.size(); i-- > 0;) {
-    PlannedPass& pass = plan.passes[i];
-    std::vector<int> attachments = pass.writes;
-    if (pass.depth >= 0) attachments.push_back(pass.depth);
-    stays[i] = std::any_of(attachments.begin(), attachments.end(),
-                           [&](int texture) { return needed.count(texture) > 0; });
-    if (!stays[i]) continue;
-    for (std::size_t r = 0; r < pass.reads.size(); ++r)
-      if (!is_towards_needed(pass, pass.definition.reads[r], needed)) pass.reads[r] = PlannedPass::kNothing;
-    for (std::size_t a = 0; a < pass.writes.size(); ++a)
-      if (!pass.keep[a]) needed.erase(pass.writes[a]);
-    // What the depth test meets decides what is drawn into the others.
-    if (pass.depth >= 0) pass.keep.back() ? (void)needed.insert(pass.depth) : (void)needed.erase(pass.depth);
-    for (const int texture : pass.reads)
-      if (texture >= 0) needed.insert(texture);
-  }
-  return stays;
-}
-
-// Drops the passes that no goal needs, and the textures that nobody uses any more.
-FramePlan pruned(FramePlan plan, const PlanGoal& goal) {
-  const std::vector<bool> stays = needed_passes(plan, goal);
-  FramePlan result;
-  result.skipped = std::move(plan.skipped);
-  result.before = std::move(plan.before);
-  std::vector<int> renumbered(plan.textures.size(), -1);
-  const auto keep_texture = [&](int& texture) {
-    if (texture < 0) return;
-    int& number = renumbered[static_cast<std::size_t>(texture)];
-    if (number < 0) {
-      number = static_cast<int>(result.textures.size());
-      result.textures.push_back(plan.textures[static_cast<std::size_t>(texture)]);
-    }
-    texture = number;
-  };
-  for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-    PlannedPass& pass = plan.passes[i];
-    if (!stays[i]) {
-      if (pass.water < 0) result.skipped.push_back({pass.label, "no wanted image depends on it"});
-      continue;
-    }
-    for (int& texture : pass.reads) keep_texture(texture);
-    for (int& texture : pass.writes) keep_texture(texture);
-    keep_texture(pass.depth);
-    result.passes.push_back(std::move(pass));
-  }
-  return result;
-}
 
 }  // namespace
 
 FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& settings,
                     const Registry& registry, const PlanGoal& goal) {
   FramePlan plan = Planner(scene, effects, settings, registry).plan();
-  return goal.textures.empty() ? plan : pruned(std::move(plan), goal);
+  if (!goal.textures.empty()) plan = needed_for(goal, std::move(plan));
+  share_memory(plan);
+  return plan;
 }
 
 }  // namespace caustics

@@ -14,12 +14,21 @@ struct PlannedTexture {
   Format format = Format::RGBA32F;
   int width = 0, height = 0;
   bool external = false;  // uploaded with the scene, not written by a pass
+  bool kept = true;       // holds its contents until the next frame; else only until its last reader has run
+  int memory = -1;        // index into FramePlan::memory; of an external texture none
   bool operator==(const PlannedTexture&) const = default;
+};
+
+// A texture of the device, which planned textures of its kind take one after the other.
+struct TextureMemory {
+  Format format = Format::RGBA32F;
+  int width = 0, height = 0;
 };
 
 struct PlannedPass {
   static constexpr int kMaterial = -1;  // in `reads`: the drawn material's texture
-  static constexpr int kNothing = -2;   // in `reads`: an optional texture this frame lacks
+  static constexpr int kNothing = -2;   // in `reads`: an optional texture this frame lacks; in `writes`: an
+                                        // attachment that nobody needs
 
   int pass = 0;                         // index into the registry
   const DrawnFor* drawn_for = nullptr;  // of the registry's pass
@@ -34,6 +43,11 @@ struct PlannedPass {
   int depth = -1;
   std::vector<bool> keep{};  // as PassRun::keep
   int width = 0, height = 0;
+  bool counts_samples = false;  // whether the light reaches its casters, for the passes that follow
+  bool if_casters_lit = false;  // draws nothing where that count is 0 (PassRun::only_if)
+
+  // The textures that it writes: colours in turn, depth last.
+  std::vector<int> attachments() const;
 };
 
 // A pass of a water: run before the frame's passes (pipeline/renderer/moving_water.hpp).
@@ -51,19 +65,23 @@ struct SkippedPass {
 
 struct FramePlan {
   std::vector<PlannedTexture> textures;
+  std::vector<TextureMemory> memory;
   std::vector<PlannedSteps> before;  // in turn, before `passes`
   std::vector<PlannedPass> passes;
   std::vector<SkippedPass> skipped;
   // Index of a texture by its full name, or -1.
   int find(std::string_view name) const;
-  // Bytes of all textures that passes write.
+  // Bytes of the memory of all textures that passes write.
   std::size_t bytes() const;
 };
 
-// What to leave out of a plan: only the passes that the wanted textures depend on are planned.
-// Empty: everything that the effects call for.
+// What is wanted of a frame. A name without "[light]" means the frame's texture and each light's own.
 struct PlanGoal {
+  // Only the passes that these depend on are planned. Empty: everything that the effects call for, and every
+  // texture is kept.
   std::vector<std::string> textures;
+  // Kept too, where a pass that writes them runs anyway.
+  std::vector<std::string> beside{};
 };
 
 // Throws Error (InternalError) when a pass reads what nothing writes.

@@ -147,6 +147,7 @@ struct Read {
   Condition only_with = nullptr;    // the shader declares it only then
   std::string_view only_for{};      // read only by the instance with this label; the others get zeros
   std::string_view only_towards{};  // an optional read: the only attachment that depends on it
+  Condition needed_with = nullptr;  // an optional read: otherwise what it holds changes nothing
 };
 
 // A colour attachment: `name` is that of the shader's OUTPUT line.
@@ -160,6 +161,7 @@ struct Write {
   Format (*format_by)(const Effects&) = nullptr;             // where effects choose the format
   std::string_view (*texture_by)(const Effects&) = nullptr;  // where effects choose the texture's name
   Condition only_with = nullptr;                             // the shader declares it only then
+  Condition needed_with = nullptr;                           // otherwise nobody needs what is in it
 };
 
 // The pass's shader text compiled for what effects add; the last one whose condition holds is taken.

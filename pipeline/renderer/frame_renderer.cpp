@@ -12,30 +12,34 @@ namespace {
 
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
 // moving water hold whatever the waves do, so that maps and shadows do not crawl.
-PlannedFrame planned(Scene& scene, const Settings& settings, const Registry& registry, Effects effects,
-                     LightPilot& pilot, const PlanGoal& goal, const Breath& breath) {
+PlannedFrame planned(Scene& scene, const Settings& settings, const Registry& registry, LightPilot& pilot,
+                     const View* camera, const PlanGoal& goal, const Breath& breath) {
   PlannedFrame frame;
+  Effects effects = effects_of(scene, settings, camera);
   frame.views = effects.water_waves.active
                     ? fit_moving_views(scene, pilot.device(), effects, settings, registry, breath)
                     : pilot.fit(effects);
-  frame.effects = with_findings(std::move(effects), settings, findings_of(frame.views));
+  const std::vector<PilotFinding> findings = findings_of(frame.views, effects, camera);
+  frame.effects = with_findings(std::move(effects), settings, findings);
   frame.plan = make_plan(scene, frame.effects, settings, registry, goal);
   return frame;
 }
 
-View camera_view(const Scene& scene, const Camera* camera, const Settings& settings) {
+// Nothing where there is no camera.
+std::optional<View> camera_view(const Scene& scene, const Camera* camera, const Settings& settings) {
   if (!camera && !scene.cameras.empty()) camera = &scene.cameras.front();
-  return camera ? view_of(*camera, settings.width, settings.height, bounds_of(scene)) : View{};
+  if (!camera) return {};
+  return view_of(*camera, settings.width, settings.height, bounds_of(scene));
 }
 
 }  // namespace
 
 PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
-                        const PlanGoal& goal, const Breath& breath) {
-  Effects effects = effects_of(scene, settings);
-  const SceneOnDevice on_device(scene, effects, device);
+                        const PlanGoal& goal, const Camera* camera, const Breath& breath) {
+  const SceneOnDevice on_device(scene, effects_of(scene, settings), device);
   LightPilot pilot(on_device, settings, registry);
-  return planned(scene, settings, registry, std::move(effects), pilot, goal, breath);
+  const std::optional<View> view = camera_view(scene, camera, settings);
+  return planned(scene, settings, registry, pilot, view ? &*view : nullptr, goal, breath);
 }
 
 FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
@@ -57,9 +61,10 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
 
 void FrameRenderer::judge_and_plan() {
   if (options_.breath) options_.breath();
-  frame_ = planned(scene_, settings_, registry_, effects_of(scene_, settings_), *pilot_, options_.goal,
+  const std::optional<View> camera = camera_view(scene_, options_.camera, settings_);
+  frame_ = planned(scene_, settings_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
                    options_.breath);
-  inputs_.camera = camera_view(scene_, options_.camera, settings_);
+  inputs_.camera = camera.value_or(View{});
   if (options_.breath) options_.breath();
 }
 
@@ -98,6 +103,9 @@ std::vector<PassReport> FrameRenderer::run(const AfterPass& after) {
 
 Image FrameRenderer::read(int texture) const {
   const PlannedTexture& planned = frame_.plan.textures[static_cast<std::size_t>(texture)];
+  if (!planned.external && !planned.kept)
+    throw Error(ExitCode::InternalError,
+                "texture '" + planned.name + "' is not kept until the frame is over; name it in the goal");
   return device_.read_back(planned.external ? on_device_->external(planned.name) : (*targets_)[texture]);
 }
 

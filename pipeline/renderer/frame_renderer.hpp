@@ -18,10 +18,10 @@ struct PlannedFrame {
   FramePlan plan;
 };
 
-// What `render` would do, without doing it. `pilot`: the software device, on which the lights' views are
-// fitted. Leaves waters at rest.
+// What a FrameRenderer would do, without doing it. `pilot`: the software device, on which the lights' views
+// are fitted. `camera`: null: the scene's first. Leaves waters at rest.
 PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& registry, Device& pilot,
-                        const PlanGoal& goal = {}, const Breath& breath = {});
+                        const PlanGoal& goal = {}, const Camera* camera = nullptr, const Breath& breath = {});
 
 struct FrameOptions {
   PlanGoal goal{};                  // the images that are wanted; empty: all that the effects call for
@@ -56,7 +56,7 @@ class FrameRenderer {
 
   bool has(const std::string& texture) const { return frame_.plan.find(texture) >= 0; }
   // The texels of a texture of the plan, by its full name or its index. Throws Error (InternalError) for
-  // other names.
+  // other names, and where the goal did not say that it is to be kept.
   Image read(const std::string& texture) const;
   Image read(int texture) const;
   // A pass of the plan with everything bound to it, as run() hands it to the device.

@@ -14,18 +14,6 @@ bool PassCounts::equal() const {
 
 namespace {
 
-std::vector<int> attachments_of(const PlannedPass& planned) {
-  std::vector<int> attachments = planned.writes;
-  if (planned.depth >= 0) attachments.push_back(planned.depth);
-  return attachments;
-}
-
-// The value of an attachment that is cleared and then not drawn to.
-std::array<float, 4> background(const PassDefinition& definition, std::size_t attachment) {
-  if (attachment < definition.writes.size()) return definition.writes[attachment].clear;
-  return {definition.depth->clear, 0.0f, 0.0f, 0.0f};
-}
-
 class Comparison {
  public:
   Comparison(const FramePlan& plan, const Registry& registry, const SceneOnDevice& reference,
@@ -41,22 +29,16 @@ class Comparison {
 
   // Runs one pass on both devices, the tested one on the reference's inputs.
   void run(const PlannedPass& planned, const ParityWatch& watch, FrameParity& out) {
-    const std::vector<int> attachments = attachments_of(planned);
     const PassRun tested_run = prepare_pass(plan_, planned, registry_, tested_, fed_targets_, inputs_);
     const PassRun reference_run =
         prepare_pass(plan_, planned, registry_, reference_, reference_targets_, inputs_);
     out.counts.push_back({planned.label, planned.definition.count_samples,
                           reference_.device().run(reference_run), tested_.device().run(tested_run)});
-    for (std::size_t i = 0; i < attachments.size(); ++i) {
-      const PlannedTexture& texture = plan_.textures[static_cast<std::size_t>(attachments[i])];
-      std::optional<Image>& content = contents_[static_cast<std::size_t>(attachments[i])];
-      content = reference_.device().read_back(reference_targets_[attachments[i]]);
-      const Image found = tested_.device().read_back(fed_targets_[attachments[i]]);
-      out.isolated.push_back(
-          {planned.label, texture.name, difference(*content, found, {}, background(planned.definition, i))});
-      if (watch) watch(out.isolated.back(), *content, found);
-      fed_targets_.replace(attachments[i], *content);
-    }
+    const PassDefinition& definition = planned.definition;
+    for (std::size_t i = 0; i < planned.writes.size(); ++i)
+      if (planned.writes[i] != PlannedPass::kNothing)
+        compare(planned, planned.writes[i], definition.writes[i].clear, watch, out);
+    if (planned.depth >= 0) compare(planned, planned.depth, {definition.depth->clear}, watch, out);
   }
 
   // Runs the whole plan on the tested device by itself, and compares what is there at the end.
@@ -65,7 +47,7 @@ class Comparison {
     run_plan(plan_, registry_, tested_, targets, inputs_, after);
     // Backwards: a texture that several passes draw into is reported with the last of them.
     for (auto planned = plan_.passes.rbegin(); planned != plan_.passes.rend(); ++planned)
-      for (const int index : attachments_of(*planned)) {
+      for (const int index : planned->attachments()) {
         std::optional<Image>& content = contents_[static_cast<std::size_t>(index)];
         if (!content) continue;
         const Image found = tested_.device().read_back(targets[index]);
@@ -77,6 +59,18 @@ class Comparison {
   }
 
  private:
+  // `background`: what is there where nothing is drawn.
+  void compare(const PlannedPass& planned, int index, const std::array<float, 4>& background,
+               const ParityWatch& watch, FrameParity& out) {
+    std::optional<Image>& content = contents_[static_cast<std::size_t>(index)];
+    content = reference_.device().read_back(reference_targets_[index]);
+    const Image found = tested_.device().read_back(fed_targets_[index]);
+    out.isolated.push_back({planned.label, plan_.textures[static_cast<std::size_t>(index)].name,
+                            difference(*content, found, {}, background)});
+    if (watch) watch(out.isolated.back(), *content, found);
+    fed_targets_.replace(index, *content);
+  }
+
   const FramePlan& plan_;
   const Registry& registry_;
   const SceneOnDevice& reference_;

@@ -6,15 +6,14 @@
 namespace caustics {
 
 FrameTargets::FrameTargets(const FramePlan& plan, Device& device) : device_(device) {
+  for (const TextureMemory& each : plan.memory)
+    memory_.emplace_back(device, device.create_texture(each.format, each.width, each.height));
   for (const PlannedTexture& texture : plan.textures)
-    textures_.push_back(
-        texture.external
-            ? OwnedTexture{}
-            : OwnedTexture(device, device.create_texture(texture.format, texture.width, texture.height)));
+    places_.push_back(texture.external ? memory_.size() : static_cast<std::size_t>(texture.memory));
 }
 
 void FrameTargets::replace(int index, const Image& image) {
-  textures_[static_cast<std::size_t>(index)] = OwnedTexture(device_, device_.upload(image));
+  memory_[place_of(index)] = OwnedTexture(device_, device_.upload(image));
 }
 
 namespace {
@@ -53,8 +52,12 @@ class PassRunner {
   PassRun prepare(const PlannedPass& planned) const {
     const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
     PassRun run{.definition = &planned.definition, .keep = planned.keep};
-    for (const int texture : planned.writes) run.colors.push_back(targets_[texture]);
+    for (const int texture : planned.writes)
+      run.colors.push_back(texture == PlannedPass::kNothing ? TextureId::None : targets_[texture]);
     if (planned.depth >= 0) run.depth = targets_[planned.depth];
+    const auto query = static_cast<OcclusionQuery>(planned.light + 1);
+    if (planned.counts_samples) run.counts_into = query;
+    if (planned.if_casters_lit) run.only_if = query;
     PassContext context = frame_context(planned);
     switch (pass.draws) {
       case DrawSet::FullScreen:

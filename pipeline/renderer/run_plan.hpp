@@ -10,17 +10,21 @@
 
 namespace caustics {
 
-// The textures a plan writes, made once and used frame after frame.
+// The memory of the textures a plan writes, made once and used frame after frame.
 class FrameTargets {
  public:
   FrameTargets(const FramePlan& plan, Device& device);
-  // Puts a texture that holds the image in the place of one.
+  // Puts a texture that holds the image in the place of a planned one.
   void replace(int index, const Image& image);
-  TextureId operator[](int index) const { return textures_[static_cast<std::size_t>(index)].id(); }
+  // By a planned texture's index.
+  TextureId operator[](int index) const { return memory_[place_of(index)].id(); }
 
  private:
+  std::size_t place_of(int index) const { return places_[static_cast<std::size_t>(index)]; }
+
   Device& device_;
-  std::vector<OwnedTexture> textures_;
+  std::vector<OwnedTexture> memory_;
+  std::vector<std::size_t> places_;  // in `memory_`, by planned texture
 };
 
 // What a frame is drawn from besides the scene.

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "pipeline/effects/camera.hpp"
+#include "pipeline/views/visibility.hpp"
+
 namespace caustics {
 
 namespace {
@@ -10,6 +13,13 @@ namespace {
 constexpr double kShares[] = {0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15};
 // How much finer the texels under the mean flux must become to be worth a second map.
 constexpr double kWorth = 0.5;
+
+// A light's casters shade and light only what lies in the receivers' window, and on the way there only a
+// medium shows their light.
+bool is_out_of_sight(const LightViews& views, const Effects& effects, const View* camera) {
+  if (!camera || views.receiver.cube || effects.medium.active) return false;
+  return !may_see(seen_view(effects, *camera), views.receiver);
+}
 
 }  // namespace
 
@@ -31,11 +41,14 @@ std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, 
   return best;
 }
 
-std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views) {
+std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views, const Effects& effects,
+                                      const View* camera) {
   std::vector<PilotFinding> findings;
   findings.reserve(views.size());
   for (const LightViews& v : views)
-    findings.push_back({v.cascade ? v.caustic.window_area() / v.cascade->window_area() : 0.0});
+    findings.push_back(
+        {.cascades_in_map = v.cascade ? v.caustic.window_area() / v.cascade->window_area() : 0.0,
+         .out_of_sight = is_out_of_sight(v, effects, camera)});
   return findings;
 }
 

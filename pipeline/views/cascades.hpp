@@ -18,7 +18,9 @@ namespace caustics {
 std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, double margin,
                                  double shortest = 1e-9);
 
-// What the lights' views tell the effects.
-std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views);
+// What the lights' views tell the effects. `camera`: the picture's view; null: it counts as seeing
+// everything.
+std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views, const Effects& effects,
+                                      const View* camera = nullptr);
 
 }  // namespace caustics

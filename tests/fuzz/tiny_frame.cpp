@@ -45,7 +45,7 @@ class TinyFrame {
   // Every texture, in the order in which the passes have written them.
   void check_finite() const {
     for (const PlannedPass& pass : renderer_->plan().passes)
-      for (const int texture : pass.writes) {
+      for (const int texture : pass.attachments()) {
         const std::size_t bad = count_non_finite(renderer_->read(texture));
         if (bad > 0)
           finding(pass.label + ": " + renderer_->plan().textures[static_cast<std::size_t>(texture)].name +

@@ -1,0 +1,45 @@
+#include "gl_backend/gl_occlusion.hpp"
+
+namespace caustics::gl {
+
+void OcclusionQueries::begin(OcclusionQuery query) {
+  auto found = queries_.find(query);
+  if (found == queries_.end()) {
+    GLuint id = 0;
+    glCreateQueries(GL_SAMPLES_PASSED, 1, &id);
+    found = queries_.emplace(query, QueryObject(id)).first;
+  }
+  glBeginQuery(GL_SAMPLES_PASSED, found->second.id());
+  counting_ = true;
+}
+
+void OcclusionQueries::end() {
+  if (counting_) glEndQuery(GL_SAMPLES_PASSED);
+  counting_ = false;
+}
+
+std::uint64_t OcclusionQueries::samples(OcclusionQuery query) const {
+  const auto found = queries_.find(query);
+  GLuint64 count = 0;
+  if (found != queries_.end()) glGetQueryObjectui64v(found->second.id(), GL_QUERY_RESULT, &count);
+  return count;
+}
+
+void OcclusionQueries::begin_condition(OcclusionQuery query) {
+  const auto found = query == OcclusionQuery::None ? queries_.end() : queries_.find(query);
+  if (found == queries_.end()) return;
+  glBeginConditionalRender(found->second.id(), GL_QUERY_WAIT);
+  conditional_ = true;
+}
+
+void OcclusionQueries::end_condition() {
+  if (conditional_) glEndConditionalRender();
+  conditional_ = false;
+}
+
+void OcclusionQueries::drop() {
+  end_condition();
+  end();
+}
+
+}  // namespace caustics::gl

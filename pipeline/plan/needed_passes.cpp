@@ -1,0 +1,108 @@
+#include "pipeline/plan/needed_passes.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace caustics {
+
+namespace {
+
+bool is_named(const std::string& full_name, const std::vector<std::string>& names) {
+  const std::string bare = full_name.substr(0, full_name.find('['));
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return name == full_name || name == bare; });
+}
+
+// Is the attachment that the read is for among those needed?
+bool is_towards_needed(const PlannedPass& pass, const TextureRead& read, const std::set<int>& needed) {
+  if (read.only_towards.empty()) return true;
+  for (std::size_t i = 0; i < pass.writes.size(); ++i)
+    if (pass.definition.writes[i].name == read.only_towards) return needed.count(pass.writes[i]) > 0;
+  return true;
+}
+
+// Walks backwards: a pass stays when something needed is written by it; what it reads towards that, and the
+// contents that it keeps, are needed from then on. Its other reads and attachments become nothing.
+class BackwardWalk {
+ public:
+  BackwardWalk(FramePlan& plan, const PlanGoal& goal) : plan_(plan), goal_(goal) {
+    for (std::size_t i = 0; i < plan.textures.size(); ++i)
+      if (is_named(plan.textures[i].name, goal.textures)) needed_.insert(static_cast<int>(i));
+    for (PlannedTexture& texture : plan.textures)
+      texture.kept = is_named(texture.name, goal.textures) || is_named(texture.name, goal.beside);
+  }
+
+  // By pass: does it stay?
+  std::vector<bool> walk() {
+    std::vector<bool> stays(plan_.passes.size(), false);
+    for (std::size_t i = plan_.passes.size(); i-- > 0;) stays[i] = visit(plan_.passes[i]);
+    return stays;
+  }
+
+ private:
+  bool is_needed(int texture) const { return needed_.count(texture) > 0; }
+
+  bool visit(PlannedPass& pass) {
+    if (!is_needed(pass.depth) && std::none_of(pass.writes.begin(), pass.writes.end(),
+                                               [&](int texture) { return is_needed(texture); }))
+      return false;
+    for (std::size_t r = 0; r < pass.reads.size(); ++r)
+      if (!is_towards_needed(pass, pass.definition.reads[r], needed_)) pass.reads[r] = PlannedPass::kNothing;
+    for (std::size_t a = 0; a < pass.writes.size(); ++a) write(pass.writes[a], pass.keep[a]);
+    // What the depth test meets decides what is drawn into the others.
+    if (pass.depth >= 0 && pass.keep.back()) needed_.insert(pass.depth);
+    if (pass.depth >= 0 && !pass.keep.back()) needed_.erase(pass.depth);
+    for (const int texture : pass.reads)
+      if (texture >= 0) needed_.insert(texture);
+    return true;
+  }
+
+  void write(int& texture, bool keeps) {
+    if (texture < 0) return;
+    const std::string& name = plan_.textures[static_cast<std::size_t>(texture)].name;
+    if (!is_needed(texture) && !is_named(name, goal_.beside)) {
+      texture = PlannedPass::kNothing;
+    } else if (keeps) {
+      needed_.insert(texture);
+    } else {
+      needed_.erase(texture);
+    }
+  }
+
+  FramePlan& plan_;
+  const PlanGoal& goal_;
+  std::set<int> needed_;
+};
+
+}  // namespace
+
+FramePlan needed_for(const PlanGoal& goal, FramePlan plan) {
+  const std::vector<bool> stays = BackwardWalk(plan, goal).walk();
+  FramePlan result;
+  result.skipped = std::move(plan.skipped);
+  result.before = std::move(plan.before);
+  std::vector<int> renumbered(plan.textures.size(), -1);
+  const auto keep_texture = [&](int& texture) {
+    if (texture < 0) return;
+    int& number = renumbered[static_cast<std::size_t>(texture)];
+    if (number < 0) {
+      number = static_cast<int>(result.textures.size());
+      result.textures.push_back(plan.textures[static_cast<std::size_t>(texture)]);
+    }
+    texture = number;
+  };
+  for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+    PlannedPass& pass = plan.passes[i];
+    if (!stays[i]) {
+      if (pass.water < 0) result.skipped.push_back({pass.label, "no wanted image depends on it"});
+      continue;
+    }
+    for (int& texture : pass.reads) keep_texture(texture);
+    for (int& texture : pass.writes) keep_texture(texture);
+    keep_texture(pass.depth);
+    result.passes.push_back(std::move(pass));
+  }
+  return result;
+}
+
+}  // namespace caustics
