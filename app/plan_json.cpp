@@ -85,7 +85,8 @@ Json texture_json(const PlannedTexture& texture) {
           {"height", texture.height}};
 }
 
-Json passes_json(const FramePlan& plan) {
+Json passes_json(const PlanReport& report) {
+  const FramePlan& plan = report.plan;
   Json list = Json::array();
   for (const PlannedSteps& steps : plan.before) {
     list.push_back({{"pass", steps.label},
@@ -100,7 +101,11 @@ Json passes_json(const FramePlan& plan) {
     }
     for (const int write : pass.attachments())
       writes.push_back(texture_json(plan.textures[static_cast<std::size_t>(write)]));
-    list.push_back({{"pass", pass.label}, {"reason", pass.reason}, {"reads", reads}, {"writes", writes}});
+    list.push_back({{"pass", pass.label},
+                    {"reason", pass.reason},
+                    {"draws_nothing", report.draws_nothing(pass)},
+                    {"reads", reads},
+                    {"writes", writes}});
   }
   return list;
 }
@@ -120,7 +125,7 @@ std::string plan_json(const PlanReport& report) {
                    {"expectations", Json::array()},
                    {"leaves_share", Json::array()},
                    {"effects", Json::array()},
-                   {"passes", passes_json(report.plan)},
+                   {"passes", passes_json(report)},
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
                    {"notes", scene.notes}};

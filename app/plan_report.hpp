@@ -12,6 +12,10 @@ struct PlanReport {
   const Settings& settings;
   const FramePlan& plan;
   std::vector<LightLedger> ledgers;  // of a coarse run; empty where nothing throws a caustic
+
+  // As far as a coarse run tells: does the pass draw nothing, since its light reaches no caster?
+  bool draws_nothing(const PlannedPass& pass) const;
+  std::size_t passes_that_draw_nothing() const;
 };
 
 std::string plan_text(const PlanReport& report, bool colour);

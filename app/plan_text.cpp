@@ -22,6 +22,19 @@ const char* name_of(LightType type) {
   return "?";
 }
 
+bool PlanReport::draws_nothing(const PlannedPass& pass) const {
+  if (!pass.if_casters_lit) return false;
+  const int source = loaded.scene().lights[static_cast<std::size_t>(pass.light)].source;
+  return std::any_of(ledgers.begin(), ledgers.end(), [&](const LightLedger& ledger) {
+    return ledger.light == source && !(sum(ledger.ledger.entered) > 0.0);
+  });
+}
+
+std::size_t PlanReport::passes_that_draw_nothing() const {
+  return static_cast<std::size_t>(std::count_if(
+      plan.passes.begin(), plan.passes.end(), [&](const PlannedPass& pass) { return draws_nothing(pass); }));
+}
+
 namespace {
 
 class TextReport {
@@ -181,8 +194,10 @@ class TextReport {
 
   void passes() {
     const FramePlan& plan = report_.plan;
-    heading("passes (" + std::to_string(plan.before.size() + plan.passes.size()) + ", textures of " +
-            bytes_text(static_cast<double>(plan.bytes())) + ")");
+    const std::size_t idle = report_.passes_that_draw_nothing();
+    heading("passes (" + std::to_string(plan.before.size() + plan.passes.size()) +
+            (idle == 0 ? std::string() : ", " + std::to_string(idle) + " of them draw nothing") +
+            ", textures of " + bytes_text(static_cast<double>(plan.bytes())) + ")");
     Table table;
     for (const PlannedSteps& steps : plan.before) {
       table.row({one_line(steps.label),
@@ -195,7 +210,9 @@ class TextReport {
     for (std::size_t i = 0; i < plan.passes.size(); i += alike(i)) {
       const PlannedPass& pass = plan.passes[i];
       table.row({one_line(pass_label(pass, alike(i))),
-                 std::to_string(pass.width) + "x" + std::to_string(pass.height), one_line(pass.reason)});
+                 std::to_string(pass.width) + "x" + std::to_string(pass.height),
+                 report_.draws_nothing(pass) ? "draws nothing: its light reaches no caster (occlusion query)"
+                                             : one_line(pass.reason)});
       table.row({"", "", "writes " + one_line(written(pass, plan.passes[i + alike(i) - 1]))});
     }
     text_ += table.text();

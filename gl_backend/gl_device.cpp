@@ -186,11 +186,14 @@ class OpenGlDevice final : public GlDevice {
     begin_targets(run, framebuffer);
     glUseProgram(program.object.id());
     if (counts) occlusion_.begin(run.counts_into);
-    occlusion_.begin_condition(run.only_if);
+    if (run.only_if != OcclusionQuery::None) occlusion_.begin_condition(run.only_if);
     for (std::size_t i = 0; i < run.draws.size(); ++i) draw(run, i);
-    occlusion_.drop();
+    occlusion_.end_condition();
+    occlusion_.end();
     meter_.end(result);
-    if (counts && meter_.measures()) result.samples_passed = occlusion_.samples(run.counts_into);
+    if (counts && meter_.measures()) result.samples_passed = occlusion_.samples(run.counts_into).value_or(0);
+    if (run.only_if != OcclusionQuery::None && meter_.measures())
+      result.left_out = occlusion_.samples(run.only_if) == 0;
     debug_.check(what);
     return result;
   }

@@ -18,15 +18,16 @@ void OcclusionQueries::end() {
   counting_ = false;
 }
 
-std::uint64_t OcclusionQueries::samples(OcclusionQuery query) const {
+std::optional<std::uint64_t> OcclusionQueries::samples(OcclusionQuery query) const {
   const auto found = queries_.find(query);
+  if (found == queries_.end()) return {};
   GLuint64 count = 0;
-  if (found != queries_.end()) glGetQueryObjectui64v(found->second.id(), GL_QUERY_RESULT, &count);
+  glGetQueryObjectui64v(found->second.id(), GL_QUERY_RESULT, &count);
   return count;
 }
 
 void OcclusionQueries::begin_condition(OcclusionQuery query) {
-  const auto found = query == OcclusionQuery::None ? queries_.end() : queries_.find(query);
+  const auto found = queries_.find(query);
   if (found == queries_.end()) return;
   glBeginConditionalRender(found->second.id(), GL_QUERY_WAIT);
   conditional_ = true;
@@ -38,8 +39,10 @@ void OcclusionQueries::end_condition() {
 }
 
 void OcclusionQueries::drop() {
-  end_condition();
-  end();
+  glEndConditionalRender();
+  glEndQuery(GL_SAMPLES_PASSED);
+  counting_ = conditional_ = false;
+  queries_.clear();
 }
 
 }  // namespace caustics::gl

@@ -138,9 +138,9 @@ class SoftwareDevice final : public Device {
     const ImageShape size = target.shape();
     PassResult result;
     const auto condition = run.only_if == OcclusionQuery::None ? samples_.end() : samples_.find(run.only_if);
-    const bool draws = condition == samples_.end() || condition->second > 0;
-    if (run.draws.empty() || !draws) target.clear();
-    for (std::size_t i = 0; draws && i < run.draws.size(); ++i) {
+    result.left_out = condition != samples_.end() && condition->second == 0;
+    if (run.draws.empty() || result.left_out) target.clear();
+    for (std::size_t i = 0; !result.left_out && i < run.draws.size(); ++i) {
       execute_draw(run, run.draws[i], target, TileGrid(size.width, size.height), result);
       target.keep_all();
     }

@@ -18,7 +18,8 @@ Json pass_json(const PassReport& report) {
           {"vertices", report.result.vertices},
           {"primitives", report.result.primitives},
           {"fragments", report.result.fragments},
-          {"samples_passed", report.result.samples_passed}};
+          {"samples_passed", report.result.samples_passed},
+          {"left_out", report.result.left_out}};
 }
 
 double median(std::vector<double> values) {

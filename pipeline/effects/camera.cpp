@@ -40,10 +40,10 @@ void add_reflecting_receivers(const Scene& scene, Effects& effects) {
     if (effects.surfaces[i].role == Role::Receiver &&
         !is_black(scene.materials[static_cast<std::size_t>(scene.meshes[i].material)]))
       ++reflecting;
-  effects.reflecting_receivers = {reflecting > 0, reflecting > 0 ? counted(reflecting, "surface") + " with colour"
-                                                  : effects.receivers.active
-                                                      ? "all diffuse surfaces are black: no light shows on them"
-                                                      : "no surface is diffuse"};
+  effects.reflecting_receivers = {
+      reflecting > 0, reflecting > 0             ? counted(reflecting, "surface") + " with colour"
+                      : effects.receivers.active ? "all diffuse surfaces are black: no light shows on them"
+                                                 : "no surface is diffuse"};
 }
 
 std::vector<std::size_t> seen_receivers(const Scene& scene, const View* camera, const Effects& effects) {
@@ -83,7 +83,8 @@ void add_camera(const Scene& scene, const View* camera, Effects& effects) {
     if (!effects.medium.active || is_dark(light))
       effects.lights[i].lights_nothing = why_it_lights_nothing(scene, light, receivers);
     any |= has_effect(effects, static_cast<int>(i));
-    if (i == 0) first = quoted_name("light", source_of(scene, 0).name, 0) + ": " + effects.lights[0].lights_nothing;
+    if (i == 0)
+      first = quoted_name("light", source_of(scene, 0).name, 0) + ": " + effects.lights[0].lights_nothing;
   }
   if (effects.light.active && !any) effects.light = {false, first};
 }

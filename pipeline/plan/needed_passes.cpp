@@ -43,8 +43,8 @@ class BackwardWalk {
   bool is_needed(int texture) const { return needed_.count(texture) > 0; }
 
   bool visit(PlannedPass& pass) {
-    if (!is_needed(pass.depth) && std::none_of(pass.writes.begin(), pass.writes.end(),
-                                               [&](int texture) { return is_needed(texture); }))
+    if (!is_needed(pass.depth) &&
+        std::none_of(pass.writes.begin(), pass.writes.end(), [&](int texture) { return is_needed(texture); }))
       return false;
     for (std::size_t r = 0; r < pass.reads.size(); ++r)
       if (!is_towards_needed(pass, pass.definition.reads[r], needed_)) pass.reads[r] = PlannedPass::kNothing;

@@ -50,8 +50,8 @@ class Memory {
       taken_until_.push_back(-1);
     }
     texture.memory = static_cast<int>(m);
-    taken_until_[m] = texture.kept ? static_cast<int>(plan_.passes.size())
-                                   : last_[static_cast<std::size_t>(index)];
+    taken_until_[m] =
+        texture.kept ? static_cast<int>(plan_.passes.size()) : last_[static_cast<std::size_t>(index)];
   }
 
   FramePlan& plan_;

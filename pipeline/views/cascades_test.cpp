@@ -57,11 +57,11 @@ TEST_CASE("cascades: the effect tells which lights have one") {
   LightViews with, without;
   with.caustic = without.caustic = square_view(4.0);
   with.cascade = square_view(1.0);
-  const Effects one = with_findings(effects, settings, findings_of({without, with}));
+  const Effects one = with_findings(effects, settings, findings_of({without, with}, effects));
   CHECK(one.cascades.active);
   CHECK(one.lights[0].cascade.empty());
   CHECK(one.lights[1].cascade == "most of its light falls on 1/16 of its map's area");
-  const Effects none = with_findings(effects, settings, findings_of({without, without}));
+  const Effects none = with_findings(effects, settings, findings_of({without, without}, effects));
   CHECK_FALSE(none.cascades.active);
   CHECK(none.cascades.reason == "no light's caustic is small in its map");
 }

@@ -52,14 +52,13 @@ bool may_see(const View& view, const Bounds& bounds) {
 }
 
 bool may_see(const View& view, const View& other) {
-  return may_see(view, corners([&](int x, int y, int z) {
-                   const double depth = z ? other.far : other.near;
-                   const double scale = other.perspective ? depth : 1.0;
-                   return other.origin +
-                          other.right * ((x ? other.window_upper.x : other.window_lower.x) * scale) +
-                          other.up * ((y ? other.window_upper.y : other.window_lower.y) * scale) +
-                          other.forward * depth;
-                 }));
+  return may_see(
+      view, corners([&](int x, int y, int z) {
+        const double depth = z ? other.far : other.near;
+        const double scale = other.perspective ? depth : 1.0;
+        return other.origin + other.right * ((x ? other.window_upper.x : other.window_lower.x) * scale) +
+               other.up * ((y ? other.window_upper.y : other.window_lower.y) * scale) + other.forward * depth;
+      }));
 }
 
 }  // namespace caustics

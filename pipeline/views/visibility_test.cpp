@@ -23,9 +23,9 @@ View camera() {
 
 TEST_CASE("visibility: a box is seen unless it lies wholly beyond one of the view's planes") {
   CHECK(may_see(camera(), cube_at({0, 0, -5}, 1)));
-  CHECK(may_see(camera(), cube_at({0, 0, 0}, 20)));          // the camera stands in it
-  CHECK_FALSE(may_see(camera(), cube_at({0, 0, 5}, 1)));     // behind
-  CHECK_FALSE(may_see(camera(), cube_at({0, 0, -12}, 1)));   // too far
+  CHECK(may_see(camera(), cube_at({0, 0, 0}, 20)));             // the camera stands in it
+  CHECK_FALSE(may_see(camera(), cube_at({0, 0, 5}, 1)));        // behind
+  CHECK_FALSE(may_see(camera(), cube_at({0, 0, -12}, 1)));      // too far
   CHECK_FALSE(may_see(camera(), cube_at({0, 0, -0.5}, 0.25)));  // too near
   // The left plane is x = z: at z = -5 the corner nearest to it lies at x = -6.9 + 1 < -6, its own z.
   CHECK_FALSE(may_see(camera(), cube_at({-7.1, 0, -5}, 1)));

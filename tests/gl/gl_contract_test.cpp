@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "tests/gl/gl_or_skip.hpp"
-#include "tests/raster/raster_bench.hpp"
+#include "tests/support/device_contracts.hpp"
 
 using namespace caustics;
 using namespace caustics::test;
@@ -170,6 +170,19 @@ TEST_CASE("gl: a run is timed, and its figures are those of the software device"
   CHECK(b.result.vertices == 6);
   CHECK(b.result.primitives == 2);
   CHECK((b.result.fragments == 0 || b.result.fragments >= 4096));
+}
+
+TEST_CASE("gl: where no sample passed, what depends on the occlusion query is cleared and not drawn") {
+  for (const bool measures : {true, false}) {
+    const auto device = gl_or_skip({.measure = measures});
+    if (!device) return;
+    check_occlusion_queries(*device, measures);
+  }
+}
+
+TEST_CASE("gl: what is written to an absent target goes nowhere, the others hold the same") {
+  const auto device = gl_or_skip();
+  if (device) check_absent_targets(*device);
 }
 
 TEST_CASE("gl: textures beyond the limits and ids that do not exist are refused") {

@@ -1,8 +1,7 @@
 // What becomes of a fragment: interpolation, depth, blending, formats, masks, several targets, queries.
 #include <cmath>
 
-#include "tests/raster/raster_bench.hpp"
-#include "tests/support/catch.hpp"
+#include "tests/support/device_contracts.hpp"
 
 using namespace caustics;
 using namespace caustics::test;
@@ -205,4 +204,12 @@ TEST_CASE("queries: samples passed count covered texels, layer by layer") {
   CHECK(b.result.samples_passed == 4096);
   CHECK(b.result.primitives == 2);
   CHECK(b.result.vertices == 6);
+}
+
+TEST_CASE("occlusion query: where no sample passed, what depends on it is cleared and not drawn") {
+  check_occlusion_queries(*make_software_device({.threads = 1}), true);
+}
+
+TEST_CASE("targets: what is written to an absent one goes nowhere, the others hold the same") {
+  check_absent_targets(*make_software_device({.threads = 1}));
 }

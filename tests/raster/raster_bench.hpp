@@ -29,6 +29,7 @@ struct RasterBench {
   SoftwareOptions options{.threads = 1};
   Device* on = nullptr;  // none: a software device with these options
   std::vector<bool> keep{};
+  std::vector<bool> absent{};  // colour targets that are not there; empty: all are
   PassResult result{};
 
   // A vertex at window coordinates (pixels, y up) and window depth.
@@ -53,10 +54,12 @@ struct RasterBench {
         mesh.vertices.push_back(f);
     PassRun run;
     run.definition = &definition;
-    for (const ColorWrite& write : definition.writes)
-      run.colors.push_back(before && run.colors.empty()
-                               ? device->upload(*before)
-                               : device->create_texture(write.format, width, height));
+    for (const ColorWrite& write : definition.writes) {
+      const std::size_t i = run.colors.size();
+      run.colors.push_back(!absent.empty() && absent[i] ? TextureId::None
+                           : before && i == 0           ? device->upload(*before)
+                                              : device->create_texture(write.format, width, height));
+    }
     if (definition.depth) run.depth = device->create_texture(Format::Depth32F, width, height);
     run.keep = keep;
     Draw draw;
@@ -64,6 +67,7 @@ struct RasterBench {
     run.draws.push_back(draw);
     result = device->run(run);
     std::vector<Image> images;
+    std::erase(run.colors, TextureId::None);
     for (const TextureId color : run.colors) images.push_back(device->read_back(color));
     if (run.depth != TextureId::None) images.push_back(device->read_back(run.depth));
     for (const TextureId color : run.colors) device->destroy(color);

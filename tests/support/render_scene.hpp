@@ -22,14 +22,14 @@ struct Rendering {
   const Image& operator[](const std::string& name) const { return images.at(name); }
 };
 
-// Draws the renderer's frame and reads all of it back.
+// Draws the renderer's frame and reads all of it back that is kept.
 inline Rendering rendering_of(FrameRenderer& renderer) {
   Rendering out;
   out.branches = renderer.effects().branches;
   out.views = renderer.views();
   out.passes = renderer.run();
   for (const PlannedTexture& texture : renderer.plan().textures)
-    if (!texture.external) out.images[texture.name] = renderer.read(texture.name);
+    if (!texture.external && texture.kept) out.images[texture.name] = renderer.read(texture.name);
   return out;
 }
 
