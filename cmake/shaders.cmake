@@ -1,7 +1,7 @@
 # caustics_add_shader(TARGET shader TEXT path/to/text.glsl [DEFINES A=1 ...])
 # Compiles one shader text for every lane width this architecture has, embeds the text with its includes
-# expanded, and adds a `const caustics::Shader <shader>_shader` to TARGET, with the size of its uniform block and
-# the choices of it that the text asks.
+# expanded, and adds a `const caustics::Shader <shader>_shader` to TARGET, with the size of its uniform block
+# and the choices of it that the text asks.
 set(CAUSTICS_EXACT_FLAGS -ffp-contract=off -fno-math-errno -fno-fast-math)
 set(CAUSTICS_WIDTHS scalar plain4)
 set(CAUSTICS_FLAGS_scalar "")
