@@ -33,6 +33,7 @@ void set_state(PassDefinition& definition, const InstanceState& state) {
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
 
 void validate_block(const Pass& pass, const Permutation& permutation) {
+  if (!permutation.shader) refuse(pass, "has a permutation without a shader; set `shader`");
   const Shader& shader = *permutation.shader;
   if (shader.uniform_bytes && permutation.block.size != shader.uniform_bytes())
     refuse(pass, "its uniform block has " + std::to_string(permutation.block.size) +

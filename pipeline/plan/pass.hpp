@@ -245,8 +245,8 @@ using Registry = std::vector<Pass>;
 
 // Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do": everything that can be
 // wrong in a definition (pipeline/gpu/validate.hpp), of every instance and permutation; two passes of one
-// name; a uniform block of another size than the shader's; choices or states that a pass states and no shader
-// or instance has, or the reverse.
+// name; a uniform block of another size than the shader's; a choice that a shader asks and the pass does not
+// make, or the reverse; a state of no instance.
 void validate(const Registry& registry);
 
 // Sizes that several passes share.

@@ -107,6 +107,12 @@ TEST_CASE("registration: an empty, a short and a long uniform block are refused 
   check_refused(pass, "its uniform block has 32 bytes, that of its shader 'glow' 16", remedy);
 }
 
+TEST_CASE("registration: a permutation without a shader is refused") {
+  Pass pass = glow();
+  pass.shaders[1].shader = nullptr;
+  check_refused(pass, "has", "set `shader`");
+}
+
 TEST_CASE("registration: choices that a text asks and those that a pass makes must be the same") {
   Pass pass = glow();
   pass.choices.clear();
