@@ -268,7 +268,7 @@ class Renderer {
 
   // How many shaders there are is known once there is a frame.
   void show_compiling(std::string_view shader) {
-    compiled_.emplace(shader);
+    if (!compiled_.emplace(shader).second) return;  // with other choices
     std::string text = "compiling shaders " + std::to_string(compiled_.size());
     if (frame_) {
       std::set<std::string> all = shaders_of(frame_->plan());

@@ -175,19 +175,23 @@ class OpenGlDevice final : public GlDevice {
  private:
   PassResult checked_run(const PassRun& run, const std::string& what) {
     // All that a faultless driver can refuse comes before the queries begin.
-    const Program& program = program_of(*run.definition->shader);
+    std::vector<const Program*> programs;
+    for (const Draw& draw : run.draws)
+      programs.push_back(&program_of(*run.definition->shader, draw.uniforms));
     const GLuint framebuffer = framebuffer_of(run);
-    prepare_draws(run, program);
+    prepare_draws(run, programs);
     debug_.check(what);
     PassResult result = counted(run);
     const bool counts =
         run.definition->count_samples && (meter_.measures() || run.counts_into != OcclusionQuery::None);
     meter_.begin();
     begin_targets(run, framebuffer);
-    glUseProgram(program.object.id());
     if (counts) occlusion_.begin(run.counts_into);
     if (run.only_if != OcclusionQuery::None) occlusion_.begin_condition(run.only_if);
-    for (std::size_t i = 0; i < run.draws.size(); ++i) draw(run, i);
+    for (std::size_t i = 0; i < run.draws.size(); ++i) {
+      if (i == 0 || programs[i] != programs[i - 1]) glUseProgram(programs[i]->object.id());
+      draw(run, i);
+    }
     occlusion_.end_condition();
     occlusion_.end();
     meter_.end(result);
@@ -220,9 +224,9 @@ class OpenGlDevice final : public GlDevice {
     return found->second;
   }
 
-  Program compiled(const Shader& shader) {
+  Program compiled(const Shader& shader, const std::vector<int>& choices) {
     try {
-      return make_program(shader);
+      return make_program(shader, choices);
     } catch (...) {
       debug_.forget("shader '" + std::string(shader.name) +
                     "'");  // the compiler's messages, which the Error repeats
@@ -230,14 +234,16 @@ class OpenGlDevice final : public GlDevice {
     }
   }
 
-  const Program& program_of(const Shader& shader) {
-    const auto found = programs_.find(&shader);
+  // For the choices that a draw's uniform block has made.
+  const Program& program_of(const Shader& shader, const std::vector<std::byte>& uniforms) {
+    std::pair key{&shader, choices_in(shader, uniforms)};
+    const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
     if (compiling_) compiling_(shader.name);
-    Program program = compiled(shader);
+    Program program = compiled(shader, key.second);
     debug_.check("shader '" + std::string(shader.name) + "'");
     ++made_.programs;
-    return programs_.emplace(&shader, std::move(program)).first->second;
+    return programs_.emplace(std::move(key), std::move(program)).first->second;
   }
 
   GLuint framebuffer_of(const PassRun& run) {
@@ -252,17 +258,18 @@ class OpenGlDevice final : public GlDevice {
   }
 
   // Uniform blocks, vertex arrays and the existence of all textures.
-  void prepare_draws(const PassRun& run, const Program& program) {
+  void prepare_draws(const PassRun& run, const std::vector<const Program*>& programs) {
     uniforms_.clear();
-    for (const Draw& draw : run.draws) {
-      uniforms_.add(draw.uniforms, program.uniform_bytes);
+    for (std::size_t i = 0; i < run.draws.size(); ++i) {
+      const Draw& draw = run.draws[i];
+      uniforms_.add(draw.uniforms, programs[i]->uniform_bytes);
       for (const TextureId id : draw.textures)
         if (id != TextureId::None) texture_of(id);
       if (draw.mesh == MeshId::None) continue;
       mesh_of(draw.mesh);
       Mesh& mesh = meshes_.at(draw.mesh);
       if (mesh.arrays.count(run.definition->shader)) continue;
-      mesh.arrays.emplace(run.definition->shader, make_vertex_array(mesh, program.interface));
+      mesh.arrays.emplace(run.definition->shader, make_vertex_array(mesh, programs[i]->interface));
       ++made_.vertex_layouts;
     }
     if (uniforms_.upload()) ++made_.buffers;
@@ -329,7 +336,7 @@ class OpenGlDevice final : public GlDevice {
   DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
   std::map<MeshId, Mesh> meshes_;
-  std::map<const Shader*, Program> programs_;
+  std::map<std::pair<const Shader*, std::vector<int>>, Program> programs_;
   std::map<Attachments, FramebufferObject> framebuffers_;
 };
 

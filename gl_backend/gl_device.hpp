@@ -26,8 +26,8 @@ struct GlOptions {
   // Ask for a debug context, whose messages name the faulty call in an Error. Without it faults are
   // still noticed, with less to read.
   bool debug = false;
-  // Called before a shader is compiled, with its name: by the first run() that needs it. Drivers may put
-  // most of the work off until that run draws.
+  // Called before a shader is compiled, with its name: by the first run() that needs it with the choices of
+  // its uniform block. Drivers may put most of the work off until that run draws.
   std::function<void(std::string_view shader)> compiling = {};
 };
 

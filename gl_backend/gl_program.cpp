@@ -1,6 +1,7 @@
 #include "gl_backend/gl_program.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ std::string complaint(const std::vector<char>& log) {
                                            "): OpenGL refuses it: " + complaint(log));
 }
 
-ShaderObject compile(const Shader& shader, Stage stage) {
-  const std::string text = gl_text(shader, stage);
+ShaderObject compile(const Shader& shader, Stage stage, std::span<const int> choices) {
+  const std::string text = gl_text(shader, stage, choices);
   const GLchar* start = text.data();
   const GLint size = static_cast<GLint>(text.size());
   ShaderObject object(glCreateShader(stage == Stage::Vertex ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER));
@@ -56,11 +57,18 @@ int uniform_bytes_of(GLuint program) {
 
 }  // namespace
 
-Program make_program(const Shader& shader) {
-  Program program{ProgramObject(glCreateProgram()), reflect(shader.text)};
+std::vector<int> choices_in(const Shader& shader, std::span<const std::byte> uniforms) {
+  std::vector<int> values;
+  for (const ShaderChoice& choice : choices_of(shader))
+    std::memcpy(&values.emplace_back(), &uniforms[choice.offset], sizeof(int));
+  return values;
+}
+
+Program make_program(const Shader& shader, std::span<const int> choices) {
+  Program program{ProgramObject(glCreateProgram()), interface_of(shader)};
   const GLuint id = program.object.id();
-  const ShaderObject vertex = compile(shader, Stage::Vertex);
-  const ShaderObject fragment = compile(shader, Stage::Fragment);
+  const ShaderObject vertex = compile(shader, Stage::Vertex, choices);
+  const ShaderObject fragment = compile(shader, Stage::Fragment, choices);
   glAttachShader(id, vertex.id());
   glAttachShader(id, fragment.id());
   for (std::size_t i = 0; i < program.interface.attributes.size(); ++i)

@@ -1,5 +1,9 @@
 // A pass's shader text as an OpenGL program.
 #pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "gl_backend/gl_object.hpp"
 #include "pipeline/gpu/shader.hpp"
 
@@ -14,8 +18,11 @@ struct Program {
   int uniform_bytes = 0;
 };
 
-// Compiles and links. Throws Error (InternalError) with the shader's name, the stage and the
-// compiler's first complaint, whose line numbers count from the first line of Shader::text.
-Program make_program(const Shader& shader);
+// The values of a shader's choices, in their order, in the uniform block of a draw.
+std::vector<int> choices_in(const Shader& shader, std::span<const std::byte> uniforms);
+
+// Compiles and links, for these values of the choices. Throws Error (InternalError) with the shader's name,
+// the stage and the compiler's first complaint, whose line numbers count from the first line of Shader::text.
+Program make_program(const Shader& shader, std::span<const int> choices);
 
 }  // namespace caustics::gl

@@ -22,12 +22,10 @@ Pass beams_pass() {
                  {.name = "beam_flux",
                   .meaning = "rgb: its flux at the start, relative to the light's intensity (square metres, "
                              "or steradians)"}},
-      .shaders = {{&beams_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(std140::Beams{.grid_side = context.settings->grid,
-                                               .vertices_per_beam = vertices_per_beam(*context.settings)});
-          },
+      .shaders = {{&beams_shader, block_of<[](const PassContext& c) {
+                     return std140::Beams{.grid_side = c.settings->grid,
+                                          .vertices_per_beam = vertices_per_beam(*c.settings)};
+                   }>}},
   };
 }
 

@@ -39,8 +39,7 @@ Pass cascade_cells_pass() {
                 {.name = kCellFlux, .meaning = "its flux"}},
       .writes = {caustic_map_write()},
       .owner = Each::Light,
-      .shaders = {{&cascade_cells_shader}},
-      .uniforms = [](const PassContext& context) { return uniform_bytes(cells_uniforms(context)); },
+      .shaders = {{&cascade_cells_shader, block_of<cells_uniforms>}},
   };
 }
 

@@ -9,18 +9,6 @@ namespace caustics {
 extern const Shader caster_exit_map_shader;
 extern const Shader caster_exit_map_detailed_shader;
 
-namespace {
-
-UniformBytes uniforms(const PassContext& context) {
-  const View& view = context.views ? context.views->caster : *context.camera;
-  if (!detailed_exits(*context.effects))
-    return uniform_bytes(caster_map_uniforms(view, context.material_row));
-  const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
-  return uniform_bytes(textured_casters_uniforms(view, *context.material, role, context.material_row));
-}
-
-}  // namespace
-
 Pass caster_exit_map_pass() {
   return {
       .name = "caster_exit_map",
@@ -50,8 +38,8 @@ Pass caster_exit_map_pass() {
       .depth = DepthWrite{.name = "caster_exit_depth", .meaning = "window depth of the nearest back face"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .cull = Cull::Front,
-      .shaders = {{&caster_exit_map_shader}, {&caster_exit_map_detailed_shader, detailed_exits}},
-      .uniforms = uniforms,
+      .shaders = {{&caster_exit_map_shader, block_of<plain_casters>},
+                  {&caster_exit_map_detailed_shader, block_of<textured_casters>, detailed_exits}},
   };
 }
 

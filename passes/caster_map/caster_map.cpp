@@ -14,17 +14,14 @@ std140::CasterMap caster_map_uniforms(const View& view, int material_row) {
       .view = shader_view(view), .material_row = material_row, .map_side = view.cube ? view.cube->side : 0};
 }
 
+std140::CasterMap plain_casters(const PassContext& context) {
+  return caster_map_uniforms(context.sees_casters(), context.material_row);
+}
+
 namespace {
 
 bool are_detailed(const Effects& effects) { return caster_detail(effects) != CasterDetail::None; }
 bool are_tinted(const Effects& effects) { return caster_detail(effects) == CasterDetail::Colors; }
-
-UniformBytes uniforms(const PassContext& context) {
-  const View& view = context.views ? context.views->caster : *context.camera;
-  if (!are_detailed(*context.effects)) return uniform_bytes(caster_map_uniforms(view, context.material_row));
-  const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
-  return uniform_bytes(textured_casters_uniforms(view, *context.material, role, context.material_row));
-}
 
 }  // namespace
 
@@ -65,10 +62,9 @@ Pass caster_map_pass() {
       .depth = DepthWrite{.name = "caster_depth", .meaning = "window depth of the nearest surface"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .count_samples = true,
-      .shaders = {{&caster_map_shader},
-                  {&caster_map_detailed_shader, are_detailed},
-                  {&caster_map_tinted_shader, are_tinted}},
-      .uniforms = uniforms,
+      .shaders = {{&caster_map_shader, block_of<plain_casters>},
+                  {&caster_map_detailed_shader, block_of<textured_casters>, are_detailed},
+                  {&caster_map_tinted_shader, block_of<textured_casters>, are_tinted}},
   };
 }
 

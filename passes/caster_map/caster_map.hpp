@@ -14,6 +14,8 @@ struct alignas(16) CasterMap {
 namespace caustics {
 
 std140::CasterMap caster_map_uniforms(const View& view, int material_row);
+// Of the mesh that is drawn.
+std140::CasterMap plain_casters(const PassContext& context);
 
 // caster_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caster_map_pass();

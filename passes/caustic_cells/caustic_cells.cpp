@@ -22,12 +22,10 @@ Pass caustic_cells_pass() {
       .writes = {caustic_map_write()},
       .owner = Each::Light,
       .topology = Topology::Points,
-      .shaders = {{&caustic_cells_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(std140::CausticCells{.cells_a_side = context.settings->grid - 1,
-                                                      .map_side = context.settings->map});
-          },
+      .shaders = {{&caustic_cells_shader, block_of<[](const PassContext& c) {
+                     return std140::CausticCells{.cells_a_side = c.settings->grid - 1,
+                                                 .map_side = c.settings->map};
+                   }>}},
   };
 }
 

@@ -7,19 +7,23 @@ namespace caustics {
 
 extern const Shader caustic_map_shader;
 
-std140::CausticMap caustic_map_uniforms(const PassContext& context, const View& map) {
+namespace {
+
+std140::CausticMap caustic_map_uniforms(const PassContext& context) {
+  const View& map = context.cascade() ? *context.views->cascade : context.views->caustic;
   const SplatKernel kernel = splat_kernel(*context.settings);
   return {
       .map = shader_view(map),
       .grid_side = context.settings->grid,
       .map_side = context.settings->map,
-      .has_cells = context.settings->splat == Splat::Cell,
       .radius = static_cast<float>(kernel.radius),
       .sharpness = static_cast<float>(kernel.sharpness),
       .inverse_mass = static_cast<float>(1.0 / kernel.mass),
       .point_size = static_cast<float>(kernel.point_size),
   };
 }
+
+}  // namespace
 
 Pass caustic_map_pass() {
   return {
@@ -39,12 +43,9 @@ Pass caustic_map_pass() {
       .writes = {caustic_map_write()},
       .owner = Each::Light,
       .topology = Topology::Points,
-      .shaders = {{&caustic_map_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            const View& map = context.cascade() ? *context.views->cascade : context.views->caustic;
-            return uniform_bytes(caustic_map_uniforms(context, map));
-          },
+      .shaders = {{&caustic_map_shader, block_of<caustic_map_uniforms>}},
+      .choices = {{"has_cells",
+                   [](const PassContext& c) { return c.settings->splat == Splat::Cell ? 1 : 0; }}},
   };
 }
 

@@ -12,9 +12,6 @@ struct alignas(16) CausticMap {
 
 namespace caustics {
 
-// Of the map whose view is `map`.
-std140::CausticMap caustic_map_uniforms(const PassContext& context, const View& map);
-
 // caustic_map.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass caustic_map_pass();
 

@@ -51,8 +51,7 @@ Pass cells_pass() {
                  {.name = kCellFlux,
                   .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
                              "cell, else 0"}},
-      .shaders = {{&cells_shader}},
-      .uniforms = [](const PassContext& context) { return uniform_bytes(cells_uniforms(context)); },
+      .shaders = {{&cells_shader, block_of<cells_uniforms>}},
   };
 }
 

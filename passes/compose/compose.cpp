@@ -20,13 +20,13 @@ extern const Shader compose_shader;
 
 namespace {
 
-UniformBytes uniforms(const View& view, int width, int height, const PassContext& context) {
+std140::Compose uniforms(const PassContext& context) {
   const Environment& environment = context.scene->environment;
   const std::array<glm::vec3, 9> ambient =
       environment.image ? environment_irradiance(*environment.image) : std::array<glm::vec3, 9>{};
-  return uniform_bytes(std140::Compose{
+  return {
       .sky = shader_sky(environment),
-      .camera = shader_camera_rays(view, width, height),
+      .camera = shader_camera_rays(*context.camera, context.width, context.height),
       .ambient_0 = ambient[0],
       .ambient_1 = ambient[1],
       .ambient_2 = ambient[2],
@@ -36,7 +36,7 @@ UniformBytes uniforms(const View& view, int width, int height, const PassContext
       .ambient_6 = ambient[6],
       .ambient_7 = ambient[7],
       .ambient_8 = ambient[8],
-  });
+  };
 }
 
 // Without glass before it the shaded scene is the picture.
@@ -68,8 +68,7 @@ Pass compose_pass() {
       .writes = {{.name = "scene_color",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .texture_by = shaded}},
-      .shaders = {{&compose_shader}},
-      .uniforms = [](const PassContext& c) { return uniforms(*c.camera, c.width, c.height, c); },
+      .shaders = {{&compose_shader, block_of<uniforms>}},
   };
 }
 

@@ -41,11 +41,9 @@ Pass first_hit_pass() {
                   .meaning = "xyz: position, metres, scene space; w: coverage, 0 or 1"},
                  {.name = "aov_normal",
                   .meaning = "xyz: unit normal, scene space; w: depth along the camera's axis, metres"}},
-      .shaders = {{&first_hit_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(std140::FirstHit{.view = shader_view(*context.camera)});
-          },
+      .shaders =
+          {{&first_hit_shader,
+            block_of<[](const PassContext& c) { return std140::FirstHit{.view = shader_view(*c.camera)}; }>}},
   };
 }
 

@@ -20,16 +20,15 @@ extern const Shader glass_shader;
 
 namespace {
 
-UniformBytes glass_uniforms(const PassContext& context) {
-  return uniform_bytes(std140::Glass{
+std140::Glass glass_uniforms(const PassContext& context) {
+  return {
       .sky = shader_sky(context.scene->environment),
       .view = shader_view(*context.camera),
       .surroundings = shader_view(*context.surroundings),
       .eye = context.camera->origin,
       .iterations = 12,
       .forward = context.camera->forward,
-      .has_caster_tint = context.effects->textured_casters.active,
-  });
+  };
 }
 
 }  // namespace
@@ -67,8 +66,8 @@ Pass glass_pass() {
                  .texture = "caster_tint.camera",
                  .optional = true}},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
-      .shaders = {{&glass_shader}},
-      .uniforms = glass_uniforms,
+      .shaders = {{&glass_shader, block_of<glass_uniforms>}},
+      .choices = {{"has_caster_tint", chosen_by<&Effects::textured_casters>}},
   };
 }
 

@@ -1,7 +1,7 @@
 Sky sky;
-View view;            // the camera's
-View surroundings;    // the same, three times as wide and high
-vec3 eye;             // the camera's position
-int iterations;       // of the search for a surface
-vec3 forward;         // the way the camera looks
-int has_caster_tint;  // 1: view_caster_tint has the colours, not caster_materials
+View view;               // the camera's
+View surroundings;       // the same, three times as wide and high
+vec3 eye;                // the camera's position
+int iterations;          // of the search for a surface
+vec3 forward;            // the way the camera looks
+CHOICE(has_caster_tint)  // 1: view_caster_tint has the colours, not caster_materials

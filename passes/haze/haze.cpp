@@ -22,7 +22,6 @@ Pass haze_pass() {
                   .blend = kAccumulate,
                   .mask = kColor}},
       .shaders = {{&haze_shader}},
-      .uniforms = [](const PassContext&) { return UniformBytes{}; },
   };
 }
 

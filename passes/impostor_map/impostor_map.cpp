@@ -33,11 +33,9 @@ Pass impostor_map_pass() {
                              "w: its distance from the casters' centre, metres, 0 where there is none"}},
       .depth = DepthWrite{.name = "impostor_depth", .meaning = "window depth of the nearest receiver"},
       .depth_state = {.compare = Compare::Less, .write = true},
-      .shaders = {{&impostor_map_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(receiver_map_uniforms(impostor_view(context), *context.material));
-          },
+      .shaders = {{&impostor_map_shader, block_of<[](const PassContext& c) {
+                     return receiver_map_uniforms(impostor_view(c), *c.material);
+                   }>}},
       .all_around = impostor_view,
   };
 }

@@ -23,8 +23,6 @@ Bounds receivers_box(const PassContext& context) {
   return {box.lower - slack, box.upper + slack};
 }
 
-}  // namespace
-
 std140::Landing landing_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
@@ -52,18 +50,12 @@ std140::Landing landing_uniforms(const PassContext& context) {
       .tile_height = static_cast<float>(tiles.tile_height()),
       .tile_guard = static_cast<float>(tiles.guard),
       .iterations = settings.iterations,
-      .estimator = static_cast<int>(settings.estimator),
-      .paper_weights = settings.weights == Weights::Paper,
-      .is_reflection = branch.reflected,
-      .has_mirrors = context.effects->mirrors.active,
-      .has_exit_maps = context.effects->exit_surface.active,
-      .wyman_thickness = settings.thickness == Thickness::Wyman,
-      .has_caster_tint = context.effects->textured_casters.active,
-      .only_unconverged = context.farthest(),
       .impostor =
           impostors ? shader_view(with_atlas(context.effects->impostors, settings.map)) : std140::View{},
   };
 }
+
+}  // namespace
 
 Pass landing_pass() {
   return {
@@ -114,12 +106,18 @@ Pass landing_pass() {
                  {.name = "landing_start_flux",
                   .meaning = "rgb: its flux where it leaves",
                   .only_with = with<&Effects::medium>}},
-      .shaders = {{&landing_shader}, {&landing_in_medium_shader, with<&Effects::medium>}},
-      .uniforms =
-          [](const PassContext& context) {
-            const UniformBytes bytes = uniform_bytes(landing_uniforms(context));
-            return context.effects->medium.active ? with_medium(bytes, *context.scene) : bytes;
-          },
+      .shaders = {{&landing_shader, block_of<landing_uniforms>},
+                  {&landing_in_medium_shader, block_of<in_medium<landing_uniforms>>, with<&Effects::medium>}},
+      .choices = {{"estimator", [](const PassContext& c) { return static_cast<int>(c.settings->estimator); }},
+                  {"paper_weights",
+                   [](const PassContext& c) { return c.settings->weights == Weights::Paper ? 1 : 0; }},
+                  {"is_reflection", [](const PassContext& c) { return c.branch->reflected ? 1 : 0; }},
+                  {"has_mirrors", chosen_by<&Effects::mirrors>},
+                  {"has_exit_maps", chosen_by<&Effects::exit_surface>},
+                  {"wyman_thickness",
+                   [](const PassContext& c) { return c.settings->thickness == Thickness::Wyman ? 1 : 0; }},
+                  {"has_caster_tint", chosen_by<&Effects::textured_casters>},
+                  {"only_unconverged", [](const PassContext& c) { return c.farthest() ? 1 : 0; }}},
   };
 }
 

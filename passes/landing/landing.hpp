@@ -17,8 +17,6 @@ namespace caustics {
 inline constexpr float kExitTolerance = 2.0f;
 inline constexpr float kLandingTolerance = 2.0f;
 
-std140::Landing landing_uniforms(const PassContext& context);
-
 // landing.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass landing_pass();
 

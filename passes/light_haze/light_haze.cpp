@@ -18,26 +18,17 @@ extern const Shader light_haze_shader;
 
 namespace {
 
-bool throws_caustic(const PassContext& context) {
-  for (const Expectation& e : context.effects->expectations)
-    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light) return true;
-  return false;
-}
-
-UniformBytes light_uniforms(const PassContext& context) {
+std140::LightHaze light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
-  return uniform_bytes(std140::LightHaze{
+  return {
       .camera = shader_camera_rays(*context.camera, context.width, context.height),
       .medium = shader_medium(*context.scene),
       .light = shader_light(*context.light, views.shadow.forward),
       .shadow_view = shader_view(views.shadow),
       .caster_view = shader_view(views.caster),
       .pane_view = shader_view(views.panes),
-      .has_shadow_map = context.effects->occluders.active ? 1 : 0,
-      .has_caustic = throws_caustic(context) && context.effects->caustics.active ? 1 : 0,
-      .has_panes = context.effects->thin_panes.active ? 1 : 0,
       .steps = context.settings->medium_steps,
-  });
+  };
 }
 
 }  // namespace
@@ -57,8 +48,10 @@ Pass light_haze_pass() {
                   .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
                   .blend = kAccumulate}},
       .owner = Each::Frame,
-      .shaders = {{&light_haze_shader}},
-      .uniforms = light_uniforms,
+      .shaders = {{&light_haze_shader, block_of<light_uniforms>}},
+      .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>},
+                  {"has_caustic", throws_caustic},
+                  {"has_panes", chosen_by<&Effects::thin_panes>}},
   };
 }
 

@@ -28,10 +28,11 @@ constexpr double kBorder = 1.0;
 // the pixels are.
 constexpr int kMostSamples = 64;
 
-bool throws_caustic(const PassContext& context) {
-  for (const Expectation& e : context.effects->expectations)
-    if (e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light) return true;
-  return false;
+int has_finer_map(const PassContext& context) { return context.views->cascade && throws_caustic(context); }
+
+// Not of lights that see all around.
+int receivers_are_layered(const PassContext& context) {
+  return throws_caustic(context) && context.effects->hidden_receivers.active && !context.views->caustic.cube;
 }
 
 // Of a cube, from a tile's middle to its outermost texels' centres, in map coordinates.
@@ -41,14 +42,13 @@ glm::vec2 tile_reach(const View& view) {
                    static_cast<double>(view.cube->side));
 }
 
-UniformBytes uniforms(const PassContext& context) {
+std140::LightShading uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
-  const bool caustics = context.effects->caustics.active && throws_caustic(context);
-  const bool cascade = views.cascade && caustics;
+  const bool cascade = has_finer_map(context);
   const View cascade_view = views.cascade.value_or(View{});
   const double texels = static_cast<double>(settings.map) * static_cast<double>(settings.map);
-  return uniform_bytes(std140::LightShading{
+  return {
       .light = shader_light(*context.light, views.shadow.forward),
       .shadow_view = shader_view(views.shadow),
       .caster_view = shader_view(views.caster),
@@ -58,21 +58,12 @@ UniformBytes uniforms(const PassContext& context) {
       .pane_view = shader_view(views.panes),
       .column = shader_view(views.column),
       .casters_nearest = static_cast<float>(views.casters_nearest),
-      .has_shadow_map = context.effects->occluders.active ? 1 : 0,
-      .has_panes = context.effects->thin_panes.active ? 1 : 0,
-      .has_caustic = caustics ? 1 : 0,
-      .has_cascade = cascade ? 1 : 0,
-      // Not of lights that see all around.
-      .receivers_are_layered =
-          caustics && context.effects->hidden_receivers.active && !views.caustic.cube ? 1 : 0,
-      .caustic_is_grey = context.effects->coloured_caustics.active ? 0 : 1,
       .caustic_texel_area = static_cast<float>(views.caustic.window_area() / texels),
       .cascade_texel_area = cascade ? static_cast<float>(cascade_view.window_area() / texels) : 0.0f,
       .cascade_border =
           cascade ? static_cast<float>((splat_kernel(settings).radius + kBorder) / settings.map) : 0.0f,
       .tile_reach = tile_reach(views.caustic),
-      .samples_across = settings.pixel_means ? kMostSamples : 0,
-  });
+  };
 }
 
 }  // namespace
@@ -122,12 +113,17 @@ Pass light_shading_pass() {
                   .blend = kAccumulate,
                   .needed_with = with<&Effects::caustics>}},
       .owner = Each::Frame,
-      .shaders = {{&light_shading_shader}, {&light_shading_in_medium_shader, with<&Effects::medium>}},
-      .uniforms =
-          [](const PassContext& context) {
-            const UniformBytes bytes = uniforms(context);
-            return context.effects->medium.active ? with_medium(bytes, *context.scene) : bytes;
-          },
+      .shaders = {{&light_shading_shader, block_of<uniforms>},
+                  {&light_shading_in_medium_shader, block_of<in_medium<uniforms>>, with<&Effects::medium>}},
+      .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>},
+                  {"has_panes", chosen_by<&Effects::thin_panes>},
+                  {"has_caustic", throws_caustic},
+                  {"has_cascade", has_finer_map},
+                  {"receivers_are_layered", receivers_are_layered},
+                  {"caustic_is_grey",
+                   [](const PassContext& c) { return c.effects->coloured_caustics.active ? 0 : 1; }},
+                  {"samples_across",
+                   [](const PassContext& c) { return c.settings->pixel_means ? kMostSamples : 0; }}},
   };
 }
 

@@ -1,20 +1,20 @@
 Light light;
-View shadow_view;           // all views of the light have the same origin and axes
+View shadow_view;              // all views of the light have the same origin and axes
 View caster_view;
 View receiver_view;
 View caustic_view;
-View cascade_view;          // a window within the caustic map's
+View cascade_view;             // a window within the caustic map's
 View pane_view;
-View column;                // the window that receivers leave free before the casters
-float casters_nearest;      // z of the casters' nearest point, metres
-int has_shadow_map;
-int has_panes;
-int has_caustic;            // there are maps of casters, of receivers and of the casters' light on them
-int has_cascade;            // a part of the caustic map in finer texels
-int receivers_are_layered;  // the receivers farthest from the light have maps of their own
-int caustic_is_grey;        // caustic maps have one channel
-float caustic_texel_area;   // of a caustic map's texel, window units squared
+View column;                   // the window that receivers leave free before the casters
+float casters_nearest;         // z of the casters' nearest point, metres
+CHOICE(has_shadow_map)
+CHOICE(has_panes)
+CHOICE(has_caustic)            // there are maps of casters, of receivers and of the casters' light on them
+CHOICE(has_cascade)            // a part of the caustic map in finer texels
+CHOICE(receivers_are_layered)  // the receivers farthest from the light have maps of their own
+CHOICE(caustic_is_grey)        // caustic maps have one channel
+float caustic_texel_area;      // of a caustic map's texel, window units squared
 float cascade_texel_area;
-float cascade_border;       // map coordinates from the cascade's border that are not looked up
-vec2 tile_reach;            // of a cube: from a tile's middle to its outermost texels' centres, map units
-int samples_across;         // of a caustic's mean over a pixel, at most, along an axis; 0: no such mean
+float cascade_border;          // map coordinates from the cascade's border that are not looked up
+vec2 tile_reach;               // of a cube: from a tile's middle to its outermost texels' centres, map units
+CHOICE(samples_across)         // of a caustic's mean over a pixel, at most, along an axis; 0: no such mean

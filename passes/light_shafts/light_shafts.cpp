@@ -11,17 +11,16 @@ namespace {
 // Beams are drawn no wider than this share of the picture's larger side.
 constexpr float kWidest = 0.0625f;
 
-UniformBytes uniforms(const PassContext& context) {
+std140::LightShafts uniforms(const PassContext& context) {
   const float width = static_cast<float>(context.width), height = static_cast<float>(context.height);
   const double pixels = static_cast<double>(context.width) * static_cast<double>(context.height);
-  return uniform_bytes(
-      std140::LightShafts{.view = shader_view(*context.camera),
-                          .picture = {width, height},
-                          .widest = std::max(kWidest * std::max(width, height), 4.0f),
-                          .pixel_area = static_cast<float>(context.camera->window_area() / pixels),
-                          .intensity = context.light->color * context.light->intensity,
-                          .beams_a_side = beams_a_side(*context.settings),
-                          .medium = shader_medium(*context.scene)});
+  return {.view = shader_view(*context.camera),
+          .picture = {width, height},
+          .widest = std::max(kWidest * std::max(width, height), 4.0f),
+          .pixel_area = static_cast<float>(context.camera->window_area() / pixels),
+          .intensity = context.light->color * context.light->intensity,
+          .beams_a_side = beams_a_side(*context.settings),
+          .medium = shader_medium(*context.scene)};
 }
 
 }  // namespace
@@ -43,8 +42,7 @@ Pass light_shafts_pass() {
                   .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
                   .blend = kAccumulate}},
       .owner = Each::Frame,
-      .shaders = {{&light_shafts_shader}},
-      .uniforms = uniforms,
+      .shaders = {{&light_shafts_shader, block_of<uniforms>}},
   };
 }
 

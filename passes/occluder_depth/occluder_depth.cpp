@@ -23,11 +23,9 @@ Pass occluder_depth_pass() {
           DepthWrite{.name = "caster_depth",
                      .meaning = "window depth of the nearest opaque surface, later of the nearest surface"},
       .depth_state = {.compare = Compare::Less, .write = true},
-      .shaders = {{&occluder_depth_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(receiver_map_uniforms(context.views->caster, *context.material));
-          },
+      .shaders = {{&occluder_depth_shader, block_of<[](const PassContext& c) {
+                     return receiver_map_uniforms(c.views->caster, *c.material);
+                   }>}},
   };
 }
 

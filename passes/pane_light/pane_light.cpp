@@ -8,12 +8,11 @@ extern const Shader pane_light_shader;
 
 namespace {
 
-UniformBytes uniforms(const PassContext& context) {
+std140::Pane uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   std140::Pane u = pane_uniforms(views.panes, context.light->position, context);
   u.shadow_view = shader_view(views.shadow);
-  u.has_shadow_map = context.effects->occluders.active ? 1 : 0;
-  return uniform_bytes(u);
+  return u;
 }
 
 }  // namespace
@@ -35,8 +34,8 @@ Pass pane_light_pass() {
                   .meaning = "rgb: what all panes together let through, 0..1; a: 1",
                   .clear = {1.0f, 1.0f, 1.0f, 1.0f},
                   .blend = kMultiply}},
-      .shaders = {{&pane_light_shader}},
-      .uniforms = uniforms,
+      .shaders = {{&pane_light_shader, block_of<uniforms>}},
+      .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>}},
   };
 }
 

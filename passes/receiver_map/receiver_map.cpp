@@ -15,17 +15,6 @@ std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& mate
   };
 }
 
-namespace {
-
-// The last receiver instead of the first: what the nearest hide.
-void last_of_all(const DrawnFor& drawn_for, PassDefinition& definition) {
-  if (drawn_for.receivers == ReceiverLayer::Nearest) return;
-  definition.depth->clear = 0.0f;
-  definition.depth_state.compare = Compare::Greater;
-}
-
-}  // namespace
-
 Pass receiver_map_pass() {
   return {
       .name = "receiver_map",
@@ -45,13 +34,11 @@ Pass receiver_map_pass() {
                              "top, metres, scene space; w: 1 where there is one, else 0"}},
       .depth = DepthWrite{.name = "receiver_depth", .meaning = "its window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
-      .otherwise = last_of_all,
-      .shaders = {{&receiver_map_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(
-                receiver_map_uniforms(context.views->receiver, *context.material, context.views));
-          },
+      // The last receiver instead of the first: what the nearest hide.
+      .states = {{.label = kLightFar.label, .depth_clear = 0.0f, .depth_compare = Compare::Greater}},
+      .shaders = {{&receiver_map_shader, block_of<[](const PassContext& c) {
+                     return receiver_map_uniforms(c.views->receiver, *c.material, c.views);
+                   }>}},
   };
 }
 

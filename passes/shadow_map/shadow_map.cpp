@@ -26,11 +26,9 @@ Pass shadow_map_pass() {
       .depth =
           DepthWrite{.name = "shadow_window_depth", .meaning = "window depth of the nearest opaque surface"},
       .depth_state = {.compare = Compare::Less, .write = true},
-      .shaders = {{&shadow_map_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(receiver_map_uniforms(context.views->shadow, *context.material));
-          },
+      .shaders = {{&shadow_map_shader, block_of<[](const PassContext& c) {
+                     return receiver_map_uniforms(c.views->shadow, *c.material);
+                   }>}},
   };
 }
 

@@ -16,10 +16,4 @@ std140::Medium shader_medium(const Scene& scene) {
           .scattering = scene.medium.scattering};
 }
 
-UniformBytes with_medium(UniformBytes bytes, const Scene& scene) {
-  const UniformBytes more = uniform_bytes(shader_medium(scene));
-  bytes.insert(bytes.end(), more.begin(), more.end());
-  return bytes;
-}
-
 }  // namespace caustics

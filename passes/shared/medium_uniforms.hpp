@@ -12,7 +12,15 @@ namespace std140 {
 // Zeros without a medium.
 std140::Medium shader_medium(const Scene& scene);
 
-// A pass's uniforms with `Medium medium` behind them, for the variant of its shader with HAZE.
-UniformBytes with_medium(UniformBytes bytes, const Scene& scene);
+// A pass's uniform block with `Medium medium` behind it, for the permutation of its shader with HAZE.
+template <class Block>
+struct InMedium {
+  Block block;
+  std140::Medium medium;
+};
+template <auto block>
+auto in_medium(const PassContext& context) {
+  return InMedium<decltype(block(context))>{block(context), shader_medium(*context.scene)};
+}
 
 }  // namespace caustics

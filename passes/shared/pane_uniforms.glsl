@@ -1,13 +1,13 @@
 Sky sky;
-View view;                     // the view drawn into
-int map_side;                  // of a cube's map, texels
-int shows_mirror;              // write what the pane mirrors, not what it lets through
-vec3 eye;                      // where a perspective view's rays start
-vec3 forward;                  // the view's axis, the way of parallel rays
-vec3 color;                    // base colour times transmission
+View view;            // the view drawn into
+int map_side;         // of a cube's map, texels
+CHOICE(shows_mirror)  // write what the pane mirrors, not what it lets through
+vec3 eye;             // where a perspective view's rays start
+vec3 forward;         // the view's axis, the way of parallel rays
+vec3 color;           // base colour times transmission
 float ior;
-int has_base_color;            // a texture
+int has_base_color;   // a texture
 TextureTransform base_color_uv;
 AlphaMask alpha_mask;
-View shadow_view;              // of a light: the view of shadow_depth
-int has_shadow_map;
+View shadow_view;     // of a light: the view of shadow_depth
+CHOICE(has_shadow_map)

@@ -18,7 +18,6 @@ inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const
   return {.sky = shader_sky(context.scene->environment),
           .view = shader_view(view),
           .map_side = view.cube ? view.cube->side : 0,
-          .shows_mirror = 0,
           .eye = glm::vec3(eye),
           .forward = glm::vec3(view.forward),
           .color = glm::vec3(m.base_color) * m.transmission,
@@ -26,8 +25,7 @@ inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const
           .has_base_color = m.base_color_texture.present() ? 1 : 0,
           .base_color_uv = std140::texture_transform(m.base_color_texture),
           .alpha_mask = std140::alpha_mask(m),
-          .shadow_view = {},
-          .has_shadow_map = 0};
+          .shadow_view = {}};
 }
 
 }  // namespace caustics

@@ -27,4 +27,9 @@ std140::TexturedCasters textured_casters_uniforms(const View& view, const Materi
   };
 }
 
+std140::TexturedCasters textured_casters(const PassContext& context) {
+  const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
+  return textured_casters_uniforms(context.sees_casters(), *context.material, role, context.material_row);
+}
+
 }  // namespace caustics

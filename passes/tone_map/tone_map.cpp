@@ -23,11 +23,8 @@ Pass tone_map_pass() {
       .writes = {{.name = "picture",
                   .format = Format::RGBA8,
                   .meaning = "rgb: sRGB-encoded display values; a: 1"}},
-      .shaders = {{&tone_map_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(std140::ToneMap{.exposure = context.exposure});
-          },
+      .shaders = {{&tone_map_shader,
+                   block_of<[](const PassContext& c) { return std140::ToneMap{.exposure = c.exposure}; }>}},
   };
 }
 

@@ -17,11 +17,10 @@ extern const Shader view_medium_shader;
 
 namespace {
 
-UniformBytes view_uniforms(const PassContext& context) {
-  return uniform_bytes(
-      std140::ViewMedium{.camera = shader_camera_rays(*context.camera, context.width, context.height),
-                         .view = shader_view(*context.camera),
-                         .medium = shader_medium(*context.scene)});
+std140::ViewMedium view_uniforms(const PassContext& context) {
+  return {.camera = shader_camera_rays(*context.camera, context.width, context.height),
+          .view = shader_view(*context.camera),
+          .medium = shader_medium(*context.scene)};
 }
 
 constexpr ColorMask kColor{true, true, true, false};
@@ -48,8 +47,7 @@ Pass view_medium_pass() {
                   .meaning = "x: depth of the first surface along the camera's axis, metres, 1e30 where "
                              "there is none; y, z: distances from the camera at which its ray enters "
                              "the medium and leaves it or ends"}},
-      .shaders = {{&view_medium_shader}},
-      .uniforms = view_uniforms,
+      .shaders = {{&view_medium_shader, block_of<view_uniforms>}},
   };
 }
 

@@ -10,15 +10,12 @@ namespace {
 
 constexpr DrawnFor kMirrored{.label = "mirrored", .own_textures = false};
 
-UniformBytes uniforms(const PassContext& context) {
-  std140::Pane u = pane_uniforms(*context.camera, context.camera->origin, context);
-  u.shows_mirror = context.drawn_for && context.drawn_for->label == kMirrored.label;
-  return uniform_bytes(u);
+std140::Pane uniforms(const PassContext& context) {
+  return pane_uniforms(*context.camera, context.camera->origin, context);
 }
 
-// What panes mirror is added to what they let through.
-void add_when_mirrored(const DrawnFor& drawn_for, PassDefinition& definition) {
-  if (drawn_for.label == kMirrored.label) definition.writes[0].blend = kAccumulate;
+int shows_mirror(const PassContext& context) {
+  return context.drawn_for && context.drawn_for->label == kMirrored.label;
 }
 
 }  // namespace
@@ -43,9 +40,10 @@ Pass view_panes_pass() {
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .blend = kMultiply,
                   .mask = {true, true, true, false}}},
-      .otherwise = add_when_mirrored,
-      .shaders = {{&view_panes_shader}},
-      .uniforms = uniforms,
+      // What panes mirror is added to what they let through.
+      .states = {{.label = kMirrored.label, .blend = kAccumulate}},
+      .shaders = {{&view_panes_shader, block_of<uniforms>}},
+      .choices = {{"shows_mirror", shows_mirror}},
   };
 }
 

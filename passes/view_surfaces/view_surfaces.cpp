@@ -16,9 +16,10 @@ extern const Shader view_surfaces_shader;
 
 namespace {
 
-UniformBytes uniforms(const View& view, const Material& m) {
-  return uniform_bytes(std140::ViewSurfaces{
-      .view = shader_view(view),
+std140::ViewSurfaces uniforms(const PassContext& context) {
+  const Material& m = *context.material;
+  return {
+      .view = shader_view(*context.camera),
       .base_factor = m.base_color,
       .alpha_cutoff = m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f,
       .has_base_color = m.base_color_texture.present() ? 1 : 0,
@@ -29,7 +30,7 @@ UniformBytes uniforms(const View& view, const Material& m) {
       .base_color_uv = std140::texture_transform(m.base_color_texture),
       .normal_uv = std140::texture_transform(m.normal_texture),
       .emissive_uv = std140::texture_transform(m.emissive_texture),
-  });
+  };
 }
 
 }  // namespace
@@ -56,8 +57,7 @@ Pass view_surfaces_pass() {
                   .needed_with = with<&Effects::emission>}},
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
-      .shaders = {{&view_surfaces_shader}},
-      .uniforms = [](const PassContext& c) { return uniforms(*c.camera, *c.material); },
+      .shaders = {{&view_surfaces_shader, block_of<uniforms>}},
   };
 }
 

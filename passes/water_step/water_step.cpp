@@ -65,11 +65,9 @@ Pass water_step_pass() {
       .writes = {{.name = "water_after",
                   .format = Format::RG32F,
                   .meaning = "r: height over the level, metres; g: how fast it rises, metres a second"}},
-      .shaders = {{&water_step_shader}},
-      .uniforms =
-          [](const PassContext& context) {
-            return uniform_bytes(water_step_uniforms(*context.water, context.water_step));
-          },
+      .shaders =
+          {{&water_step_shader,
+            block_of<[](const PassContext& c) { return water_step_uniforms(*c.water, c.water_step); }>}},
   };
 }
 

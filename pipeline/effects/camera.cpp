@@ -4,7 +4,7 @@
 
 #include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/surface_role.hpp"
-#include "pipeline/views/visibility.hpp"
+#include "pipeline/scene/visibility.hpp"
 
 namespace caustics {
 

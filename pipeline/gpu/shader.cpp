@@ -25,6 +25,10 @@ std::string_view lanes_name(Lanes lanes) {
   return "?";
 }
 
+std::span<const ShaderChoice> choices_of(const Shader& shader) {
+  return shader.choices ? shader.choices() : std::span<const ShaderChoice>();
+}
+
 namespace {
 
 [[noreturn]] void refuse(std::string_view line, const std::string& why) {

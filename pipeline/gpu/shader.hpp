@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,14 +26,25 @@ struct ShaderKernels {
   std::array<FragmentKernel, kLanesCount> fragment{};
 };
 
+// A whole number of the uniform block that is the same for a whole draw (a CHOICE line), and where it lies.
+// OpenGL compiles it into the program.
+struct ShaderChoice {
+  std::string_view name;
+  std::size_t offset = 0;
+};
+
 struct Shader {
   std::string_view name;
   // The whole text, includes expanded, without the GLSL prelude.
   std::string_view text;
   ShaderKernels kernels;
-  // Of the uniform block, a multiple of 16; null where nobody knows (shaders that are not compiled here).
+  // Of the uniform block, a multiple of 16, and those of its choices that the text asks; null where nobody
+  // knows (shaders that are not compiled here).
   std::size_t (*uniform_bytes)() = nullptr;
+  std::span<const ShaderChoice> (*choices)() = nullptr;
 };
+
+std::span<const ShaderChoice> choices_of(const Shader& shader);
 
 enum class Interpolation : std::uint8_t { Smooth, Flat };
 

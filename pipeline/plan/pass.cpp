@@ -12,14 +12,81 @@ namespace {
 
 bool wanted(Condition condition, const Effects& effects) { return !condition || condition(effects); }
 
-const Shader* shader_of(const Pass& pass, const Effects& effects) {
-  const Shader* shader = nullptr;
+Permutation permutation_of(const Pass& pass, const Effects& effects) {
+  Permutation chosen;
   for (const Permutation& permutation : pass.shaders)
-    if (wanted(permutation.condition, effects)) shader = permutation.shader;
-  return shader;
+    if (wanted(permutation.condition, effects)) chosen = permutation;
+  return chosen;
+}
+
+void set_state(PassDefinition& definition, const InstanceState& state) {
+  if (definition.depth && state.depth_clear) definition.depth->clear = *state.depth_clear;
+  if (state.depth_compare) definition.depth_state.compare = *state.depth_compare;
+  for (ColorWrite& write : definition.writes)
+    if (state.blend) write.blend = *state.blend;
+}
+
+[[noreturn]] void refuse(const Pass& pass, const std::string& why) {
+  throw Error(ExitCode::InternalError, "pass '" + std::string(pass.name) + "': " + why);
+}
+
+std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
+
+void validate_block(const Pass& pass, const Permutation& permutation) {
+  if (!permutation.shader) refuse(pass, "has a permutation without a shader; set `shader`");
+  const Shader& shader = *permutation.shader;
+  if (shader.uniform_bytes && permutation.block.size != shader.uniform_bytes())
+    refuse(pass, "its uniform block has " + std::to_string(permutation.block.size) +
+                     " bytes, that of its shader " + quoted(shader.name) + " " +
+                     std::to_string(shader.uniform_bytes()) +
+                     "; give `block_of` a function that returns the struct of that text");
+  for (const ShaderChoice& asked : choices_of(shader))
+    if (std::none_of(pass.choices.begin(), pass.choices.end(),
+                     [&](const Choice& choice) { return choice.name == asked.name; }))
+      refuse(pass, "its shader " + quoted(shader.name) + " asks the choice " + quoted(asked.name) +
+                       ", which nothing makes; add it to `choices`");
+}
+
+void validate_choice(const Pass& pass, const Choice& choice) {
+  const auto asks = [&](const Permutation& permutation) {
+    const auto asked = choices_of(*permutation.shader);
+    return std::any_of(asked.begin(), asked.end(),
+                       [&](const ShaderChoice& other) { return other.name == choice.name; });
+  };
+  if (std::none_of(pass.shaders.begin(), pass.shaders.end(), asks))
+    refuse(pass, "makes the choice " + quoted(choice.name) +
+                     ", which its shader does not ask; declare it by CHOICE and ask it, or remove it");
+}
+
+void validate_state(const Pass& pass, const InstanceState& state) {
+  if (std::none_of(pass.drawn_for.begin(), pass.drawn_for.end(),
+                   [&](const DrawnFor& drawn_for) { return drawn_for.label == state.label; }))
+    refuse(pass, "has a state for " + quoted(state.label) +
+                     ", for which it is not drawn; add that to `drawn_for` or remove the state");
 }
 
 }  // namespace
+
+UniformBytes Pass::uniforms(const PassContext& context) const {
+  static const Effects none;
+  const Permutation permutation = permutation_of(*this, context.effects ? *context.effects : none);
+  UniformBytes bytes = permutation.block.fill ? permutation.block.fill(context) : UniformBytes{};
+  for (const ShaderChoice& asked : choices_of(*permutation.shader))
+    for (const Choice& choice : choices)
+      if (choice.name == asked.name) {
+        const int value = choice.value(context);
+        std::memcpy(&bytes[asked.offset], &value, sizeof value);
+      }
+  return bytes;
+}
+
+int throws_caustic(const PassContext& context) {
+  if (!context.effects->caustics.active) return 0;
+  const std::vector<Expectation>& all = context.effects->expectations;
+  return std::any_of(all.begin(), all.end(), [&](const Expectation& e) {
+    return e.expected && &context.scene->lights[static_cast<std::size_t>(e.light)] == context.light;
+  });
+}
 
 PassDefinition definition_of(const Pass& pass, const Effects& effects, const DrawnFor& drawn_for) {
   PassDefinition definition{.name = std::string(pass.name),
@@ -29,7 +96,7 @@ PassDefinition definition_of(const Pass& pass, const Effects& effects, const Dra
                             .depth_state = pass.depth_state,
                             .cull = pass.cull,
                             .count_samples = pass.count_samples,
-                            .shader = shader_of(pass, effects)};
+                            .shader = permutation_of(pass, effects).shader};
   if (!drawn_for.label.empty()) definition.name += "." + std::string(drawn_for.label);
   for (const Read& read : pass.reads)
     if (wanted(read.only_with, effects))
@@ -46,19 +113,15 @@ PassDefinition definition_of(const Pass& pass, const Effects& effects, const Dra
                                    .clear = write.clear,
                                    .blend = write.blend,
                                    .mask = write.mask});
-  if (pass.otherwise) pass.otherwise(drawn_for, definition);
+  for (const InstanceState& state : pass.states)
+    if (state.label == drawn_for.label) set_state(definition, state);
   return definition;
 }
 
 void validate(const Registry& registry) {
   std::set<std::string_view> names;
   for (const Pass& pass : registry) {
-    if (!names.insert(pass.name).second)
-      throw Error(ExitCode::InternalError,
-                  "pass '" + std::string(pass.name) + "' is registered twice; remove one");
-    if (!pass.uniforms)
-      throw Error(ExitCode::InternalError,
-                  "pass '" + std::string(pass.name) + "' has no uniforms; set `uniforms`");
+    if (!names.insert(pass.name).second) refuse(pass, "is registered twice; remove one");
     for (const DrawnFor& drawn_for : pass.drawn_for) {
       validate(definition_of(pass, {}, drawn_for));
       for (const NamedEffect& named : named_effects()) {
@@ -67,6 +130,9 @@ void validate(const Registry& registry) {
         validate(definition_of(pass, effects, drawn_for));
       }
     }
+    for (const Permutation& permutation : pass.shaders) validate_block(pass, permutation);
+    for (const Choice& choice : pass.choices) validate_choice(pass, choice);
+    for (const InstanceState& state : pass.states) validate_state(pass, state);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pipeline/effects/effects.hpp"
@@ -123,6 +124,8 @@ struct PassContext {
   const DrawnFor* drawn_for = nullptr;  // null: the plain instance
 
   bool farthest() const { return drawn_for && drawn_for->receivers == ReceiverLayer::Farthest; }
+  // What sees the casters that are drawn: the light, or the camera.
+  const View& sees_casters() const { return views ? views->caster : *camera; }
   bool cascade() const { return drawn_for && drawn_for->window == MapWindow::Cascade; }
 };
 
@@ -136,6 +139,31 @@ UniformBytes uniform_bytes(const T& block) {
   std::memcpy(bytes.data(), &block, sizeof(T));
   return bytes;
 }
+
+// What fills a shader's uniform block, but for its choices, and how long the block is.
+struct UniformBlock {
+  UniformBytes (*fill)(const PassContext&) = nullptr;
+  std::size_t size = 0;
+};
+
+// By a function of the PassContext that returns the struct of the shader's own text.
+template <auto filled>
+inline constexpr UniformBlock block_of{
+    [](const PassContext& context) { return uniform_bytes(filled(context)); },
+    sizeof(filled(std::declval<const PassContext&>()))};
+
+// A whole number of the uniform block, a CHOICE line of it, that effects, settings or whom the instance is
+// drawn for choose for a whole draw: OpenGL compiles a program for each value.
+struct Choice {
+  std::string_view name;
+  int (*value)(const PassContext&) = nullptr;
+};
+template <Effect Effects::*effect>
+int chosen_by(const PassContext& context) {
+  return (context.effects->*effect).active ? 1 : 0;
+}
+// Is there a caustic map of the light?
+int throws_caustic(const PassContext& context);
 
 // A texture that the shader reads: `name` is that of its TEXTURE line.
 struct Read {
@@ -167,7 +195,16 @@ struct Write {
 // The pass's shader text compiled for what effects add; the last one whose condition holds is taken.
 struct Permutation {
   const Shader* shader = nullptr;
+  UniformBlock block{};           // none: the text has no uniforms
   Condition condition = nullptr;  // null: always
+};
+
+// State that the instance with a label has instead of the pass's.
+struct InstanceState {
+  std::string_view label;
+  std::optional<float> depth_clear{};
+  std::optional<Compare> depth_compare{};
+  std::optional<BlendState> blend{};  // of all colour attachments
 };
 
 struct Pass {
@@ -191,12 +228,14 @@ struct Pass {
   DepthState depth_state{};
   Cull cull = Cull::None;
   bool count_samples = false;
-  // State that an instance has otherwise.
-  void (*otherwise)(const DrawnFor&, PassDefinition&) = nullptr;
+  std::vector<InstanceState> states{};
   std::vector<Permutation> shaders{};
-  UniformBytes (*uniforms)(const PassContext&) = nullptr;
+  std::vector<Choice> choices{};
   // Of a pass that draws its meshes once for each face of a cube of its own: that cube.
   View (*all_around)(const PassContext&) = nullptr;
+
+  // The uniform block of a draw.
+  UniformBytes uniforms(const PassContext& context) const;
 };
 
 // What a device runs of a pass: the instance's, as these effects choose.
@@ -208,7 +247,8 @@ using Registry = std::vector<Pass>;
 
 // Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do": everything that can be
 // wrong in a definition (pipeline/gpu/validate.hpp), of every instance and permutation; two passes of one
-// name.
+// name; a uniform block of another size than the shader's; a choice that a shader asks and the pass does not
+// make, or the reverse; a state of no instance.
 void validate(const Registry& registry);
 
 // Sizes that several passes share.

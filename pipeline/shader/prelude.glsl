@@ -17,6 +17,7 @@
 
 #define UNIFORMS_BEGIN layout(std140, binding = 0) uniform UniformBlock {
 #define UNIFORMS_END } u;
+#define CHOICE(name) int name;
 #define TEXTURE(unit, name) layout(binding = unit) uniform sampler2D name;
 #define texel_fetch(t, x, y) texelFetch(t, ivec2(x, y), 0)
 #define texture_width(t) textureSize(t, 0).x

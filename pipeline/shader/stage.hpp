@@ -172,4 +172,5 @@ struct FragmentStage {
   }                  \
   ;                  \
   const UniformBlock& u = *static_cast<const UniformBlock*>(this->uniforms());
+#define CHOICE(name) int name = 0;
 #define TEXTURE(unit, name) const TextureView& name = this->texture_of(unit);

@@ -7,6 +7,9 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
+// What Pass::uniforms fills (pipeline/plan/pass.hpp); a block that is filled otherwise has 0.
+#define CHOICE(name) int name = 0;
+
 namespace caustics::std140 {
 
 using vec2 __attribute__((aligned(8))) = glm::vec2;

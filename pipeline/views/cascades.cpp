@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "pipeline/effects/camera.hpp"
-#include "pipeline/views/visibility.hpp"
+#include "pipeline/scene/visibility.hpp"
 
 namespace caustics {
 

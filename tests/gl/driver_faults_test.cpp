@@ -194,7 +194,7 @@ TEST_CASE("gl: a frame waits, counts and hears the driver's messages only on req
   }
 }
 
-TEST_CASE("gl: each shader is told once, before it is compiled") {
+TEST_CASE("gl: each shader is told before it is compiled, once for each of its programs") {
   std::vector<std::string> told;
   const auto device = gl_or_skip({.compiling = [&](std::string_view shader) { told.emplace_back(shader); }});
   if (!device) return;

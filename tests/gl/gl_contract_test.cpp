@@ -37,7 +37,7 @@ struct FetchRun {
     run.colors = {target};
     for (const std::array<float, 4>& tint : tints) {
       Draw draw{.vertex_count = 3, .textures = {first, second}};
-      draw.uniforms.resize(sizeof tint);
+      draw.uniforms.resize(gl_fetch_shader.uniform_bytes());
       std::memcpy(draw.uniforms.data(), tint.data(), sizeof tint);
       run.draws.push_back(draw);
     }
@@ -155,6 +155,28 @@ TEST_CASE("gl: a steady loop makes nothing new") {
   CHECK(last.framebuffers == first.framebuffers);
   CHECK(last.vertex_layouts == first.vertex_layouts);
   CHECK(last.read_backs == 0);
+}
+
+TEST_CASE("gl: each value of a choice has a program of its own, made once") {
+  const auto device = gl_or_skip({});
+  if (!device) return;
+  const TextureId target = device->create_texture(Format::RGBA32F, 1, 1);
+  FetchRun fetch(target, TextureId::None, TextureId::None, {{1, 2, 3, 4}, {1, 2, 3, 4}});
+  fetch.definition.writes[0].blend = kAccumulate;
+  const auto drawn = [&](std::initializer_list<int> choices) {
+    auto draw = fetch.run.draws.begin();
+    for (const int& choice : choices)
+      std::memcpy(&(draw++)->uniforms[choices_of(gl_fetch_shader)[0].offset], &choice, sizeof choice);
+    device->run(fetch.run);
+    return device->read_back(target).at(0, 0, 3);
+  };
+  CHECK(drawn({0, 0}) == 8.0f);
+  CHECK(device->made().programs == 1);
+  CHECK(drawn({0, 1}) == 0.0f);
+  CHECK(device->made().programs == 2);
+  CHECK(drawn({1, 1}) == -8.0f);
+  CHECK(drawn({1, 0}) == 0.0f);
+  CHECK(device->made().programs == 2);
 }
 
 TEST_CASE("gl: a run is timed, and its figures are those of the software device") {

@@ -1,5 +1,7 @@
 // What is done to a shader's text so that OpenGL computes what it says.
 #include "gl_backend/precise_text.hpp"
+
+#include "gl_backend/gl_text.hpp"
 #include "tests/support/catch.hpp"
 
 using caustics::gl::precise_text;
@@ -56,6 +58,20 @@ TEST_CASE("precise text: what declares nothing stays, with comments, directives 
     CHECK(precise_text(text) == text);
   CHECK(in_function("x = Float(a) * u.from.x; // Float b;\n#ifdef HAZE\n#endif\n") ==
         "x = Float(a) * u.from.x; // Float b;\n#ifdef HAZE\n#endif\n");
+}
+
+TEST_CASE("gl text: a choice's value stands where the text asks it, and nowhere else") {
+  static constexpr caustics::ShaderChoice kChoices[] = {{"size", 0}, {"has_size", 4}};
+  const caustics::Shader shader{
+      "test",
+      "a(u.size, u.has_size, -u.size) u.sizes u.size.x menu.size b.u.size size u.size",
+      {},
+      nullptr,
+      [] { return std::span<const caustics::ShaderChoice>(kChoices); }};
+  const int values[] = {12, 0};
+  CHECK(caustics::gl::gl_text(shader, caustics::gl::Stage::Vertex, values)
+            .ends_with("a(12, 0, -12) u.sizes u.size.x menu.size b.u.size size 12"));
+  CHECK(caustics::gl::gl_text(shader, caustics::gl::Stage::Vertex).ends_with(shader.text));
 }
 
 TEST_CASE("precise text: what is not GLSL comes out too") {

@@ -1,6 +1,7 @@
 // caustics_shader_texts FOLDER: writes what the OpenGL Device hands to the driver, <shader>.vert and
 // <shader>.frag of every registered pass and of the template, for compilers that need no driver
-// (tests/architecture/shaders.py).
+// (tests/architecture/shaders.py): with its choices open, so that nothing is left out, and all 0 and all 1
+// (<shader>.0.vert ...).
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -21,10 +22,18 @@ bool write_text(const std::filesystem::path& file, const std::string& text) {
   return bool(out);
 }
 
+bool write_stages(const std::filesystem::path& folder, const Shader& shader, const std::string& name,
+                  const std::vector<int>& choices) {
+  return write_text(folder / (name + ".vert"), gl::gl_text(shader, gl::Stage::Vertex, choices)) &&
+         write_text(folder / (name + ".frag"), gl::gl_text(shader, gl::Stage::Fragment, choices));
+}
+
 bool write_texts(const std::filesystem::path& folder, const Shader& shader) {
   const std::string name(shader.name);
-  return write_text(folder / (name + ".vert"), gl::gl_text(shader, gl::Stage::Vertex)) &&
-         write_text(folder / (name + ".frag"), gl::gl_text(shader, gl::Stage::Fragment));
+  const std::size_t choices = choices_of(shader).size();
+  return write_stages(folder, shader, name, {}) &&
+         (choices == 0 || (write_stages(folder, shader, name + ".0", std::vector<int>(choices, 0)) &&
+                           write_stages(folder, shader, name + ".1", std::vector<int>(choices, 1))));
 }
 
 bool write_all(const std::filesystem::path& folder) {

@@ -1,4 +1,4 @@
-#include "pipeline/views/visibility.hpp"
+#include "pipeline/scene/visibility.hpp"
 
 #include "tests/support/catch.hpp"
 
