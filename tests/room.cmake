@@ -8,7 +8,7 @@ file(GLOB_RECURSE caustics_test_sources CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/lab/*_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT CAUSTICS_BUILD_APP)
-  list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/")
+  list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/|/lab/study/")
 endif()
 add_executable(caustics_tests ${caustics_test_sources})
 target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/failing_new.cpp)
@@ -17,14 +17,8 @@ target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster cau
   caustics_reference caustics_metrics
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
-  target_link_libraries(caustics_tests PRIVATE caustics_gltf nlohmann_json::nlohmann_json
+  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study nlohmann_json::nlohmann_json
     OpenImageIO::OpenImageIO)
-  # Rooms of the program that need nothing else of it.
-  file(GLOB study_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/study/*_test.cpp)
-  target_sources(caustics_tests PRIVATE ${study_tests} ${PROJECT_SOURCE_DIR}/app/shell/terminal.cpp)
-  foreach(room sweep pareto sentence html plot difference_picture)
-    target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/app/study/${room}.cpp)
-  endforeach()
 endif()
 # Random scenes need RapidCheck; a machine without it tests the rest.
 find_package(rapidcheck CONFIG QUIET)

@@ -20,7 +20,10 @@ MAY = {
     'passes': {'pipeline'},
     'raster': {'pipeline'},
     'gl_backend': {'pipeline'},
-    'lab': {'pipeline'},
+    'lab/reference': {'pipeline'},
+    'lab/metrics': {'pipeline'},
+    'lab/study': {'lab/metrics', 'pipeline'},
+    'lab/paper': {'lab/reference', 'pipeline'},
     'app': {'passes', 'raster', 'gl_backend', 'lab', 'pipeline'},
     'tests/fuzz': {'passes', 'raster', 'pipeline'},
 }
@@ -28,8 +31,9 @@ MAY = {
 # Libraries that only some rooms may name: the others build and run without them.
 OWNED = {
     'epoxy/': {'gl_backend'}, 'EGL/': {'gl_backend'}, 'GL/': {'gl_backend'},
-    'tbb/': {'raster', 'lab'}, 'oneapi/': {'raster', 'lab'}, 'embree': {'lab'}, 'CLI/': {'app'},
-    'tiny_gltf.h': {'pipeline/scene'}, 'nlohmann/': {'pipeline/scene', 'app'},
+    'tbb/': {'raster', 'lab/reference'}, 'oneapi/': {'raster', 'lab/reference'}, 'embree': {'lab/reference'},
+    'CLI/': {'app'},
+    'tiny_gltf.h': {'pipeline/scene'}, 'nlohmann/': {'pipeline/scene', 'lab/study', 'lab/paper', 'app'},
     'OpenImageIO/': {'pipeline/scene', 'app'},
 }
 
