@@ -8,7 +8,8 @@ extern const Shader view_panes_shader;
 
 namespace {
 
-constexpr DrawnFor kMirrored{.label = "mirrored", .own_textures = false};
+constexpr DrawnFor kMirrored{
+    .label = "mirrored", .own_textures = false, .reason = "thin panes mirror the environment"};
 
 UniformBytes uniforms(const PassContext& context) {
   std140::Pane u = pane_uniforms(*context.camera, context.camera->origin, context);
