@@ -52,21 +52,17 @@ catch_discover_tests(caustics_tests)
 
 add_test(NAME determinism.matrix
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/determinism/matrix_test.py)
-add_test(NAME architecture.include_arrows
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/include_arrows.py)
-add_test(NAME architecture.test_names
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/test_names.py)
+foreach(rule include_arrows test_names shader_functions passes format)
+  add_test(NAME architecture.${rule}
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/${rule}.py)
+endforeach()
+add_test(NAME architecture.uniform_structs
+  COMMAND ${CMAKE_COMMAND} -P ${PROJECT_SOURCE_DIR}/tests/architecture/uniform_structs.cmake)
 add_test(NAME architecture.headers_compile_alone
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/headers.py ${CMAKE_CXX_COMPILER})
 add_test(NAME architecture.shaders_are_precise_glsl
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shaders.py
     $<TARGET_FILE:caustics_shader_texts>)
-add_test(NAME architecture.shader_functions
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shader_functions.py)
-add_test(NAME architecture.passes
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/passes.py)
-add_test(NAME architecture.format
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/format.py)
 set_tests_properties(architecture.format PROPERTIES SKIP_RETURN_CODE 77)
 if(CAUSTICS_BUILD_APP)
   include(${PROJECT_SOURCE_DIR}/tests/program/room.cmake OPTIONAL)
