@@ -2,6 +2,7 @@
 
 #include "app/shell/table.hpp"
 #include "lab/study/sentence.hpp"
+#include "pipeline/gpu/text.hpp"
 
 namespace caustics::app {
 
