@@ -9,7 +9,7 @@ set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)
 caustics_target_options(caustics_app)
 caustics_batch(caustics_app)
 target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_gltf
-  caustics_reference caustics_metrics
+  caustics_reference caustics_metrics caustics_study caustics_paper
   OpenImageIO::OpenImageIO nlohmann_json::nlohmann_json CLI11::CLI11)
 target_compile_definitions(caustics_app PRIVATE CAUSTICS_VERSION="${PROJECT_VERSION}")
 if(TARGET TBB::tbb)

@@ -13,6 +13,8 @@
 #include <oneapi/tbb/task_arena.h>
 #endif
 
+#include "pipeline/gpu/happens_before.hpp"
+
 namespace caustics::raster {
 
 FlushDenormals::FlushDenormals() {
@@ -37,29 +39,6 @@ FlushDenormals::~FlushDenormals() {
 }
 
 #if CAUSTICS_HAS_TBB
-
-namespace {
-
-// What happens before work starts, and what it leaves behind, as the thread sanitizer has to be told:
-// it cannot see into an oneTBB that was built without it.
-#if defined(__SANITIZE_THREAD__)
-#define CAUSTICS_THREAD_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define CAUSTICS_THREAD_SANITIZER 1
-#endif
-#endif
-#if CAUSTICS_THREAD_SANITIZER
-extern "C" void __tsan_acquire(void*);
-extern "C" void __tsan_release(void*);
-void happens_before(void* tag) { __tsan_release(tag); }
-void happens_after(void* tag) { __tsan_acquire(tag); }
-#else
-void happens_before(void*) {}
-void happens_after(void*) {}
-#endif
-
-}  // namespace
 
 // Asks for as many threads as were wished even where the machine has fewer cores.
 struct Workers::Arena {

@@ -8,7 +8,7 @@ file(GLOB_RECURSE caustics_test_sources CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/lab/*_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT CAUSTICS_BUILD_APP)
-  list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/")
+  list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/|/lab/study/")
 endif()
 add_executable(caustics_tests ${caustics_test_sources})
 target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/failing_new.cpp)
@@ -17,14 +17,8 @@ target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster cau
   caustics_reference caustics_metrics
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
-  target_link_libraries(caustics_tests PRIVATE caustics_gltf nlohmann_json::nlohmann_json
+  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study nlohmann_json::nlohmann_json
     OpenImageIO::OpenImageIO)
-  # Rooms of the program that need nothing else of it.
-  file(GLOB study_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/study/*_test.cpp)
-  target_sources(caustics_tests PRIVATE ${study_tests} ${PROJECT_SOURCE_DIR}/app/shell/terminal.cpp)
-  foreach(room sweep pareto sentence html plot difference_picture)
-    target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/app/study/${room}.cpp)
-  endforeach()
 endif()
 # Random scenes need RapidCheck; a machine without it tests the rest.
 find_package(rapidcheck CONFIG QUIET)
@@ -58,21 +52,17 @@ catch_discover_tests(caustics_tests)
 
 add_test(NAME determinism.matrix
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/determinism/matrix_test.py)
-add_test(NAME architecture.include_arrows
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/include_arrows.py)
-add_test(NAME architecture.test_names
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/test_names.py)
+foreach(rule include_arrows test_names shader_functions passes format)
+  add_test(NAME architecture.${rule}
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/${rule}.py)
+endforeach()
+add_test(NAME architecture.uniform_structs
+  COMMAND ${CMAKE_COMMAND} -P ${PROJECT_SOURCE_DIR}/tests/architecture/uniform_structs.cmake)
 add_test(NAME architecture.headers_compile_alone
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/headers.py ${CMAKE_CXX_COMPILER})
 add_test(NAME architecture.shaders_are_precise_glsl
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shaders.py
     $<TARGET_FILE:caustics_shader_texts>)
-add_test(NAME architecture.shader_functions
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shader_functions.py)
-add_test(NAME architecture.passes
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/passes.py)
-add_test(NAME architecture.format
-  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/format.py)
 set_tests_properties(architecture.format PROPERTIES SKIP_RETURN_CODE 77)
 if(CAUSTICS_BUILD_APP)
   include(${PROJECT_SOURCE_DIR}/tests/program/room.cmake OPTIONAL)

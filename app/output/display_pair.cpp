@@ -50,11 +50,12 @@ double luminance_at(const Image& image, int x, int y) {
          0.0722 * static_cast<double>(image.at(x, y, 2));
 }
 
-double exposure_for(const Image& truth, const Selection& selection) {
+double exposure_for(const Image& truth, const std::vector<std::uint8_t>& mask) {
   std::vector<double> lit;
+  std::size_t texel = 0;
   for (int y = 0; y < truth.height(); ++y) {
-    for (int x = 0; x < truth.width(); ++x) {
-      if (!selection.has(x, truth.height() - 1 - y)) continue;
+    for (int x = 0; x < truth.width(); ++x, ++texel) {
+      if (!mask.empty() && mask[texel] == 0) continue;
       const double luminance = luminance_at(truth, x, y);
       if (luminance > 0.0) lit.push_back(luminance);
     }
@@ -80,7 +81,7 @@ Image toned(Device& device, const Image& linear, double exposure) {
 
 }  // namespace
 
-DisplayPair display_pair(const Image& a, const Image& b, const Selection& selection) {
+DisplayPair display_pair(const Image& a, const Image& b, const std::vector<std::uint8_t>& mask) {
   DisplayPair pair;
   const std::unique_ptr<Device> device = make_software_device();
   if (std::max(a.width(), a.height()) > device->max_texture_size()) {
@@ -88,7 +89,7 @@ DisplayPair display_pair(const Image& a, const Image& b, const Selection& select
                       " texels a side, the most that the tone map takes";
     return pair;
   }
-  pair.exposure = exposure_for(b, selection);
+  pair.exposure = exposure_for(b, mask);
   pair.a = toned(*device, a, *pair.exposure);
   pair.b = toned(*device, b, *pair.exposure);
   return pair;
@@ -105,7 +106,7 @@ DisplayPair display_pair(const std::vector<const ChannelDifference*>& channels, 
     pair.impossible = "holds display values in one image and linear light in the other";
     return pair;
   }
-  if (!any_integers(b)) return display_pair(image_of(a), image_of(b), selection);
+  if (!any_integers(b)) return display_pair(image_of(a), image_of(b), selection.from_bottom());
   pair.a = image_of(a);
   pair.b = image_of(b);
   return pair;

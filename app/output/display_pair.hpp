@@ -1,5 +1,6 @@
 // A layer of both images as a screen shows it, for FLIP.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,9 @@ struct DisplayPair {
 // Of linear light: two images of one size with three channels or more, rows from the bottom. Both
 // take one exposure, at which the 99th percentile (nearest rank) of B's luminances above 0 (0.2126
 // R + 0.7152 G + 0.0722 B, selected texels) becomes 0.8, the end of the tone map's straight part;
-// then the pass tone_map, on the software device.
-DisplayPair display_pair(const Image& a, const Image& b, const Selection& selection = {});
+// then the pass tone_map, on the software device. `mask`: in the order of the rows, 0 for texels left out;
+// empty: all are selected.
+DisplayPair display_pair(const Image& a, const Image& b, const std::vector<std::uint8_t>& mask = {});
 
 // Of the channels R, G and B of one layer, which both images have in one size. Channels stored as
 // integers are display values already, others linear light.

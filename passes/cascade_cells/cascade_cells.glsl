@@ -2,16 +2,9 @@
 UNIFORMS_BEGIN
 #include "passes/cascade_cells/cascade_cells_uniforms.glsl"
 UNIFORMS_END
-TEXTURE(0, cell_near)
-TEXTURE(1, cell_far)
-TEXTURE(2, cell_flux)
-VARYING_FLAT(0, Vec4, near)
-VARYING_FLAT(4, Vec4, far)
-VARYING_FLAT(8, Vec3, flux)
+#include "passes/caustic_cells/carried_cell.glsl"
 
 #ifdef VERTEX_STAGE
-#include "passes/caustic_cells/cell_texel.glsl"
-
 Vec4 in_cascade(Vec4 corners) {
   return Vec4(corners.x * u.scale.x + u.offset.x, corners.y * u.scale.y + u.offset.y,
               corners.z * u.scale.x + u.offset.x, corners.w * u.scale.y + u.offset.y);
@@ -43,6 +36,4 @@ void main() {
   Bool touches = is_cell(carried) && right > left && top > bottom;
   set_position(sel(touches, at, Vec4(2.0f, 2.0f, 0.5f, 1.0f)));
 }
-#else
-#include "passes/caustic_cells/overlap.glsl"
 #endif

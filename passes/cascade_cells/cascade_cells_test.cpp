@@ -22,13 +22,6 @@ Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
        .vertex_count = 6})["caustic_map"];
 }
 
-double sum(const Image& map) {
-  double total = 0.0;
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 8; ++x) total += double(map.at(x, y, 0));
-  return total;
-}
-
 }  // namespace
 
 TEST_CASE("cascade_cells: a texel of the caustic map is shared by those inside it") {

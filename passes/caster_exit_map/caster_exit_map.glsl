@@ -1,23 +1,8 @@
 // The nearest back face of the solid casters seen from the light, or the camera: where a ray can leave again.
 // DETAILED: with the normals and holes of its textures (textured_casters.md).
-#include "passes/shared/texture_transform.glsl"
-UNIFORMS_BEGIN
-#ifdef DETAILED
-#include "passes/shared/textured_casters_uniforms.glsl"
-#else
-#include "passes/caster_map/caster_map_uniforms.glsl"
-#endif
-UNIFORMS_END
-#ifdef DETAILED
-TEXTURE(0, base_color)
-TEXTURE(1, normal_texture)
-#include "passes/shared/textured_surface.glsl"
-#else
-#include "passes/shared/plain_surface.glsl"
-#endif
+#include "passes/shared/caster_surface.glsl"
 
 #ifndef VERTEX_STAGE
-#include "passes/shared/edge_on.glsl"
 OUTPUT(0, Vec4, caster_exit_position)
 OUTPUT(1, Vec4, caster_exit_normal)
 

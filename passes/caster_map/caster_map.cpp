@@ -30,7 +30,7 @@ Pass caster_map_pass() {
       .name = "caster_map",
       .purpose =
           "turns what the light sees of the casters into a grid of vertices; shows the camera where they are",
-      .reason = "each texel that a caster covers becomes a grid vertex, or a place to look through",
+      .reason = "each texel that a caster covers becomes a grid vertex",
       .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}, kCamera},
       .only_lights_with_caustics = true,
       .draws = DrawSet::Casters,

@@ -4,8 +4,8 @@
 
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_map/caster_map.hpp"
+#include "tests/support/caster_bench.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/run_pass.hpp"
 #include "tests/support/shapes.hpp"
 
 using namespace caustics;
@@ -13,13 +13,9 @@ using namespace caustics::test;
 
 namespace {
 
-// A level square of 1 m in a window of 2 m, 8 x 8 texels: it covers the middle 4 x 4. Its texture coordinates
-// run from 0 to 1 along +x and -z, its tangent is +x, so the bitangent is -z.
-const glm::vec3 kFront[4] = {{-0.5, 1, 0.5}, {0.5, 1, 0.5}, {0.5, 1, -0.5}, {-0.5, 1, -0.5}};
-const glm::vec3 kBack[4] = {{-0.5, 1, -0.5}, {0.5, 1, -0.5}, {0.5, 1, 0.5}, {-0.5, 1, 0.5}};
-
-// What is bound as base colour, normal texture and transmission texture; the material uses those that are
-// there.
+// The level square of caster_bench.hpp, which covers the middle 4 x 4 of 8 x 8 texels. Its texture
+// coordinates run from 0 to 1 along +x and -z, its tangent is +x, so the bitangent is -z. Bound are base
+// colour, normal texture and transmission texture; the material uses those that are there.
 struct Bench {
   Material material = glass(1.5f);
   Role role = Role::Refractor;

@@ -3,15 +3,9 @@
 UNIFORMS_BEGIN
 #include "passes/caustic_cells/caustic_cells_uniforms.glsl"
 UNIFORMS_END
-TEXTURE(0, cell_near)
-TEXTURE(1, cell_far)
-TEXTURE(2, cell_flux)
-VARYING_FLAT(0, Vec4, near)
-VARYING_FLAT(4, Vec4, far)
-VARYING_FLAT(8, Vec3, flux)
+#include "passes/caustic_cells/carried_cell.glsl"
 
 #ifdef VERTEX_STAGE
-#include "passes/caustic_cells/cell_texel.glsl"
 #include "passes/shared/splat.glsl"
 
 // One square point over the texels that the cell touches: its corners are corners of texels.
@@ -36,6 +30,4 @@ void main() {
   set_position(splat_position(at, is_cell(carried)));
   set_point_size(side);
 }
-#else
-#include "passes/caustic_cells/overlap.glsl"
 #endif

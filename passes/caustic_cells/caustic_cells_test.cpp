@@ -22,13 +22,6 @@ Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
        .vertex_count = 1})["caustic_map"];
 }
 
-double sum(const Image& map, int channel = 0) {
-  double total = 0.0;
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 8; ++x) total += double(map.at(x, y, channel));
-  return total;
-}
-
 }  // namespace
 
 TEST_CASE("caustic_cells: a cell that is a texel gives it all") {

@@ -27,13 +27,6 @@ PassImages splat(const Image& landing, const Image& flux, Splat how, float sigma
                    .vertex_count = landing.width() * landing.height()});
 }
 
-double sum(const Image& map, int channel) {
-  double total = 0.0;
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 8; ++x) total += double(map.at(x, y, channel));
-  return total;
-}
-
 Image landed_at(float x, float z, float status = 1.0f) { return filled(1, 1, {x, 0.0f, z, status}); }
 
 }  // namespace

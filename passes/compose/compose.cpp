@@ -50,7 +50,7 @@ Pass compose_pass() {
   return {
       .name = "compose",
       .purpose = "shades diffuse surfaces under all their light, before the sky",
-      .reason = "the camera sees the surfaces, and glass shows what lies beyond the picture's edges",
+      .reason = "the camera sees the surfaces",
       .drawn_for = {kFrame, kSurroundings},
       .reads = {{.name = "view_position", .meaning = "the surfaces"},
                 {.name = "view_normal", .meaning = "their normals"},

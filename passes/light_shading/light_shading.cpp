@@ -72,7 +72,7 @@ Pass light_shading_pass() {
   return {
       .name = "light_shading",
       .purpose = "adds what one light gives to the surfaces in view, directly and by its caustics",
-      .reason = "the light shines on what the camera sees, and on what glass shows",
+      .reason = "the light shines on what the camera sees",
       .when = {&Effects::light},
       .drawn_for = {kLight, kLightSurroundings},
       .reads = {{.name = "view_position", .meaning = "the surfaces"},

@@ -346,7 +346,7 @@ TEST_CASE("light_shading: thin panes tint the direct light under them, not the c
   CHECK(bench.caustic() == Approx(25.0));
   bench.position.x = 2.5f;
   CHECK(bench.direct() == 100.0f);
-  // Beyond the panes' frame nothing is tinted.
+  // Beyond the panes' view nothing is tinted.
   bench.position.x = -4.5f;
   CHECK(bench.direct() == 100.0f);
 }
@@ -386,7 +386,7 @@ PassImages run_wide_pixels(Bench bench, int bright_x, int bright_y, bool level =
 TEST_CASE("light_shading: a pixel wider than texels shows the mean of the caustic over itself") {
   // 4 texels: a spread of sqrt(16 - 3) = 3.606 texels, by 5 samples at 0, 0.721 and 1.442 texels to either
   // side. A texel 1.5 from the middle has a share of 1 - (1.5 - 1.442) = 0.942 in one and of 1 - (1.5 -
-  // 0.721) = 0.221 in another: (0.942 + 0.221) / 5 along each axis. The frame's y runs against the picture's
+  // 0.721) = 0.221 in another: (0.942 + 0.221) / 5 along each axis. The view's y runs against the picture's
   // here or along it, so all four pixels are added up: one of them has the texel.
   const double share = (2.0 - (1.5 - 0.4 * std::sqrt(13.0)) - (1.5 - 0.2 * std::sqrt(13.0))) / 5.0;
   const PassImages out = run_wide_pixels(with_caustic(), 0, 0);

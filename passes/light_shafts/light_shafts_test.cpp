@@ -53,13 +53,6 @@ struct Bench {
   }
 };
 
-double sum(const Image& image, int channel = 0) {
-  double total = 0.0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) total += double(image.at(x, y, channel));
-  return total;
-}
-
 // Scattering times the phase function times the flux, of a metre of beam on a square metre.
 constexpr double kUnit = 0.1 * 3.0 / (4.0 * kPi);
 

@@ -50,9 +50,7 @@ TEST_CASE("pane_light: a steep pane passes less") {
 
 TEST_CASE("pane_light: two panes multiply") {
   LightBench bench;
-  const MeshData second = level(2.0f);
-  bench.mesh.vertices.insert(bench.mesh.vertices.end(), second.vertices.begin(), second.vertices.end());
-  for (const std::uint32_t i : second.indices) bench.mesh.indices.push_back(4 + i);
+  bench.mesh = both(bench.mesh, level(2.0f));
   check_color(bench.transmittance(), kPasses * kPasses * glm::vec3(1.0f, 0.25f, 0.0625f));
 }
 

@@ -4,27 +4,11 @@ UNIFORMS_BEGIN
 #include "passes/receiver_map/receiver_map_uniforms.glsl"
 UNIFORMS_END
 TEXTURE(0, base_color)
-VARYING_SMOOTH(0, Vec3, surface_position)
-VARYING_SMOOTH(3, Vec2, surface_uv)
+#include "passes/shared/masked_surface.glsl"
 
-#ifdef VERTEX_STAGE
-ATTRIBUTE(0, Vec3, position)
-ATTRIBUTE(3, Vec2, uv)
-#include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/view_space.glsl"
-
-void main() {
-  surface_position = position;
-  surface_uv = uv;
-  set_position(view_clip(u.view, view_coordinates(u.view, position)));
-}
-#else
+#ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, receiver_position)
-#include "passes/shared/alpha_mask.glsl"
-#include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/view_space.glsl"
 #include "passes/shared/casters_column.glsl"
-#include "passes/shared/outside_tile.glsl"
 
 void main() {
   discard_if(outside_tile(u.view, u.map_side));

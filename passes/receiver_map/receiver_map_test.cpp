@@ -78,7 +78,7 @@ TEST_CASE("receiver_map: an alpha mask cuts holes") {
   CHECK(map.at(2, 2, 3) == 1.0f);
 }
 
-TEST_CASE("receiver_map: a point light's frame sees positions in perspective") {
+TEST_CASE("receiver_map: a point light's view sees positions in perspective") {
   // From 10 m above, the floor at height 2 is 8 m away: a window of tangent 0.5 spans +-4 m there.
   View view = down(0.5, 10.0, 20.0);
   view.perspective = true;

@@ -21,22 +21,6 @@ Image depths(const MeshData& mesh, const View& view = down(1.0, 10.0, 20.0), con
                                         .mesh = mesh})["shadow_depth"];
 }
 
-// A level square of +-half metres, moved along x.
-MeshData level(float height, float half = 4.0f, float x = 0.0f) {
-  return quad({{x - half, height, half},
-               {x + half, height, half},
-               {x + half, height, -half},
-               {x - half, height, -half}},
-              {0.0f, 1.0f, 0.0f});
-}
-
-MeshData both(MeshData first, const MeshData& second) {
-  const auto offset = static_cast<std::uint32_t>(first.vertices.size() / 12);
-  first.vertices.insert(first.vertices.end(), second.vertices.begin(), second.vertices.end());
-  for (const std::uint32_t i : second.indices) first.indices.push_back(offset + i);
-  return first;
-}
-
 }  // namespace
 
 TEST_CASE("shadow_map: a texel holds metres along the light") {

@@ -1,30 +1,19 @@
 // A caster with textures drawn into a view: vertex stage, and its outward normal. Expects the textures
 // base_color and normal_texture and the uniforms of textured_casters_uniforms.glsl.
-VARYING_SMOOTH(0, Vec3, surface_position)
-VARYING_SMOOTH(3, Vec3, surface_normal)
-VARYING_SMOOTH(6, Vec4, surface_tangent)
+#include "passes/shared/tangent_vertex.glsl"
 VARYING_SMOOTH(10, Vec2, color_uv)
 VARYING_SMOOTH(12, Vec2, normal_uv)
 VARYING_SMOOTH(14, Vec2, transmission_uv)
 
 #ifdef VERTEX_STAGE
-ATTRIBUTE(0, Vec3, position)
-ATTRIBUTE(3, Vec3, normal)
-ATTRIBUTE(6, Vec4, tangent)
-ATTRIBUTE(10, Vec2, uv)
-#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/transformed_uv.glsl"
-#include "passes/shared/view_space.glsl"
 
 void main() {
-  surface_position = position;
-  surface_normal = normal;
-  surface_tangent = tangent;
+  place_surface();
   // Linear in what is interpolated, so they belong to this stage (SUBSET.md).
   color_uv = transformed_uv(u.mask.uv, uv);
   normal_uv = transformed_uv(u.normal_uv, uv);
   transmission_uv = transformed_uv(u.transmission_uv, uv);
-  set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
 #include "passes/shared/cube_atlas.glsl"

@@ -1,18 +1,35 @@
 #include "passes/template/copy.hpp"
 
+#include "pipeline/shader/std140.hpp"
+
+namespace caustics::std140 {
+
+struct alignas(16) Copy {
+#include "passes/template/copy_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
+
 namespace caustics {
 
 extern const Shader copy_shader;
 
-PassDefinition copy_pass() {
+namespace {
+
+std140::Copy uniforms(const PassContext& context) { return {.factor = context.exposure}; }
+
+}  // namespace
+
+Pass copy_pass() {
   return {
       .name = "copy",
-      .purpose = "copies a texture texel by texel, each channel times a factor",
-      .reads = {{.name = "source", .meaning = "the texture to copy, of the target's size"}},
+      .purpose = "copies the picture texel by texel, times the exposure",
+      .reason = "what it writes is wanted",
+      .reads = {{.name = "beauty", .meaning = "radiance, nit"}},
       .writes = {{.name = "copy",
                   .format = Format::RGBA32F,
-                  .meaning = "source * factor, channel by channel"}},
-      .shader = &copy_shader,
+                  .meaning = "beauty * factor, channel by channel"}},
+      .shaders = {{&copy_shader, block_of<uniforms>}},
   };
 }
 

@@ -1,13 +1,13 @@
-// Copies a texture texel by texel, each channel times a factor.
+// Copies the picture texel by texel, times a factor.
 UNIFORMS_BEGIN
 #include "passes/template/copy_uniforms.glsl"
 UNIFORMS_END
-TEXTURE(0, source)
+TEXTURE(0, beauty)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, copy)
 
-void main() { copy = fetch_clamped(source, floor_to_int(frag_x()), floor_to_int(frag_y())) * Vec4(u.factor); }
+void main() { copy = texel_fetch(beauty, floor_to_int(frag_x()), floor_to_int(frag_y())) * u.factor; }
 #endif

@@ -1,1 +1,1 @@
-vec4 factor;  // red, green, blue, alpha
+float factor;  // from nit to display white

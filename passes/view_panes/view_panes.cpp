@@ -8,7 +8,8 @@ extern const Shader view_panes_shader;
 
 namespace {
 
-constexpr DrawnFor kMirrored{.label = "mirrored", .own_textures = false};
+constexpr DrawnFor kMirrored{
+    .label = "mirrored", .own_textures = false, .reason = "thin panes mirror the environment"};
 
 std140::Pane uniforms(const PassContext& context) {
   return pane_uniforms(*context.camera, context.camera->origin, context);

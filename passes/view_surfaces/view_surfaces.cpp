@@ -39,7 +39,7 @@ Pass view_surfaces_pass() {
   return {
       .name = "view_surfaces",
       .purpose = "finds the first opaque surface in each pixel",
-      .reason = "the camera looks at the scene, and through glass at what lies beyond the picture's edges",
+      .reason = "the camera looks at the scene",
       .drawn_for = {kFrame, kSurroundings},
       .draws = DrawSet::Receivers,
       .reads = {{.name = "base_color", .meaning = "albedo and opacity", .of_material = true},

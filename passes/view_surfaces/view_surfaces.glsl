@@ -6,25 +6,13 @@ UNIFORMS_END
 TEXTURE(0, base_color)
 TEXTURE(1, normal_texture)
 TEXTURE(2, emissive)
-VARYING_SMOOTH(0, Vec3, surface_position)
-VARYING_SMOOTH(3, Vec3, surface_normal)
-VARYING_SMOOTH(6, Vec4, surface_tangent)
+#include "passes/shared/tangent_vertex.glsl"
 VARYING_SMOOTH(10, Vec2, surface_uv)
 
 #ifdef VERTEX_STAGE
-ATTRIBUTE(0, Vec3, position)
-ATTRIBUTE(3, Vec3, normal)
-ATTRIBUTE(6, Vec4, tangent)
-ATTRIBUTE(10, Vec2, uv)
-#include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/view_space.glsl"
-
 void main() {
-  surface_position = position;
-  surface_normal = normal;
-  surface_tangent = tangent;
+  place_surface();
   surface_uv = uv;
-  set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
 OUTPUT(0, Vec4, view_position)

@@ -57,11 +57,9 @@ TEST_CASE("view_surfaces: a pixel holds the surface's position and depth") {
 
 TEST_CASE("view_surfaces: the nearer surface is seen, and beside all of them w is 0") {
   // A square at height 2 over x < 0 hides the one at height 1 below it.
-  MeshData mesh = quad({{-2, 2, 2}, {0, 2, 2}, {0, 2, -2}, {-2, 2, -2}}, {0.0f, 1.0f, 0.0f});
+  const MeshData upper = quad({{-2, 2, 2}, {0, 2, 2}, {0, 2, -2}, {-2, 2, -2}}, {0.0f, 1.0f, 0.0f});
   const MeshData lower = quad({{-2, 1, 2}, {1, 1, 2}, {1, 1, -2}, {-2, 1, -2}}, {0.0f, 1.0f, 0.0f});
-  mesh.vertices.insert(mesh.vertices.end(), lower.vertices.begin(), lower.vertices.end());
-  for (const std::uint32_t i : lower.indices) mesh.indices.push_back(i + 4);
-  const PassImages out = see(mesh, plain());
+  const PassImages out = see(both(upper, lower), plain());
   CHECK(out["view_normal"].at(3, 4, 3) == Approx(8.0));
   CHECK(out["view_normal"].at(4, 4, 3) == Approx(9.0));
   CHECK(texel(out["view_position"], 6, 4) == glm::vec4(0.0f));

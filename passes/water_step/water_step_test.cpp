@@ -70,13 +70,6 @@ std140::WaterStep plop_uniforms(const Water& water, double x, double z) {
   return u;
 }
 
-double sum(const Image& state, int channel) {
-  double total = 0.0;
-  for (int y = 0; y < state.height(); ++y)
-    for (int x = 0; x < state.width(); ++x) total += static_cast<double>(state.at(x, y, channel));
-  return total;
-}
-
 // Of the leapfrog scheme: sum of rate^2 / 2 + c^2 grad h(n) . grad h(n - 1) / 2, which it keeps exactly.
 double energy(const Water& water, const Image& now, const Image& before) {
   double total = 0.0;

@@ -152,7 +152,7 @@ class Planner {
                         .light = user.light,
                         .branch = user.branch,
                         .label = with_label(std::string(pass.name) + label_of(user), drawn_for.label),
-                        .reason = std::string(pass.reason),
+                        .reason = std::string(drawn_for.reason.empty() ? pass.reason : drawn_for.reason),
                         .width = size.width,
                         .height = size.height};
     decide_by_query(pass, planned);

@@ -45,6 +45,7 @@ struct DrawnFor {
   CameraView camera = CameraView::Picture;
   Effect Effects::*also = nullptr;                // needed beside the pass's own effects
   bool (*lights)(const LightEffects&) = nullptr;  // which of the lights need it; null: all
+  std::string_view reason{};                      // why a frame needs it; empty: for the pass's reason
 };
 
 // Whether something belongs to a frame that calls for these effects.
@@ -57,32 +58,41 @@ bool with(const Effects& effects) {
 inline bool sees_through_window(const LightEffects& light) { return light.all_around.empty(); }
 inline bool has_cascade(const LightEffects& light) { return !light.cascade.empty(); }
 
+inline constexpr std::string_view kBeyond = "glass shows what lies beyond the picture's edges";
+inline constexpr std::string_view kHidden = "light falls on receivers that others hide from the light's view";
 inline constexpr DrawnFor kFrame{};
-inline constexpr DrawnFor kSurroundings{
-    .label = "surroundings", .camera = CameraView::Surroundings, .also = &Effects::seen_casters};
+inline constexpr DrawnFor kSurroundings{.label = "surroundings",
+                                        .camera = CameraView::Surroundings,
+                                        .also = &Effects::seen_casters,
+                                        .reason = kBeyond};
 // What the lights draw, drawn for the camera.
-inline constexpr DrawnFor kCamera{.label = "camera", .also = &Effects::seen_casters};
+inline constexpr DrawnFor kCamera{
+    .label = "camera", .also = &Effects::seen_casters, .reason = "the camera sees casters, and through them"};
 inline constexpr DrawnFor kLight{.each = Each::Light};
 inline constexpr DrawnFor kLightFar{.each = Each::Light,
                                     .label = "far",
                                     .receivers = ReceiverLayer::Farthest,
                                     .also = &Effects::hidden_receivers,
-                                    .lights = sees_through_window};
+                                    .lights = sees_through_window,
+                                    .reason = kHidden};
 inline constexpr DrawnFor kLightSurroundings{.each = Each::Light,
                                              .label = "surroundings",
                                              .camera = CameraView::Surroundings,
-                                             .also = &Effects::seen_casters};
+                                             .also = &Effects::seen_casters,
+                                             .reason = kBeyond};
 inline constexpr DrawnFor kBranch{.each = Each::Branch};
 inline constexpr DrawnFor kBranchFar{.each = Each::Branch,
                                      .label = "far",
                                      .receivers = ReceiverLayer::Farthest,
                                      .also = &Effects::hidden_receivers,
-                                     .lights = sees_through_window};
+                                     .lights = sees_through_window,
+                                     .reason = kHidden};
 inline constexpr DrawnFor kBranchCascade{.each = Each::Branch,
                                          .label = "cascade",
                                          .window = MapWindow::Cascade,
                                          .also = &Effects::cascades,
-                                         .lights = has_cascade};
+                                         .lights = has_cascade,
+                                         .reason = "most of the light falls on little of its map"};
 inline constexpr DrawnFor kWater{.each = Each::Water};
 
 // What a pass draws.

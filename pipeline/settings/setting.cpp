@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/nearest.hpp"
 
 namespace caustics {
@@ -33,11 +34,7 @@ bool read(const Setting::Range& range, std::string_view text, T& result) {
 
 // User text inside a one-line message: cut where it is long, control characters replaced.
 std::string in_quotes(std::string_view text) {
-  std::string result = "'" + std::string(text.substr(0, 60)) + (text.size() > 60 ? "...'" : "'");
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return result;
+  return "'" + one_line(text.substr(0, 60)) + (text.size() > 60 ? "...'" : "'");
 }
 
 // "1, 3 or 8..64", "auto or -40..40 EV".

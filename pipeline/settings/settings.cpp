@@ -32,7 +32,7 @@ constexpr Named<Splat> kSplats[] = {
 constexpr Named<Weights> kWeights[] = {{"physical", Weights::Physical}, {"paper", Weights::Paper}};
 constexpr Named<Interfaces> kInterfaces[] = {
     {"auto", Interfaces::Auto}, {"1", Interfaces::One}, {"2", Interfaces::Two}};
-constexpr Named<bool> kFrames[] = {{"fitted", false}, {"shared", true}};
+constexpr Named<bool> kViews[] = {{"fitted", false}, {"shared", true}};
 constexpr Named<Cube> kCubes[] = {{"auto", Cube::Auto}, {"on", Cube::On}, {"off", Cube::Off}};
 constexpr Named<bool> kNoYes[] = {{"no", false}, {"yes", true}};
 constexpr Named<bool> kOffOn[] = {{"off", false}, {"on", true}};
@@ -167,8 +167,8 @@ constexpr Setting kTable[] = {
         "have the colours of the CIE 1931 observer"),
     choice<&S::reflections, kNoYes>("reflections", Light,
                                     "light that glass and water mirror throws caustics too"),
-    choice<&S::shared_views, kFrames>("frames", Maps,
-                                      "windows of the maps: fitted to each, or all that of the caster map"),
+    choice<&S::shared_views, kViews>("views", Maps,
+                                     "the light's views: fitted to each map, or all that of the caster map"),
     choice<&S::cube, kCubes>("cube", Maps,
                              "which lights see all around, by a cube's six faces: those among their casters, "
                              "all that have a position, or none"),

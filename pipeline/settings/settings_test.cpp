@@ -90,7 +90,7 @@ TEST_CASE("settings: keys reach the members that they are named after") {
                                                                   {"splat.sigma", "1.25"},
                                                                   {"interfaces", "2"},
                                                                   {"weights", "paper"},
-                                                                  {"frames", "shared"},
+                                                                  {"views", "shared"},
                                                                   {"exposure", "-1.5"},
                                                                   {"assume_solid", "yes"},
                                                                   {"cascades", "off"},

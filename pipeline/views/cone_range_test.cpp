@@ -21,7 +21,7 @@ View down() {
 
 }  // namespace
 
-TEST_CASE("cone range: a cone along the frame reaches its half angle's tangent to both sides") {
+TEST_CASE("cone range: a cone along the view reaches its half angle's tangent to both sides") {
   for (const int axis : {0, 1}) {
     const auto range = cone_range(down(), axis, {0.0, -1.0, 0.0}, 0.3);
     REQUIRE(range);

@@ -11,7 +11,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDTH = 110
 SOURCES = ('.cpp', '.hpp')
-CODE = SOURCES + ('.glsl', '.cmake', '.sh', '.in', 'CMakeLists.txt')
+CODE = SOURCES + ('.py', '.glsl', '.cmake', '.sh', '.in', 'CMakeLists.txt')
 LEFT_OUT = ('build', '.git')
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Every header compiles alone. Left out: those that a source of the build includes before anything else, which shows the
-same; and the bodies that pipeline/shader/stage.hpp and the tile kernels include inside a namespace of their lane width,
-which have no guard on purpose."""
+"""Every header compiles alone. Left out: those that a source of the build includes before anything else,
+which shows the same; and the bodies that pipeline/shader/stage.hpp and the tile kernels include inside a
+namespace of their lane width, which have no guard on purpose."""
 import concurrent.futures
 import os
 import pathlib
@@ -48,7 +48,8 @@ def main():
         headers = [h for h in headers if not h.startswith('gl_backend/') or h.endswith('/gl_device.hpp')]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         wrong = [c for c in pool.map(complaint, headers) if c]
-    print('\n'.join(wrong) or f'{len(headers)} of {all_headers} headers compile alone, sources begin with the others')
+    print('\n'.join(wrong)
+          or f'{len(headers)} of {all_headers} headers compile alone, sources begin with the others')
     return 1 if wrong or len(headers) < 10 or all_headers < 150 else 0
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""One registered pass is one folder, one shader text, one page, one test: passes/registry.cpp names no pass without them,
-and passes/ has no folder without a pass."""
+"""One registered pass is one folder, one shader text, one page, one test: passes/registry.cpp names no pass
+without them, and passes/ has no folder without a pass."""
 import pathlib
 import re
 import sys

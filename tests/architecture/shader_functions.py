@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """A shader function has at most 40 lines and 5 parameters, and no condition asks an unnamed component.
 
-The rule for conditions, in one sentence: a component of a uniform (`u.name.x`) is compared with nothing, and a component
-of a vector parameter of a uniform type, of a fetched texel, or named `w` is compared with no literal, except where the
-comparison gives it its name: as the whole of a function (`Bool is_covered(Vec4 texel) { return texel.w != 0.0f; }`) or of
-a struct's member (`material.solid = texel.w > 0.5f;`). Coordinates that are computed (`t.z > 0.0f`) may be compared.
+The rule for conditions, in one sentence: a component of a uniform (`u.name.x`) is compared with nothing, and
+a component of a vector parameter of a uniform type, of a fetched texel, or named `w` is compared with no
+literal, except where the comparison gives it its name: as the whole of a function (`Bool is_covered(Vec4
+texel) { return texel.w != 0.0f; }`) or of a struct's member (`material.solid = texel.w > 0.5f;`).
+Coordinates that are computed (`t.z > 0.0f`) may be compared.
 """
 import pathlib
 import re
@@ -63,7 +64,8 @@ def main():
         for function, parameters, lines, number in functions(text):
             seen, longest = seen + 1, max(longest, lines)
             if lines > MOST_LINES:
-                wrong.append(f'{name}:{number}: {function} has {lines} lines, more than {MOST_LINES}: split it')
+                wrong.append(f'{name}:{number}: {function} has {lines} lines, more than {MOST_LINES}: '
+                             'split it')
             if parameters > MOST_PARAMETERS:
                 wrong.append(f'{name}:{number}: {function} has {parameters} parameters, more than '
                              f'{MOST_PARAMETERS}: join those that belong together in a struct')

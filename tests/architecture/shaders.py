@@ -63,7 +63,8 @@ def main():
         examined = [examine(file) for file in files]
     wrong = [line for lines, _ in examined for line in lines]
     operations = sum(count for _, count in examined)
-    print('\n'.join(wrong) or f'{len(files)} texts are GLSL 4.50; all of {operations} float operations are precise')
+    print('\n'.join(wrong)
+          or f'{len(files)} texts are GLSL 4.50; all of {operations} float operations are precise')
     return 1 if wrong or len(files) < 20 or operations < 1000 else 0
 
 

@@ -1,5 +1,6 @@
-"""Prints a table of lines and branches that tests reach, by rooms, from gcovr's JSON; then the lines of the loader and of the
-devices that throw an error and are not reached. Exit 1 where there is one that a test could reach.
+"""Prints a table of lines and branches that tests reach, by rooms, from gcovr's JSON; then the lines of the
+loader and of the devices that throw an error and are not reached. Exit 1 where there is one that a test
+could reach.
 
     rooms.py ROOT COVERAGE.json
 """
@@ -38,7 +39,8 @@ def main(root, report):
         if source["file"].startswith(HELD):
             with open(f"{root}/{source['file']}", encoding="utf-8") as file:
                 texts = file.read().split("\n")
-            unreached += [(source["file"], line["line_number"], texts[line["line_number"] - 1].strip()) for line in lines
+            unreached += [(source["file"], line["line_number"], texts[line["line_number"] - 1].strip())
+                          for line in lines
                           if line["count"] == 0 and THROWS.search(texts[line["line_number"] - 1])]
     print(f"{'room':20} {'lines':>16} {'branches':>18}")
     rooms["all"] = [sum(column) for column in zip(*rooms.values())]
@@ -47,7 +49,8 @@ def main(root, report):
               f" {taken:6} / {branches:6} {100 * taken / max(branches, 1):4.1f} %")
     untested = 0
     for name, number, text in unreached:
-        reason = next((why for (file, part), why in OUT_OF_REACH.items() if file == name and part in text), None)
+        reason = next((why for (file, part), why in OUT_OF_REACH.items() if file == name and part in text),
+                      None)
         untested += reason is None
         print(f"not reached{f' ({reason})' if reason else ''}: {name}:{number}: {text}")
     return 1 if untested else 0

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Whether builds draw the same bits: SHA-256 of every attachment of every pass of the sample scenes, for each
-program, each of its lane widths, and several numbers of threads, against the first program's first. Without --all the sizes
-are small, and programs behind the first take the numbers of threads in turn, one for each lane width.
+program, each of its lane widths, and several numbers of threads, against the first program's first. Without
+--all the sizes are small, and programs behind the first take the numbers of threads in turn, one for each
+lane width.
 
     matrix.py build/release/caustics build/clang/caustics
     matrix.py build/release/caustics 'aarch64=qemu-aarch64-static build/determinism/aarch64/caustics_digest'
 
-A program is `caustics` or `caustics_digest`; NAME=COMMAND says how to start one that needs help. Prints a table and
-ends with 0 where all agree, 1 where something differs or a program fails, 2 for wrong usage."""
+A program is `caustics` or `caustics_digest`; NAME=COMMAND says how to start one that needs help. Prints a
+table and ends with 0 where all agree, 1 where something differs or a program fails, 2 for wrong usage."""
 import argparse
 import concurrent.futures
 import os
@@ -21,7 +22,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Small enough for a build without optimisation; --all takes the sizes of `caustics digest`.
 QUICK = '-r 48x27 --grid 24 --map 24 -D shadow=48 -D light.samples=2'.split()
-# Whatever the sizes, its waves are run for seconds: every other program draws it once only, on its widest lanes.
+# Whatever the sizes, its waves are run for seconds: every other program draws it once only, on its widest
+# lanes.
 SLOW = 'water_plops.glb'
 
 
@@ -69,14 +71,21 @@ def numbers(text):
 
 
 def options():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('programs', metavar='PROGRAM', nargs='+', type=program_of, help='a path, or NAME=COMMAND')
-    parser.add_argument('--all', action='store_true', help='the sizes of `caustics digest`, and everything with everything')
-    parser.add_argument('--threads', type=numbers, default=[1, 2, 7], help='numbers of threads (default 1,2,7)')
-    parser.add_argument('--lanes', help='only these lane widths, with commas between (default all that a build has)')
-    parser.add_argument('--scenes', default='*.glb', help='only files of this pattern in scenes/ (default *.glb)')
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('programs', metavar='PROGRAM', nargs='+', type=program_of,
+                        help='a path, or NAME=COMMAND')
+    parser.add_argument('--all', action='store_true',
+                        help='the sizes of `caustics digest`, and everything with everything')
+    parser.add_argument('--threads', type=numbers, default=[1, 2, 7],
+                        help='numbers of threads (default 1,2,7)')
+    parser.add_argument('--lanes',
+                        help='only these lane widths, with commas between (default all that a build has)')
+    parser.add_argument('--scenes', default='*.glb',
+                        help='only files of this pattern in scenes/ (default *.glb)')
     parser.add_argument('--leave-out', default='', metavar='PATTERN', help='files in scenes/ to leave out')
-    parser.add_argument('--jobs', type=int, default=os.cpu_count(), help='programs at a time (default one a core)')
+    parser.add_argument('--jobs', type=int, default=os.cpu_count(),
+                        help='programs at a time (default one a core)')
     return parser.parse_args()
 
 
@@ -114,7 +123,8 @@ def configurations(wanted, scenes):
 
 def main():
     wanted = options()
-    scenes = [scene for scene in sorted((ROOT / 'scenes').glob(wanted.scenes)) if not scene.match(wanted.leave_out or '-')]
+    scenes = [scene for scene in sorted((ROOT / 'scenes').glob(wanted.scenes))
+              if not scene.match(wanted.leave_out or '-')]
     if not scenes:
         sys.exit(f'no scene in {ROOT / "scenes"} matches {wanted.scenes}')
     sizes = [] if wanted.all else QUICK
@@ -136,9 +146,11 @@ def main():
             expected = [line for line in reference if line.split()[0] in names]
             wrong, first = (len(expected), problem) if problem else differences(lines, expected)
             agree += wrong == 0 and not problem
-            print(f'{name:{width}}  {lanes:6}  {threads:7}  {len(lines):11}  {wrong:9}  {seconds:7.1f}  {first}'.rstrip(),
+            print(f'{name:{width}}  {lanes:6}  {threads:7}  {len(lines):11}  {wrong:9}  {seconds:7.1f}  '
+                  f'{first}'.rstrip(),
                   flush=True)
-    print(f'{agree} of {len(rows)} configurations agree on {len(reference)} attachments of {len(scenes)} scenes')
+    print(f'{agree} of {len(rows)} configurations agree on {len(reference)} attachments '
+          f'of {len(scenes)} scenes')
     return 0 if agree == len(rows) and reference else 1
 
 

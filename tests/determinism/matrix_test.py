@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""matrix.py against programs that only pretend: it must find what differs, fails or is missing, and name it."""
+"""matrix.py against programs that only pretend: it must find what differs, fails or is missing, and name
+it."""
 import pathlib
 import subprocess
 import sys
@@ -29,7 +30,8 @@ class Matrix(unittest.TestCase):
         return f'{name}={sys.executable} -I -S {file}'
 
     def run_matrix(self, *programs):
-        return subprocess.run([sys.executable, MATRIX, '--threads', '1,7', '--scenes', 'slab.glb', *programs], text=True,
+        return subprocess.run([sys.executable, MATRIX, '--threads', '1,7', '--scenes', 'slab.glb', *programs],
+                              text=True,
                               capture_output=True, timeout=60)
 
     def test_programs_that_agree(self):
@@ -45,7 +47,8 @@ class Matrix(unittest.TestCase):
         self.assertIn('5 of 6 configurations agree', result.stdout)
 
     def test_missing_attachments_failures_and_silence(self):
-        for change, said in (('lines.pop()', 'other attachments'), ('if threads: sys.exit()', 'printed nothing'),
+        for change, said in (('lines.pop()', 'other attachments'),
+                             ('if threads: sys.exit()', 'printed nothing'),
                              ("lines[2] = lines[2].replace('compose', 'glass')", 'glass light'),
                              ('if threads: sys.exit("no such scene")', 'no such scene')):
             result = self.run_matrix(self.program('one'), self.program('two', change))

@@ -37,7 +37,7 @@ bool write_texts(const std::filesystem::path& folder, const Shader& shader) {
 }
 
 bool write_all(const std::filesystem::path& folder) {
-  return write_texts(folder, *copy_pass().shader) &&
+  return write_texts(folder, *copy_pass().shaders[0].shader) &&
          std::all_of(pass_registry().begin(), pass_registry().end(), [&](const Pass& pass) {
            return std::all_of(pass.shaders.begin(), pass.shaders.end(), [&](const Permutation& permutation) {
              return write_texts(folder, *permutation.shader);

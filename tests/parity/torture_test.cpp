@@ -15,42 +15,37 @@ struct Size {
 // Powers of two, where the viewport's arithmetic is exact, and others, where it is not.
 constexpr Size kSizes[] = {{256, 256}, {240, 180}, {333, 97}, {61, 512}, {1, 1}, {640, 360}};
 
-void torture_triangles(const std::string& name, const TriangleMaker& maker, int triangles = 300,
-                       Painter paint = random_color) {
+// Four draws in every size; `make` gives the vertices of each.
+template <class Make>
+void torture_draws(const std::string& name, Topology topology, const Make& make) {
   Match match;
   if (!match) return;
   Random random(name);
   for (const Size& size : kSizes)
     for (int i = 0; i < 4; ++i) {
-      TortureCase c = plain_case(Topology::Triangles, size.width, size.height);
+      TortureCase c = plain_case(topology, size.width, size.height);
       // Every fragment counts in half of the draws: sums show what a depth test hides.
       if (i % 2 == 1) {
         for (ColorWrite& write : c.definition.writes) write.blend = kAccumulate;
         c.definition.depth_state = {};
         c.definition.depth.reset();
       }
-      c.vertices = random_triangles(random, triangles, size.width, size.height, maker, paint);
+      c.vertices = make(random, size);
       match.compare(c);
     }
   match.finish();
 }
 
+void torture_triangles(const std::string& name, const TriangleMaker& maker, int triangles = 300,
+                       Painter paint = random_color) {
+  torture_draws(name, Topology::Triangles, [&](Random& random, const Size& size) {
+    return random_triangles(random, triangles, size.width, size.height, maker, paint);
+  });
+}
+
 void torture_points(const std::string& name, float largest, int points, Painter paint = random_color) {
-  Match match;
-  if (!match) return;
-  Random random(name);
-  for (const Size& size : kSizes)
-    for (int i = 0; i < 4; ++i) {
-      TortureCase c = plain_case(Topology::Points, size.width, size.height);
-      if (i % 2 == 1) {
-        for (ColorWrite& write : c.definition.writes) write.blend = kAccumulate;
-        c.definition.depth_state = {};
-        c.definition.depth.reset();
-      }
-      c.vertices = random_points(random, points, largest, paint);
-      match.compare(c);
-    }
-  match.finish();
+  torture_draws(name, Topology::Points,
+                [&](Random& random, const Size&) { return random_points(random, points, largest, paint); });
 }
 
 template <class T, std::size_t N>

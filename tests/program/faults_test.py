@@ -1,8 +1,7 @@
-"""What goes wrong around the program: signals in every long command, sudden death, disks that fill up. Nothing half-written
-may stay under a name that was asked for."""
+"""What goes wrong around the program: signals in every long command, sudden death, disks that fill up.
+Nothing half-written may stay under a name that was asked for."""
 
 import json
-import pathlib
 import random
 import resource
 import signal
@@ -16,11 +15,13 @@ from program import PROGRAM, SMALL, ProgramTest
 
 # A minute of work each, were they left alone. `reference` and `study` keep what they have for --resume.
 LONG = {
-    "render": ["ball.glb", "-r", "2000x2000", "--grid", "2048", "--map", "2048", "-o", "out.png", "--stats", "out.json"],
+    "render": ["ball.glb", "-r", "2000x2000", "--grid", "2048", "--map", "2048", "-o", "out.png", "--stats",
+               "out.json"],
     "frames": ["ball.glb", *SMALL, "--frames", "0..9999", "--fps", "24", "-o", "f_%05d.png"],
     "dump": ["ball.glb", "-r", "2000x2000", "--grid", "2048", "--dump", "dumped"],
     "digest": ["digest", "ball.glb", "-r", "2000x2000", "--grid", "2048"],
-    "reference": ["reference", "ball.glb", "-r", "256x256", "--seconds", "1000", "--error", "0.0001%", "-o", "out.exr"],
+    "reference": ["reference", "ball.glb", "-r", "256x256", "--seconds", "1000", "--error", "0.0001%", "-o",
+                  "out.exr"],
     "study": ["study", "ball.glb", "-r", "512x512", "--repeat", "50", "-o", "studied"],
     "target": ["ball.glb", "-r", "1500x1500", "--target-error", "0.001%", "-o", "out.png"],
     "paper": ["paper", "-o", "papers"],
@@ -31,7 +32,8 @@ def is_whole(path):
     """Whether a file of the kinds written here ends where its format says that it must."""
     data = path.read_bytes()
     if path.suffix == ".png":
-        return data.startswith(b"\x89PNG\r\n\x1a\n") and data.endswith(struct.pack(">I", 0) + b"IEND\xae\x42\x60\x82")
+        end = struct.pack(">I", 0) + b"IEND\xae\x42\x60\x82"
+        return data.startswith(b"\x89PNG\r\n\x1a\n") and data.endswith(end)
     if path.suffix == ".json":
         json.loads(data)
     if path.suffix == ".exr":
@@ -51,7 +53,8 @@ class Signals(ProgramTest):
         for name, arguments in LONG.items():
             for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
                 with self.subTest(command=name, signal=number):
-                    process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                    process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder,
+                                               stdout=subprocess.DEVNULL,
                                                stderr=subprocess.PIPE, text=True)
                     wait_until_it_listens(process, number)
                     time.sleep(moments.uniform(0.0, 0.6))

@@ -37,7 +37,8 @@ class GlTest(ProgramTest):
 
 class Study(GlTest):
     def test_both_backends_have_rows_of_their_own(self):
-        self.succeeds("study", "ball.glb", *SMALL, "--repeat", "1", "--vary", "grid=16", "--backend", "both", "-o", "out")
+        self.succeeds("study", "ball.glb", *SMALL, "--repeat", "1", "--vary", "grid=16", "--backend", "both",
+                      "-o", "out")
         document = json.loads((self.folder / "out/study.json").read_text())
         rows = document["rows"]
         self.assertEqual([(r["values"]["grid"], r["backend"]) for r in rows],
@@ -146,7 +147,8 @@ class Parity(GlTest):
         exrs = [n for n in names if n.endswith(".exr")]
         self.assertGreater(len(exrs), 0)
         self.assertEqual(len(exrs) % 3, 0)
-        same = self.run_program("compare", *(f"d/{n}" for n in exrs if n.startswith("00_") and "mask" not in n))
+        same = self.run_program("compare",
+                                *(f"d/{n}" for n in exrs if n.startswith("00_") and "mask" not in n))
         self.assertEqual(same.returncode, 1)
 
     def test_wrong_usage(self):
@@ -173,14 +175,18 @@ class Absence(ProgramTest):
             self.skipTest("built without OpenGL")
         libraries = subprocess.run(["/sbin/ldconfig", "-p"], text=True, capture_output=True).stdout
         for hidden, missing in ((["libEGL.so.1"], "libEGL.so.1 is missing"),
-                                (["libOpenGL.so.0", "libGL.so.1"], "libOpenGL.so.0 and libGL.so.1 are missing")):
-            paths = [line.split()[-1] for line in libraries.splitlines() if line.split()[:1] and line.split()[0] in hidden]
+                                (["libOpenGL.so.0", "libGL.so.1"],
+                                 "libOpenGL.so.0 and libGL.so.1 are missing")):
+            paths = [line.split()[-1]
+                     for line in libraries.splitlines() if line.split()[:1] and line.split()[0] in hidden]
             mounts = "".join(f"mount --bind /dev/null {path} && " for path in paths)
-            if subprocess.run(["unshare", "-m", "sh", "-c", mounts + "true"], capture_output=True).returncode != 0:
+            if subprocess.run(["unshare", "-m", "sh", "-c", mounts + "true"],
+                              capture_output=True).returncode != 0:
                 self.skipTest("no mount namespaces here")
             for backend, code in (("gl", 5), ("software", 0)):
                 command = [PROGRAM, "ball.glb", *SMALL, "--backend", backend]
-                result = subprocess.run(["unshare", "-m", "sh", "-c", mounts + 'exec "$0" "$@"', *command], text=True,
+                result = subprocess.run(["unshare", "-m", "sh", "-c", mounts + 'exec "$0" "$@"', *command],
+                                        text=True,
                                         capture_output=True, cwd=self.folder)
                 self.assertEqual(result.returncode, code, result.stderr)
                 if code:

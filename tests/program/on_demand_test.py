@@ -7,7 +7,8 @@ import unittest
 from program import ProgramTest
 
 VIEW = ["-r", "64x48"]
-CHOSEN = re.compile(r"asked for .*: chose --grid (\d+) --map (\d+), expected ([0-9.]+)% in .*, found ([0-9.]+)% in ")
+CHOSEN = re.compile(r"asked for .*: chose --grid (\d+) --map (\d+), expected ([0-9.]+)% in .*, found "
+                    r"([0-9.]+)% in ")
 
 
 class OnDemand(ProgramTest):
@@ -17,7 +18,8 @@ class OnDemand(ProgramTest):
         return int(found[1]), int(found[2]), float(found[4])
 
     def test_every_render_estimates_its_error(self):
-        result = self.succeeds("render", "ball.glb", *VIEW, "--grid", "128", "--map", "128", "--stats", "s.json")
+        result = self.succeeds("render", "ball.glb", *VIEW, "--grid", "128", "--map", "128", "--stats",
+                               "s.json")
         error = json.loads((self.folder / "s.json").read_text())["lights"][0]["estimated_error"]
         self.assertAlmostEqual(error["total"], error["map"] + error["grid"] + error["missing"])
         self.assertGreater(error["total"], 0.001)
@@ -44,7 +46,8 @@ class OnDemand(ProgramTest):
         self.fails(2, "render", "ball.glb", "--target-error", "0", saying="--target-error")
         self.fails(2, "render", "ball.glb", "--target-error", "two", saying="--target-error")
         self.fails(2, "render", "ball.glb", "--target-error", "2", "--time-budget", "5", saying="exclude")
-        self.fails(2, "render", "ball.glb", "--time-budget", "5", "--frames", "0..3", "-o", "f.%04d.png", saying="one frame")
+        self.fails(2, "render", "ball.glb", "--time-budget", "5", "--frames", "0..3", "-o", "f.%04d.png",
+                   saying="one frame")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""What runs for a scene is what the scene calls for: passes, bytes, invocations; and what becomes of the light."""
+"""What runs for a scene is what the scene calls for: passes, bytes, invocations; and what becomes of the
+light."""
 
 import collections
 import json
@@ -12,21 +13,23 @@ from program import SMALL, ProgramTest
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 GRID, MAP, SHADOW, PICTURE, AROUND = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24
 
-# Targets a pass writes anew: texels and bytes of a texel (RGBA32F 16, R32F and depth 4, RGBA8 4), by its page in
-# passes/. What several passes share is counted once (occluder_depth fills the depth of caster_map).
+# Targets a pass writes anew: texels and bytes of a texel (RGBA32F 16, R32F and depth 4, RGBA8 4), by its page
+# in passes/. What several passes share is counted once (occluder_depth fills the depth of caster_map).
 BYTES = {
     "occluder_depth": (GRID, 0), "caster_map": (GRID, 36), "caster_exit_map": (GRID, 36),
     "receiver_map": (MAP, 20), "landing": (GRID, 64), "cells": (GRID, 48), "caustic_cells": (MAP, 0),
     "shadow_map": (SHADOW, 8), "pane_light": (MAP, 16), "view_surfaces": (PICTURE, 68),
-    "view_surfaces.surroundings": (AROUND, 68), "light_shading": (PICTURE, 0), "light_shading.surroundings": (AROUND, 0),
+    "view_surfaces.surroundings": (AROUND, 68), "light_shading": (PICTURE, 0),
+    "light_shading.surroundings": (AROUND, 0),
     "compose": (PICTURE, 16), "compose.surroundings": (AROUND, 16), "caster_map.camera": (PICTURE, 36),
     "caster_exit_map.camera": (PICTURE, 36), "glass": (PICTURE, 16), "view_panes": (PICTURE, 0),
     "view_panes.mirrored": (PICTURE, 0), "tone_map": (PICTURE, 4), "caustic_map": (MAP, 0),
     "cascade_cells.cascade": (MAP, 0), "caustic_map.cascade": (MAP, 0), "receiver_map.far": (MAP, 20),
-    "landing.far": (GRID, 64), "cells.far": (GRID, 48), "caustic_cells.far": (MAP, 0), "caustic_map.far": (MAP, 0),
+    "landing.far": (GRID, 64), "cells.far": (GRID, 48), "caustic_cells.far": (MAP, 0),
+    "caustic_map.far": (MAP, 0),
 }
-# What one pass of each light, or all of the frame, add to: direct and caustic irradiance; and the caustic maps, bytes
-# without and with colours.
+# What one pass of each light, or all of the frame, add to: direct and caustic irradiance; and the caustic
+# maps, bytes without and with colours.
 SHARED = {"light_shading": 32 * PICTURE, "light_shading.surroundings": 32 * AROUND}
 MAPS = ("caustic_map", "caustic_map.cascade", "caustic_map.far")
 
@@ -36,11 +39,13 @@ CAUSTIC = ["caster_map", "receiver_map", "landing", "cells", "caustic_cells", "c
 CASCADE = ["cascade_cells.cascade", "caustic_map.cascade"]
 # Of receivers that are not one plane; both receiver maps are twice as wide and high then.
 FAR = ["receiver_map.far", "landing.far", "cells.far", "caustic_cells.far", "caustic_map.far"]
-SEEN = CAMERA + ["view_surfaces.surroundings", "light_shading.surroundings", "compose.surroundings", "caster_map.camera",
+SEEN = CAMERA + ["view_surfaces.surroundings", "light_shading.surroundings", "compose.surroundings",
+                 "caster_map.camera",
                  "glass"]
 SOLID = ["caster_exit_map", "caster_exit_map.camera"]
 SHADOWS = ["occluder_depth", "shadow_map"]
-LIGHT_PASSES = set(CAUSTIC + CASCADE + FAR + SHADOWS + ["caster_exit_map", "light_shading", "light_shading.surroundings",
+LIGHT_PASSES = set(CAUSTIC + CASCADE + FAR + SHADOWS + ["caster_exit_map", "light_shading",
+                                                        "light_shading.surroundings",
                                                         "pane_light"])
 BRANCH_PASSES = set(CAUSTIC[2:] + CASCADE + FAR[1:])
 
@@ -129,10 +134,12 @@ class WithoutACaster(PlanTest):
         # The ball shadows the floor: one shadow map.
         self.check(plan, CAMERA + ["shadow_map"], 1)
         names = [name for p in plan["passes"] for name in p["reads"]]
-        self.assertFalse([n for n in names if n.startswith(("caster_", "receiver_", "landing", "caustic_map"))])
+        for name in names:
+            self.assertFalse(name.startswith(("caster_", "receiver_", "landing", "caustic_map")), name)
         self.succeeds("render", "plain.glb", *SMALL, "--stats", "s.json", "--quiet")
         stats = json.loads((self.folder / "s.json").read_text())
-        self.assertEqual([bare(p["pass"]) for p in stats["passes"]], [bare(p["pass"]) for p in plan["passes"]])
+        self.assertEqual([bare(p["pass"]) for p in stats["passes"]],
+                         [bare(p["pass"]) for p in plan["passes"]])
         self.assertEqual(stats["texture_bytes"], plan["texture_bytes"])
         self.assertEqual(stats["lights"], [])
 
@@ -153,7 +160,8 @@ class WhatBecomesOfTheLight(PlanTest):
     def test_the_share_that_lands_is_told(self):
         said = self.expectation()
         self.assertTrue(said["expected"])
-        # T^2 of a glass sphere is 0.8355 (Fresnel's equations, averaged over its disk); 24 segments and a grid of 32 are a coarse sphere.
+        # T^2 of a glass sphere is 0.8355 (Fresnel's equations, averaged over its disk); 24 segments and a
+        # grid of 32 are a coarse sphere.
         landed = float(said["reason"].split("; ")[1].split("%")[0])
         self.assertAlmostEqual(landed, 83.6, delta=4)
 

@@ -1,4 +1,5 @@
-"""lab/reference/povray: what is handed to POV-Ray, and the arithmetic of the comparison. POV-Ray itself is not needed."""
+"""lab/reference/povray: what is handed to POV-Ray, and the arithmetic of the comparison. POV-Ray itself is
+not needed."""
 
 import math
 import pathlib
@@ -46,19 +47,22 @@ class Povray(ProgramTest):
     def test_what_is_missing_is_said_in_one_line(self):
         self.refused(3, "install the package povray", "--povray", "./no-such-povray")
         # Anything that can be run: it is looked for, but these scenes are refused before.
-        self.refused(3, "only indexed triangles with normals", "--povray", sys.executable, "--scene", "ball.glb")
+        self.refused(3, "only indexed triangles with normals", "--povray", sys.executable, "--scene",
+                     "ball.glb")
         sphere = str(ROOT / "scenes" / "glass_sphere.glb")
         self.refused(3, "no orthographic camera 'view'", "--povray", sys.executable, "--scene", sphere,
                      "--camera", "view")
         self.refused(3, "no mesh 'bell'", "--povray", sys.executable, "--scene", sphere, "--exact", "bell")
         self.refused(3, "no.glb", "--povray", sys.executable, "--scene", "no.glb")
-        self.refused(3, "light 'spot'", "--povray", sys.executable, "--scene", str(ROOT / "scenes" / "two_lights.glb"))
+        self.refused(3, "light 'spot'", "--povray", sys.executable, "--scene",
+                     str(ROOT / "scenes" / "two_lights.glb"))
         (self.folder / "torn.glb").write_bytes(small.scene()[:1000])
         self.refused(3, "torn.glb", "--povray", sys.executable, "--scene", "torn.glb")
 
     def test_scenes_are_handed_on_as_they_are(self):
         scene = reader.read(ROOT / "scenes" / "glass_sphere.glb")
-        self.assertEqual([(m.name, len(m.triangles)) for m in scene.meshes], [("sphere", 20480), ("floor", 2)])
+        self.assertEqual([(m.name, len(m.triangles)) for m in scene.meshes],
+                         [("sphere", 20480), ("floor", 2)])
         self.assertEqual((scene.lights[0].kind, scene.lights[0].color), ("directional", (1, 1, 1)))
         for got, expected in zip(scene.lights[0].travel, (0, -1, 0)):
             self.assertAlmostEqual(got, expected, delta=1e-6)
@@ -68,7 +72,8 @@ class Povray(ProgramTest):
         text = exporter.scene_text(scene, view, "count 1000 gather 20, 100")
         for word in ("count 1000 gather 20, 100", "ior 1.5 ", "fresnel on", "refraction on reflection off"):
             self.assertIn(word, text)
-        self.assertIn("refraction on reflection on", exporter.scene_text(scene, view, "count 1", reflections=True))
+        self.assertIn("refraction on reflection on",
+                      exporter.scene_text(scene, view, "count 1", reflections=True))
         self.assertNotIn("photons { target", exporter.scene_text(scene, view, None))
         sphere = exporter.sphere(scene.meshes[0])
         self.assertTrue(sphere.startswith("sphere { <0,0.799999982,0>, 0.500000"), sphere)

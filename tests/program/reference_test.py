@@ -15,7 +15,8 @@ FAST = ["-r", "48x32", "--rays", "32"]
 
 class Reference(ProgramTest):
     def test_writes_its_layers_and_statistics(self):
-        result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "3", "--stats", "t.json")
+        result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "3", "--stats",
+                               "t.json")
         self.assertEqual(result.stdout, "")
         self.assertIn("3 batches of 32 x 32 rays", result.stderr)
         self.assertEqual(self.files(), ["ball.glb", "t.exr", "t.exr.state", "t.json"])
@@ -29,7 +30,8 @@ class Reference(ProgramTest):
             self.assertAlmostEqual(parts, flux["entered"][channel], delta=1e-12)
 
     def test_has_the_surfaces_of_render(self):
-        self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "2", "--aov", "depth,coverage")
+        self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "2", "--aov",
+                      "depth,coverage")
         self.succeeds("render", "ball.glb", "-o", "r.exr", "-r", "48x32", "--grid", "16", "--map", "16",
                       "--aov", "depth,coverage")
         result = self.run_program("compare", "t.exr", "r.exr", "--json")
@@ -39,9 +41,11 @@ class Reference(ProgramTest):
         self.assertLess(channels["depth.R"]["absolute"]["mean"], 0.01)
 
     def test_goes_on_to_the_same_bytes(self):
-        self.succeeds("reference", "ball.glb", "-o", "whole.exr", *FAST, "--batches", "6", "--quiet", "-t", "1")
+        self.succeeds("reference", "ball.glb", "-o", "whole.exr", *FAST, "--batches", "6", "--quiet", "-t",
+                      "1")
         self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "2", "--quiet")
-        result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "6", "--resume", "-t", "3")
+        result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "6", "--resume",
+                               "-t", "3")
         self.assertIn("6 batches", result.stderr)
         for end in ("", ".state"):
             self.assertEqual((self.folder / ("whole.exr" + end)).read_bytes(),
@@ -52,7 +56,8 @@ class Reference(ProgramTest):
         self.fails(3, "reference", "ball.glb", "-o", "t.exr", *FAST, "--resume", saying="is no state")
 
     def test_keeps_its_state_when_it_is_interrupted(self):
-        process = subprocess.Popen([PROGRAM, "reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "1000000"],
+        process = subprocess.Popen([PROGRAM, "reference", "ball.glb", "-o", "t.exr", *FAST, "--batches",
+                                    "1000000"],
                                    cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         # Off a terminal a line a second says how far it is; at the second batch one is done.
         for line in process.stderr:
@@ -68,7 +73,8 @@ class Reference(ProgramTest):
         self.assertIn("t.exr:", result.stderr)
 
     def test_misses_an_error_that_takes_longer(self):
-        result = self.run_program("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "4", "--error", "0.01%")
+        result = self.run_program("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "4", "--error",
+                                  "0.01%")
         self.assertEqual(result.returncode, 6, result.stderr)
         self.assertIn("not the 0.0% asked for", result.stderr)
         self.assertIn("t.exr", self.files())
@@ -80,15 +86,18 @@ class Reference(ProgramTest):
                                   ("water_sine", "water", "waves")):
             scene = SCENES / (name + ".glb")
             self.succeeds("reference", scene, "-o", "t.exr", *few, "--exact", "scene", "--stats", "t.json")
-            self.assertEqual(json.loads((self.folder / "t.json").read_text())["exact"], [{"mesh": mesh, "shape": shape}])
+            self.assertEqual(json.loads((self.folder / "t.json").read_text())["exact"],
+                             [{"mesh": mesh, "shape": shape}])
         # Another request than that of the mesh.
-        self.fails(3, "reference", scene, "-o", "t.exr", *few, "--resume", saying="is the state of another request")
+        self.fails(3, "reference", scene, "-o", "t.exr", *few, "--resume",
+                   saying="is the state of another request")
 
     def test_refusals(self):
         self.fails(2, "reference", saying="no scene given")
         self.fails(2, "reference", "ball.glb", "-o", "t.png", saying=".exr only")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--aov", "beauty", saying="no layer 'beauty'")
-        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--aov", "caustics", saying="did you mean 'caustic'?")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--aov", "caustics",
+                   saying="did you mean 'caustic'?")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "-D", "grid=64", saying="has no maps")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "-D", "gird=64", saying="did you mean 'grid'?")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--physics", "half", saying="single or full")
@@ -97,11 +106,16 @@ class Reference(ProgramTest):
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball", saying="NAME=sphere")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=cube", saying="NAME=cylinder")
         self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "scene", saying="states no shape")
-        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=sphere", "--exact", "ball=sphere", saying="twice")
-        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "bell=sphere", saying="did you mean 'ball'?")
-        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "floor=sphere", saying="is no sphere")
-        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=cylinder", saying="is no cylinder")
-        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=waves", saying="extras.exact_shape")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=sphere", "--exact",
+                   "ball=sphere", saying="twice")
+        self.fails(2, "reference", "ball.glb", "-o", "t.exr", "--exact", "bell=sphere",
+                   saying="did you mean 'ball'?")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "floor=sphere",
+                   saying="is no sphere")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=cylinder",
+                   saying="is no cylinder")
+        self.fails(3, "reference", "ball.glb", "-o", "t.exr", "--exact", "ball=waves",
+                   saying="extras.exact_shape")
         self.fails(3, "reference", "none.glb", "-o", "t.exr", saying="none.glb")
         self.fails(4, "reference", "ball.glb", "-o", "none/t.exr", saying="none/t.exr")
 

@@ -25,7 +25,8 @@ class Help(ProgramTest):
             self.assertIn("\n  " + command, text)
 
     def test_every_valued_option_of_render_has_its_default(self):
-        rows = [line for line in self.succeeds("render", "--help-markdown").stdout.splitlines() if line.startswith("| `-")]
+        rows = [line for line in self.succeeds("render", "--help-markdown").stdout.splitlines()
+                if line.startswith("| `-")]
         valued = [row for row in rows if " " in row.split(" | ")[0][2:].replace("`, `", "")]
         self.assertGreater(len(valued), 20)
         for row in valued:
@@ -35,7 +36,8 @@ class Help(ProgramTest):
     def test_smaller_sizes_of_digest_are_its_defaults_in_the_help(self):
         text = self.succeeds("digest", "--help").stdout
         self.assertIn("1..16384 pixels each (default 320x180)", text)
-        self.assertIn("Sizes are small unless given: width 320, height 180, grid 128, map 128, shadow 512.", text)
+        self.assertIn("Sizes are small unless given: width 320, height 180, grid 128, map 128, shadow 512.",
+                      text)
 
     def test_lines_fit_a_terminal(self):
         for command in COMMANDS:
@@ -85,7 +87,8 @@ class Mistakes(ProgramTest):
 
     def test_unknown_lanes(self):
         wrong = dict(os.environ, CAUSTICS_LANES="avx3")
-        self.fails(2, "ball.glb", saying="CAUSTICS_LANES is 'avx3'; this build and processor have: scalar", env=wrong)
+        self.fails(2, "ball.glb", saying="CAUSTICS_LANES is 'avx3'; this build and processor have: scalar",
+                   env=wrong)
 
     def test_misspelt_key(self):
         self.fails(2, "ball.glb", "-D", "splat.sigam=1", saying="did you mean 'splat.sigma'?")
@@ -137,7 +140,8 @@ class Plan(ProgramTest):
         self.assertEqual(result.stderr, "")
 
     def test_doctor_tells_what_opengl_is_there_or_why_there_is_none(self):
-        lines = [line for line in self.succeeds("doctor").stdout.splitlines() if line.startswith("gl backend")]
+        lines = [line
+                 for line in self.succeeds("doctor").stdout.splitlines() if line.startswith("gl backend")]
         self.assertTrue(lines)
         for line in lines:
             self.assertRegex(line, "OpenGL [0-9]|cannot be used|--backend software")

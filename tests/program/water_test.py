@@ -20,7 +20,8 @@ def with_water(water, **material):
     text = json.dumps(document).encode()
     text += b" " * (-len(text) % 4)
     rest = data[20 + length:]
-    return struct.pack("<4sII", b"glTF", 2, 20 + len(text) + len(rest)) + struct.pack("<I4s", len(text), b"JSON") + \
+    return struct.pack("<4sII", b"glTF", 2, 20 + len(text) + len(rest)) + struct.pack("<I4s", len(text),
+                                                                                      b"JSON") + \
         text + rest
 
 

@@ -157,4 +157,14 @@ inline glm::vec3 facing(const Mesh& mesh, std::size_t t) {
   return glm::cross(b - a, c - a);
 }
 
+// A level square of 2 x 2 m that faces up, its node "pool" with these extras.
+inline Gltf level_square(const std::string& extras, const std::string& more = "") {
+  Gltf gltf;
+  gltf.add<float>({-1, 0, 1, 1, 0, 1, 1, 0, -1, -1, 0, -1}, 5126, "VEC3", 4);
+  gltf.add<std::uint16_t>({0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 6);
+  gltf.mesh = R"("attributes":{"POSITION":0},"indices":1)";
+  gltf.node = R"("mesh":0,"name":"pool","extras":{)" + extras + "}" + more;
+  return gltf;
+}
+
 }  // namespace caustics::test

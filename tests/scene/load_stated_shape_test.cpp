@@ -6,14 +6,8 @@ using namespace caustics::test;
 
 namespace {
 
-// A level square of 2 x 2 m that faces up, its node with these extras.
 Gltf sheet(const std::string& shape, const std::string& more = "") {
-  Gltf gltf;
-  gltf.add<float>({-1, 0, 1, 1, 0, 1, 1, 0, -1, -1, 0, -1}, 5126, "VEC3", 4);
-  gltf.add<std::uint16_t>({0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 6);
-  gltf.mesh = R"("attributes":{"POSITION":0},"indices":1)";
-  gltf.node = R"("mesh":0,"name":"pool","extras":{"exact_shape":)" + shape + "}" + more;
-  return gltf;
+  return level_square(R"("exact_shape":)" + shape, more);
 }
 
 }  // namespace

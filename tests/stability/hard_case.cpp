@@ -10,10 +10,10 @@ double DrawnCase::leaves() const {
          share(&Ledger::not_converged) + share(&Ledger::kernel_edge) + share(&Ledger::rounding);
 }
 
-DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& framer) {
+DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& pilot) {
   DrawnCase drawn{hard_case.scene,
                   hard_case.settings,
-                  render_on(device, hard_case.scene, hard_case.settings, {}, &framer),
+                  render_on(device, hard_case.scene, hard_case.settings, {}, &pilot),
                   {}};
   for (int light = 0; light < static_cast<int>(hard_case.scene.lights.size()); ++light) {
     const bool throws = drawn.rendering.images.count(light_texture(kCausticMap, light)) > 0;

@@ -43,8 +43,8 @@ std::vector<HardCase> light_cases();
 std::vector<HardCase> scale_cases();
 std::vector<HardCase> map_cases();
 
-// Draws the whole frame; `framer` fits the light views (the software device, whichever draws).
-DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& framer);
+// Draws the whole frame; `pilot` fits the light views (the software device, whichever draws).
+DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& pilot);
 
 // What must hold for every frame of every scene: how many texels are not finite, and the worst residual of a
 // ledger.

@@ -17,10 +17,6 @@ inline Material pane_material() {
   return m;
 }
 
-inline MeshData level(float height) {
-  return quad({{-4, height, 4}, {4, height, 4}, {4, height, -4}, {-4, height, -4}}, {0, 1, 0});
-}
-
 inline void check_color(const glm::vec3& found, const glm::vec3& expected) {
   for (int c = 0; c < 3; ++c) CHECK(found[c] == Approx(expected[c]).epsilon(1e-5));
 }

@@ -33,10 +33,10 @@ inline Rendering rendering_of(FrameRenderer& renderer) {
   return out;
 }
 
-// `framer`: the device that fits the light views; none: the same one.
+// `pilot`: the device that fits the light views; none: the same one.
 inline Rendering render_on(Device& device, Scene scene, const Settings& settings,
-                           const std::vector<std::string>& textures, Device* framer = nullptr) {
-  FrameRenderer renderer(scene, settings, pass_registry(), device, {.goal = {textures}, .pilot = framer});
+                           const std::vector<std::string>& textures, Device* pilot = nullptr) {
+  FrameRenderer renderer(scene, settings, pass_registry(), device, {.goal = {textures}, .pilot = pilot});
   return rendering_of(renderer);
 }
 

@@ -70,7 +70,24 @@ inline MeshData quad(const glm::vec3 (&corners)[4], const glm::vec3& normal) {
   return data;
 }
 
-// A square frame that looks straight down from `height` metres on a window of +-half metres.
+// A level square of +-half metres that faces up, moved along x.
+inline MeshData level(float height, float half = 4.0f, float x = 0.0f) {
+  return quad({{x - half, height, half},
+               {x + half, height, half},
+               {x + half, height, -half},
+               {x - half, height, -half}},
+              {0.0f, 1.0f, 0.0f});
+}
+
+// Two meshes of one layout as one, drawn in this order.
+inline MeshData both(MeshData first, const MeshData& second) {
+  const auto offset = static_cast<std::uint32_t>(first.vertices.size() / 12);
+  first.vertices.insert(first.vertices.end(), second.vertices.begin(), second.vertices.end());
+  for (const std::uint32_t i : second.indices) first.indices.push_back(offset + i);
+  return first;
+}
+
+// A square view that looks straight down from `height` metres on a window of +-half metres.
 inline View down(double half, double height, double far) {
   View view = view_along({0.0, height, 0.0}, {0.0, -1.0, 0.0});
   view.window_lower = glm::dvec2(-half);
@@ -93,6 +110,14 @@ inline glm::vec4 texel(const Image& image, int x, int y) {
   glm::vec4 value{0.0f};
   for (int c = 0; c < image.channels(); ++c) value[c] = image.at(x, y, c);
   return value;
+}
+
+// Of all texels.
+inline double sum(const Image& image, int channel = 0) {
+  double total = 0.0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) total += double(image.at(x, y, channel));
+  return total;
 }
 
 }  // namespace caustics::test

@@ -49,21 +49,14 @@ TEST_CASE("truth: the caustic of a glass sphere, by points, Gaussians and cells"
   // docs/measurements.md.
   const int pixels = 128;
   Settings settings = small_settings(256, 256, pixels);
-  settings.splat = Splat::Gaussian;
-  const SphereFloorError gaussian = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
-  INFO("Gaussian: relative L1 " << gaussian.relative_l1_in_shadow << ", flux " << gaussian.flux_ratio);
-  CHECK(gaussian.relative_l1_in_shadow < 0.11);
-  CHECK(gaussian.flux_ratio == Approx(1.0).epsilon(0.01));
-  settings.splat = Splat::Point;
-  const SphereFloorError point = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
-  INFO("point: relative L1 " << point.relative_l1_in_shadow << ", flux " << point.flux_ratio);
-  CHECK(point.relative_l1_in_shadow < 0.07);
-  CHECK(point.flux_ratio == Approx(1.0).epsilon(0.01));
-  settings.splat = Splat::Cell;
-  const SphereFloorError cell = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
-  INFO("cell: relative L1 " << cell.relative_l1_in_shadow << ", flux " << cell.flux_ratio);
-  CHECK(cell.relative_l1_in_shadow < 0.05);
-  CHECK(cell.flux_ratio == Approx(1.0).epsilon(0.01));
+  for (const auto& [splat, bound] :
+       {std::pair{Splat::Gaussian, 0.11}, std::pair{Splat::Point, 0.07}, std::pair{Splat::Cell, 0.05}}) {
+    settings.splat = splat;
+    const SphereFloorError error = compare_sphere(floor_irradiance(sphere_scene(1.5f), settings));
+    INFO(name_of(splat) << ": relative L1 " << error.relative_l1_in_shadow << ", flux " << error.flux_ratio);
+    CHECK(error.relative_l1_in_shadow < bound);
+    CHECK(error.flux_ratio == Approx(1.0).epsilon(0.01));
+  }
 }
 
 TEST_CASE("truth: figures of the glass sphere at full size", "[.figures]") {

@@ -6,12 +6,8 @@
 #include <functional>
 #include <limits>
 
-#include "passes/landing/landing.hpp"
-#include "pipeline/measure/ledger.hpp"
-#include "pipeline/scene/cube_view.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/cube_map.hpp"
-#include "tests/support/run_pass.hpp"
+#include "tests/support/landing_bench.hpp"
 
 using namespace caustics;
 using namespace caustics::test;
@@ -19,7 +15,7 @@ using namespace caustics::test;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kHalf = 4.0;             // of the frame's window, metres
+constexpr double kHalf = 4.0;             // of the view's window, metres
 constexpr int kMap = 512;                 // texels of the receiver map, a side: 1 / 64 m
 const glm::dvec3 kMiddle{0.0, 1.5, 0.0};  // of the caster, metres
 
@@ -120,42 +116,18 @@ struct Trial {
   }
 
   PassImages run(int estimator, int iterations) const {
-    const std140::View seen = shader_view(view);
-    const std140::Landing u{
-        .caster = seen,
-        .receiver = seen,
-        .caustic = seen,
-        .cone = {.axis = {0.0f, -1.0f, 0.0f}, .scale = 0.0f, .offset = 0.0f, .lambertian = 0},
-        .light = {0.0f, -1.0f, 0.0f},
-        .cell_area = 1.0f,
-        .channel_share = {1.0f, 1.0f, 1.0f},
-        .bend = 0.0f,
-        .receivers_lower = {-4.0f, -2.0f, -4.0f},
-        .exit_tolerance = 2.0f,
-        .receivers_upper = {4.0f, 2.0f, 4.0f},
-        .landing_tolerance = 2.0f,
-        .impostor_centre = impostors.origin,
-        .tile_width = 0.0f,
-        .tile_height = 0.0f,
-        .tile_guard = 0.0f,
-        .iterations = iterations,
-        .estimator = estimator,
-        .paper_weights = 0,
-        .is_reflection = 0,
-        .has_mirrors = 1,
-        .has_exit_maps = 0,
-        .wyman_thickness = 0,
-        .has_caster_tint = 0,
-        .only_unconverged = 0,
-        .impostor = shader_view(impostors)};
+    std140::Landing u = bench_uniforms(view, impostors, estimator, iterations);
+    u.cell_area = 1.0f;
+    u.receivers_lower = {-4.0f, -2.0f, -4.0f};
+    u.receivers_upper = {4.0f, 2.0f, 4.0f};
+    u.has_mirrors = 1;
     Image materials = filled(3, 1, {1.0f, 1.0f, 1.0f, 0.0f});
     materials.at(0, 0, 3) = 1.0f;  // a mirror
-    return run_pass(definition_of(landing_pass()),
-                    {.width = fan.side,
-                     .height = fan.side,
-                     .uniforms = uniform_bytes(u),
-                     .textures = {fan.position, fan.normal, Image{}, Image{}, receiver, materials, Image{},
-                                  impostor, Image{}}});
+    return run_landing(u, {.position = fan.position,
+                           .normal = fan.normal,
+                           .receiver = receiver,
+                           .materials = materials,
+                           .impostor = impostor});
   }
 
   Fan fan;
@@ -182,7 +154,7 @@ Errors errors_of(const Trial& trial, int estimator, int iterations) {
       if (!ray.seen) continue;
       const glm::vec4 p = texel(out["landing"], x, y);
       const double error = glm::length(glm::dvec3(glm::vec3(p)) - (ray.start + ray.direction * ray.length));
-      const bool landed = static_cast<LandingStatus>(static_cast<int>(p.w)) == LandingStatus::Landed;
+      const bool landed = landing_status(out, x, y) == LandingStatus::Landed;
       errors.push_back(error);
       if (!landed) result.booked += 1.0;
       if (landed && error > 2.0 * 2.0 * kHalf / kMap) result.undetected += 1.0;
@@ -216,7 +188,7 @@ TEST_CASE("estimators: after five steps the secant beats paper and Newton, and o
 }
 
 TEST_CASE("estimators: on a plane the secant needs one step, up to rounding") {
-  // 10 m of frame in single precision: 1e-6 m of a gap, over the cosine of the ray and the plane.
+  // 10 m of view in single precision: 1e-6 m of a gap, over the cosine of the ray and the plane.
   CHECK(errors_of(Trial(kReceivers[0], 24, 60), ESTIMATOR_SECANT, 1).ninety_fifth < 1e-5);
 }
 

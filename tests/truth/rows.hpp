@@ -24,7 +24,7 @@ using Rows = std::vector<Row>;
 // A device and the size at which a row is measured.
 struct Bench {
   Device& device;
-  Device& framer;  // fits the light views, so that all devices see the same
+  Device& pilot;  // fits the light views, so that all devices see the same
   bool full = false;
 
   int maps() const { return full ? 512 : 256; }    // grid and map, a side
@@ -32,7 +32,7 @@ struct Bench {
   Settings settings() const { return small_settings(maps(), maps(), pixels()); }
   Rendering render(const Scene& scene, const Settings& settings,
                    const std::vector<std::string>& textures) const {
-    return render_on(device, scene, settings, textures, &framer);
+    return render_on(device, scene, settings, textures, &pilot);
   }
 };
 

@@ -1,4 +1,5 @@
-"""One scene on the bench: its files, both programs' commands and times, and the truth they are held against."""
+"""One scene on the bench: its files, both programs' commands and times, and the truth they are held
+against."""
 import functools
 import math
 import os
@@ -25,13 +26,15 @@ def timed(command, log):
     """Runs a command; its wall and processor (user and system) seconds. What it says goes to the log."""
     with open(log, 'w') as out:
         before = time.monotonic()
-        process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL, stdout=out, stderr=out)
+        process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL, stdout=out,
+                                   stderr=out)
         _, status, usage = os.wait4(process.pid, 0)
         wall = time.monotonic() - before
     code = process.returncode = os.waitstatus_to_exitcode(status)
     if code:
         said = [line for line in log.read_text(errors='replace').splitlines() if line.strip()]
-        raise Failure(1, f'{pathlib.Path(command[0]).name} ended with {code}: {said[-1] if said else "said nothing"}')
+        last = said[-1] if said else 'said nothing'
+        raise Failure(1, f'{pathlib.Path(command[0]).name} ended with {code}: {last}')
     return {'wall': wall, 'cpu': usage.ru_utime + usage.ru_stime}
 
 
@@ -58,15 +61,18 @@ class Bench:
         self.path(name + '.pov').write_text(export.scene_text(
             self.scene, self.view, photons, self.arguments.physics == 'full', self.exact))
         side, log = self.arguments.resolution, self.path(name + '.log')
-        spent = timed([self.arguments.povray, f'+I{self.path(name + ".pov")}', f'+O{self.path(name + ".exr")}', '+FE',
+        spent = timed([self.arguments.povray, f'+I{self.path(name + ".pov")}',
+                       f'+O{self.path(name + ".exr")}', '+FE',
                        f'+W{side}', f'+H{side}', f'+WT{self.arguments.threads}', '-D', '-A', '-P'], log)
-        phases = re.findall(r'(Parse|Photon|Trace) Time:.*\(([\d.]+) seconds\)', log.read_text(errors='replace'))
+        phases = re.findall(r'(Parse|Photon|Trace) Time:.*\(([\d.]+) seconds\)',
+                            log.read_text(errors='replace'))
         return {**spent, 'phases': {phase.lower(): float(seconds) for phase, seconds in phases}}
 
     def caustics(self, command, name, *more):
         side = self.arguments.resolution
         return timed([self.arguments.program, command, self.file, '--camera', self.arguments.camera, '-r',
-                      f'{side}x{side}', '-t', self.arguments.threads, '-o', self.path(name + '.exr'), '--quiet', *more],
+                      f'{side}x{side}', '-t', self.arguments.threads, '-o', self.path(name + '.exr'),
+                      '--quiet', *more],
                      self.path(name + '.log'))
 
     def render(self, name, size):
@@ -90,8 +96,8 @@ class Bench:
 
 
 class Setting:
-    """One way to render: grid and map of caustics; or POV-Ray's photons, how many an estimate gathers, and, where it is
-    not left to POV-Ray, the radius in metres that it begins with."""
+    """One way to render: grid and map of caustics; or POV-Ray's photons, how many an estimate gathers, and,
+    where it is not left to POV-Ray, the radius in metres that it begins with."""
 
     def __init__(self, program, numbers):
         self.program, self.numbers = program, numbers
@@ -112,9 +118,9 @@ class Setting:
 
 
 class Truth:
-    """Traced light in boxes of pixels. Its noise is measured: the first half of its batches against all of them lies as
-    far apart as all of them and the truth, for the difference of the halves, divided by two, is what both are. What an
-    earlier run left in the folder is used again."""
+    """Traced light in boxes of pixels. Its noise is measured: the first half of its batches against all of
+    them lies as far apart as all of them and the truth, for the difference of the halves, divided by two, is
+    what both are. What an earlier run left in the folder is used again."""
 
     def __init__(self, bench):
         arguments = bench.arguments
@@ -123,14 +129,16 @@ class Truth:
         if self.flux <= 0:
             raise Failure(3, f'{bench.file}: no caustic in the picture')
         self.boxes = {side: whole.boxes(side) for side in arguments.boxes}
-        self.noise = {side: pictures.relative_l1(half.boxes(side), self.boxes[side]) for side in arguments.boxes}
+        self.noise = {side: pictures.relative_l1(half.boxes(side), self.boxes[side])
+                      for side in arguments.boxes}
 
     @staticmethod
     def traced(bench, batches):
         """The caustic after so many batches: begun, or gone on with from the state in the folder."""
         arguments = bench.arguments
         camera = re.sub(r'\W', '_', arguments.camera)
-        words = ['truth', camera, arguments.physics, bench.exact, str(arguments.resolution), str(arguments.truth_rays)]
+        words = ['truth', camera, arguments.physics, bench.exact, str(arguments.resolution),
+                 str(arguments.truth_rays)]
         state = bench.path('_'.join(filter(None, words)) + '.state')
         name = f'{state.stem}_{batches}'
         more = ['--physics', arguments.physics, '--rays', arguments.truth_rays, '--batches', batches]
@@ -151,7 +159,8 @@ class Truth:
         for side, truth in self.boxes.items():
             boxed = picture.boxes(side)
             result['raw'][side] = pictures.relative_l1(boxed, truth)
-            result['scaled'][side] = pictures.relative_l1(boxed.scaled(1 / flux), truth) if flux > 0 else math.inf
+            scaled = pictures.relative_l1(boxed.scaled(1 / flux), truth) if flux > 0 else math.inf
+            result['scaled'][side] = scaled
         return result
 
 
@@ -171,8 +180,8 @@ def least(times):
 
 
 def direct_light(bench, finest):
-    """The calibration: light that reaches the floor and meets no caster, which both must show alike. The ratio of what
-    both show where both light the floor; None where the view has no such place."""
+    """The calibration: light that reaches the floor and meets no caster, which both must show alike. The
+    ratio of what both show where both light the floor; None where the view has no such place."""
     ours, theirs = bench.read(finest.name, 'direct'), bench.direct
     lit = [(b, a) for p, q in zip(ours.planes, theirs.planes) for a, b in zip(p, q) if a > 0 and b > 0]
     if len(lit) < 100:
@@ -190,7 +199,8 @@ def measured(bench, settings, note):
             note(f'{bench.name}: {setting.program}, {setting.words()}')
             times.setdefault(setting.name, []).append(setting.run(bench))
     note(f'{bench.name}: comparing with traced light')
-    rows = [{'program': s.program, 'setting': s.words(), **least(times[s.name]), **bench.truth.errors(bench.caustic(s))}
+    rows = [{'program': s.program, 'setting': s.words(), **least(times[s.name]),
+             **bench.truth.errors(bench.caustic(s))}
             for s in settings]
     finest = [s for s in settings if s.program == 'caustics'][-1]
     return {'scene': bench.name, 'exact': bench.exact, 'physics': bench.arguments.physics,

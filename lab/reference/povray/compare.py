@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Compares `caustics render` with POV-Ray's photon mapping: error against traced light, and time (docs/povray.md).
+"""Compares `caustics render` with POV-Ray's photon mapping: error against traced light, and time
+(docs/povray.md).
 
-    lab/reference/povray/compare.py [--scene NAME|FILE.glb ...] [--sizes N,...] [--photons N:MIN:MAX[:R],...] [-o DIR]
+    lab/reference/povray/compare.py [--scene NAME|FILE.glb ...] [--sizes N,...] [--photons N:MIN:MAX[:R],...]
+                                     [-o DIR]
 
-Every scene is exported to POV-Ray, rendered by both with several settings in turns, and held against `caustics
-reference` in boxes of pixels. Prints tables; writes DIR/povray.json and DIR/SCENE_difference.png, and leaves all
-scenes, pictures and logs in DIR/SCENE. Needs POV-Ray 3.7 (package povray), oiiotool and a built caustics. Exit codes:
-0 done; 1 a program failed; 2 wrong usage; 3 a program is missing, or a scene cannot be exported."""
+Every scene is exported to POV-Ray, rendered by both with several settings in turns, and held against
+`caustics reference` in boxes of pixels. Prints tables; writes DIR/povray.json and DIR/SCENE_difference.png,
+and leaves all scenes, pictures and logs in DIR/SCENE. Needs POV-Ray 3.7 (package povray), oiiotool and a
+built caustics. Exit codes: 0 done; 1 a program failed; 2 wrong usage; 3 a program is missing, or a scene
+cannot be exported."""
 import argparse
 import json
 import math
@@ -23,8 +26,8 @@ import report  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SCENES = 'glass_sphere', 'metal_ring', 'water_sine'
 SIZES = '64,128,256,512'
-# Few photons bear no wide estimate, of many a narrow one keeps the noise; a small radius keeps edges sharp and makes
-# dim places noisy. Which serves best depends on the scene.
+# Few photons bear no wide estimate, of many a narrow one keeps the noise; a small radius keeps edges sharp
+# and makes dim places noisy. Which serves best depends on the scene.
 PHOTONS = '10000:20:100,100000:20:100,300000:20:100,300000:20:100:0.01,1000000:50:300,1000000:50:300:0.01'
 
 
@@ -55,21 +58,28 @@ def photons(text):
 
 
 def arguments_of(words):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     option = parser.add_argument
-    option('--scene', action='append', help=f'a sample scene or a file; may stand several times ({", ".join(SCENES)})')
+    option('--scene', action='append',
+           help=f'a sample scene or a file; may stand several times ({", ".join(SCENES)})')
     option('--camera', default='floor', metavar='NAME', help='an orthographic camera of the scene (floor)')
     option('--sizes', type=sizes, default=SIZES, metavar='N,...', help=f'grid and map of render ({SIZES})')
     option('--photons', type=photons, default=PHOTONS, metavar='N:MIN:MAX[:R],...',
-           help=f"POV-Ray's photons, how many an estimate gathers, within which radius at first, metres ({PHOTONS})")
+           help=f"POV-Ray's photons, how many an estimate gathers, within which radius at first, metres "
+                f"({PHOTONS})")
     option('-r', '--resolution', type=positive, default=512, metavar='N', help='pixels a side (512)')
     option('--boxes', type=numbers, default='4,8', metavar='N,...', help='sides of the boxes, pixels (4,8)')
     option('--physics', choices=('single', 'full'), default='single',
            help='light in and out of glass once, as render has it, or every way that it takes (single)')
-    option('--exact', metavar='NAME', help='this mesh is a sphere: POV-Ray and the truth have the sphere itself')
-    option('--truth-rays', type=positive, default=2048, metavar='N', help='N x N rays a batch of traced light (2048)')
-    option('--truth-batches', type=positive, default=4, metavar='N', help='batches, an even number from 4 on (4)')
-    option('--repeat', type=positive, default=2, metavar='N', help='times each setting runs; the least counts (2)')
+    option('--exact', metavar='NAME',
+           help='this mesh is a sphere: POV-Ray and the truth have the sphere itself')
+    option('--truth-rays', type=positive, default=2048, metavar='N',
+           help='N x N rays a batch of traced light (2048)')
+    option('--truth-batches', type=positive, default=4, metavar='N',
+           help='batches, an even number from 4 on (4)')
+    option('--repeat', type=positive, default=2, metavar='N',
+           help='times each setting runs; the least counts (2)')
     option('-t', '--threads', type=positive, default=2, metavar='N', help='threads of each program (2)')
     option('--program', default=ROOT / 'build/release/caustics', metavar='FILE',
            help='caustics (build/release/caustics)')
@@ -95,7 +105,8 @@ def need_programs(arguments):
 def main(words):
     arguments = arguments_of(words)
     need_programs(arguments)
-    files = [ROOT / 'scenes' / f'{s}.glb' if s.isidentifier() else pathlib.Path(s) for s in arguments.scene or SCENES]
+    files = [ROOT / 'scenes' / f'{s}.glb' if s.isidentifier() else pathlib.Path(s)
+             for s in arguments.scene or SCENES]
     settings = arguments.sizes + arguments.photons
     results = []
     for bench in [benches.Bench(arguments, file) for file in files]:
@@ -105,9 +116,11 @@ def main(words):
         report.print_tables(result, arguments.boxes)
         sys.stdout.flush()
         report.write_difference(bench, settings, arguments.output / f'{bench.name}_difference.png')
-    kept = {key: getattr(arguments, key) for key in ('camera', 'resolution', 'boxes', 'physics', 'exact', 'truth_rays',
+    kept = {key: getattr(arguments, key)
+            for key in ('camera', 'resolution', 'boxes', 'physics', 'exact', 'truth_rays',
                                                      'truth_batches', 'repeat', 'threads')}
-    (arguments.output / 'povray.json').write_text(json.dumps({'format': 1, 'settings': kept, 'scenes': results},
+    (arguments.output / 'povray.json').write_text(json.dumps({'format': 1, 'settings': kept,
+                                                              'scenes': results},
                                                              indent=1) + '\n')
 
 

@@ -1,11 +1,12 @@
 """Writes a scene of glb.py as text for POV-Ray 3.7.
 
-Units: POV-Ray has no 1/pi in its diffuse reflection. A white floor (`pigment { rgb 1 } finish { diffuse 1 }`) under a
-light of colour c shows c cos(theta), so that a directional light whose colour is its lux makes every pixel of the floor
-its irradiance in lux. The receivers are therefore exported white, whatever their albedo. compare.py checks this on
-floor that is not shadowed.
+Units: POV-Ray has no 1/pi in its diffuse reflection. A white floor (`pigment { rgb 1 } finish { diffuse 1
+}`) under a light of colour c shows c cos(theta), so that a directional light whose colour is its lux makes
+every pixel of the floor its irradiance in lux. The receivers are therefore exported white, whatever their
+albedo. compare.py checks this on floor that is not shadowed.
 
-Coordinates stay as they are: the camera is written by its vectors, so that POV-Ray's left hand does not matter."""
+Coordinates stay as they are: the camera is written by its vectors, so that POV-Ray's left hand does not
+matter."""
 import math
 
 # Of a point light: POV-Ray's 2 / (1 + (r / d)^2) is 2 d^2 / r^2 far from d.
@@ -50,8 +51,9 @@ def base_color(material):
 
 
 def caster_look(material, reflections):
-    """The texture and interior of a caster, and what it does to photons. Without `reflections` glass still loses what
-    Fresnel's equations say, but no photon goes where it is mirrored: light goes in and out once, as `render` has it."""
+    """The texture and interior of a caster, and what it does to photons. Without `reflections` glass still
+    loses what Fresnel's equations say, but no photon goes where it is mirrored: light goes in and out once,
+    as `render` has it."""
     if is_mirror(material):
         # Schlick's reflectance, as `render` computes it: F0 + (1 - F0) (1 - cos)^5.
         return (f'texture {{ pigment {{ color rgb 0 }} finish {{ ambient 0 diffuse 0 specular 0'
@@ -73,7 +75,8 @@ def mesh2(mesh):
 
 
 def sphere(mesh):
-    """The sphere in place of its mesh: the middle of the mesh's box, the farthest vertex, as `reference --exact`."""
+    """The sphere in place of its mesh: the middle of the mesh's box, the farthest vertex, as `reference
+    --exact`."""
     middle = [0.5 * (low + high) for low, high in mesh.box()]
     radius = max(math.dist(p, middle) for p in mesh.positions)
     return f'sphere {{ {vector(middle)}, {radius:.9g}'
@@ -85,7 +88,8 @@ def light_source(light):
         # Parallel rays; from where does not matter as long as it is outside the scene.
         return (f'light_source {{ {vector([-20 * c for c in light.travel])} color rgb {vector(light.color)}'
                 f' parallel point_at 0 {photons} }}')
-    return (f'light_source {{ {vector(light.place)} color rgb {vector([c / (2 * FADE * FADE) for c in light.color])}'
+    color = vector([c / (2 * FADE * FADE) for c in light.color])
+    return (f'light_source {{ {vector(light.place)} color rgb {color}'
             f' fade_distance {FADE} fade_power 2 {photons} }}')
 
 
@@ -96,8 +100,9 @@ def camera(view):
 
 
 def scene_text(scene, view, photons, reflections=False, exact=None, levels=12):
-    """`photons` is what stands in global_settings' block, such as 'count 10000 gather 20, 100'; None: no photons, and
-    casters that are opaque and black, which is the direct light with its shadows alone. `exact`: a mesh's name."""
+    """`photons` is what stands in global_settings' block, such as 'count 10000 gather 20, 100'; None: no
+    photons, and casters that are opaque and black, which is the direct light with its shadows alone.
+    `exact`: a mesh's name."""
     parts = ['#version 3.7;', f'global_settings {{ assumed_gamma 1.0 max_trace_level {levels}']
     if photons:
         parts.append(f'photons {{ {photons} autostop 0 jitter 0.4 media 0 max_trace_level {levels} }}')

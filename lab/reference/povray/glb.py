@@ -1,8 +1,8 @@
 """Reads a binary glTF file: meshes, lights and cameras, placed in the world. Metres, lux, candela.
 
 Only what the sample scenes hold and POV-Ray can be told: float positions and normals, triangles, nodes with
-translation, rotation and scale, directional and point lights, orthographic cameras. Everything else is refused by
-name: a scene that is half exported would be compared with another scene."""
+translation, rotation and scale, directional and point lights, orthographic cameras. Everything else is
+refused by name: a scene that is half exported would be compared with another scene."""
 import json
 import math
 import struct
@@ -40,7 +40,8 @@ class Light:
 
 @dataclass
 class Camera:
-    """Orthographic: what it sees is right * [-1, 1] by up * [-1, 1] metres around the axis through `place`."""
+    """Orthographic: what it sees is right * [-1, 1] by up * [-1, 1] metres around the axis through
+    `place`."""
     place: tuple
     right: tuple
     up: tuple
@@ -93,7 +94,8 @@ class File:
 
 def checked_material(material):
     unknown = set(material.get('extensions', {})) - KNOWN_MATERIAL
-    textures = [key for key in (*material, *material.get('pbrMetallicRoughness', {})) if key.endswith('Texture')]
+    keys = (*material, *material.get('pbrMetallicRoughness', {}))
+    textures = [key for key in keys if key.endswith('Texture')]
     if unknown or textures or material.get('alphaMode', 'OPAQUE') != 'OPAQUE':
         what = ', '.join([*sorted(unknown), *textures]) or 'alpha'
         raise Unsupported(f"material '{material.get('name', '')}': {what} is not exported")
@@ -118,9 +120,11 @@ def mesh_of(file, node, place, turn, size):
 
 
 def light_of(file, node, place, turn):
-    light = file.gltf['extensions']['KHR_lights_punctual']['lights'][node['extensions']['KHR_lights_punctual']['light']]
+    number = node['extensions']['KHR_lights_punctual']['light']
+    light = file.gltf['extensions']['KHR_lights_punctual']['lights'][number]
     if light['type'] not in ('directional', 'point') or 'range' in light or light.get('extras'):
-        raise Unsupported(f"light '{light.get('name', '')}': only directional and point lights without a size are"
+        raise Unsupported(f"light '{light.get('name', '')}': only directional and point lights without a "
+                          f"size are"
                           ' exported')
     color = scaled(light.get('color', (1, 1, 1)), light.get('intensity', 1))
     return Light(light.get('name', 'light'), light['type'], color, tuple(place), rotated(turn, (0, 0, -1)))
@@ -143,7 +147,8 @@ def scene_of(file, path):
         # The mesh is what both programs render, whatever exact shape it stands for.
         extras = set(node.get('extras', {})) - {'exact_shape'}
         if 'children' in node or 'matrix' in node or extras:
-            raise Unsupported(f"node '{node.get('name', '')}': children, matrices and extras are not exported")
+            raise Unsupported(
+                f"node '{node.get('name', '')}': children, matrices and extras are not exported")
         place, turn = node.get('translation', (0, 0, 0)), node.get('rotation', (0, 0, 0, 1))
         if 'mesh' in node:
             scene.meshes.append(mesh_of(file, node, place, turn, node.get('scale', (1, 1, 1))))

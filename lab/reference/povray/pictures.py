@@ -1,4 +1,5 @@
-"""Pictures of light: reading EXR files through oiiotool, box averages, errors, PNG panels. Standard library only."""
+"""Pictures of light: reading EXR files through oiiotool, box averages, errors, PNG panels. Standard library
+only."""
 import array
 import math
 import struct
@@ -48,7 +49,8 @@ def read(path, scratch, layer=None):
     """The channels R, G, B of a square EXR file, of a layer where one is named."""
     names = ','.join(f'{layer}.{c}' if layer else c for c in 'RGB')
     plain = scratch / 'plain.exr'
-    subprocess.run(['oiiotool', str(path), '--ch', names, '-d', 'float', '--compression', 'none', '-o', str(plain)],
+    subprocess.run(['oiiotool', str(path), '--ch', names, '-d', 'float', '--compression', 'none', '-o',
+                    str(plain)],
                    check=True, capture_output=True)
     data = plain.read_bytes()
     plain.unlink()
@@ -77,7 +79,8 @@ def exposed(picture, white):
 
 
 def signed(difference, full):
-    """Grey where equal, red where there is too much light, blue where there is too little; pure at `full` lux."""
+    """Grey where equal, red where there is too much light, blue where there is too little; pure at `full`
+    lux."""
     def pixel(values):
         v = min(1.0, max(-1.0, sum(values) / 3 / full))
         other = round(255 * (0.5 - 0.5 * abs(v)))
@@ -92,10 +95,12 @@ def write_png(path, size, rows_of_panels):
     lines = []
     for panels in rows_of_panels:
         for y in range(size):
-            lines.append(b'\0' + b''.join(b''.join((panel or black)[y * size:(y + 1) * size]) for panel in panels))
+            lines.append(b'\0' + b''.join(b''.join((panel or black)[y * size:(y + 1) * size])
+                                          for panel in panels))
     width, height = size * len(rows_of_panels[0]), size * len(rows_of_panels)
 
     def chunk(kind, data):
         return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
-    path.write_bytes(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)) +
+    path.write_bytes(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR',
+                                                  struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)) +
                      chunk(b'IDAT', zlib.compress(b''.join(lines))) + chunk(b'IEND', b''))

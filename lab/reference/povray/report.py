@@ -17,8 +17,8 @@ def front(rows, box, clock):
 
 
 def seconds_for(points, error):
-    """Seconds for this error, between measured settings by straight lines in the logarithms of both. A bound where the
-    quickest setting is better already; None where no setting is as good."""
+    """Seconds for this error, between measured settings by straight lines in the logarithms of both. A bound
+    where the quickest setting is better already; None where no setting is as good."""
     if points[0][0] <= error:
         return {'seconds': points[0][1], 'bound': True}
     for (e0, t0), (e1, t1) in zip(points, points[1:]):
@@ -29,13 +29,15 @@ def seconds_for(points, error):
 
 
 def equal_error(rows, box):
-    """Seconds of both by both clocks, for each level that one of them reaches and does not undercut from the start."""
+    """Seconds of both by both clocks, for each level that one of them reaches and does not undercut from the
+    start."""
     def seconds(who, clock, level):
         return seconds_for(front([r for r in rows if r['program'] == who], box, clock), level)
 
     table = [{'error': level, **{who: {clock: seconds(who, clock, level) for clock in ('wall', 'cpu')}
                                  for who in PROGRAMS}} for level in LEVELS]
-    return [row for row in table if any(row[who]['wall'] and not row[who]['wall']['bound'] for who in PROGRAMS)]
+    found = [[row[who]['wall'] for who in PROGRAMS] for row in table]
+    return [row for row, walls in zip(table, found) if any(wall and not wall['bound'] for wall in walls)]
 
 
 def told(found):
@@ -46,30 +48,33 @@ def print_tables(result, boxes):
     exact = f", '{result['exact']}' as an exact sphere" if result['exact'] else ''
     direct = result['direct']
     print(f"\n## {result['scene']}{exact}, physics {result['physics']}\n")
-    print('Direct light, POV-Ray / caustics: ' + (
-        f"{direct['ratio']:.4f}, over the {100 * direct['lit_share']:.0f}% of the floor that both light" if direct
-        else 'none in view') + '. Noise of the truth: ' +
-        ', '.join(f'{result["truth_noise"][b]:.4f} in boxes of {b} x {b}' for b in boxes) + '.\n')
+    said = 'none in view'
+    if direct:
+        said = (f"{direct['ratio']:.4f}, over the {100 * direct['lit_share']:.0f}% of the floor that both "
+                'light')
+    print(f'Direct light, POV-Ray / caustics: {said}. Noise of the truth: ' +
+          ', '.join(f'{result["truth_noise"][b]:.4f} in boxes of {b} x {b}' for b in boxes) + '.\n')
     print('| program | setting | wall s | cpu s | flux ratio | ' +
           ' | '.join(f'L1 {b} x {b} | flux scaled' for b in boxes) + ' |')
     print('|---|---|---|---|---|' + '---|---|' * len(boxes))
     for row in result['rows']:
         errors = ' | '.join(f"{row['raw'][b]:.4f} | {row['scaled'][b]:.4f}" for b in boxes)
-        print(f"| {row['program']} | {row['setting']} | {row['wall']:.2f} | {row['cpu']:.2f} | {row['flux']:.4f} | "
-              f'{errors} |')
-    print(f'\n| relative L1, {boxes[0]} x {boxes[0]} | ' + ' | '.join(f'{who}, wall s | cpu s' for who in PROGRAMS) +
-          ' |\n|---|---|---|---|---|')
+        print(f"| {row['program']} | {row['setting']} | {row['wall']:.2f} | {row['cpu']:.2f} | "
+              f"{row['flux']:.4f} | {errors} |")
+    clocks = ' | '.join(f'{who}, wall s | cpu s' for who in PROGRAMS)
+    print(f'\n| relative L1, {boxes[0]} x {boxes[0]} | {clocks} |\n|---|---|---|---|---|')
     for row in result['equal_error']:
         seconds = ' | '.join(told(row[who][clock]) for who in PROGRAMS for clock in ('wall', 'cpu'))
         print(f"| {row['error']} | {seconds} |")
 
 
 def write_difference(bench, settings, path):
-    """Above: truth, caustics, POV-Ray, each at its last setting; below, where they have too much light (red) or too
-    little (blue), pure at a fifth of what is white above."""
+    """Above: truth, caustics, POV-Ray, each at its last setting; below, where they have too much light (red)
+    or too little (blue), pure at a fifth of what is white above."""
     side = bench.arguments.boxes[0]
     truth = bench.truth.boxes[side]
     shown = [bench.caustic([s for s in settings if s.program == who][-1]).boxes(side) for who in PROGRAMS]
     white = sorted(max(pixel) for pixel in zip(*truth.planes))[int(0.98 * truth.size ** 2)]
     pictures.write_png(path, truth.size, [[pictures.exposed(p, white) for p in (truth, *shown)],
-                                          [None, *(pictures.signed(p.minus(truth), 0.2 * white) for p in shown)]])
+                                          [None, *(pictures.signed(p.minus(truth), 0.2 * white)
+                                                   for p in shown)]])

@@ -8,32 +8,11 @@
 #include <oneapi/tbb/task_arena.h>
 #endif
 
+#include "pipeline/gpu/happens_before.hpp"
+
 namespace caustics::tracer {
 
 #if CAUSTICS_HAS_TBB
-
-namespace {
-
-// The thread sanitizer cannot see into a oneTBB that was built without it, and is told what happens before
-// what.
-#if defined(__SANITIZE_THREAD__)
-#define CAUSTICS_THREAD_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define CAUSTICS_THREAD_SANITIZER 1
-#endif
-#endif
-#if CAUSTICS_THREAD_SANITIZER
-extern "C" void __tsan_acquire(void*);
-extern "C" void __tsan_release(void*);
-void happens_before(void* tag) { __tsan_release(tag); }
-void happens_after(void* tag) { __tsan_acquire(tag); }
-#else
-void happens_before(void*) {}
-void happens_after(void*) {}
-#endif
-
-}  // namespace
 
 void in_pieces(int pieces, int threads, const std::function<void(int)>& work) {
   char started = 0, ended = 0;

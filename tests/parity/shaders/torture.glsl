@@ -2,12 +2,9 @@
 UNIFORMS_BEGIN
 vec4 limits;  // x: fragments with a smooth red below it are discarded
 UNIFORMS_END
-VARYING_SMOOTH(0, Vec4, smooth_color)
-VARYING_FLAT(4, Vec4, flat_color)
-
-#ifdef VERTEX_STAGE
 #include "tests/raster/shaders/raster_vertex.glsl"
-#else
+
+#ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, smooth_out)
 OUTPUT(1, Vec4, flat_out)
 

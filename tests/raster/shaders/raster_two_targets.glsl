@@ -1,10 +1,7 @@
 // The smooth colour into one target, the flat one and the facing into another.
-VARYING_SMOOTH(0, Vec4, smooth_color)
-VARYING_FLAT(4, Vec4, flat_color)
-
-#ifdef VERTEX_STAGE
 #include "tests/raster/shaders/raster_vertex.glsl"
-#else
+
+#ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, smooth_out)
 OUTPUT(1, Vec4, flat_out)
 

@@ -1,3 +1,8 @@
+// Clip coordinates, colours and sizes as the test gives them; the colour once smooth and once flat.
+VARYING_SMOOTH(0, Vec4, smooth_color)
+VARYING_FLAT(4, Vec4, flat_color)
+
+#ifdef VERTEX_STAGE
 ATTRIBUTE(0, Vec4, position)
 ATTRIBUTE(4, Vec4, color)
 ATTRIBUTE(8, Float, size)
@@ -8,3 +13,4 @@ void main() {
   set_position(position);
   set_point_size(size);
 }
+#endif

@@ -1,0 +1,131 @@
+// caustics paper: every effect of Shah, Konttinen and Pattanaik (2007) made again, with its check.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/output/stats.hpp"
+#include "app/paper_shots.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/parser.hpp"
+#include "app/shell/progress.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
+#include "lab/paper/row.hpp"
+#include "pipeline/settings/nearest.hpp"
+
+namespace caustics::app {
+
+namespace fs = std::filesystem;
+using paper::Row;
+using paper::Shot;
+
+namespace {
+
+struct PaperRequest {
+  std::string folder = "paper";
+  std::vector<std::string> rows;  // ids; empty: all
+};
+
+struct Done {
+  Row row;
+  paper::Finding finding;
+};
+
+bool parse(const Arguments& arguments, PaperRequest& request) {
+  Parser parser("paper",
+                "Makes the effects of the paper again: pictures, statistics and a report, paper.md and\n"
+                "paper.json. Each row is checked; exit code 1 when one does not hold.",
+                "  caustics paper -o paper\n"
+                "  caustics paper -o paper --row 9 --row 10\n");
+  parser.group("Output");
+  parser.option("-o,--output", "DIR", {"folder of the report; made where it is missing", "", "paper"},
+                [&](const std::string& folder) { request.folder = folder; });
+  parser.repeated("--row", "ID", {"this row only; may stand several times", "", "all"},
+                  [&](const std::string& id) { request.rows.push_back(id); });
+  return parser.parse(arguments);
+}
+
+std::vector<Row> wanted_rows(const PaperRequest& request) {
+  std::vector<Row> rows = paper::paper_rows();
+  std::vector<std::string> ids;
+  ids.reserve(rows.size());
+  for (const Row& row : rows) ids.push_back(row.id);
+  for (const std::string& id : request.rows)
+    if (std::find(ids.begin(), ids.end(), id) == ids.end())
+      throw Error(ExitCode::WrongUsage, "there is no row '" + one_line(id).substr(0, 60) +
+                                            "'; the nearest is '" + nearest_name(id, ids) + "'");
+  if (!request.rows.empty())
+    std::erase_if(rows, [&](const Row& row) {
+      return std::find(request.rows.begin(), request.rows.end(), row.id) == request.rows.end();
+    });
+  return rows;
+}
+
+std::string markdown(const std::vector<Done>& done, const RenderedShots& shots) {
+  std::string text = "# The paper's effects, made again\n\n" + version_line() +
+                     ", `caustics paper`. Times are of this machine.\n\n"
+                     "| row | what | expected | found | |\n|---|---|---|---|---|\n";
+  for (const Done& d : done)
+    text += "| " + d.row.id + " | " + d.row.thing + " | " + d.row.expected + " | " + d.finding.figure +
+            " | " + (d.finding.holds ? "holds" : "**does not hold**") + " |\n";
+  for (const Done& d : done) {
+    text += "\n## " + d.row.id + ": " + d.row.thing + "\n\n";
+    for (const Shot& shot : d.row.shots) text += "    " + shots.command(shot.name) + "\n";
+    if (!d.row.picture.empty()) text += "\n![" + d.row.thing + "](" + d.row.picture + ".png)\n";
+  }
+  return text;
+}
+
+std::string json(const std::vector<Done>& done, const RenderedShots& shots) {
+  nlohmann::ordered_json document = {{"format", 1}, {"program", version_line()}};
+  document["rows"] = nlohmann::ordered_json::array();
+  for (const Done& d : done) {
+    nlohmann::ordered_json commands = nlohmann::ordered_json::array();
+    for (const Shot& shot : d.row.shots) commands.push_back(shots.command(shot.name));
+    document["rows"].push_back({{"row", d.row.id},
+                                {"thing", d.row.thing},
+                                {"expected", d.row.expected},
+                                {"found", d.finding.figure},
+                                {"holds", d.finding.holds},
+                                {"commands", commands}});
+  }
+  return json_text(document);
+}
+
+}  // namespace
+
+ExitCode run_paper(const Arguments& arguments) {
+  PaperRequest request;
+  if (!parse(arguments, request)) return ExitCode::Done;
+  const std::vector<Row> rows = wanted_rows(request);
+  const fs::path folder = request.folder;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  require_writable(folder / "paper.md");
+  RenderedShots shots(folder);
+  std::vector<Done> done;
+  Stopwatch watch;
+  for (const Row& row : rows) {
+    for (const Shot& shot : row.shots) {
+      stop_if_interrupted();
+      shots.take(shot);
+    }
+    done.push_back({row, row.check(shots)});
+    const std::string left =
+        duration_text(watch.milliseconds() / double(done.size()) * double(rows.size() - done.size()));
+    std::printf("%-5s %-4s %s: %s (%s)\n", done.back().finding.holds ? "holds" : "FAILS", row.id.c_str(),
+                row.thing.c_str(), done.back().finding.figure.c_str(),
+                done.size() < rows.size() ? (left + " left").c_str() : "done");
+    std::fflush(stdout);
+  }
+  write_atomically(folder / "paper.md", markdown(done, shots));
+  write_atomically(folder / "paper.json", json(done, shots));
+  const auto fails = std::count_if(done.begin(), done.end(), [](const Done& d) { return !d.finding.holds; });
+  std::printf("%zu rows, %td do not hold; %s\n", done.size(), fails, (folder / "paper.md").string().c_str());
+  return fails == 0 ? ExitCode::Done : ExitCode::AnswerIsNo;
+}
+
+}  // namespace caustics::app

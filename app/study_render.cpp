@@ -1,0 +1,60 @@
+#include "app/study_render.hpp"
+
+#include <set>
+
+#include "app/shell/terminal.hpp"
+#include "passes/registry.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// The labels of what these textures depend on.
+std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goal) {
+  std::set<std::string> labels;
+  for (const PlannedPass& pass :
+       make_plan(frame.scene(), frame.effects(), frame.settings(), pass_registry(), goal).passes)
+    labels.insert(pass.label);
+  return labels;
+}
+
+void refuse_non_finite_caustic(const Image& caustic) {
+  if (const std::size_t count = count_non_finite(caustic); count > 0) {
+    throw Error(ExitCode::NumericFault,
+                "the layer caustic has " + grouped(count) + " values that are not finite");
+  }
+}
+
+std::uint64_t bytes_of(const RenderedFrame& frame) {
+  return make_plan(frame.scene(), frame.effects(), frame.settings(), pass_registry(), {{"picture"}}).bytes();
+}
+
+}  // namespace
+
+Rendered render_setting(FrameRequest request, int repeat,
+                        const std::function<void(const std::string&)>& say) {
+  request.backend.measure = repeat > 0;
+  request.backend.compiling = [&](std::string_view shader) {
+    say("compiling shader " + std::string(shader));
+  };
+  say("finding where the light goes");
+  RenderedFrame frame(request, load_scene(request), {{"picture", "aov_caustic"}});
+  Rendered result;
+  result.device = frame.device().description();
+  result.texture_bytes = bytes_of(frame);
+  say(repeat > 0 ? "warming up" : "rendering");
+  frame.run();
+  result.caustic = frame.read("aov_caustic");
+  refuse_non_finite_caustic(result.caustic);
+  if (repeat == 0) return result;
+  study::Clock clock(labels_for(frame, {{"picture"}}),
+                     labels_for(frame, {{kCausticMap, kCascadeMap, far_texture(kCausticMap)}}));
+  for (int n = 0; n < repeat; ++n) {
+    say("frame " + std::to_string(n + 1) + " of " + std::to_string(repeat));
+    clock.add(frame.run());
+  }
+  result.times = clock.times();
+  return result;
+}
+
+}  // namespace caustics::app
