@@ -82,7 +82,8 @@ Json texture_json(const PlannedTexture& texture) {
   return {{"name", texture.name},
           {"format", format_name(texture.format)},
           {"width", texture.width},
-          {"height", texture.height}};
+          {"height", texture.height},
+          {"kept", texture.kept}};
 }
 
 Json passes_json(const PlanReport& report) {

@@ -22,16 +22,23 @@ Sphere sphere_of(const Mesh& mesh) {
   return {0.5 * (upper + lower), exact::length(half)};
 }
 
-// Does the sphere lie wholly outside the cone? It does when one of two planes parts them: the one
-// across the axis at the tip, or the one that touches the cone on the sphere's side.
-bool cone_misses(const Light& light, const Sphere& sphere) {
+// Of a mesh's box, along a direction: from its middle to its farthest corner, metres.
+double half_extent(const Mesh& mesh, const glm::dvec3& d) {
+  const glm::dvec3 half = 0.5 * (glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower));
+  return half.x * std::fabs(d.x) + half.y * std::fabs(d.y) + half.z * std::fabs(d.z);
+}
+
+// Does the mesh lie wholly outside the cone? It does when one of two planes parts them: the one across the
+// axis at the tip, or the one that touches the cone on the side of the mesh's sphere.
+bool cone_misses(const Light& light, const Mesh& mesh) {
+  const Sphere sphere = sphere_of(mesh);
   const glm::dvec3 to = sphere.centre - light.position;
   const double along = exact::dot(to, light.direction);
   const double across = std::sqrt(std::max(exact::dot(to, to) - along * along, 0.0));
   double sine, cosine;
   const double widest = light.lambertian ? 0.5 * exact::kPi : static_cast<double>(light.outer_cone);
   exact::sin_cos(widest, sine, cosine);
-  return along < -sphere.radius || across * cosine - along * sine > sphere.radius;
+  return along < -half_extent(mesh, light.direction) || across * cosine - along * sine > sphere.radius;
 }
 
 // Nearest and farthest distance of a box along the light's way: metres along a directional light,
@@ -47,10 +54,8 @@ Reach reach_of(const Light& light, const Mesh& mesh) {
     const double distance = exact::length(to);
     return {std::max(distance - sphere.radius, 0.0), distance + sphere.radius};
   }
-  const glm::dvec3 half = 0.5 * (glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower));
-  const glm::dvec3& d = light.direction;
-  const double middle = exact::dot(sphere.centre, d);
-  const double extent = half.x * std::fabs(d.x) + half.y * std::fabs(d.y) + half.z * std::fabs(d.z);
+  const double middle = exact::dot(sphere.centre, light.direction);
+  const double extent = half_extent(mesh, light.direction);
   return {middle - extent, middle + extent};
 }
 
@@ -87,9 +92,8 @@ std::string why_not_lit(const Scene& scene, const Light& light, std::size_t inde
   const Mesh& mesh = scene.meshes[index];
   if (is_dark(light)) return "the light's intensity or colour is 0";
   if (light.emitter == static_cast<int>(index)) return "it is the light itself";
-  if (light.type == LightType::Spot && cone_misses(light, sphere_of(mesh)))
-    return "the spot light's cone misses it";
-  if (light.lambertian && cone_misses(light, sphere_of(mesh))) return "it lies behind the light";
+  if (light.type == LightType::Spot && cone_misses(light, mesh)) return "the spot light's cone misses it";
+  if (light.lambertian && cone_misses(light, mesh)) return "it lies behind the light";
   if (light.type != LightType::Directional &&
       reach_of(light, mesh).nearest > static_cast<double>(light.range))
     return "it lies beyond the light's range of " + number_text(light.range) + " m";

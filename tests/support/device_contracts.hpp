@@ -1,4 +1,5 @@
-// What every Device promises of runs that draw into nothing or depend on an occlusion query, for the tests of each.
+// What every Device promises of runs that draw into nothing or depend on an occlusion query, for the tests of
+// each.
 #pragma once
 #include "pipeline/gpu/error.hpp"
 #include "tests/raster/raster_bench.hpp"

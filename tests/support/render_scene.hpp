@@ -33,10 +33,23 @@ inline Rendering rendering_of(FrameRenderer& renderer) {
   return out;
 }
 
+// Every attachment that the registry's passes have, so that tests can look at all that was drawn on the way.
+inline std::vector<std::string> all_attachments() {
+  std::vector<std::string> names;
+  for (const Pass& pass : pass_registry())
+    for (const DrawnFor& drawn_for : pass.drawn_for) {
+      const std::string label = std::string(drawn_for.label.empty() ? "" : ".").append(drawn_for.label);
+      for (const Write& write : pass.writes) names.push_back(std::string(write.name) + label);
+      if (pass.depth) names.push_back(std::string(pass.depth->name) + label);
+    }
+  return names;
+}
+
 // `pilot`: the device that fits the light views; none: the same one.
 inline Rendering render_on(Device& device, Scene scene, const Settings& settings,
                            const std::vector<std::string>& textures, Device* pilot = nullptr) {
-  FrameRenderer renderer(scene, settings, pass_registry(), device, {.goal = {textures}, .pilot = pilot});
+  FrameRenderer renderer(scene, settings, pass_registry(), device,
+                         {.goal = {textures, all_attachments()}, .pilot = pilot});
   return rendering_of(renderer);
 }
 

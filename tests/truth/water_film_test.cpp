@@ -18,8 +18,8 @@ class Film {
       : scene_(std::move(scene)),
         settings_(settings),
         renderer_(scene_, settings_, pass_registry(), *device_,
-                  {.goal = {{"picture", "aov_caustic", "aov_direct", kCausticMap, kLanding, kLandingFlux,
-                             kLandingFresnel, kLandingAbsorbed, kCellFlux}}}) {}
+                  {.goal = {{"picture", "aov_caustic", "aov_direct", kCausticMap, kLandingFresnel},
+                            all_attachments()}}) {}
 
   const Rendering& show(double seconds) {
     renderer_.show_waters(seconds);
