@@ -112,8 +112,12 @@ ExitCode run_probe(const Arguments& arguments) {
   check_light(loaded->scene(), request);
   RenderedFrame frame(request.frame, std::move(loaded), {{kLanding}});
   const PlannedPass& landing = find_landing(frame, request);
-  frame.run();
-  const ProbedTexel probed = probe_texel(frame, landing, request.x, request.y);
+  ProbedTexel probed;
+  // As soon as it is drawn: later passes may take the memory of what it read.
+  frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
+    if (&pass == &landing) probed = probe_texel(frame, landing, request.x, request.y);
+    return true;
+  });
   print_probe(frame, request, probed);
   if (!probed.agrees) {
     throw Error(ExitCode::InternalError, "the probe does not agree with the rendered texel");

@@ -59,7 +59,8 @@ class FrameRenderer {
   // other names, and where the goal did not say that it is to be kept.
   Image read(const std::string& texture) const;
   Image read(int texture) const;
-  // A pass of the plan with everything bound to it, as run() hands it to the device.
+  // A pass of the plan with everything bound to it, as run() hands it to the device. What it reads is there
+  // until the next pass runs, and longer where the goal keeps it.
   PassRun prepare(const PlannedPass& pass) const;
 
   const Scene& scene() const { return scene_; }

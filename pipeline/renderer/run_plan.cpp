@@ -6,8 +6,10 @@
 namespace caustics {
 
 FrameTargets::FrameTargets(const FramePlan& plan, Device& device) : device_(device) {
-  for (const TextureMemory& each : plan.memory)
-    memory_.emplace_back(device, device.create_texture(each.format, each.width, each.height));
+  for (const TextureMemory& each : plan.memory) {
+    OwnedTexture texture(device, device.create_texture(each.format, each.width, each.height));
+    memory_.push_back(std::move(texture));
+  }
   for (const PlannedTexture& texture : plan.textures)
     places_.push_back(texture.external ? memory_.size() : static_cast<std::size_t>(texture.memory));
 }

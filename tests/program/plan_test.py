@@ -92,8 +92,8 @@ def bytes_of(texture):
 
 
 def least_bytes(passes):
-    """Of textures that share memory with others of their kind: as many as live at one time. A texture lives from
-    the first pass that writes it to the last that uses it, or to the end."""
+    """Of textures that share memory with others of their kind: as many as live at one time. A texture lives
+    from the first pass that writes it to the last that uses it, or to the end."""
     first, last, textures = {}, {}, {}
     for number, planned in enumerate(passes):
         for texture in planned["writes"]:
