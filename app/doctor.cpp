@@ -1,6 +1,4 @@
 // caustics doctor: what this build is made of and what this machine lets it use.
-#include <OpenImageIO/imageio.h>
-
 #include <CLI/Version.hpp>
 #include <cstdio>
 #include <glm/glm.hpp>
@@ -15,6 +13,7 @@
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/shader.hpp"
+#include "pipeline/image_io/image_io.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::app {
@@ -78,7 +77,7 @@ ExitCode run_doctor(const Arguments& arguments) {
   line("largest texture", std::to_string(device->max_texture_size()));
   describe_gl();
   line("passes", std::to_string(pass_registry().size()));
-  line("OpenImageIO", OIIO_VERSION_STRING);
+  line("OpenImageIO", image_io().version);
   line("CLI11", CLI11_VERSION);
   line("nlohmann-json", std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
                             std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +

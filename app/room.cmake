@@ -1,5 +1,5 @@
 # The program `caustics`.
-# pipeline/room.cmake has found OpenImageIO and nlohmann_json.
+# pipeline/room.cmake has found nlohmann_json.
 find_package(CLI11 REQUIRED)
 
 file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
@@ -10,7 +10,7 @@ caustics_target_options(caustics_app)
 caustics_batch(caustics_app)
 target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_gltf
   caustics_reference caustics_metrics caustics_study caustics_paper
-  OpenImageIO::OpenImageIO nlohmann_json::nlohmann_json CLI11::CLI11)
+  caustics_image_io nlohmann_json::nlohmann_json CLI11::CLI11)
 target_compile_definitions(caustics_app PRIVATE CAUSTICS_VERSION="${PROJECT_VERSION}")
 if(TARGET TBB::tbb)
   target_compile_definitions(caustics_app PRIVATE CAUSTICS_TBB_VERSION="${TBB_VERSION}")

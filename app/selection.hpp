@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+namespace caustics {
+struct ImagePlanes;
+}
+
 namespace caustics::app {
 
-struct ImagePlanes;
 
 // Texels x..x+width-1, y..y+height-1, counted from the top left.
 struct Region {

@@ -3,16 +3,13 @@
 # expanded, and adds a `const caustics::Shader <shader>_shader` to TARGET, with the size of its uniform block
 # and the choices of it that the text asks.
 set(CAUSTICS_EXACT_FLAGS -ffp-contract=off -fno-math-errno -fno-fast-math)
-set(CAUSTICS_WIDTHS scalar plain4)
+include(${CMAKE_CURRENT_LIST_DIR}/lanes.cmake)
 set(CAUSTICS_FLAGS_scalar "")
 set(CAUSTICS_FLAGS_plain4 "")
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CAUSTICS_PLAIN_LANES)
-  list(APPEND CAUSTICS_WIDTHS sse41 avx2 avx512)
-  set(CAUSTICS_FLAGS_sse41 -msse4.1)
-  set(CAUSTICS_FLAGS_avx2 -mavx2 -mfma)
-  set(CAUSTICS_FLAGS_avx512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw
-    -Wno-uninitialized)  # GCC 12 headers
-endif()
+set(CAUSTICS_FLAGS_sse41 -msse4.1)
+set(CAUSTICS_FLAGS_avx2 -mavx2 -mfma)
+set(CAUSTICS_FLAGS_avx512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw
+  -Wno-uninitialized)  # GCC 12 headers
 set(CAUSTICS_LANES_scalar 1)
 set(CAUSTICS_LANES_plain4 4)
 set(CAUSTICS_LANES_sse41 4)
@@ -118,7 +115,12 @@ function(caustics_add_shader target shader)
   set(VERTEX_KERNELS "")
   set(FRAGMENT_KERNELS "")
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/shaders/${shader})
-  foreach(WIDTH IN LISTS CAUSTICS_WIDTHS)
+  foreach(WIDTH IN LISTS CAUSTICS_ALL_WIDTHS)
+    if(NOT WIDTH IN_LIST CAUSTICS_WIDTHS)
+      list(APPEND VERTEX_KERNELS nullptr)
+      list(APPEND FRAGMENT_KERNELS nullptr)
+      continue()
+    endif()
     set(LANES ${CAUSTICS_LANES_${WIDTH}})
     set(kernel ${directory}/${shader}_${WIDTH}.cpp)
     configure_file(${CAUSTICS_CMAKE_DIR}/kernel.cpp.in ${kernel} @ONLY)

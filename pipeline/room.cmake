@@ -12,23 +12,13 @@ if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST OR CAUSTI
     list(FILTER gltf_sources EXCLUDE REGEX "/image_file[.]cpp$")
     list(APPEND gltf_sources ${PROJECT_SOURCE_DIR}/tests/determinism/plain_png.cpp)
   else()
-    find_package(OpenImageIO REQUIRED)
-    # Debian 12's OpenImageIO names include folders (OpenCV's) that it does not depend on.
-    get_target_property(oiio_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-    set(oiio_existing "")
-    foreach(folder IN LISTS oiio_folders)
-      if(EXISTS ${folder})
-        list(APPEND oiio_existing ${folder})
-      endif()
-    endforeach()
-    set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
-      INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing}")
+    include(pipeline/image_io/room.cmake)
   endif()
   add_library(caustics_gltf STATIC pipeline/scene/gltf/load_gltf.cpp ${gltf_sources})
   add_library(caustics::gltf ALIAS caustics_gltf)
   caustics_target_options(caustics_gltf)
   target_link_libraries(caustics_gltf PUBLIC caustics_pipeline
-    PRIVATE nlohmann_json::nlohmann_json $<TARGET_NAME_IF_EXISTS:OpenImageIO::OpenImageIO>)
+    PRIVATE nlohmann_json::nlohmann_json $<TARGET_NAME_IF_EXISTS:caustics_image_io>)
 
   # Debian and Ubuntu ship tinygltf as a shared library; elsewhere it is a header to be compiled
   # once. The name of its target differs between versions.

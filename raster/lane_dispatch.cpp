@@ -11,34 +11,54 @@ namespace caustics {
 namespace raster {
 
 void render_tile_plain4(const TileJob&, TileCounters&);
-#if defined(CAUSTICS_X86_LANES)
 void render_tile_sse41(const TileJob&, TileCounters&);
 void render_tile_avx2(const TileJob&, TileCounters&);
 void render_tile_avx512(const TileJob&, TileCounters&);
+
+namespace {
+
+struct CompiledLanes {
+  Lanes lanes;
+  TileKernel tile_kernel;
+  bool (*usable)();  // by this processor
+};
+
+bool everywhere() { return true; }
+
+// What this build was made for (cmake/lanes.cmake), narrow to wide.
+constexpr CompiledLanes kCompiled[] = {
+    {Lanes::Scalar, render_tile_plain4, everywhere},
+#if defined(CAUSTICS_COMPILES_plain4)
+    {Lanes::Plain4, render_tile_plain4, everywhere},
 #endif
+#if defined(CAUSTICS_COMPILES_sse41)
+    {Lanes::Sse41x4, render_tile_sse41, [] { return __builtin_cpu_supports("sse4.1") != 0; }},
+#endif
+#if defined(CAUSTICS_COMPILES_avx2)
+    {Lanes::Avx2x8, render_tile_avx2,
+     [] { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }},
+#endif
+#if defined(CAUSTICS_COMPILES_avx512)
+    {Lanes::Avx512x16, render_tile_avx512,
+     [] {
+       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+              __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+              __builtin_cpu_supports("fma");
+     }},
+#endif
+};
+
+const CompiledLanes* find(Lanes lanes) {
+  for (const CompiledLanes& compiled : kCompiled)
+    if (compiled.lanes == lanes) return &compiled;
+  return nullptr;
+}
+
+}  // namespace
 
 bool is_supported(Lanes lanes) {
-  switch (lanes) {
-    case Lanes::Scalar:
-    case Lanes::Plain4:
-      return true;
-#if defined(CAUSTICS_X86_LANES)
-    case Lanes::Sse41x4:
-      return __builtin_cpu_supports("sse4.1");
-    case Lanes::Avx2x8:
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    case Lanes::Avx512x16:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
-             __builtin_cpu_supports("fma");
-#else
-    case Lanes::Sse41x4:
-    case Lanes::Avx2x8:
-    case Lanes::Avx512x16:
-      return false;
-#endif
-  }
-  return false;
+  const CompiledLanes* compiled = find(lanes);
+  return compiled && compiled->usable();
 }
 
 Lanes default_lanes() {
@@ -56,25 +76,8 @@ Lanes default_lanes() {
 }
 
 TileKernel tile_kernel(Lanes lanes) {
-  switch (lanes) {
-    case Lanes::Scalar:
-    case Lanes::Plain4:
-      return render_tile_plain4;
-#if defined(CAUSTICS_X86_LANES)
-    case Lanes::Sse41x4:
-      return render_tile_sse41;
-    case Lanes::Avx2x8:
-      return render_tile_avx2;
-    case Lanes::Avx512x16:
-      return render_tile_avx512;
-#else
-    case Lanes::Sse41x4:
-    case Lanes::Avx2x8:
-    case Lanes::Avx512x16:
-      break;
-#endif
-  }
-  return nullptr;
+  const CompiledLanes* compiled = find(lanes);
+  return compiled ? compiled->tile_kernel : nullptr;
 }
 
 }  // namespace raster

@@ -17,8 +17,7 @@ target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster cau
   caustics_reference caustics_metrics
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
-  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study nlohmann_json::nlohmann_json
-    OpenImageIO::OpenImageIO)
+  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study nlohmann_json::nlohmann_json)
 endif()
 # Random scenes need RapidCheck; a machine without it tests the rest.
 find_package(rapidcheck CONFIG QUIET)

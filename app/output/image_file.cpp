@@ -1,107 +1,70 @@
 #include "app/output/image_file.hpp"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <algorithm>
 
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/image_io/image_io.hpp"
 
 namespace caustics::app {
 
 namespace {
 
 // Encodes into memory, row by row from the top; what reaches the disk is left to write_atomically.
-class Encoder {
- public:
-  Encoder(const std::filesystem::path& path, const char* format, const OIIO::ImageSpec& spec)
-      : path_(path), output_(OIIO::ImageOutput::create(format)) {
-    if (!output_ || !output_->supports("ioproxy")) {
-      fail(std::string("this OpenImageIO cannot encode ") + format + " in memory");
-    }
-    output_->set_ioproxy(&memory_);
-    if (!output_->open(std::string("memory.") + format, spec)) fail(output_->geterror());
+void write_encoded(const std::filesystem::path& path, ImageToEncode image) {
+  image.row = [fill = std::move(image.row)](int row, void* values) {
+    if (row % 256 == 0) stop_if_interrupted();
+    fill(row, values);
+  };
+  std::vector<unsigned char> bytes;
+  const std::string problem = image_io().encode(image, bytes);
+  if (!problem.empty()) {
+    throw Error(ExitCode::CannotWrite, path.string() + ": cannot encode: " + problem);
   }
+  write_atomically(path, bytes.data(), bytes.size());
+}
 
-  void row(int from_top, const OIIO::TypeDesc& type, const void* values) {
-    if (!output_->write_scanline(from_top, 0, type, values)) fail(output_->geterror());
-    if (from_top % 256 == 0) stop_if_interrupted();
-  }
-
-  void finish() {
-    if (!output_->close()) fail(output_->geterror());
-    write_atomically(path_, bytes_.data(), bytes_.size());
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& why) const {
-    throw Error(ExitCode::CannotWrite, path_.string() + ": cannot encode: " + why);
-  }
-
-  std::filesystem::path path_;
-  std::vector<unsigned char> bytes_;
-  OIIO::Filesystem::IOVecOutput memory_{bytes_};
-  std::unique_ptr<OIIO::ImageOutput> output_;
-};
+float value_of(const ExrChannel& channel, int x, int y) {
+  const float value = channel.image->at(x, y, channel.channel);
+  const bool covered = channel.covered_by < 0 || channel.image->at(x, y, channel.covered_by) != 0.0f;
+  if (channel.offset == 0.0 || !covered) return value;
+  return static_cast<float>(static_cast<double>(value) + channel.offset);
+}
 
 }  // namespace
 
 bool is_image_of_size(const std::filesystem::path& path, int width, int height) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
-  const auto input = OIIO::ImageInput::open(path.string());
-  if (!input) {
-    OIIO::geterror();  // fetched, so that nobody else finds it
-    return false;
-  }
-  return input->spec().width == width && input->spec().height == height;
+  int found_width = 0, found_height = 0;
+  return image_io().read_size(path, found_width, found_height) && found_width == width &&
+         found_height == height;
 }
 
 void write_png(const std::filesystem::path& path, const Image& picture) {
-  OIIO::ImageSpec spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  Encoder encoder(path, "png", spec);
-  std::vector<std::uint8_t> row(static_cast<std::size_t>(picture.width()) * 3);
-  for (int y = 0; y < picture.height(); ++y) {
+  const auto fill = [&](int row, void* values) {
+    auto* bytes = static_cast<std::uint8_t*>(values);
     for (int x = 0; x < picture.width(); ++x) {
-      for (int c = 0; c < 3; ++c) {
-        row[static_cast<std::size_t>(x) * 3 + static_cast<std::size_t>(c)] =
-            unorm8_from_float(picture.at(x, picture.height() - 1 - y, c));
-      }
+      for (int c = 0; c < 3; ++c) *bytes++ = unorm8_from_float(picture.at(x, picture.height() - 1 - row, c));
     }
-    encoder.row(y, OIIO::TypeDesc::UINT8, row.data());
-  }
-  encoder.finish();
+  };
+  write_encoded(path, {ImageEncoding::Png, picture.width(), picture.height(), {"R", "G", "B"}, fill});
 }
 
 void write_exr(const std::filesystem::path& path, const std::vector<ExrChannel>& channels) {
   const int width = channels.front().image->width(), height = channels.front().image->height();
-  const std::size_t count = channels.size();
-  OIIO::ImageSpec spec(width, height, static_cast<int>(count), OIIO::TypeDesc::FLOAT);
-  spec.attribute("compression", "zip");
-  spec.attribute("oiio:ColorSpace", "Linear");
-  // OpenImageIO would put the present time here, and no two files would be equal.
-  spec.attribute("DateTime", "");
-  spec.channelnames.clear();
-  for (const ExrChannel& channel : channels) spec.channelnames.push_back(channel.name);
-  Encoder encoder(path, "exr", spec);
-  std::vector<float> row(static_cast<std::size_t>(width) * count);
-  for (int y = 0; y < height; ++y) {
-    for (std::size_t c = 0; c < count; ++c) {
-      const ExrChannel& from = channels[c];
-      for (int x = 0; x < width; ++x) {
-        float value = from.image->at(x, height - 1 - y, from.channel);
-        const bool covered =
-            from.covered_by < 0 || from.image->at(x, height - 1 - y, from.covered_by) != 0.0f;
-        if (from.offset != 0.0 && covered) {
-          value = static_cast<float>(static_cast<double>(value) + from.offset);
-        }
-        row[static_cast<std::size_t>(x) * count + c] = value;
+  const auto fill = [&](int row, void* values) {
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      auto* floats = static_cast<float*>(values) + c;
+      for (int x = 0; x < width; ++x, floats += channels.size()) {
+        *floats = value_of(channels[c], x, height - 1 - row);
       }
     }
-    encoder.row(y, OIIO::TypeDesc::FLOAT, row.data());
-  }
-  encoder.finish();
+  };
+  ImageToEncode image{ImageEncoding::Exr, width, height, {}, fill};
+  for (const ExrChannel& channel : channels) image.channels.push_back(channel.name);
+  write_encoded(path, std::move(image));
 }
 
 std::vector<ExrChannel> channels_of(const Image& image) {

@@ -8,7 +8,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAY = {
     'pipeline/gpu': set(),
     'pipeline/shader': {'pipeline/gpu'},
-    'pipeline/scene': {'pipeline/shader', 'pipeline/gpu'},
+    'pipeline/image_io': {'pipeline/gpu'},
+    'pipeline/scene': {'pipeline/image_io', 'pipeline/shader', 'pipeline/gpu'},
     'pipeline/settings': {'pipeline/scene', 'pipeline/shader', 'pipeline/gpu'},
     'pipeline/effects': {'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
     'pipeline/views': {'pipeline/effects', 'pipeline/settings', 'pipeline/scene', 'pipeline/gpu'},
@@ -34,7 +35,7 @@ OWNED = {
     'tbb/': {'raster', 'lab/reference'}, 'oneapi/': {'raster', 'lab/reference'}, 'embree': {'lab/reference'},
     'CLI/': {'app'},
     'tiny_gltf.h': {'pipeline/scene'}, 'nlohmann/': {'pipeline/scene', 'lab/study', 'lab/paper', 'app'},
-    'OpenImageIO/': {'pipeline/scene', 'app'},
+    'OpenImageIO/': {'pipeline/image_io'},
 }
 
 

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const gltf::ImageHeader header = gltf::sniff_image(bytes);
   // Textures are PNG or JPEG; other formats are for environments, which are a person's own files.
   if (header.kind != gltf::ImageKind::Png && header.kind != gltf::ImageKind::Jpeg) return 0;
-  gltf::Pixels pixels;
+  Pixels pixels;
   std::string problem;
   if (!gltf::decode_image(bytes, header.kind, kMostSide, kMostPixels, pixels, problem)) {
     if (problem.empty()) fuzz::finding("a picture is refused without a reason");

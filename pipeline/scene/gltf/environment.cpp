@@ -8,7 +8,7 @@ namespace {
 
 float usable(float value) { return value - value == 0.0f && value > 0.0f ? value : 0.0f; }
 
-Image to_image(const gltf::Pixels& pixels) {
+Image to_image(const Pixels& pixels) {
   Image image(Format::RGBA32F, pixels.width, pixels.height);
   const auto channels = static_cast<std::size_t>(pixels.channels);
   const auto width = static_cast<std::size_t>(pixels.width);
@@ -33,7 +33,7 @@ Environment load_environment(const std::filesystem::path& path, const LoadOption
     context.fail("", "is neither Radiance (.hdr) nor OpenEXR (.exr)",
                  "environments must hold linear light: convert the image");
   }
-  gltf::Pixels pixels;
+  Pixels pixels;
   std::string problem;
   if (!gltf::decode_image(bytes, header.kind, options.max_image_side, options.max_image_pixels, pixels,
                           problem)) {

@@ -1,4 +1,4 @@
-// Decodes image files from memory with OpenImageIO, after looking at their headers ourselves.
+// Decodes image files from memory, after looking at their headers ourselves.
 //
 // Only the one plugin that belongs to the recognised content ever sees the bytes, and only after
 // the size in the header has passed the limits.
@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
+
+#include "pipeline/image_io/image_io.hpp"
 
 namespace caustics::gltf {
 
@@ -20,14 +21,6 @@ struct ImageHeader {
   std::string problem;  // names other formats; empty when the image may be decoded
 };
 ImageHeader sniff_image(std::span<const std::uint8_t> bytes);
-
-// Texels as stored in the file, top row first: 8 or 16 bits per channel, or floats.
-struct Pixels {
-  int width = 0, height = 0, channels = 0;
-  double largest = 255;                 // what stands for 1: 255 or 65535
-  std::vector<std::uint16_t> integers;  // PNG and JPEG
-  std::vector<float> floats;            // HDR and EXR
-};
 
 // False with a message on failure. Sides and number of pixels above the limits are failures.
 bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side, std::uint64_t max_pixels,

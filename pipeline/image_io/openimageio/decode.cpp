@@ -1,0 +1,54 @@
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "pipeline/image_io/openimageio/module.hpp"
+
+namespace caustics::openimageio {
+
+namespace {
+
+// Reads all pixels in rows from the top.
+bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, bool floats, Pixels& pixels) {
+  pixels.width = spec.width;
+  pixels.height = spec.height;
+  pixels.channels = spec.nchannels;
+  const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                            static_cast<std::size_t>(spec.nchannels);
+  if (floats) {
+    pixels.floats.resize(count);
+    return input.read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.floats.data());
+  }
+  if (spec.format == OIIO::TypeDesc::UINT16) {
+    pixels.largest = 65535;
+    pixels.integers.resize(count);
+    return input.read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT16, pixels.integers.data());
+  }
+  // Read as the bytes they are, so that no conversion of the library touches them.
+  std::vector<std::uint8_t> bytes(count);
+  const bool good = input.read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data());
+  pixels.integers.assign(bytes.begin(), bytes.end());
+  return good;
+}
+
+}  // namespace
+
+std::string decode(const ImageToDecode& image, Pixels& pixels) {
+  const auto input = OIIO::ImageInput::create(image.format);
+  if (!input) return "cannot be decoded: OpenImageIO lacks " + image.format + " (" + OIIO::geterror() + ")";
+  OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(image.bytes.data()), image.bytes.size());
+  OIIO::Filesystem::IOProxy* proxy = &reader;
+  OIIO::ImageSpec config, spec;
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  config.attribute("oiio:UnassociatedAlpha", 1);  // glTF's alpha is not premultiplied
+  if (!input->open("memory." + image.format, spec, config)) {
+    return "cannot be decoded: " + reason(input->geterror());
+  }
+  if (std::string refusal = image.refusal(spec.width, spec.height); !refusal.empty()) return refusal;
+  if (spec.nchannels < 1 || spec.nchannels > 64 || spec.depth > 1) {
+    return "has " + std::to_string(spec.nchannels) + " channels";
+  }
+  if (!read_pixels(*input, spec, image.floats, pixels)) return "cannot be decoded: " + reason(input->geterror());
+  return "";
+}
+
+}  // namespace caustics::openimageio
