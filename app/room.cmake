@@ -8,6 +8,7 @@ add_executable(caustics_app ${app_sources})
 set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)
 caustics_target_options(caustics_app)
 caustics_batch(caustics_app)
+target_precompile_headers(caustics_app PRIVATE ${CAUSTICS_STANDARD_HEADERS} <nlohmann/json.hpp>)
 target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_gltf
   caustics_reference caustics_metrics caustics_study caustics_paper
   caustics_image_io nlohmann_json::nlohmann_json CLI11::CLI11)

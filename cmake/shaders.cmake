@@ -4,11 +4,12 @@
 # and the choices of it that the text asks.
 set(CAUSTICS_EXACT_FLAGS -ffp-contract=off -fno-math-errno -fno-fast-math)
 include(${CMAKE_CURRENT_LIST_DIR}/lanes.cmake)
-set(CAUSTICS_FLAGS_scalar "")
-set(CAUSTICS_FLAGS_plain4 "")
-set(CAUSTICS_FLAGS_sse41 -msse4.1)
-set(CAUSTICS_FLAGS_avx2 -mavx2 -mfma)
-set(CAUSTICS_FLAGS_avx512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw
+set(CAUSTICS_KERNEL_OPTIMISATION $<$<CONFIG:Release>:$<IF:$<BOOL:${CAUSTICS_QUICK_BUILD}>,-O2,-O3>>)
+set(CAUSTICS_FLAGS_scalar ${CAUSTICS_KERNEL_OPTIMISATION})
+set(CAUSTICS_FLAGS_plain4 ${CAUSTICS_KERNEL_OPTIMISATION})
+set(CAUSTICS_FLAGS_sse41 ${CAUSTICS_KERNEL_OPTIMISATION} -msse4.1)
+set(CAUSTICS_FLAGS_avx2 ${CAUSTICS_KERNEL_OPTIMISATION} -mavx2 -mfma)
+set(CAUSTICS_FLAGS_avx512 ${CAUSTICS_KERNEL_OPTIMISATION} -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw
   -Wno-uninitialized)  # GCC 12 headers
 set(CAUSTICS_LANES_scalar 1)
 set(CAUSTICS_LANES_plain4 4)
@@ -126,7 +127,7 @@ function(caustics_add_shader target shader)
     configure_file(${CAUSTICS_CMAKE_DIR}/kernel.cpp.in ${kernel} @ONLY)
     set_source_files_properties(${kernel} PROPERTIES
       COMPILE_OPTIONS "${CAUSTICS_FLAGS_${WIDTH}}" COMPILE_DEFINITIONS "${ARG_DEFINES}"
-      SKIP_UNITY_BUILD_INCLUSION ON)
+      SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
     target_sources(${target} PRIVATE ${kernel})
     string(APPEND DECLARATIONS "void ${shader}_vertex_${WIDTH}(const VertexBlock&);\n"
                                "void ${shader}_fragment_${WIDTH}(const FragmentBlock&);\n")

@@ -1,7 +1,7 @@
 # What judges. lab/reference and lab/metrics need the pipeline alone; study and paper also JSON, which
 # pipeline/room.cmake has found for the program.
-caustics_add_room(reference lab/reference)
-caustics_add_room(metrics lab/metrics)
+caustics_add_room(reference lab/reference FAST)
+caustics_add_room(metrics lab/metrics FAST)
 target_link_libraries(caustics_reference PUBLIC caustics_pipeline)
 target_link_libraries(caustics_metrics PUBLIC caustics_pipeline)
 include(lab/reference/room.cmake)

@@ -17,6 +17,7 @@ if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST OR CAUSTI
   add_library(caustics_gltf STATIC pipeline/scene/gltf/load_gltf.cpp ${gltf_sources})
   add_library(caustics::gltf ALIAS caustics_gltf)
   caustics_target_options(caustics_gltf)
+  target_precompile_headers(caustics_gltf PRIVATE ${CAUSTICS_STANDARD_HEADERS} <nlohmann/json.hpp>)
   target_link_libraries(caustics_gltf PUBLIC caustics_pipeline
     PRIVATE nlohmann_json::nlohmann_json $<TARGET_NAME_IF_EXISTS:caustics_image_io>)
 

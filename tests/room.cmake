@@ -13,6 +13,11 @@ endif()
 add_executable(caustics_tests ${caustics_test_sources})
 target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/failing_new.cpp)
 caustics_target_options(caustics_tests)
+target_compile_options(caustics_tests PRIVATE $<$<CONFIG:Release>:-O1>)
+target_precompile_headers(caustics_tests PRIVATE ${CAUSTICS_STANDARD_HEADERS}
+  ${PROJECT_SOURCE_DIR}/tests/support/catch.hpp)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/catch2_main.cpp PROPERTIES
+  SKIP_PRECOMPILE_HEADERS ON)
 target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_gl_backend
   caustics_reference caustics_metrics
   caustics_pipeline)
