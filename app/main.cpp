@@ -7,7 +7,9 @@
 #include "app/shell/run_program.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
+#include "gl_backend/gl_device.hpp"
 #include "pipeline/settings/nearest.hpp"
+#include "raster/software_device.hpp"
 
 namespace caustics::app {
 
@@ -58,7 +60,7 @@ HelpPage program_help() {
           "  caustics plan scene.glb                         why is there a caustic, or none?\n"
           "  caustics render --help                          examples, and every option\n",
       .positionals = {},
-      .groups = {{"Options", {{"--version", "", {"version and build"}}}}},
+      .groups = {{"Options", {{"--version", "", {"version, and the backends that work"}}}}},
       .lists = {{"Commands", {}}, {"Exit codes", {}}},
       .footer = {}};
   for (const Command& command : kCommands)
@@ -66,6 +68,17 @@ HelpPage program_help() {
   for (const auto& [code, meaning] : kExitCodes)
     page.lists[1].entries.push_back({std::to_string(static_cast<int>(code)), "", {meaning}});
   return page;
+}
+
+// The program, and the backends that work here.
+std::string version_text() {
+  std::string text = version_line() + "\nsoftware: " + make_software_device({})->description() + "\nOpenGL: ";
+  try {
+    const auto gl = make_gl_device({});
+    return text + gl->renderer() + ", " + gl->version() + "\n";
+  } catch (const Error& error) {
+    return text + error.what() + "\n";
+  }
 }
 
 // A word that can only have been meant as a command: not an option, nor anything like a file's
@@ -90,7 +103,7 @@ ExitCode dispatch(const Arguments& arguments) {
     return ExitCode::Done;
   }
   if (first == "--version") {
-    std::printf("%s\n", version_line().c_str());
+    std::fputs(version_text().c_str(), stdout);
     return ExitCode::Done;
   }
   if (first == "help") return dispatch({arguments[1], "--help"});

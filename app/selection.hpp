@@ -12,7 +12,6 @@ struct ImagePlanes;
 
 namespace caustics::app {
 
-
 // Texels x..x+width-1, y..y+height-1, counted from the top left.
 struct Region {
   int x = 0, y = 0, width = 0, height = 0;

@@ -3,6 +3,9 @@
 
 say() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; }
 
+# Whatever was fetched or built stays.
+trap 'say "interrupted; the same command goes on from here"; exit 130' INT
+
 # Prints why, the end of a log file, and leaves with an exit code.
 give_up() {
   local code=$1 why=$2 log=${3:-}
@@ -14,20 +17,23 @@ give_up() {
   exit "$code"
 }
 
-# Packages of packages.txt, and those named, that are not installed; one a line. Systems without dpkg
-# bring them in their own way, and CMake says what it misses.
+# missing_packages program|tests [PACKAGE ...]: what is not installed of packages.txt (the program's part, or
+# all of it) and of the packages named; one a line. Systems without dpkg bring them in their own way, and
+# CMake says what it misses.
 missing_packages() {
   command -v dpkg-query > /dev/null || return 0
-  local wanted installed package
-  wanted="$(sed -e 's/#.*//' "$root/packages.txt") $*"
-  # shellcheck disable=SC2086 -- a list of words
+  local wanted installed package stop=
+  if [[ $1 == program ]]; then stop='/^# For the tests/q'; fi
+  wanted="$(sed -e "$stop" -e 's/#.*//' "$root/packages.txt") ${*:2}"
+  # shellcheck disable=SC2086
   installed=" $(dpkg-query -W -f '${db:Status-Status}:${Package} ' $wanted 2> /dev/null || true)"
   for package in $wanted; do
     if [[ $installed != *" installed:$package "* ]]; then echo "$package"; fi
   done
 }
 
-# Installs what is missing. Without the right to, prints the line that does it and leaves with 5.
+# ensure_packages program|tests [PACKAGE ...]: installs what is missing. Without the right to, or without
+# network, prints the line that does it and leaves with 5.
 ensure_packages() {
   local missing=() package as_root=() log
   for package in $(missing_packages "$@"); do missing+=("$package"); done
@@ -39,12 +45,20 @@ ensure_packages() {
     fi
     as_root=(sudo)
   fi
-  say "installing ${#missing[@]} packages: ${missing[*]}"
+  say "packages to install: ${missing[*]}"
   mkdir -p "$root/build"
   log=$root/build/packages.log
-  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
-  { "${apt[@]}" update && "${apt[@]}" install --no-install-recommends -y "${missing[@]}"; } \
-    > "$log" 2>&1 < /dev/null || give_up 5 "could not install packages; as root: $line" "$log"
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -o DPkg::Lock::Timeout=300
+    -o Acquire::Retries=1 -o Acquire::http::Timeout=20 -o Acquire::https::Timeout=20)
+  "${apt[@]}" update --error-on=any > "$log" 2>&1 < /dev/null ||
+    give_up 5 "no list of packages: is there a network? When there is, run this again, or as root: $line" "$log"
+  say "$("${apt[@]}" install --print-uris --no-install-recommends "${missing[@]}" 2>> "$log" |
+    sed -nE 's/.* ([0-9]+) newly installed.*/\1 packages with all that they need/p
+      s/^Need to get ([^/]*).* of archives.*/, \1 to fetch/p; s/^After this operation, (.*) of add.*/, \1 on disk/p' |
+    tr -d '\n')"
+  "${apt[@]}" install --no-install-recommends -y "${missing[@]}" 2>> "$log" < /dev/null |
+    watch_lines "$log" '^(Get|Unpacking|Setting up)[: ]' ||
+    give_up 5 "could not install packages; as root: $line" "$log"
 }
 
 # Compilers at a time: one a core, and no more than the memory holds at about 1 GiB each.
@@ -71,24 +85,23 @@ configure() {
     > "$log" 2>&1 < /dev/null || return 1
 }
 
-# Hands Ninja's lines on to a log file; on a terminal one line counts the steps.
-watch_steps() {
-  local line
+# Adds lines to a log file; on a terminal one line shows the latest that matches.
+watch_lines() {
+  local line width=78
   while IFS= read -r line; do
     printf '%s\n' "$line"
-    if [[ -t 2 && $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
-      printf '\r  %s of %s ' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
-    fi
-  done > "$1"
-  if [[ -t 2 ]]; then printf '\r                    \r' >&2; fi
+    if [[ -t 2 && $line =~ $2 ]]; then printf '\r  %-*.*s' "$width" "$width" "$line" >&2; fi
+  done >> "$1"
+  if [[ -t 2 ]]; then printf '\r  %*s\r' "$width" '' >&2; fi
 }
 
 # build FOLDER TARGET ...; false when it fails, FOLDER/build.log says why.
 build() {
   local folder=$1
   shift
+  : > "$folder/build.log"
   cmake --build "$folder" --parallel "$(build_jobs)" --target "$@" 2>&1 < /dev/null |
-    watch_steps "$folder/build.log"
+    watch_lines "$folder/build.log" '^\[[0-9]+/[0-9]+\]'
 }
 
 # The program is fresh when nothing that it is made of is newer than the stamp, folders included: they

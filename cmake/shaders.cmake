@@ -1,9 +1,9 @@
 # caustics_add_shader(TARGET shader TEXT path/to/text.glsl [DEFINES A=1 ...])
-# Compiles one shader text for every lane width this architecture has, embeds the text with its includes
+# Compiles one shader text for every lane width of CAUSTICS_WIDTHS, embeds the text with its includes
 # expanded, and adds a `const caustics::Shader <shader>_shader` to TARGET, with the size of its uniform block
-# and the choices of it that the text asks.
+# and the choices of it that the text asks. Paths of texts and their includes start at the current source folder or
+# at CAUSTICS_SHADER_ROOT, where this project's own stand: its source folder, or where it is installed.
 set(CAUSTICS_EXACT_FLAGS -ffp-contract=off -fno-math-errno -fno-fast-math)
-include(${CMAKE_CURRENT_LIST_DIR}/lanes.cmake)
 set(CAUSTICS_KERNEL_OPTIMISATION $<$<CONFIG:Release>:$<IF:$<BOOL:${CAUSTICS_QUICK_BUILD}>,-O2,-O3>>)
 set(CAUSTICS_FLAGS_scalar ${CAUSTICS_KERNEL_OPTIMISATION})
 set(CAUSTICS_FLAGS_plain4 ${CAUSTICS_KERNEL_OPTIMISATION})
@@ -19,8 +19,12 @@ set(CAUSTICS_LANES_avx512 16)
 set(CAUSTICS_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
 
 function(caustics_expand_includes file result)
-  file(READ ${PROJECT_SOURCE_DIR}/${file} content)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
+  set(path ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  if(NOT EXISTS ${path})
+    set(path ${CAUSTICS_SHADER_ROOT}/${file})
+  endif()
+  file(READ ${path} content)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
   string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${content}")
   foreach(include IN LISTS includes)
     string(REGEX REPLACE "#include \"([^\"]+)\"" "\\1" path "${include}")
@@ -126,7 +130,7 @@ function(caustics_add_shader target shader)
     set(kernel ${directory}/${shader}_${WIDTH}.cpp)
     configure_file(${CAUSTICS_CMAKE_DIR}/kernel.cpp.in ${kernel} @ONLY)
     set_source_files_properties(${kernel} PROPERTIES
-      COMPILE_OPTIONS "${CAUSTICS_FLAGS_${WIDTH}}" COMPILE_DEFINITIONS "${ARG_DEFINES}"
+      COMPILE_OPTIONS "${CAUSTICS_EXACT_FLAGS};${CAUSTICS_FLAGS_${WIDTH}}" COMPILE_DEFINITIONS "${ARG_DEFINES}"
       SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
     target_sources(${target} PRIVATE ${kernel})
     string(APPEND DECLARATIONS "void ${shader}_vertex_${WIDTH}(const VertexBlock&);\n"
@@ -138,4 +142,5 @@ function(caustics_add_shader target shader)
   string(REPLACE ";" ", " FRAGMENT_KERNELS "${FRAGMENT_KERNELS}")
   configure_file(${CAUSTICS_CMAKE_DIR}/shader.cpp.in ${directory}/${shader}.cpp @ONLY)
   target_sources(${target} PRIVATE ${directory}/${shader}.cpp)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()

@@ -16,6 +16,6 @@ std::string compiler() {
 #endif
 }
 
-std::string version_line() { return "caustics " + version() + " (" + compiler() + ", backends: software)"; }
+std::string version_line() { return "caustics " + version() + " (" + compiler() + ")"; }
 
 }  // namespace caustics::app

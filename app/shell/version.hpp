@@ -6,7 +6,7 @@ namespace caustics::app {
 
 // "0.1.0"
 std::string version();
-// "caustics 0.1.0 (GCC 12.2.0, software)"
+// "caustics 0.1.0 (GCC 12.2.0)"
 std::string version_line();
 // "GCC 12.2.0"
 std::string compiler();

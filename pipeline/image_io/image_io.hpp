@@ -1,6 +1,6 @@
-// What OpenImageIO does for this project, without its headers. It stands in a module of its own that is loaded
-// when the first image is read or written: OpenImageIO brings some 260 shared libraries, and loading them takes
-// longer than most commands and tests.
+// What OpenImageIO does for this project, without its headers. It stands in a module of its own that is
+// loaded when the first image is read or written: OpenImageIO brings some 260 shared libraries, and loading
+// them takes longer than most commands and tests.
 #pragma once
 #include <cstdint>
 #include <deque>
@@ -54,7 +54,8 @@ struct ImageToEncode {
   ImageEncoding encoding = ImageEncoding::Png;
   int width = 0, height = 0;
   std::vector<std::string> channels;  // names; PNG files do not keep them
-  // Writes the row's values, channel by channel in each pixel: bytes for PNG, floats for EXR. Row 0 is the top.
+  // Writes the row's values, channel by channel in each pixel: bytes for PNG, floats for EXR. Row 0 is the
+  // top.
   std::function<void(int row, void* values)> row;
 };
 
@@ -64,9 +65,9 @@ struct ImageIo {
   const char* version = "";  // of OpenImageIO
   std::string (*decode)(const ImageToDecode& image, Pixels& pixels) = nullptr;
   // Every channel of every part of a file, values as they are stored: no colour is transformed, alpha not
-  // multiplied; integers become 0..1. Channels of a file of several parts are named PART.CHANNEL, unless their
-  // names begin so already. `next_part` is called after each part. Refused: damaged, deep or volumetric images,
-  // and channels of 32-bit integers, which floats do not hold.
+  // multiplied; integers become 0..1. Channels of a file of several parts are named PART.CHANNEL, unless
+  // their names begin so already. `next_part` is called after each part. Refused: damaged, deep or volumetric
+  // images, and channels of 32-bit integers, which floats do not hold.
   std::string (*read_planes)(const std::filesystem::path& path, const std::function<void()>& next_part,
                              ImagePlanes& planes) = nullptr;
   // From the head of a file. False: it holds no image.

@@ -5,7 +5,7 @@
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
-ensure_packages g++-aarch64-linux-gnu qemu-user-static
+ensure_packages tests g++-aarch64-linux-gnu qemu-user-static
 portable_packages
 digest_build g++-O2 -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O2
 digest_build aarch64 "${portable[@]}" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \

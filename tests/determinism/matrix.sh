@@ -13,7 +13,7 @@ if [[ ${1:-} == --builds && $# -ge 2 ]]; then
   wanted=$2
   shift 2
 fi
-if [[ $wanted == *clang* ]]; then ensure_packages clang; else ensure_packages; fi
+if [[ $wanted == *clang* ]]; then ensure_packages tests clang; else ensure_packages tests; fi
 programs=()
 for name in $wanted; do
   if ! [[ $name =~ ^(g|clang)\+\+-O[0-3s]$ ]]; then 

@@ -9,7 +9,7 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 turns=${1:-7}
 [[ $turns =~ ^[1-9][0-9]*$ ]] && ((turns >= 2)) ||
   give_up 2 "TURNS is '$turns', must be a number of at least 2"
-ensure_packages
+ensure_packages tests
 target=caustics_pass_times
 digest_build g++-O3 -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O3
 inexact() {  # NAME FLAGS

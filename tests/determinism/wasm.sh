@@ -5,7 +5,7 @@
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
-ensure_packages emscripten nodejs
+ensure_packages tests emscripten nodejs
 portable_packages
 digest_build g++-O2 -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O2
 # Emscripten 3.1.6 takes Node.js 18 and later, which have fetch(), for browsers: hence

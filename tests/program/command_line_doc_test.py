@@ -12,6 +12,7 @@ import unittest
 
 PROGRAM = os.environ["CAUSTICS_PROGRAM"]
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/command_line.md"
+HELP = PAGE.parent / "help.txt"  # what ./caustics --help prints before the program is built
 BLOCK = re.compile(r"<!-- caustics ?(\w*): ([^\n]*) -->\n(.*?)<!-- end -->\n", re.DOTALL)
 
 
@@ -31,8 +32,13 @@ def block(match):
     return f"<!-- caustics{' ' * bool(command)}{command}: {headings} -->\n{wanted}\n\n<!-- end -->\n"
 
 
+def help_text():
+    return subprocess.run([PROGRAM, "--help"], check=True, text=True, capture_output=True).stdout
+
+
 def update():
     PAGE.write_text(BLOCK.sub(block, PAGE.read_text()))
+    HELP.write_text(help_text())
 
 
 def names(table):
@@ -46,6 +52,9 @@ class CommandLineDoc(unittest.TestCase):
             self.fail("docs/command_line.md is not what the program says; to write its tables anew: "
                       "CAUSTICS_PROGRAM=build/release/caustics "
                       "python3 tests/program/command_line_doc_test.py --update")
+
+    def test_the_help_of_a_program_that_is_not_built_yet_is_the_programs(self):
+        self.assertEqual(HELP.read_text(), help_text())
 
     def test_every_command_option_and_setting_is_on_the_page(self):
         page = PAGE.read_text()

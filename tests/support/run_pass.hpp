@@ -1,59 +1,13 @@
-// Runs one pass by itself on small textures, for pass tests.
+// What pass tests draw, and on what.
 #pragma once
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "pipeline/gpu/device.hpp"
-#include "pipeline/plan/pass.hpp"
+#include "pipeline/renderer/run_pass.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::test {
 
-// What a pass wrote, by attachment name.
-struct PassImages {
-  std::map<std::string, Image> images;
-  PassResult result;
-  const Image& operator[](const std::string& name) const { return images.at(name); }
-};
-
-struct PassInputs {
-  int width = 1, height = 1;
-  UniformBytes uniforms{};
-  std::vector<Image> textures{};  // in the order of the definition's reads; empty images are unbound
-  MeshData mesh{};                // empty: `vertex_count` vertices without attributes
-  int vertex_count = 3;
-};
-
-// What a frame with this effect makes of a pass.
-inline PassDefinition definition_with(const Pass& pass, Effect Effects::*effect,
-                                      const DrawnFor& drawn_for = kFrame) {
-  Effects effects;
-  (effects.*effect).active = true;
-  return definition_of(pass, effects, drawn_for);
-}
-
+// On the software device.
 inline PassImages run_pass(const PassDefinition& definition, const PassInputs& inputs) {
-  const std::unique_ptr<Device> device = make_software_device({.threads = 1});
-  PassRun run{.definition = &definition};
-  for (const ColorWrite& write : definition.writes)
-    run.colors.push_back(device->create_texture(write.format, inputs.width, inputs.height));
-  if (definition.depth) run.depth = device->create_texture(Format::Depth32F, inputs.width, inputs.height);
-  Draw draw{.vertex_count = inputs.vertex_count, .uniforms = inputs.uniforms};
-  if (!inputs.mesh.vertices.empty()) {
-    draw.mesh = device->create_mesh(inputs.mesh);
-    draw.vertex_count = 0;
-  }
-  for (const Image& image : inputs.textures)
-    draw.textures.push_back(image.values.empty() ? TextureId::None : device->upload(image));
-  run.draws.push_back(draw);
-  PassImages out;
-  out.result = device->run(run);
-  for (std::size_t i = 0; i < run.colors.size(); ++i)
-    out.images[definition.writes[i].name] = device->read_back(run.colors[i]);
-  if (definition.depth) out.images[definition.depth->name] = device->read_back(run.depth);
-  return out;
+  return caustics::run_pass(*make_software_device({.threads = 1}), definition, inputs);
 }
 
 // A mesh with the attributes of SceneOnDevice: two triangles spanning four corners in order.

@@ -47,7 +47,8 @@ std::string decode(const ImageToDecode& image, Pixels& pixels) {
   if (spec.nchannels < 1 || spec.nchannels > 64 || spec.depth > 1) {
     return "has " + std::to_string(spec.nchannels) + " channels";
   }
-  if (!read_pixels(*input, spec, image.floats, pixels)) return "cannot be decoded: " + reason(input->geterror());
+  if (!read_pixels(*input, spec, image.floats, pixels))
+    return "cannot be decoded: " + reason(input->geterror());
   return "";
 }
 

@@ -28,7 +28,8 @@ std::string encode(const ImageToEncode& image, std::vector<unsigned char>& bytes
   const OIIO::ImageSpec spec = spec_of(image);
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create(format);
-  if (!output || !output->supports("ioproxy")) return "this OpenImageIO cannot encode " + format + " in memory";
+  if (!output || !output->supports("ioproxy"))
+    return "this OpenImageIO cannot encode " + format + " in memory";
   output->set_ioproxy(&memory);
   if (!output->open("memory." + format, spec)) return output->geterror();
   std::vector<unsigned char> row(spec.scanline_bytes());

@@ -1,0 +1,1 @@
+vec3 weights;  // of red, green and blue
