@@ -30,13 +30,6 @@ else()
   list(FILTER with_random EXCLUDE REGEX "/random_scenes_test[.]cpp$")
   set_target_properties(caustics_tests PROPERTIES SOURCES "${with_random}")
 endif()
-# tinygltf ends the process when memory runs out inside it; where it is a library of its own, its allocations
-# can be left out.
-if(NOT tinygltf_target)
-  get_target_property(without_memory caustics_tests SOURCES)
-  list(FILTER without_memory EXCLUDE REGEX "/load_memory_test[.]cpp$")
-  set_target_properties(caustics_tests PROPERTIES SOURCES "${without_memory}")
-endif()
 file(GLOB hard_cases CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/stability/*_cases.cpp)
 target_sources(caustics_tests PRIVATE ${hard_cases} ${PROJECT_SOURCE_DIR}/tests/stability/hard_case.cpp)
 if(TARGET Catch2::Catch2WithMain)

@@ -26,6 +26,6 @@ struct Animation {
 // or "none" is asked for. Channels without a node, and those of properties that are no node's, are
 // left out with a note. Fails on what no animation may be (BadInput); an unknown name is WrongUsage.
 std::optional<Animation> read_animation(Context& context, const Document& document,
-                                        const tinygltf::Model& model);
+                                        const Model& model);
 
 }  // namespace caustics::gltf
