@@ -8,10 +8,9 @@ import signal
 import struct
 import subprocess
 import time
-import unittest
 
 from output_test import wait_until_it_listens
-from program import PROGRAM, SMALL, ProgramTest
+from program import PROGRAM, SMALL, ProgramTest, main
 
 # A minute of work each, were they left alone. `reference` and `study` keep what they have for --resume.
 LONG = {
@@ -112,4 +111,4 @@ class FullDisk(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

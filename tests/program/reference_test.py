@@ -5,9 +5,8 @@ import pathlib
 import re
 import signal
 import subprocess
-import unittest
 
-from program import PROGRAM, ProgramTest
+from program import PROGRAM, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 FAST = ["-r", "48x32", "--rays", "32"]
@@ -121,4 +120,4 @@ class Reference(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -7,12 +7,11 @@ import re
 import signal
 import subprocess
 import time
-import unittest
 import xml.etree.ElementTree as xml
 
 import glb
 from pictures import exr, png
-from program import PROGRAM, ProgramTest
+from program import PROGRAM, ProgramTest, main
 
 SMALL = ["-r", "64x48", "--repeat", "1", "-D", "shadow=64"]
 GRIDS = ["--vary", "grid=16,32", "--grid", "32", "--map", "32"]
@@ -317,4 +316,4 @@ class GoingOn(StudyTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()
