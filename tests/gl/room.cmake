@@ -30,5 +30,6 @@ if(TARGET PkgConfig::EPOXY)
     INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/tests/gl)
   target_link_libraries(caustics_tests PRIVATE PkgConfig::EPOXY)
 else()
-  caustics_skip_tests(${PROJECT_SOURCE_DIR}/tests/gl/driver_faults_test.cpp "no OpenGL: built without libepoxy")
+  caustics_skip_tests(${PROJECT_SOURCE_DIR}/tests/gl/driver_faults_test.cpp
+    "no OpenGL: built without libepoxy")
 endif()
