@@ -53,7 +53,8 @@ class Check(ProgramTest):
         for text in ("", "\n", "hello\n", line[:-1], line + "0", line.replace(" ", "  ", 1), line.upper()):
             (self.folder / "kept.txt").write_text(text)
             self.fails(3, "digest", "ball.glb", "--check", "kept.txt", saying="kept.txt: ")
-        self.fails(3, "digest", "ball.glb", "--check", "lost.txt", saying="lost.txt: no list that can be read")
+        self.fails(3, "digest", "ball.glb", "--check", "lost.txt",
+                   saying="lost.txt: no list that can be read")
         self.fails(3, "digest", "ball.glb", "--check", ".", saying="no list that can be read")
 
 

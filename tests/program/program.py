@@ -19,30 +19,22 @@ SMALL = ["-r", "64x48", "--grid", "32", "--map", "32", "-D", "shadow=64"]
 ALL_SKIPPED = 4
 
 
-class Result(unittest.TextTestResult):
-    """A line for each test that was skipped, with the cause; ./test reads these and main's last line."""
-
-    def addSkip(self, test, reason):
-        super().addSkip(test, reason)
-        print(f"skipped: {self.name(test)}: {reason}")
-
-    @staticmethod
-    def name(test):
-        """A test of several parts counts once."""
-        return getattr(test, "test_case", test).id().removeprefix("__main__.")
-
-    def counts(self):
-        failed = {self.name(test) for test, _ in self.failures + self.errors}
-        failed |= {self.name(test) for test in self.unexpectedSuccesses}
-        skipped = {self.name(test) for test, _ in self.skipped} - failed
-        return self.testsRun - len(failed) - len(skipped), len(failed), len(skipped)
+def name_of(test):
+    """A method counts once, however many parts it has."""
+    return getattr(test, "test_case", test).id().removeprefix("__main__.")
 
 
 def main():
-    """Runs the tests of the file that calls it."""
-    result = unittest.main(exit=False, testRunner=unittest.TextTestRunner(resultclass=Result)).result
-    passed, failed, skipped = result.counts()
-    print(f"methods: {passed} passed, {failed} failed, {skipped} skipped")
+    """Runs the tests of the file that calls it, and prints what ./test reads: a line for each method that was
+    skipped, wholly or in part, with the cause, and how many there are of each kind."""
+    result = unittest.main(exit=False).result
+    failed = {name_of(test) for test, _ in result.failures + result.errors}
+    skipped = {name_of(test): cause for test, cause in reversed(result.skipped)}
+    skipped = {name: cause for name, cause in skipped.items() if name not in failed}
+    for name, cause in sorted(skipped.items()):
+        print(f"skipped: {name}: {cause}")
+    passed = result.testsRun - len(failed) - len(skipped)
+    print(f"methods: {passed} passed, {len(failed)} failed, {len(skipped)} skipped")
     sys.exit(1 if failed else ALL_SKIPPED if skipped and not passed else 0)
 
 

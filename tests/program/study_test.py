@@ -183,6 +183,7 @@ class Truth(StudyTest):
         self.fails(3, "study", "ball.glb", *GRIDS, *SMALL, "--mask", "none.png", saying="none.png")
 
     def test_it_can_be_traced(self):
+        self.need_ray_queries()
         traced = ["--truth", "traced", "--truth-error", "40%"]
         result = self.study(*GRIDS, *traced)
         document = self.document()
