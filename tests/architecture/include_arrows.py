@@ -34,7 +34,7 @@ OWNED = {
     'epoxy/': {'gl_backend'}, 'EGL/': {'gl_backend'}, 'GL/': {'gl_backend'},
     'tbb/': {'raster', 'lab/reference'}, 'oneapi/': {'raster', 'lab/reference'}, 'embree': {'lab/reference'},
     'CLI/': {'app'},
-    'tiny_gltf.h': {'pipeline/scene'}, 'nlohmann/': {'pipeline/scene', 'lab/study', 'lab/paper', 'app'},
+    'nlohmann/': {'pipeline/scene', 'lab/study', 'lab/paper', 'app'},
     'OpenImageIO/': {'pipeline/image_io'},
 }
 

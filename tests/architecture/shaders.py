@@ -4,8 +4,9 @@
     shaders.py caustics_shader_texts    the program that writes the texts
 
 glslangValidator, which follows the specification to the letter, compiles them to SPIR-V. There a precise
-operation bears the decoration NoContraction."""
+operation bears the decoration NoContraction. Without it the test is skipped (exit code 77)."""
 import pathlib
+import shutil
 import struct
 import subprocess
 import sys
@@ -57,6 +58,9 @@ def examine(file):
 
 
 def main():
+    if not shutil.which('glslangValidator'):
+        print('skipped: no glslangValidator here')
+        return 77
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([sys.argv[1], folder], check=True)
         files = sorted(pathlib.Path(folder).iterdir())

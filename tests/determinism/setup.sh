@@ -26,7 +26,7 @@ portable_packages() {
   local folder=$builds/portable package target
   rm -rf "$folder"
   mkdir -p "$folder/include"
-  ln -s /usr/include/{glm,nlohmann,tiny_gltf.h,CLI} "$folder/include/"
+  ln -s /usr/include/{glm,nlohmann,CLI} "$folder/include/"
   for package in glm:glm nlohmann_json:nlohmann_json CLI11:CLI11; do
     target=${package%:*}::${package#*:} package=${package%:*}
     mkdir -p "$folder/lib/cmake/$package"
@@ -36,7 +36,6 @@ add_library($target INTERFACE IMPORTED)
 set_target_properties($target PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "$folder/include")
 CMAKE
   done
-  portable=(-DCAUSTICS_PLAIN_PNG=ON -DCAUSTICS_TINYGLTF_HEADER_ONLY=ON -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON
-    -DTINYGLTF_INCLUDE_DIR="$folder/include")
+  portable=(-DCAUSTICS_PLAIN_PNG=ON -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
   for package in glm nlohmann_json CLI11; do portable+=("-D${package}_DIR=$folder/lib/cmake/$package"); done
 }

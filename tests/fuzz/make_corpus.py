@@ -1,13 +1,22 @@
 #!/usr/bin/env python3
-"""Makes the fuzzers' seeds: python3 tests/fuzz/make_corpus.py [FOLDER]. Needs nothing but Python; the same
-bytes every time.
+"""Makes the fuzzers' corpus, one archive: tests/fuzz/corpus.zip. Needs nothing but Python; the same bytes
+every time, wherefore nothing in it is compressed.
 
-Small files for every feature of the loader, files that it must refuse, and for whole frames the same scenes
-followed by the bytes that choose settings (tests/fuzz/tiny_frame.cpp, choice_of). Names say what a file is
-about. Inputs that fuzzing found lie beside them under the hash of their content and are left alone.
+    make_corpus.py              makes the seeds anew; inputs that fuzzing found stay as they are
+    make_corpus.py --add DIR    adds what fuzzing found: the files of DIR/load, DIR/image and DIR/render that
+                                the archive lacks
+    make_corpus.py --check      exit 1 when the archive is not what this script makes
+
+Seeds are small files for every feature of the loader, files that it must refuse, and for whole frames the
+same scenes followed by the bytes that choose settings (tests/fuzz/tiny_frame.cpp, choice_of). Names say what
+a file is about. Inputs that fuzzing found stand beside them, without an ending: under the hash of their
+content, or a name that a person gave. The build unpacks the archive.
 """
+import io
 import pathlib
+import re
 import sys
+import zipfile
 
 from making.gltf_file import glb
 from making.images import images
@@ -42,12 +51,14 @@ FRAMES = [
     ('extras_of_everything', 0, 0, 0, 0, 0, 0, 0)]
 
 
-def main():
-    here = pathlib.Path(__file__).resolve().parent
-    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here / 'corpus'
-    files = {}
-    for name, make in SCENES.items():
-        files[f'load/{name}.glb'] = make().bytes()
+ARCHIVE = pathlib.Path(__file__).resolve().with_name('corpus.zip')
+TARGETS = ('load', 'image', 'render')
+FOUND = re.compile('[^./]+')
+
+
+def seeds():
+    """Content by name."""
+    files = {f'load/{name}.glb': make().bytes() for name, make in SCENES.items()}
     files['load/embedded.gltf'] = bare().text()
     files['load/neighbours.glb'] = glb(*neighbours())
     for name, data in malformed():
@@ -60,11 +71,47 @@ def main():
     for number, (name, *choice) in enumerate(FRAMES):
         files[f'render/{name}_{number:02}.glb'] = makers[name]().bytes() + bytes(choice + [0] *
                                                                                  (8 - len(choice)))
-    for name, data in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(data)
+    return files
+
+
+def found():
+    """What fuzzing found before."""
+    if not ARCHIVE.exists():
+        return {}
+    with zipfile.ZipFile(ARCHIVE) as archive:
+        return {name: archive.read(name) for name in archive.namelist()
+                if FOUND.fullmatch(name.partition('/')[2])}
+
+
+def found_in(folder):
+    return {f'{target}/{path.name}': path.read_bytes() for target in TARGETS
+            for path in pathlib.Path(folder, target).glob('*') if FOUND.fullmatch(path.name)}
+
+
+def packed(files):
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, 'w', zipfile.ZIP_STORED) as archive:
+        for name in sorted(files):
+            entry = zipfile.ZipInfo(name)  # of 1980, whenever it is made
+            entry.create_system, entry.external_attr = 3, 0o644 << 16
+            archive.writestr(entry, files[name])
+    return data.getvalue()
+
+
+def main(arguments):
+    files = found()
+    if arguments[:1] == ['--add'] and len(arguments) == 2:
+        files |= found_in(arguments[1])
+    elif arguments not in ([], ['--check']):
+        sys.exit(__doc__)
+    files |= seeds()
+    data = packed(files)
+    if arguments == ['--check']:
+        if not ARCHIVE.exists() or ARCHIVE.read_bytes() != data:
+            sys.exit('tests/fuzz/corpus.zip is not what tests/fuzz/make_corpus.py makes: run it')
+    else:
+        ARCHIVE.write_bytes(data)
     print(f'{len(files)} files, {sum(map(len, files.values()))} bytes')
 
 
-main()
+main(sys.argv[1:])

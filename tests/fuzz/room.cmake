@@ -18,6 +18,18 @@ set(fuzz_image image_fuzzer.cpp fuzzed_scene.cpp)
 set(fuzz_tail_load 0)
 set(fuzz_tail_render 8)  # bytes that choose settings: kSettingsBytes
 
+# The corpus is one archive; CAUSTICS_FUZZ_CORPUS has it in files, anew whenever it changes.
+set(CAUSTICS_FUZZ_CORPUS ${PROJECT_BINARY_DIR}/fuzz_corpus)
+add_custom_command(OUTPUT ${CAUSTICS_FUZZ_CORPUS}.unpacked
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${CAUSTICS_FUZZ_CORPUS}
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${CAUSTICS_FUZZ_CORPUS}
+  COMMAND ${CMAKE_COMMAND} -E chdir ${CAUSTICS_FUZZ_CORPUS}
+    ${CMAKE_COMMAND} -E tar xf ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus.zip
+  COMMAND ${CMAKE_COMMAND} -E touch ${CAUSTICS_FUZZ_CORPUS}.unpacked
+  DEPENDS ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus.zip
+  COMMENT "Unpacking the fuzz corpus")
+add_custom_target(caustics_fuzz_corpus ALL DEPENDS ${CAUSTICS_FUZZ_CORPUS}.unpacked)
+
 foreach(entry load image render)
   if(CAUSTICS_BUILD_FUZZERS)
     caustics_add_fuzz_target(fuzz_${entry} ${fuzz_${entry}})
@@ -27,14 +39,19 @@ foreach(entry load image render)
       target_compile_definitions(fuzz_${entry} PRIVATE CAUSTICS_FUZZ_TAIL=${tail})
     endif()
     target_link_options(fuzz_${entry} PRIVATE -fsanitize=fuzzer)
+    add_dependencies(fuzz_${entry} caustics_fuzz_corpus)
   endif()
   if(CAUSTICS_BUILD_TESTS)
     caustics_add_fuzz_target(replay_${entry} ${fuzz_${entry}} replay_main.cpp)
-    add_test(NAME fuzz.corpus_${entry}
-      COMMAND replay_${entry} ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${entry})
+    add_dependencies(replay_${entry} caustics_fuzz_corpus)
+    add_test(NAME fuzz.corpus_${entry} COMMAND replay_${entry} ${CAUSTICS_FUZZ_CORPUS}/${entry})
     set_tests_properties(fuzz.corpus_${entry} PROPERTIES TIMEOUT 300)
   endif()
 endforeach()
+if(CAUSTICS_BUILD_TESTS)
+  add_test(NAME fuzz.corpus_is_what_its_script_makes
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/fuzz/make_corpus.py --check)
+endif()
 
 if(CAUSTICS_BUILD_FUZZERS)
   # Any file under the limits of the program: tests/fuzz/run FOLDER.

@@ -7,18 +7,29 @@
 #include "gl_backend/gl_device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/skip.hpp"
 
 namespace caustics::test {
 
-// Null with a printed reason where OpenGL cannot be used: the test returns. Where the environment
-// says CAUSTICS_REQUIRE_GL=1, that is a failure instead.
+// Where OpenGL cannot be used, the test is skipped with the reason; where the environment says
+// CAUSTICS_REQUIRE_GL=1, it fails instead.
 inline std::unique_ptr<GlDevice> gl_or_skip(const GlOptions& options = {.measure = true, .debug = true}) {
+  std::string cause;
   try {
     return make_gl_device(options);
   } catch (const Error& error) {
-    const char* required = std::getenv("CAUSTICS_REQUIRE_GL");
-    if (required && std::string(required) == "1") FAIL(error.what());
-    WARN("skipped: " << error.what());
+    cause = error.what();
+  }
+  const char* required = std::getenv("CAUSTICS_REQUIRE_GL");
+  if (required && std::string(required) == "1") FAIL(cause);
+  skip("no OpenGL: " + cause);
+}
+
+// Null where there is none: for tests that do without it first, and call gl_or_skip in the end.
+inline std::unique_ptr<GlDevice> gl_if_any() {
+  try {
+    return make_gl_device({.measure = true, .debug = true});
+  } catch (const Error&) {
     return nullptr;
   }
 }

@@ -17,11 +17,9 @@ class Match {
   explicit Match(std::vector<Allowance> allowances = {})
       : gl_(gl_or_skip()),
         software_(make_software_device()),
-        driver_(gl_ ? gl_driver_name(gl_->renderer(), gl_->version()) : ""),
+        driver_(gl_driver_name(gl_->renderer(), gl_->version())),
         book_(driver_, std::move(allowances)) {}
 
-  // False where there is no OpenGL: the test returns.
-  explicit operator bool() const { return gl_ != nullptr; }
   // Are this driver's differences known? On others they are only shown.
   bool measured() const { return is_measured_driver(driver_); }
 

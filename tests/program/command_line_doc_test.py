@@ -3,14 +3,14 @@
 line `<!-- caustics COMMAND: HEADING; ... -->`, which names the tables (or `purpose`), and `<!-- end -->`.
 With --update they are written anew."""
 
-import os
 import pathlib
 import re
 import subprocess
 import sys
 import unittest
 
-PROGRAM = os.environ["CAUSTICS_PROGRAM"]
+from program import PROGRAM, main
+
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/command_line.md"
 HELP = PAGE.parent / "help.txt"  # what ./caustics --help prints before the program is built
 BLOCK = re.compile(r"<!-- caustics ?(\w*): ([^\n]*) -->\n(.*?)<!-- end -->\n", re.DOTALL)
@@ -70,4 +70,4 @@ if __name__ == "__main__":
     if sys.argv[1:] == ["--update"]:
         update()
     else:
-        unittest.main()
+        main()

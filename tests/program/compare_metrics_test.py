@@ -2,10 +2,9 @@
 
 import json
 import math
-import unittest
 
 from pictures import exr, png
-from program import ProgramTest
+from program import ProgramTest, main
 
 
 class MetricsTest(ProgramTest):
@@ -246,4 +245,4 @@ class Flip(MetricsTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

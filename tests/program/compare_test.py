@@ -5,10 +5,9 @@ import math
 import pathlib
 import struct
 import subprocess
-import unittest
 
 from pictures import exr
-from program import PROGRAM, SMALL, ProgramTest
+from program import PROGRAM, SMALL, ProgramTest, main
 
 
 class CompareTest(ProgramTest):
@@ -276,4 +275,4 @@ class Mistakes(CompareTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -6,10 +6,9 @@ P. Andersson and others, "FLIP: A Difference Evaluator for Alternating Images", 
 
 import json
 import math
-import unittest
 
 from pictures import png
-from program import ProgramTest
+from program import ProgramTest, main
 
 PER_DEGREE = 3840 * math.pi / 180
 TO_XYZ = [[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577794],
@@ -141,4 +140,4 @@ class Flip(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -113,3 +113,9 @@ def pack(document, blob=b""):
     if blob:
         body += struct.pack("<II", len(blob), 0x004E4942) + blob
     return struct.pack("<III", 0x46546C67, 2, 12 + len(body)) + body
+
+
+def unpack(data):
+    """The document and the binary chunk of a binary glTF file."""
+    size, = struct.unpack_from("<I", data, 12)
+    return json.loads(data[20:20 + size]), data[28 + size:]

@@ -1,10 +1,9 @@
 """Files that are no scenes: exit code 3, one line, and nothing written."""
 
 import json
-import unittest
 
 import glb
-from program import SMALL, ProgramTest
+from program import SMALL, ProgramTest, main
 
 
 class BadInput(ProgramTest):
@@ -93,4 +92,4 @@ class Reasons(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -1,10 +1,9 @@
 """Lights with a size: drawn by samples, shown as the one light that they are."""
 
 import json
-import unittest
 
 import glb
-from program import SMALL, ProgramTest
+from program import SMALL, ProgramTest, main
 
 SUN = {"name": "sun", "type": "directional", "intensity": 1000}
 
@@ -104,4 +103,4 @@ class EmissiveMeshes(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

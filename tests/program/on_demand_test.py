@@ -2,9 +2,8 @@
 
 import json
 import re
-import unittest
 
-from program import ProgramTest
+from program import ProgramTest, main
 
 VIEW = ["-r", "64x48"]
 CHOSEN = re.compile(r"asked for .*: chose --grid (\d+) --map (\d+), expected ([0-9.]+)% in .*, found "
@@ -51,4 +50,4 @@ class OnDemand(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -6,10 +6,9 @@ import pathlib
 import signal
 import subprocess
 import time
-import unittest
 
 import glb
-from program import PROGRAM, SMALL, ProgramTest
+from program import PROGRAM, SMALL, ProgramTest, main
 
 
 class Outputs(ProgramTest):
@@ -157,4 +156,4 @@ class Tools(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -1,9 +1,8 @@
 """caustics paper: rows made again, checked and reported."""
 
 import json
-import unittest
 
-from program import ProgramTest
+from program import ProgramTest, main
 
 
 class Paper(ProgramTest):
@@ -23,4 +22,4 @@ class Paper(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -5,10 +5,9 @@ import collections
 import json
 import pathlib
 import re
-import unittest
 
 import glb
-from program import SMALL, ProgramTest
+from program import SMALL, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 GRID, MAP, SHADOW, PICTURE, AROUND = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24
@@ -212,4 +211,4 @@ class WhatBecomesOfTheLight(PlanTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -5,11 +5,10 @@ import math
 import pathlib
 import subprocess
 import sys
-import unittest
 
 import glb as small
 import pictures as files
-from program import PROGRAM, ProgramTest
+from program import PROGRAM, ProgramTest, main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOL = ROOT / "lab" / "reference" / "povray"
@@ -107,4 +106,4 @@ class Povray(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

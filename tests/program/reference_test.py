@@ -5,15 +5,18 @@ import pathlib
 import re
 import signal
 import subprocess
-import unittest
 
-from program import PROGRAM, ProgramTest
+from program import PROGRAM, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 FAST = ["-r", "48x32", "--rays", "32"]
 
 
 class Reference(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.need_ray_queries()
+
     def test_writes_its_layers_and_statistics(self):
         result = self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "3", "--stats",
                                "t.json")
@@ -92,6 +95,8 @@ class Reference(ProgramTest):
         self.fails(3, "reference", scene, "-o", "t.exr", *few, "--resume",
                    saying="is the state of another request")
 
+
+class Refusals(ProgramTest):
     def test_refusals(self):
         self.fails(2, "reference", saying="no scene given")
         self.fails(2, "reference", "ball.glb", "-o", "t.png", saying=".exr only")
@@ -121,4 +126,4 @@ class Reference(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

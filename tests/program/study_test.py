@@ -7,12 +7,11 @@ import re
 import signal
 import subprocess
 import time
-import unittest
 import xml.etree.ElementTree as xml
 
 import glb
 from pictures import exr, png
-from program import PROGRAM, ProgramTest
+from program import PROGRAM, ProgramTest, main
 
 SMALL = ["-r", "64x48", "--repeat", "1", "-D", "shadow=64"]
 GRIDS = ["--vary", "grid=16,32", "--grid", "32", "--map", "32"]
@@ -184,6 +183,7 @@ class Truth(StudyTest):
         self.fails(3, "study", "ball.glb", *GRIDS, *SMALL, "--mask", "none.png", saying="none.png")
 
     def test_it_can_be_traced(self):
+        self.need_ray_queries()
         traced = ["--truth", "traced", "--truth-error", "40%"]
         result = self.study(*GRIDS, *traced)
         document = self.document()
@@ -317,4 +317,4 @@ class GoingOn(StudyTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

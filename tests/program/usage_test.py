@@ -3,9 +3,8 @@
 import json
 import os
 import re
-import unittest
 
-from program import SMALL, ProgramTest
+from program import SMALL, ProgramTest, main
 
 COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "reference", "study", "doctor"]
 
@@ -149,4 +148,4 @@ class Plan(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -3,9 +3,8 @@
 import json
 import pathlib
 import struct
-import unittest
 
-from program import SMALL, ProgramTest
+from program import SMALL, ProgramTest, main
 
 POOL = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "water_plops.glb"
 
@@ -77,4 +76,4 @@ class Water(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

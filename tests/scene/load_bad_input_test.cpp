@@ -69,6 +69,20 @@ TEST_CASE("Values of the wrong type are refused with their path") {
       contains(refusal(replaced("[{\"primitives\"", "[7,{\"primitives\"")), "meshes[0]: must be an object"));
 }
 
+TEST_CASE("What stands beyond 32 bits, is null or stands twice is read as it is written") {
+  CHECK(contains(refusal(replaced("\"mesh\":0", "\"mesh\":4294967296")),
+                 "nodes[0].mesh: refers to meshes[4294967296], but there is 1"));
+  CHECK(
+      contains(refusal(replaced("\"mesh\":0", "\"mesh\":null")), "nodes[0].mesh: must be an index, is null"));
+  CHECK(contains(refusal(replaced("\"mesh\":0", "\"mesh\":0,\"mesh\":7")),
+                 "nodes[0].mesh: refers to meshes[7]"));
+  CHECK(load_text(replaced("\"mesh\":0", "\"mesh\":7,\"mesh\":0")).meshes.size() == 1);
+  // A whole number is an integer however it is written.
+  CHECK(load_text(replaced("\"count\":3", "\"count\":3.0,\"byteOffset\":-0.0")).meshes.size() == 1);
+  CHECK(contains(refusal(replaced("\"bufferView\":0", "\"bufferView\":1.0")),
+                 "accessors[0].bufferView: refers to"));
+}
+
 TEST_CASE("Accessors must lie inside their view, views inside their buffer") {
   CHECK(contains(refusal(replaced("\"count\":3", "\"count\":4")), "accessors[0]: its 4 elements"));
   CHECK(contains(refusal(replaced("\"count\":3", "\"count\":2000000000")), "accessors[0].count: "));
@@ -78,6 +92,8 @@ TEST_CASE("Accessors must lie inside their view, views inside their buffer") {
   CHECK(contains(refusal(replaced("\"byteOffset\":0", "\"byteOffset\":-4")), "bufferViews[0].byteOffset: "));
   CHECK(contains(refusal(replaced("\"buffer\":0", "\"buffer\":0,\"byteStride\":4")),
                  "bufferViews[0].byteStride: is 4"));
+  CHECK(contains(refusal(replaced("\"buffer\":0", "\"buffer\":0,\"byteStride\":13")),
+                 "bufferViews[0].byteStride: must be a multiple of 4"));
   CHECK(contains(refusal(replaced("\"byteLength\":36,\"uri\"", "\"byteLength\":40,\"uri\"")),
                  "buffers[0].byteLength: is 40, but there are only 36"));
 }

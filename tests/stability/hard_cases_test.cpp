@@ -36,7 +36,7 @@ std::size_t differing_values(const Rendering& a, const Rendering& b, std::string
 
 void check_group(const HardCaseGroup& group) {
   const auto software = make_software_device();
-  const std::unique_ptr<GlDevice> gl = gl_or_skip();
+  const std::unique_ptr<GlDevice> gl = gl_if_any();
   const bool measured = gl && is_measured_driver(gl_driver_name(gl->renderer(), gl->version()));
   for (const HardCase& hard_case : group.cases()) {
     INFO(hard_case.name);
@@ -53,6 +53,7 @@ void check_group(const HardCaseGroup& group) {
     INFO("first texture that differs: " << first);
     if (measured) CHECK(differing == 0);
   }
+  if (!gl) gl_or_skip();
 }
 
 std::string percent(double share) {
@@ -99,7 +100,7 @@ TEST_CASE("hard cases: maps and sums") { check_group(kHardCaseGroups[5]); }
 
 TEST_CASE("hard cases: the table of docs/stability.md", "[.hard_cases]") {
   const auto software = make_software_device();
-  const std::unique_ptr<GlDevice> gl = gl_or_skip();
+  const std::unique_ptr<GlDevice> gl = gl_if_any();
   for (const HardCaseGroup& group : kHardCaseGroups) {
     std::cout << "| " << group.name
               << " | behaviour | where the light went | residual | rounding / its bound | backends |\n"

@@ -6,8 +6,7 @@
 namespace caustics::test {
 
 // While one lives, the n-th allocation of this thread from its making on, 0 the first, throws std::bad_alloc.
-// Only what the program's own code asks for counts; shared libraries may take it worse (tinygltf ends the
-// process).
+// Only what the program's own code asks for counts; shared libraries may take it worse.
 class FailingNew {
  public:
   explicit FailingNew(std::int64_t n);

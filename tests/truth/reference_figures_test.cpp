@@ -11,6 +11,7 @@
 #include "pipeline/effects/spectrum.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/ray_queries.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/truth/prism.hpp"
 
@@ -174,7 +175,7 @@ void check(const std::string& name, const Figures& f) {
 }
 
 void check(const Case& c) {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   for (const Figures& f : figures_of(c, kShort)) check(c.name, f);
 }
 
@@ -296,7 +297,7 @@ TEST_CASE("tracer truth: a prism's three colours, box by box in the error stated
 
 TEST_CASE("tracer truth: figures of the reference against closed forms", "[.figures]") {
   // Not part of a run by default: it prints the table of docs/reference.md.
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   const int n = kLong.boxes;
   std::printf(
       "| scene | boxes | relative L1 | 0.80 x stated | chi-square | expected, +- 3 sigma | flux / truth | "

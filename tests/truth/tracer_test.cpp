@@ -10,6 +10,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/ray_queries.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/truth/prism.hpp"
 
@@ -108,7 +109,7 @@ Scene slab_scene(double incidence) {
 }  // namespace
 
 TEST_CASE("tracer truth: a slab passes what Fresnel's equations say, once and with all bounces") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   const double incidence = 0.9, e = std::cos(incidence);
   const double r = fresnel(e, 1.0, 1.5).mean();
   const Run once(slab_scene(incidence), 8, 128, 8);
@@ -127,7 +128,7 @@ TEST_CASE("tracer truth: a slab passes what Fresnel's equations say, once and wi
 }
 
 TEST_CASE("tracer truth: a glass sphere's floor is the closed form's within the error stated") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   constexpr int kPixels = 40;
   const Run run(test::sphere_scene(1.5f, 6), kPixels, 256, 8);
   const GlassSphere sphere{.radius = 0.5, .index = 1.5, .distance = 0.8};
@@ -146,7 +147,7 @@ TEST_CASE("tracer truth: a glass sphere's floor is the closed form's within the 
 }
 
 TEST_CASE("tracer truth: an exact sphere in place of a coarse mesh has the closed form's light") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   constexpr int kPixels = 40;
   Run run(test::sphere_scene(1.5f, 2), kPixels, 256, 0);  // 320 triangles
   run.trace.exact = {exact_shape_of(run.scene, 1, ShapeKind::Sphere)};
@@ -164,7 +165,7 @@ TEST_CASE("tracer truth: an exact sphere in place of a coarse mesh has the close
 }
 
 TEST_CASE("tracer truth: a half ring draws the nephroid within the error stated") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   constexpr int kPixels = 40;
   const double elevation = 0.25 * kPi;
   Scene scene;
@@ -187,7 +188,7 @@ TEST_CASE("tracer truth: a half ring draws the nephroid within the error stated"
 }
 
 TEST_CASE("tracer truth: a sine wave focuses as its closed form within the error stated") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   constexpr int kPixels = 24;
   WaterWave wave{.amplitude = 0.3 * 0.5 / (2.0 * kPi), .wave_number = 2.0 * kPi / 0.5, .index = 1.33};
   wave.depth = 0.6 * wave.first_focus() - wave.amplitude;
@@ -208,7 +209,7 @@ TEST_CASE("tracer truth: a sine wave focuses as its closed form within the error
 }
 
 TEST_CASE("tracer truth: a prism turns each line by Snell's law") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Material material = test::glass(1.5168f);
   material.dispersion = 0.3117f;
   test::Prism prism(material);
@@ -252,7 +253,7 @@ TEST_CASE("tracer truth: a prism turns each line by Snell's law") {
 }
 
 TEST_CASE("tracer truth: glass of index 1 is not there, up to the floor's very edge") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene;
   scene.materials = {test::diffuse(0.8f), test::glass(1.0f)};
   // A floor that is turned, so that its edges cut pixels at all places.
@@ -284,7 +285,7 @@ TEST_CASE("tracer truth: glass of index 1 is not there, up to the floor's very e
 }
 
 TEST_CASE("tracer truth: from a point all light within a sphere's cone enters it") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene = test::sphere_scene(1.5f, 5);
   Light lamp{.name = "lamp", .type = LightType::Point, .intensity = 2.0f};
   lamp.position = {0.3, 2.0, 0.1};
@@ -302,7 +303,7 @@ TEST_CASE("tracer truth: from a point all light within a sphere's cone enters it
 }
 
 TEST_CASE("tracer truth: a lamp of some size sheds on a caster what its middle does, but for its size") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene = test::sphere_scene(1.5f, 5);
   Light panel{.name = "panel", .type = LightType::Point, .intensity = 1.0f};
   panel.position = {0.0, 3.0, 0.0};
@@ -321,7 +322,7 @@ TEST_CASE("tracer truth: a lamp of some size sheds on a caster what its middle d
 }
 
 TEST_CASE("tracer truth: direct light is shadowed by casters, and dims as it should") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene = test::sphere_scene(1.5f, 5);
   Light lamp{.name = "lamp", .type = LightType::Point, .intensity = 10.0f};
   lamp.position = {0.0, 3.0, 0.0};
@@ -335,7 +336,7 @@ TEST_CASE("tracer truth: direct light is shadowed by casters, and dims as it sho
 }
 
 TEST_CASE("tracer: the picture has the same bits for one thread and for three") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   for (const Physics physics : {Physics::Single, Physics::Full}) {
     const Run one(test::sphere_scene(1.5f, 4), 24, 200, 3, physics, {}, 1);
     const Run three(test::sphere_scene(1.5f, 4), 24, 200, 3, physics, {}, 3);
@@ -347,7 +348,7 @@ TEST_CASE("tracer: the picture has the same bits for one thread and for three") 
 }
 
 TEST_CASE("tracer: a run that was broken off goes on to the same bits") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   const Run whole(test::sphere_scene(1.5f, 4), 24, 64, 5);
   const Run first(test::sphere_scene(1.5f, 4), 24, 64, 2);
   Run then(test::sphere_scene(1.5f, 4), 24, 64, 0);
@@ -360,7 +361,7 @@ TEST_CASE("tracer: a run that was broken off goes on to the same bits") {
 }
 
 TEST_CASE("tracer: the state of another request is refused, and says what differs") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   const Run run(test::sphere_scene(1.5f, 3), 8, 8, 1);
   const std::string kept = to_bytes(run.tracer->state(), run.request());
   const auto refused = [&](const Run& other, const std::string& why) {
@@ -381,7 +382,7 @@ TEST_CASE("tracer: the state of another request is refused, and says what differ
 }
 
 TEST_CASE("tracer: what glass mirrors lands where that is asked for, and the ledger closes") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Settings with;
   with.reflections = true;
   const Run off(test::sphere_scene(1.5f, 4), 8, 128, 2),
@@ -395,7 +396,7 @@ TEST_CASE("tracer: what glass mirrors lands where that is asked for, and the led
 }
 
 TEST_CASE("tracer: a tinted solid absorbs as Beer and Lambert say") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene = test::sphere_scene(1.0f, 6);
   scene.materials[1].attenuation_color = {0.5f, 1.0f, 0.25f};
   scene.materials[1].attenuation_distance = 1.0f;
@@ -408,7 +409,7 @@ TEST_CASE("tracer: a tinted solid absorbs as Beer and Lambert say") {
 }
 
 TEST_CASE("tracer: what is not simulated is refused by name") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene hazy = test::sphere_scene(1.5f, 2);
   hazy.medium.scattering = glm::vec3(0.1f);
   CHECK(says(refusal([&] { Run(hazy, 8, 8, 0); }), "does not trace medium"));

@@ -8,6 +8,7 @@
 #include "lab/reference/tracer/work.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/ray_queries.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace caustics::tracer {
@@ -19,7 +20,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 }  // namespace
 
 TEST_CASE("tracer rays: a hit lies on the triangle's plane in double precision") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene;
   scene.meshes = {test::floor(2.0, 0.1, 0)};
   const RaySet rays(scene, {0});
@@ -40,7 +41,7 @@ TEST_CASE("tracer rays: a hit lies on the triangle's plane in double precision")
 }
 
 TEST_CASE("tracer rays: normals are interpolated between the vertices as the renderer does") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene;
   scene.meshes = {test::floor(1.0, 0.0, 0)};
   scene.meshes[0].vertices[0].normal = {0.6f, 0.8f, 0.0f};
@@ -55,7 +56,7 @@ TEST_CASE("tracer rays: normals are interpolated between the vertices as the ren
 }
 
 TEST_CASE("tracer rays: no meshes stop no ray") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   const Scene scene;
   const RaySet rays(scene, {});
   CHECK(rays.empty());
@@ -64,7 +65,7 @@ TEST_CASE("tracer rays: no meshes stop no ray") {
 
 // 2^-1060 is a denormal: halves of it stay only where denormals are not flushed.
 TEST_CASE("tracer rays: building a scene leaves the floating-point mode as it was") {
-  if (!has_ray_queries()) return;
+  test::need_ray_queries();
   Scene scene;
   scene.meshes = {test::sphere({0.0, 0.0, 0.0}, 1.0, 4, 0)};
   volatile double tiny = 0x1p-1060;

@@ -14,16 +14,16 @@ T load(const std::uint8_t* bytes) {
   return value;
 }
 
-const std::uint8_t* view_data(const tinygltf::Model& model, int view, std::size_t offset) {
-  const tinygltf::BufferView& v = model.bufferViews[static_cast<std::size_t>(view)];
-  return model.buffers[static_cast<std::size_t>(v.buffer)].data.data() + v.byteOffset + offset;
+const std::uint8_t* data_at(const Model& model, const ElementPlace& place) {
+  const BufferView& view = model.views[static_cast<std::size_t>(place.view)];
+  return model.buffers[view.buffer].data() + view.offset + place.offset;
 }
 
 std::uint32_t load_unsigned(const std::uint8_t* bytes, int type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case kUnsignedByte:
       return *bytes;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case kUnsignedShort:
       return load<std::uint16_t>(bytes);
     default:
       return load<std::uint32_t>(bytes);
@@ -32,21 +32,21 @@ std::uint32_t load_unsigned(const std::uint8_t* bytes, int type) {
 
 double load_number(const std::uint8_t* bytes, int type, bool normalized) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: {
+    case kByte: {
       const double x = static_cast<std::int8_t>(*bytes);
       return normalized ? std::max(x / 127.0, -1.0) : x;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case kUnsignedByte:
       return normalized ? *bytes / 255.0 : *bytes;
-    case TINYGLTF_COMPONENT_TYPE_SHORT: {
+    case kShort: {
       const double x = load<std::int16_t>(bytes);
       return normalized ? std::max(x / 32767.0, -1.0) : x;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+    case kUnsignedShort: {
       const double x = load<std::uint16_t>(bytes);
       return normalized ? x / 65535.0 : x;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case kUnsignedInt:
       return load<std::uint32_t>(bytes);
     default:
       return load<float>(bytes);
@@ -55,39 +55,34 @@ double load_number(const std::uint8_t* bytes, int type, bool normalized) {
 
 }  // namespace
 
-Accessor::Accessor(const Context& context, const tinygltf::Model& model, int index)
-    : accessor_(&model.accessors[static_cast<std::size_t>(index)]), index_(index) {
-  components_ = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor_->type));
-  component_size_ = static_cast<std::size_t>(
-      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor_->componentType)));
-  stride_ = static_cast<std::size_t>(components_) * component_size_;
-  if (accessor_->bufferView >= 0) {
-    const auto& view = model.bufferViews[static_cast<std::size_t>(accessor_->bufferView)];
-    if (view.byteStride != 0) stride_ = view.byteStride;
-    data_ = view_data(model, accessor_->bufferView, accessor_->byteOffset);
+Accessor::Accessor(const Context& context, const Model& model, int index)
+    : layout_(&model.accessors[static_cast<std::size_t>(index)]),
+      index_(index),
+      component_size_(component_bytes(layout_->component_type)),
+      stride_(static_cast<std::size_t>(layout_->components) * component_size_) {
+  if (layout_->place.view >= 0) {
+    const BufferView& view = model.views[static_cast<std::size_t>(layout_->place.view)];
+    if (view.stride != 0) stride_ = view.stride;
+    data_ = data_at(model, layout_->place);
   }
-  if (accessor_->sparse.isSparse) read_sparse(context, model);
+  if (layout_->sparse.count > 0) read_sparse(context, model);
 }
 
-void Accessor::read_sparse(const Context& context, const tinygltf::Model& model) {
-  const auto& sparse = accessor_->sparse;
-  const auto offset = static_cast<std::size_t>(sparse.indices.byteOffset);
-  const std::uint8_t* indices = view_data(model, sparse.indices.bufferView, offset);
-  const int type = sparse.indices.componentType;
-  const auto size =
-      static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
-  for (std::size_t i = 0; i < static_cast<std::size_t>(sparse.count); ++i) {
-    const std::uint32_t target = load_unsigned(indices + i * size, type);
-    if (target >= accessor_->count || (i > 0 && target <= sparse_indices_.back())) {
+void Accessor::read_sparse(const Context& context, const Model& model) {
+  const SparseElements& sparse = layout_->sparse;
+  const std::uint8_t* indices = data_at(model, sparse.indices);
+  const std::size_t size = component_bytes(sparse.index_type);
+  for (std::size_t i = 0; i < sparse.count; ++i) {
+    const std::uint32_t target = load_unsigned(indices + i * size, sparse.index_type);
+    if (target >= layout_->count || (i > 0 && target <= sparse_indices_.back())) {
       context.fail(path() + ".sparse.indices",
                    "index " + std::to_string(i) + " is " + std::to_string(target) +
-                       ": indices must increase and lie below " + std::to_string(accessor_->count),
+                       ": indices must increase and lie below " + std::to_string(layout_->count),
                    "export the file again");
     }
     sparse_indices_.push_back(target);
   }
-  sparse_values_ =
-      view_data(model, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset));
+  sparse_values_ = data_at(model, sparse.values);
 }
 
 const std::uint8_t* Accessor::element(std::size_t i) const {
@@ -95,7 +90,7 @@ const std::uint8_t* Accessor::element(std::size_t i) const {
     const auto at = std::lower_bound(sparse_indices_.begin(), sparse_indices_.end(), i);
     if (at != sparse_indices_.end() && *at == i) {
       const auto k = static_cast<std::size_t>(at - sparse_indices_.begin());
-      return sparse_values_ + k * static_cast<std::size_t>(components_) * component_size_;
+      return sparse_values_ + k * static_cast<std::size_t>(components()) * component_size_;
     }
   }
   return data_ ? data_ + i * stride_ : nullptr;

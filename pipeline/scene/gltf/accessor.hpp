@@ -12,13 +12,13 @@ namespace caustics::gltf {
 class Accessor {
  public:
   // Fails when a sparse index is out of order or out of range.
-  Accessor(const Context& context, const tinygltf::Model& model, int index);
+  Accessor(const Context& context, const Model& model, int index);
 
-  std::size_t size() const { return accessor_->count; }
-  int components() const { return components_; }
-  int component_type() const { return accessor_->componentType; }
-  bool is_float() const { return component_type() == TINYGLTF_COMPONENT_TYPE_FLOAT; }
-  bool normalized() const { return accessor_->normalized; }
+  std::size_t size() const { return layout_->count; }
+  int components() const { return layout_->components; }
+  int component_type() const { return layout_->component_type; }
+  bool is_float() const { return component_type() == kFloat; }
+  bool normalized() const { return layout_->normalized; }
   std::string path() const { return "accessors[" + std::to_string(index_) + "]"; }
 
   // Component c of element i; normalised integers as -1..1 or 0..1.
@@ -27,14 +27,13 @@ class Accessor {
   std::uint32_t unsigned_value(std::size_t i) const;
 
  private:
-  void read_sparse(const Context& context, const tinygltf::Model& model);
+  void read_sparse(const Context& context, const Model& model);
   const std::uint8_t* element(std::size_t i) const;  // null: zeros
 
-  const tinygltf::Accessor* accessor_;
+  const AccessorLayout* layout_;
   int index_;
-  int components_;
   std::size_t component_size_;
-  std::size_t stride_ = 0;
+  std::size_t stride_;
   const std::uint8_t* data_ = nullptr;         // null: all zeros
   std::vector<std::uint32_t> sparse_indices_;  // ascending
   const std::uint8_t* sparse_values_ = nullptr;

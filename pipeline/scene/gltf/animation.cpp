@@ -39,7 +39,7 @@ std::optional<std::size_t> choose(const Context& context, const Cursor& all) {
 
 class AnimationReader {
  public:
-  AnimationReader(Context& context, const Document& document, const tinygltf::Model& model)
+  AnimationReader(Context& context, const Document& document, const Model& model)
       : context_(context), document_(document), model_(model) {}
 
   Animation read(const Cursor& cursor) {
@@ -69,7 +69,7 @@ class AnimationReader {
 
   Context& context_;
   const Document& document_;
-  const tinygltf::Model& model_;
+  const Model& model_;
   std::set<std::pair<std::size_t, Property>> taken_;
   std::uint64_t values_ = 0;
 };
@@ -196,8 +196,7 @@ Keyframes AnimationReader::read_keys(const Cursor& sampler, const Channel& chann
 
 }  // namespace
 
-std::optional<Animation> read_animation(Context& context, const Document& document,
-                                        const tinygltf::Model& model) {
+std::optional<Animation> read_animation(Context& context, const Document& document, const Model& model) {
   const Cursor all = document.root(context).member("animations");
   const auto chosen = choose(context, all);
   if (!chosen) return std::nullopt;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/scene/gltf/model.hpp"
+
 namespace caustics::gltf {
 
 namespace {
@@ -20,31 +22,16 @@ Counts count(const Cursor& root) {
           root.member("cameras").size(), root.member("textures").size(),    root.member("images").size()};
 }
 
-std::int64_t component_size(const Cursor& type) {
-  switch (type.integer(0, 65535)) {
-    case 5120:
-    case 5121:
-      return 1;
-    case 5122:
-    case 5123:
-      return 2;
-    case 5125:
-    case 5126:
-      return 4;
-    default:
-      type.fail("is not a component type of glTF 2.0", kFix);
-  }
+std::int64_t checked_bytes(const Cursor& type) {
+  const std::size_t bytes = component_bytes(static_cast<int>(type.integer(0, 65535)));
+  if (bytes == 0) type.fail("is not a component type of glTF 2.0", kFix);
+  return static_cast<std::int64_t>(bytes);
 }
 
-std::int64_t component_count(const Cursor& type) {
-  const std::string name = type.string();
-  if (name == "SCALAR") return 1;
-  if (name == "VEC2") return 2;
-  if (name == "VEC3") return 3;
-  if (name == "VEC4" || name == "MAT2") return 4;
-  if (name == "MAT3") return 9;
-  if (name == "MAT4") return 16;
-  type.fail("is not an accessor type of glTF 2.0: " + name, kFix);
+std::int64_t checked_count(const Cursor& type) {
+  const int count = component_count(type.string());
+  if (count == 0) type.fail("is not an accessor type of glTF 2.0: " + type.string(), kFix);
+  return count;
 }
 
 std::int64_t length_of(const Cursor& object) { return object.member("byteLength").integer(1, kMostBytes); }
@@ -54,7 +41,8 @@ void check_view(const Cursor& root, const Cursor& view, const Counts& counts) {
   const int buffer = view.member("buffer").index("buffers", counts.buffers);
   const std::int64_t room = length_of(root.member("buffers").element(static_cast<std::size_t>(buffer)));
   const std::int64_t offset = offset_of(view), length = length_of(view);
-  view.member("byteStride").integer(4, 252, 4);
+  const Cursor stride = view.member("byteStride");
+  if (stride.integer(4, 252, 4) % 4 != 0) stride.fail("must be a multiple of 4", kFix);
   if (offset > room || length > room - offset) {
     view.fail("ends at byte " + std::to_string(offset + length) + ", but buffers[" + std::to_string(buffer) +
                   "] has " + std::to_string(room),
@@ -90,16 +78,17 @@ void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts
   const std::int64_t changed = sparse.member("count").integer(1, elements);
   const Cursor indices = sparse.member("indices");
   const Cursor type = indices.member("componentType");
-  const std::int64_t size = component_size(type);
+  const std::int64_t size = checked_bytes(type);
   const std::int64_t code = type.integer(0, 65535);
-  if (code != 5121 && code != 5123 && code != 5125) type.fail("must be an unsigned type", kFix);
+  if (code != kUnsignedByte && code != kUnsignedShort && code != kUnsignedInt)
+    type.fail("must be an unsigned type", kFix);
   check_extent(root, indices, counts, changed, size, false);
   check_extent(root, sparse.member("values"), counts, changed, element_size, false);
 }
 
 void check_accessor(const Cursor& root, const Cursor& accessor, const Counts& counts) {
   const std::int64_t size =
-      component_size(accessor.member("componentType")) * component_count(accessor.member("type"));
+      checked_bytes(accessor.member("componentType")) * checked_count(accessor.member("type"));
   const auto most = static_cast<std::int64_t>(std::min<std::uint64_t>(
       accessor.context().options().max_vertices * 3, std::numeric_limits<std::int32_t>::max()));
   const std::int64_t elements = accessor.member("count").integer(1, most);

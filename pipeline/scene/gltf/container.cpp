@@ -102,17 +102,11 @@ void check_json_size(Context& context, std::string_view text) {
 
 Json parse(Context& context, std::string_view text) {
   check_json_size(context, text);
-  try {
-    Json json = Json::parse(text.begin(), text.end());
-    if (json.is_object()) return json;
-  } catch (const Json::exception& problem) {
-    // nlohmann-json prefixes its messages with an identifier in brackets.
-    std::string what = problem.what();
-    const std::size_t end = what.find("] ");
-    if (end != std::string::npos) what = what.substr(end + 2);
-    context.fail("", "is not a glTF file: " + what, kDamaged);
-  }
-  context.fail("", "is not a glTF file: the JSON must be an object", kDamaged);
+  std::string problem;
+  Json json = parse_json(text, problem);
+  if (problem.empty() && !json.is_object()) problem = "the JSON must be an object";
+  if (!problem.empty()) context.fail("", "is not a glTF file: " + problem, kDamaged);
+  return json;
 }
 
 }  // namespace

@@ -6,11 +6,6 @@ namespace {
 
 const char* kFix = "export the file again or correct it by hand";
 
-std::string type_of(const Json& value) {
-  if (value.is_string()) return "the string \"" + printable(value.get<std::string>(), 40) + "\"";
-  return value.is_array() ? "an array" : value.is_object() ? "an object" : printable(value.dump(), 40);
-}
-
 }  // namespace
 
 void Cursor::require() const {
@@ -20,53 +15,52 @@ void Cursor::require() const {
 Cursor Cursor::member(const char* key) const {
   std::string path = path_.empty() ? key : path_ + "." + key;
   if (!value_) return {*context_, nullptr, std::move(path)};
-  if (!value_->is_object()) fail("must be an object, is " + type_of(*value_), kFix);
-  const auto found = value_->find(key);
-  return {*context_, found == value_->end() ? nullptr : &*found, std::move(path)};
+  if (!value_->is_object()) fail("must be an object, is " + value_->described(), kFix);
+  return {*context_, value_->find(key), std::move(path)};
 }
 
 std::vector<std::string> Cursor::keys() const {
   std::vector<std::string> names;
   if (!value_) return names;
-  if (!value_->is_object()) fail("must be an object, is " + type_of(*value_), kFix);
-  for (const auto& item : value_->items()) names.push_back(item.key());
+  if (!value_->is_object()) fail("must be an object, is " + value_->described(), kFix);
+  for (const JsonMember& member : value_->as<Json::Object>()) names.push_back(member.key);
   return names;
 }
 
 std::size_t Cursor::size() const {
   if (!value_) return 0;
-  if (!value_->is_array()) fail("must be an array, is " + type_of(*value_), kFix);
-  return value_->size();
+  if (!value_->is_array()) fail("must be an array, is " + value_->described(), kFix);
+  return value_->as<Json::Array>().size();
 }
 
 Cursor Cursor::element(std::size_t i) const {
   std::string path = path_ + "[" + std::to_string(i) + "]";
   const bool there = i < size();
-  return {*context_, there ? &(*value_)[i] : nullptr, std::move(path)};
+  return {*context_, there ? &value_->as<Json::Array>()[i] : nullptr, std::move(path)};
 }
 
 double Cursor::number() const {
   require();
-  if (!value_->is_number()) fail("must be a number, is " + type_of(*value_), kFix);
-  return value_->get<double>();
+  if (!value_->is<double>()) fail("must be a number, is " + value_->described(), kFix);
+  return value_->as<double>();
 }
 
 double Cursor::number(double fallback) const { return value_ ? number() : fallback; }
 
 std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest) const {
   require();
-  if (!value_->is_number()) fail("must be an integer, is " + type_of(*value_), kFix);
+  if (!value_->is<double>()) fail("must be an integer, is " + value_->described(), kFix);
   // Compared as double first: what does not fit an integer fails here and is never converted.
-  const double value = value_->get<double>();
+  const double value = value_->as<double>();
   constexpr double kLargest = 9007199254740992.0;  // 2^53
   const bool fits = value >= -kLargest && value <= kLargest;
   const std::int64_t whole = fits ? static_cast<std::int64_t>(value) : 0;
   if (fits && static_cast<double>(whole) != value) {
-    fail("must be an integer, is " + value_->dump(), kFix);
+    fail("must be an integer, is " + value_->described(), kFix);
   }
   if (!fits || whole < lowest || whole > highest) {
     fail("must be from " + std::to_string(lowest) + " to " + std::to_string(highest) + ", is " +
-             printable(value_->dump(), 40),
+             value_->described(),
          kFix);
   }
   return whole;
@@ -78,10 +72,10 @@ std::int64_t Cursor::integer(std::int64_t lowest, std::int64_t highest, std::int
 
 int Cursor::index(const char* array, std::size_t count) const {
   require();
-  if (!value_->is_number()) fail("must be an index, is " + type_of(*value_), kFix);
-  const double value = value_->get<double>();
+  if (!value_->is<double>()) fail("must be an index, is " + value_->described(), kFix);
+  const double value = value_->as<double>();
   if (!(value >= 0 && value < static_cast<double>(count))) {
-    fail("refers to " + std::string(array) + "[" + printable(value_->dump(), 40) + "], but there " +
+    fail("refers to " + std::string(array) + "[" + value_->described() + "], but there " +
              (count == 1 ? "is 1" : "are " + std::to_string(count)),
          kFix);
   }
@@ -95,14 +89,14 @@ std::optional<int> Cursor::optional_index(const char* array, std::size_t count) 
 
 bool Cursor::boolean(bool fallback) const {
   if (!value_) return fallback;
-  if (!value_->is_boolean()) fail("must be true or false, is " + type_of(*value_), kFix);
-  return value_->get<bool>();
+  if (!value_->is<bool>()) fail("must be true or false, is " + value_->described(), kFix);
+  return value_->as<bool>();
 }
 
 std::string Cursor::string() const {
   require();
-  if (!value_->is_string()) fail("must be a string, is " + type_of(*value_), kFix);
-  return value_->get<std::string>();
+  if (!value_->is<std::string>()) fail("must be a string, is " + value_->described(), kFix);
+  return value_->as<std::string>();
 }
 
 std::string Cursor::string(const std::string& fallback) const { return value_ ? string() : fallback; }

@@ -5,16 +5,14 @@
 // fails where the value is required. A value of the wrong type always fails.
 #pragma once
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/scene/gltf/context.hpp"
+#include "pipeline/scene/gltf/json.hpp"
 
 namespace caustics::gltf {
-
-using Json = nlohmann::json;
 
 class Cursor {
  public:

@@ -32,7 +32,7 @@ using gltf::Shape;
 struct Source {
   Context& context;
   const Document& document;
-  const tinygltf::Model& model;
+  const gltf::Model& model;
   const gltf::Materials& materials;
   const gltf::Placements& placements;
   const std::vector<gltf::Skin>& skins;
@@ -195,8 +195,8 @@ std::vector<std::vector<double>> read_rest_weights(const Context& context, const
 }
 
 // The skins that meshes use, by their numbers; the others stay empty.
-std::vector<gltf::Skin> read_skins(const Context& context, const Document& document,
-                                   const tinygltf::Model& model, const gltf::Placements& placements) {
+std::vector<gltf::Skin> read_skins(const Context& context, const Document& document, const gltf::Model& model,
+                                   const gltf::Placements& placements) {
   std::vector<gltf::Skin> skins(document.root(context).member("skins").size());
   std::vector<bool> read(skins.size(), false);
   for (const gltf::Placement& placement : placements.meshes) {
@@ -253,10 +253,10 @@ bool any_moves(const std::vector<gltf::Placement>& placements, const std::vector
 Document without_data(Document document) {
   document.bin = {};
   document.bytes = {};
-  Json kept = Json::object();
-  for (const char* key : {"nodes", "cameras", "extensions"})
-    if (document.json.contains(key)) kept[key] = std::move(document.json[key]);
-  document.json = std::move(kept);
+  auto& members = document.json.as<Json::Object>();
+  std::erase_if(members, [](const gltf::JsonMember& member) {
+    return member.key != "nodes" && member.key != "cameras" && member.key != "extensions";
+  });
   return document;
 }
 
@@ -269,7 +269,7 @@ Loaded load(Context& context) {
   Document document = gltf::read_document(context);
   gltf::check_extensions(context, document);
   gltf::check_structure(context, document);
-  const tinygltf::Model model = gltf::build_model(context, document, gltf::read_buffers(context, document));
+  const gltf::Model model = gltf::build_model(context, document, gltf::read_buffers(context, document));
   document.bin = {};
   document.bytes = {};
   Loaded loaded;

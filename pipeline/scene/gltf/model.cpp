@@ -1,101 +1,114 @@
 #include "pipeline/scene/gltf/model.hpp"
 
-#include <charconv>
-#include <new>
-
 namespace caustics::gltf {
 
 namespace {
 
-constexpr const char* kKept[] = {"asset", "bufferViews", "accessors", "meshes", "nodes", "scenes", "scene"};
-// In place of a buffer's URI: a name that only the callbacks below understand.
-const std::string kBufferName = "caustics-buffer-";
+constexpr std::int64_t kMost = std::int64_t{1} << 53;
 
-// Members that nobody reads through the model.
-constexpr const char* kDropped[] = {"extensions", "extras", "targets", "weights", "min", "max"};
-
-void drop_unused(Json& value) {
-  if (value.is_object()) {
-    for (const char* key : kDropped) value.erase(key);
-  }
-  if (value.is_structured()) {
-    for (Json& inner : value) drop_unused(inner);
-  }
+// Numbers that check_structure has seen.
+std::size_t size_at(const Cursor& object, const char* key) {
+  return static_cast<std::size_t>(object.member(key).integer(0, kMost, 0));
+}
+int index_at(const Cursor& object, const char* key) {
+  return static_cast<int>(object.member(key).integer(-1, kMost, -1));
 }
 
-std::string slim_text(const Document& document, const std::vector<Bytes>& buffers) {
-  Json slim = Json::object();
-  for (const char* key : kKept) {
-    if (document.json.contains(key)) slim[key] = document.json[key];
-  }
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    slim["buffers"].push_back({{"byteLength", buffers[i].size()}, {"uri", kBufferName + std::to_string(i)}});
-  }
-  if (slim.contains("nodes")) {
-    for (Json& node : slim["nodes"]) {
-      node.erase("camera");  // cameras and skins are not handed on
-      node.erase("skin");
-    }
-  }
-  drop_unused(slim);
-  return slim.dump();
+template <typename T, typename Read>
+std::vector<T> all_of(const Cursor& array, const Read& read) {
+  const std::size_t count = array.size();
+  std::vector<T> list;
+  list.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) list.push_back(read(array.element(i)));
+  return list;
 }
 
-// The buffer that a name of slim_text stands for, or null.
-Bytes* buffer_named(const std::string& path, void* user_data) {
-  auto& buffers = *static_cast<std::vector<Bytes>*>(user_data);
-  const std::size_t at = path.rfind(kBufferName);
-  if (at == std::string::npos) return nullptr;
-  std::size_t index = 0;
-  const char* digits = path.data() + at + kBufferName.size();
-  if (std::from_chars(digits, path.data() + path.size(), index).ec != std::errc{}) return nullptr;
-  return index < buffers.size() ? &buffers[index] : nullptr;
+std::vector<int> indices_of(const Cursor& array) {
+  return all_of<int>(array, [](const Cursor& index) { return static_cast<int>(index.integer(0, kMost)); });
 }
 
-// tinygltf asks for the size since 2.9; older versions have no such member.
-template <typename Callbacks>
-void set_file_size(Callbacks& callbacks) {
-  if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
-    callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& path,
-                                      void* user_data) {
-      const Bytes* buffer = buffer_named(path, user_data);
-      if (buffer) *size = buffer->size();
-      return buffer != nullptr;
-    };
+BufferView view_of(const Cursor& view) {
+  return {size_at(view, "buffer"), size_at(view, "byteOffset"), size_at(view, "byteLength"),
+          size_at(view, "byteStride")};
+}
+
+ElementPlace place_of(const Cursor& object) {
+  return {index_at(object, "bufferView"), size_at(object, "byteOffset")};
+}
+
+AccessorLayout accessor_of(const Cursor& accessor) {
+  AccessorLayout layout;
+  layout.place = place_of(accessor);
+  layout.count = size_at(accessor, "count");
+  layout.component_type = index_at(accessor, "componentType");
+  layout.components = component_count(accessor.member("type").string());
+  layout.normalized = accessor.member("normalized").boolean(false);
+  const Cursor sparse = accessor.member("sparse");
+  if (sparse.present()) {
+    const Cursor indices = sparse.member("indices");
+    layout.sparse = {size_at(sparse, "count"), index_at(indices, "componentType"), place_of(indices),
+                     place_of(sparse.member("values"))};
   }
+  return layout;
 }
 
-tinygltf::FsCallbacks callbacks_for(std::vector<Bytes>& buffers) {
-  tinygltf::FsCallbacks callbacks{};
-  callbacks.FileExists = [](const std::string& path, void* user_data) {
-    return buffer_named(path, user_data) != nullptr;
-  };
-  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  callbacks.ReadWholeFile = [](Bytes* out, std::string*, const std::string& path, void* user_data) {
-    Bytes* buffer = buffer_named(path, user_data);
-    if (buffer) *out = std::move(*buffer);
-    return buffer != nullptr;
-  };
-  callbacks.WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) { return false; };
-  set_file_size(callbacks);
-  callbacks.user_data = &buffers;
-  return callbacks;
+Primitive primitive_of(const Cursor& cursor) {
+  Primitive primitive;
+  const Cursor attributes = cursor.member("attributes");
+  for (const std::string& name : attributes.keys())
+    primitive.attributes[name] = index_at(attributes, name.c_str());
+  primitive.indices = index_at(cursor, "indices");
+  primitive.material = index_at(cursor, "material");
+  primitive.mode = static_cast<int>(cursor.member("mode").integer(0, 6, kTriangles));
+  return primitive;
+}
+
+NodeSource node_of(const Cursor& node) {
+  return {indices_of(node.member("children")), node.member("matrix").numbers(16),
+          node.member("translation").numbers(3), node.member("rotation").numbers(4),
+          node.member("scale").numbers(3)};
 }
 
 }  // namespace
 
-tinygltf::Model build_model(Context& context, const Document& document, std::vector<Bytes> buffers) {
-  const std::string text = slim_text(document, buffers);
-  tinygltf::Model model;
-  tinygltf::TinyGLTF reader;
-  std::string error, warning;
-  reader.SetFsCallbacks(callbacks_for(buffers));
-  if (!reader.LoadASCIIFromString(&model, &error, &warning, text.data(),
-                                  static_cast<unsigned int>(text.size()), "")) {
-    // tinygltf catches what is thrown while it parses, and keeps the name.
-    if (error.rfind("std::bad_alloc", 0) == 0) throw std::bad_alloc();
-    context.fail("", "tinygltf: " + error, "export the file again");
+std::size_t component_bytes(int component_type) {
+  switch (component_type) {
+    case kByte:
+    case kUnsignedByte:
+      return 1;
+    case kShort:
+    case kUnsignedShort:
+      return 2;
+    case kUnsignedInt:
+    case kFloat:
+      return 4;
+    default:
+      return 0;
   }
+}
+
+int component_count(const std::string& type) {
+  if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
+  if (type == "VEC3") return 3;
+  if (type == "VEC4" || type == "MAT2") return 4;
+  if (type == "MAT3") return 9;
+  return type == "MAT4" ? 16 : 0;
+}
+
+Model build_model(const Context& context, const Document& document, std::vector<Bytes> buffers) {
+  const Cursor root = document.root(context);
+  Model model;
+  model.buffers = std::move(buffers);
+  model.views = all_of<BufferView>(root.member("bufferViews"), view_of);
+  model.accessors = all_of<AccessorLayout>(root.member("accessors"), accessor_of);
+  model.meshes = all_of<MeshSource>(root.member("meshes"), [](const Cursor& mesh) {
+    return MeshSource{mesh.member("name").string(""),
+                      all_of<Primitive>(mesh.member("primitives"), primitive_of)};
+  });
+  model.nodes = all_of<NodeSource>(root.member("nodes"), node_of);
+  model.scenes = all_of<std::vector<int>>(
+      root.member("scenes"), [](const Cursor& scene) { return indices_of(scene.member("nodes")); });
   return model;
 }
 

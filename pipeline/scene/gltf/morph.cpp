@@ -12,14 +12,13 @@ Cursor mesh_cursor(const Context& context, const Document& document, std::size_t
   return document.root(context).member("meshes").element(mesh);
 }
 
-std::vector<glm::vec3> read_differences(const Context& context, const Cursor& attribute,
-                                        const tinygltf::Model& model, std::size_t vertices,
-                                        std::span<const std::uint32_t> used) {
+std::vector<glm::vec3> read_differences(const Context& context, const Cursor& attribute, const Model& model,
+                                        std::size_t vertices, std::span<const std::uint32_t> used) {
   std::vector<glm::vec3> values;
   const auto index = attribute.optional_index("accessors", model.accessors.size());
   if (!index) return values;
   const Accessor accessor(context, model, *index);
-  if (accessor.components() != 3 || accessor.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+  if (accessor.components() != 3 || accessor.component_type() == kUnsignedInt) {
     attribute.fail("has the wrong type for a morph target", kFix);
   }
   if (accessor.size() != vertices) {
@@ -63,7 +62,7 @@ std::vector<double> rest_weights(const Context& context, const Document& documen
   return weights;
 }
 
-std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive, const tinygltf::Model& model,
+std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive, const Model& model,
                                       std::size_t vertices, std::span<const std::uint32_t> used) {
   std::vector<MorphTarget> targets;
   const Cursor list = primitive.member("targets");

@@ -18,7 +18,7 @@ std::vector<double> rest_weights(const Context& context, const Document& documen
 
 // The differences of a primitive's targets at the vertices `used` (numbers within the accessors).
 // `primitive` is its cursor, `vertices` the number of its positions.
-std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive, const tinygltf::Model& model,
+std::vector<MorphTarget> read_targets(Context& context, const Cursor& primitive, const Model& model,
                                       std::size_t vertices, std::span<const std::uint32_t> used);
 
 }  // namespace caustics::gltf

@@ -10,7 +10,7 @@ using exact::Affine;
 
 class Walk {
  public:
-  Walk(Context& context, const Document& document, const tinygltf::Model& model)
+  Walk(Context& context, const Document& document, const Model& model)
       : context_(context), root_(document.root(context)), model_(model) {
     placements_.place_of.assign(model.nodes.size(), -1);
     lights_ = root_.member("extensions").member("KHR_lights_punctual").member("lights").size();
@@ -29,7 +29,7 @@ class Walk {
  private:
   std::vector<int> roots();
   void visit(int node, int above, const Affine& parent, int depth, bool visible);
-  NodeTransform transform(const Cursor& node, const tinygltf::Node& values);
+  NodeTransform transform(const Cursor& node, const NodeSource& values);
   Affine matrix_transform(const Cursor& node, const std::vector<double>& m);
   void place(const Cursor& node, int index, const Affine& to_world, bool visible);
   void place_mesh(const Cursor& node, const Placement& placement);
@@ -38,7 +38,7 @@ class Walk {
 
   Context& context_;
   Cursor root_;
-  const tinygltf::Model& model_;
+  const Model& model_;
   std::uint64_t count_ = 0;
   std::size_t lights_ = 0;
   Placements placements_;
@@ -52,10 +52,10 @@ std::vector<int> Walk::roots() {
       context_.note("The file has " + std::to_string(scenes) + " scenes; scenes[" +
                     std::to_string(chosen.value_or(0)) + "] is shown.");
     }
-    return model_.scenes[static_cast<std::size_t>(chosen.value_or(0))].nodes;
+    return model_.scenes[static_cast<std::size_t>(chosen.value_or(0))];
   }
   std::vector<bool> is_child(model_.nodes.size(), false);
-  for (const tinygltf::Node& node : model_.nodes) {
+  for (const NodeSource& node : model_.nodes) {
     for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
   }
   std::vector<int> roots;
@@ -111,7 +111,7 @@ Affine Walk::matrix_transform(const Cursor& node, const std::vector<double>& m) 
   return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
 }
 
-NodeTransform Walk::transform(const Cursor& node, const tinygltf::Node& values) {
+NodeTransform Walk::transform(const Cursor& node, const NodeSource& values) {
   NodeTransform result;
   if (values.matrix.size() == 16) {
     result.matrix = matrix_transform(node, values.matrix);
@@ -215,7 +215,7 @@ Affine NodeTransform::local() const {
   return matrix ? *matrix : exact::from_trs(translation, rotation, scale);
 }
 
-Placements place_nodes(Context& context, const Document& document, const tinygltf::Model& model) {
+Placements place_nodes(Context& context, const Document& document, const Model& model) {
   return Walk(context, document, model).run();
 }
 

@@ -46,6 +46,6 @@ struct Placements {
 
 // Fails on cycles, nodes with two parents, trees too deep or too large, and transforms that are not
 // finite. Takes the default scene, else the first, else all nodes without a parent.
-Placements place_nodes(Context& context, const Document& document, const tinygltf::Model& model);
+Placements place_nodes(Context& context, const Document& document, const Model& model);
 
 }  // namespace caustics::gltf

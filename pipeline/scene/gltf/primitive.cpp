@@ -15,13 +15,12 @@ constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 const char* kFix = "export the file again";
 
 // The accessor of an attribute, or none. Its type must be the one that glTF prescribes.
-std::optional<Accessor> attribute(const Context& context, const tinygltf::Model& model,
-                                  const tinygltf::Primitive& primitive, const std::string& name,
-                                  int components) {
+std::optional<Accessor> attribute(const Context& context, const Model& model, const Primitive& primitive,
+                                  const std::string& name, int components) {
   const auto found = primitive.attributes.find(name);
   if (found == primitive.attributes.end()) return std::nullopt;
   Accessor accessor(context, model, found->second);
-  const bool is_uint = accessor.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  const bool is_uint = accessor.component_type() == kUnsignedInt;
   if (accessor.components() != components || is_uint) {
     context.fail(accessor.path(), "has the wrong type for " + name, kFix);
   }
@@ -29,8 +28,8 @@ std::optional<Accessor> attribute(const Context& context, const tinygltf::Model&
 }
 
 // Checked indices of a primitive, 0, 1, 2, ... where it has none.
-std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::Model& model,
-                                        const tinygltf::Primitive& primitive, std::size_t vertices) {
+std::vector<std::uint32_t> read_indices(const Context& context, const Model& model,
+                                        const Primitive& primitive, std::size_t vertices) {
   std::vector<std::uint32_t> indices;
   if (primitive.indices < 0) {
     for (std::size_t i = 0; i < vertices; ++i) indices.push_back(static_cast<std::uint32_t>(i));
@@ -39,13 +38,12 @@ std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::
   const Accessor accessor(context, model, primitive.indices);
   const int type = accessor.component_type();
   if (accessor.components() != 1 ||
-      (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+      (type != kUnsignedByte && type != kUnsignedShort && type != kUnsignedInt)) {
     context.fail(accessor.path(), "indices must be unsigned scalars", kFix);
   }
-  const std::uint32_t restart = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xFFu
-                                : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 0xFFFFu
-                                                                                 : 0xFFFFFFFFu;
+  const std::uint32_t restart = type == kUnsignedByte    ? 0xFFu
+                                : type == kUnsignedShort ? 0xFFFFu
+                                                         : 0xFFFFFFFFu;
   indices.reserve(accessor.size());
   for (std::size_t i = 0; i < accessor.size(); ++i) {
     const std::uint32_t value = accessor.unsigned_value(i);
@@ -65,14 +63,14 @@ std::vector<std::uint32_t> read_indices(const Context& context, const tinygltf::
 std::vector<std::array<std::uint32_t, 3>> assemble(const std::vector<std::uint32_t>& index, int mode) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (index.size() < 3) return triangles;
-  if (mode == TINYGLTF_MODE_TRIANGLES) {
+  if (mode == kTriangles) {
     for (std::size_t i = 0; i + 2 < index.size(); i += 3) {
       triangles.push_back({index[i], index[i + 1], index[i + 2]});
     }
     return triangles;
   }
   for (std::size_t i = 0; i + 2 < index.size(); ++i) {
-    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+    if (mode == kTriangleFan) {
       triangles.push_back({index[i + 1], index[i + 2], index[0]});
     } else {
       triangles.push_back({index[i], index[i + 1 + i % 2], index[i + 2 - i % 2]});
@@ -93,8 +91,7 @@ void spend(const Context& context, const std::string& path, std::uint64_t& used,
 // and renumbers the triangles.
 class Gather {
  public:
-  Gather(const Context& context, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-         int uv_set)
+  Gather(const Context& context, const Model& model, const Primitive& primitive, int uv_set)
       : context_(context),
         positions_(*attribute(context, model, primitive, "POSITION", 3)),
         normals_(attribute(context, model, primitive, "NORMAL", 3)),
@@ -167,15 +164,14 @@ class Gather {
 };
 
 // Morph targets and sets of joints are as large as the base shape.
-std::uint64_t influence_set_count(const tinygltf::Primitive& primitive) {
+std::uint64_t influence_set_count(const Primitive& primitive) {
   return static_cast<std::uint64_t>(
       std::count_if(primitive.attributes.begin(), primitive.attributes.end(),
                     [](const auto& attribute) { return attribute.first.rfind("JOINTS_", 0) == 0; }));
 }
 
-bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive, const std::string& path) {
-  const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-  if (mode < TINYGLTF_MODE_TRIANGLES) {
+bool can_be_drawn(Context& context, const Primitive& primitive, const std::string& path) {
+  if (primitive.mode < kTriangles) {
     context.note(path + ": points and lines are left out.");
     return false;
   }
@@ -189,11 +185,11 @@ bool can_be_drawn(Context& context, const tinygltf::Primitive& primitive, const 
 
 }  // namespace
 
-std::optional<Body> read_primitive(Context& context, const Document& document, const tinygltf::Model& model,
+std::optional<Body> read_primitive(Context& context, const Document& document, const Model& model,
                                    const Placement& placement, std::size_t number, int uv_set,
                                    std::size_t joints, GeometryBudget& budget) {
   const auto mesh = static_cast<std::size_t>(placement.index);
-  const tinygltf::Primitive& primitive = model.meshes[mesh].primitives[number];
+  const Primitive& primitive = model.meshes[mesh].primitives[number];
   const Cursor cursor =
       document.root(context).member("meshes").element(mesh).member("primitives").element(number);
   Body body;
@@ -210,13 +206,13 @@ std::optional<Body> read_primitive(Context& context, const Document& document, c
       1 + cursor.member("targets").size() + (joints > 0 ? influence_set_count(primitive) : 0);
   spend(context, shape.path, budget.vertices, copies * gather.vertices(), limits.max_vertices, "vertices");
   const auto indices = read_indices(context, model, primitive, gather.vertices());
-  const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-  if (mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0) {
+  const int mode = primitive.mode;
+  if (mode == kTriangles && indices.size() % 3 != 0) {
     context.note(shape.path + ": the last " + std::to_string(indices.size() % 3) +
                  " indices make no triangle and are ignored.");
   }
   const std::size_t triangles =
-      mode == TINYGLTF_MODE_TRIANGLES ? indices.size() / 3 : std::max<std::size_t>(indices.size(), 2) - 2;
+      mode == kTriangles ? indices.size() / 3 : std::max<std::size_t>(indices.size(), 2) - 2;
   spend(context, shape.path, budget.triangles, triangles, limits.max_triangles, "triangles");
   shape.triangles = assemble(indices, mode);
   body.position_path = gather.position_path();

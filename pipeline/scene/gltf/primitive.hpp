@@ -16,7 +16,7 @@ struct GeometryBudget {
 // None for points, lines and what has no positions (with a note). `uv_set` is the TEXCOORD to read,
 // `joints` how many the skin of the placement has (0: no skin). Morph targets and sets of joints count as
 // vertices.
-std::optional<Body> read_primitive(Context& context, const Document& document, const tinygltf::Model& model,
+std::optional<Body> read_primitive(Context& context, const Document& document, const Model& model,
                                    const Placement& placement, std::size_t primitive, int uv_set,
                                    std::size_t joints, GeometryBudget& budget);
 

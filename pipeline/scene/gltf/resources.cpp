@@ -1,7 +1,5 @@
 #include "pipeline/scene/gltf/resources.hpp"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -75,18 +73,39 @@ fs::path confined(const Context& context, const Cursor& uri, const std::string& 
   return file;
 }
 
-// tinygltf decodes base64, but only for a few media types; which one it is does not matter here.
+// Six bits of base64, -1: no character of its alphabet.
+int base64_digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+// Up to the first character that is none of base64's, such as the padding.
+Bytes decode_base64(std::string_view text) {
+  Bytes bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    const int digit = base64_digit(c);
+    if (digit < 0) break;
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(static_cast<std::uint8_t>(bits >> count));
+  }
+  return bytes;
+}
+
+// The media type does not matter here.
 Bytes decode_data_uri(const Cursor& uri, const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos || comma < 12 || text.compare(comma - 7, 7, ";base64") != 0) {
     uri.fail("is a data URI that is not base64", "export the file again");
   }
-  const std::string payload = "data:application/octet-stream;base64," + text.substr(comma + 1);
-  Bytes bytes;
-  std::string media_type;
-  if (!tinygltf::DecodeDataURI(&bytes, media_type, payload, 0, false)) {
-    uri.fail("is an empty or broken data URI", "export the file again");
-  }
+  Bytes bytes = decode_base64(std::string_view(text).substr(comma + 1));
+  if (bytes.empty()) uri.fail("is an empty or broken data URI", "export the file again");
   return bytes;
 }
 

@@ -18,14 +18,12 @@ exact::Affine read_matrix(const Cursor& cursor, const Accessor& accessor, std::s
   return matrix;
 }
 
-void read_inverse_binds(const Context& context, const Cursor& cursor, const tinygltf::Model& model,
-                        Skin& skin) {
+void read_inverse_binds(const Context& context, const Cursor& cursor, const Model& model, Skin& skin) {
   skin.inverse_binds.resize(skin.joints.size());
   const auto index = cursor.optional_index("accessors", model.accessors.size());
   if (!index) return;
   const Accessor accessor(context, model, *index);
-  if (accessor.components() != 16 || !accessor.is_float() ||
-      model.accessors[static_cast<std::size_t>(*index)].type != TINYGLTF_TYPE_MAT4) {
+  if (accessor.components() != 16 || !accessor.is_float()) {
     cursor.fail("must be matrices of 4x4 floats", kFix);
   }
   if (accessor.size() < skin.joints.size()) {
@@ -42,8 +40,7 @@ struct InfluenceSet {
   Accessor joints, weights;
 };
 
-Accessor influence(const Context& context, const Cursor& cursor, const tinygltf::Model& model,
-                   std::size_t vertices) {
+Accessor influence(const Context& context, const Cursor& cursor, const Model& model, std::size_t vertices) {
   Accessor accessor(context, model, cursor.index("accessors", model.accessors.size()));
   if (accessor.components() != 4) cursor.fail("must be of type VEC4", kFix);
   if (accessor.size() != vertices) {
@@ -53,8 +50,8 @@ Accessor influence(const Context& context, const Cursor& cursor, const tinygltf:
   return accessor;
 }
 
-std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& attributes,
-                                         const tinygltf::Model& model, std::size_t vertices) {
+std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& attributes, const Model& model,
+                                         std::size_t vertices) {
   std::vector<InfluenceSet> sets;
   for (std::size_t n = 0; n <= kMostSets; ++n) {
     const Cursor joints = attributes.member("JOINTS_" + std::to_string(n));
@@ -67,7 +64,7 @@ std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& a
     sets.push_back(
         {influence(context, joints, model, vertices), influence(context, weights, model, vertices)});
     const int type = sets.back().joints.component_type();
-    if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+    if (type != kUnsignedByte && type != kUnsignedShort)
       joints.fail("must be unsigned bytes or shorts", kFix);
   }
   return sets;
@@ -122,8 +119,8 @@ std::vector<exact::Affine> Skin::matrices(std::span<const exact::Affine> to_worl
   return result;
 }
 
-Skin read_skin(const Context& context, const Document& document, const tinygltf::Model& model,
-               std::size_t number, const Placements& placements) {
+Skin read_skin(const Context& context, const Document& document, const Model& model, std::size_t number,
+               const Placements& placements) {
   const Cursor root = document.root(context);
   const Cursor cursor = root.member("skins").element(number);
   const Cursor joints = cursor.member("joints");
@@ -144,9 +141,8 @@ Skin read_skin(const Context& context, const Document& document, const tinygltf:
   return skin;
 }
 
-void read_influences(Context& context, const Cursor& primitive, const tinygltf::Model& model,
-                     std::size_t vertices, std::span<const std::uint32_t> used, std::size_t joints,
-                     Body& body) {
+void read_influences(Context& context, const Cursor& primitive, const Model& model, std::size_t vertices,
+                     std::span<const std::uint32_t> used, std::size_t joints, Body& body) {
   const Cursor attributes = primitive.member("attributes");
   const std::vector<InfluenceSet> sets = influence_sets(context, attributes, model, vertices);
   if (sets.empty()) {

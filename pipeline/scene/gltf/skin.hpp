@@ -15,13 +15,12 @@ struct Skin {
 
 // A skin of the file. Fails where a joint stands twice or lies outside of the scene that is shown, or
 // there are too few inverse bind matrices, or one is not finite.
-Skin read_skin(const Context& context, const Document& document, const tinygltf::Model& model,
-               std::size_t skin, const Placements& placements);
+Skin read_skin(const Context& context, const Document& document, const Model& model, std::size_t skin,
+               const Placements& placements);
 
 // Reads JOINTS_n and WEIGHTS_n of the vertices `used` into the body. Nothing where the primitive has
 // neither; fails where they do not go together, a joint is beyond the skin's, or a weight negative.
-void read_influences(Context& context, const Cursor& primitive, const tinygltf::Model& model,
-                     std::size_t vertices, std::span<const std::uint32_t> used, std::size_t joints,
-                     Body& body);
+void read_influences(Context& context, const Cursor& primitive, const Model& model, std::size_t vertices,
+                     std::span<const std::uint32_t> used, std::size_t joints, Body& body);
 
 }  // namespace caustics::gltf

@@ -38,6 +38,10 @@ HeightField field_of(const Cursor& shape, const Placement& placement, const Scen
   return field;
 }
 
+bool is_word(const Cursor& cursor, std::string_view word) {
+  return cursor.json().is<std::string>() && cursor.json().as<std::string>() == word;
+}
+
 }  // namespace
 
 void read_stated_shapes(const Cursor& root, const std::vector<Placement>& placements, Scene& scene) {
@@ -48,9 +52,9 @@ void read_stated_shapes(const Cursor& root, const std::vector<Placement>& placem
     if (shape.json().is_object()) {
       stated.kind = ShapeKind::Waves;
       stated.field = field_of(shape, placements[object], scene);
-    } else if (shape.json() == "cylinder") {
+    } else if (is_word(shape, "cylinder")) {
       stated.kind = ShapeKind::Cylinder;
-    } else if (shape.json() != "sphere") {
+    } else if (!is_word(shape, "sphere")) {
       shape.fail("is no shape that is known",
                  "write \"sphere\", \"cylinder\" or { \"level\": y, \"waves\": [...] }");
     }

@@ -106,11 +106,10 @@ std::optional<int> Textures::image_index(const Cursor& info) {
 Bytes Textures::image_bytes(const Cursor& image) {
   const Cursor view = image.member("bufferView");
   if (!view.present()) return read_uri(context_, image.member("uri"));
-  const auto& v =
-      model_.bufferViews[static_cast<std::size_t>(view.index("bufferViews", model_.bufferViews.size()))];
-  const auto begin = model_.buffers[static_cast<std::size_t>(v.buffer)].data.begin() +
-                     static_cast<std::ptrdiff_t>(v.byteOffset);
-  return Bytes(begin, begin + static_cast<std::ptrdiff_t>(v.byteLength));
+  const BufferView& v =
+      model_.views[static_cast<std::size_t>(view.index("bufferViews", model_.views.size()))];
+  const auto begin = model_.buffers[v.buffer].begin() + static_cast<std::ptrdiff_t>(v.offset);
+  return Bytes(begin, begin + static_cast<std::ptrdiff_t>(v.length));
 }
 
 bool Textures::decode(int index, Pixels& pixels) {

@@ -15,7 +15,7 @@ namespace caustics::gltf {
 
 class Textures {
  public:
-  Textures(Context& context, const Document& document, const tinygltf::Model& model)
+  Textures(Context& context, const Document& document, const Model& model)
       : context_(context),
         root_(document.root(context)),
         model_(model),
@@ -41,7 +41,7 @@ class Textures {
 
   Context& context_;
   Cursor root_;
-  const tinygltf::Model& model_;
+  const Model& model_;
   std::uint64_t pixels_left_;
   std::vector<Image> images_;
   std::map<std::pair<int, bool>, int> loaded_;  // image and is_normal -> index, -1: failed
