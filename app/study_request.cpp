@@ -23,7 +23,7 @@ constexpr Limits<double> kErrors{1e-6, 1000.0};  // percent
 
 constexpr char kStudyPurpose[] =
     "Renders a scene with many settings, and says for each how far its caustic is from a truth\n"
-    "and how long it took: study.csv, study.json and report.html. See docs/study.md.";
+    "and how long it took: study.csv, study.json and report.html. See docs/accuracy.md.";
 constexpr char kStudyExamples[] =
     "  caustics study scene.glb -o study\n"
     "  caustics study scene.glb -o study --vary grid=64,256 --vary splat=point,cell --cross\n"
