@@ -21,21 +21,36 @@ def row_of(cells):
 
 
 def promises(lines):
-    """Of the hard cases: the name and what holds, which every run of the tests checks."""
-    return [row_of(cells_of(line)[:2]) if line != '|' else '' for line in lines]
+    """Of the hard cases, by group: the scenes, and what holds of them, which every run of the tests checks."""
+    text, names, begin, last = [], [], '', ''
+    for line in lines:
+        name, behaviour = (cells_of(line) + [''])[:2]
+        if line == '|' or behaviour == 'behaviour':
+            text.append(f'{name}:\n' if name else '')
+        elif not name.startswith('---'):
+            if behaviour == last:
+                text.pop()
+            else:
+                names, begin = [], ''
+            names.append(name[len(begin):] if begin and name.startswith(begin) else name)
+            if names[-1] == name:
+                begin = ''.join(name.rpartition(', ')[:2])
+            text.append(f'- **{"; ".join(names)}**: {behaviour}')
+        last = behaviour
+    return text
 
 
 def nearest_to_bounds(lines):
-    """Of each closed form's figures of one kind, the one that comes nearest to its bound, and their number."""
+    """Of each closed form's figures of one kind, the one that comes nearest to its bound."""
     kinds = {}
     for truth, figure, software, opengl, bound, _ in map(cells_of, lines[2:]):
         if opengl not in (software, 'no driver'):
             sys.exit(f'{truth}, {figure}: {software} on the software device, {opengl} on OpenGL')
         kinds.setdefault((truth, figure.split(',')[0].split()[0]), []).append((figure, software, bound))
-    rows = [['closed form', 'figures', 'the one nearest to its bound', 'error', 'bound'], ['---'] * 5]
+    rows = [['closed form', 'figure', 'error', 'bound'], ['---'] * 4]
     for (truth, _), figures in kinds.items():
         nearest = max(figures, key=lambda each: float(each[1]) / float(each[2]))
-        rows.append([truth, str(len(figures)), *nearest])
+        rows.append([truth, *nearest])
     return [row_of(row) for row in rows]
 
 
