@@ -16,10 +16,6 @@ def cells_of(line):
     return [cell.strip() for cell in line.strip('|').split('|')]
 
 
-def row_of(cells):
-    return '| ' + ' | '.join(cells) + ' |'
-
-
 def promises(lines):
     """Of the hard cases, by group: the scenes, and what holds of them, which every run of the tests checks."""
     text, names, begin, last = [], [], '', ''
@@ -42,16 +38,17 @@ def promises(lines):
 
 def nearest_to_bounds(lines):
     """Of each closed form's figures of one kind, the one that comes nearest to its bound."""
-    kinds = {}
+    forms = {}
     for truth, figure, software, opengl, bound, _ in map(cells_of, lines[2:]):
         if opengl not in (software, 'no driver'):
             sys.exit(f'{truth}, {figure}: {software} on the software device, {opengl} on OpenGL')
-        kinds.setdefault((truth, figure.split(',')[0].split()[0]), []).append((figure, software, bound))
-    rows = [['closed form', 'figure', 'error', 'bound'], ['---'] * 4]
-    for (truth, _), figures in kinds.items():
-        nearest = max(figures, key=lambda each: float(each[1]) / float(each[2]))
-        rows.append([truth, *nearest])
-    return [row_of(row) for row in rows]
+        kind = figure.split(',')[0].split()[0]
+        forms.setdefault(truth, {}).setdefault(kind, []).append((figure, software, bound))
+    text = []
+    for truth, kinds in forms.items():
+        nearest = [max(figures, key=lambda each: float(each[1]) / float(each[2])) for figures in kinds.values()]
+        text.append(f'- **{truth}**: ' + '; '.join(f'{what}: {error} ({bound})' for what, error, bound in nearest))
+    return text
 
 
 TABLES = {  # page, how the table is shortened, least number of lines
