@@ -46,8 +46,9 @@ def nearest_to_bounds(lines):
         forms.setdefault(truth, {}).setdefault(kind, []).append((figure, software, bound))
     text = []
     for truth, kinds in forms.items():
-        nearest = [max(figures, key=lambda each: float(each[1]) / float(each[2])) for figures in kinds.values()]
-        text.append(f'- **{truth}**: ' + '; '.join(f'{what}: {error} ({bound})' for what, error, bound in nearest))
+        nearest = (max(figures, key=lambda each: float(each[1]) / float(each[2])) for figures in kinds.values())
+        said = [f'{what}: {error} ({bound})' for what, error, bound in nearest]
+        text.append(f'- **{truth}**: {"; ".join(said)}')
     return text
 
 
