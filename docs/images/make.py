@@ -111,8 +111,8 @@ def write_png(rows):
 def frame(program, scene, options):
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / 'frame.png'
-        subprocess.run([program, 'render', SCENES / f'{scene}.glb', *options.split(), '-o', output, '--quiet'],
-                       check=True)
+        command = [program, 'render', SCENES / f'{scene}.glb', *options.split(), '-o', output, '--quiet']
+        subprocess.run(command, check=True)
         return read_png(output.read_bytes())
 
 

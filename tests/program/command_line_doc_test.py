@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The tables in docs/command_line.md are those of `caustics COMMAND --help-markdown`. Each stands between a
-line `<!-- caustics COMMAND: HEADING; ... -->`, which names the tables (or `purpose`), and `<!-- end -->`. A row
-that stands in an earlier table is left out. With --update they are written anew."""
+line `<!-- caustics COMMAND: HEADING; ... -->`, which names the tables (or `purpose`), and `<!-- end -->`. A
+row that stands in an earlier table is left out. With --update they are written anew."""
 
 import os
 import pathlib

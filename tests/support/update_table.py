@@ -17,7 +17,7 @@ def cells_of(line):
 
 
 def promises(lines):
-    """Of the hard cases, by group: the scenes, and what holds of them, which every run of the tests checks."""
+    """Of the hard cases, by group: the scenes, and what holds of them in every run of the tests."""
     text, names, begin, last = [], [], '', ''
     for line in lines:
         name, behaviour = (cells_of(line) + [''])[:2]
@@ -46,7 +46,7 @@ def nearest_to_bounds(lines):
         forms.setdefault(truth, {}).setdefault(kind, []).append((figure, software, bound))
     text = []
     for truth, kinds in forms.items():
-        nearest = (max(figures, key=lambda each: float(each[1]) / float(each[2])) for figures in kinds.values())
+        nearest = (max(each, key=lambda row: float(row[1]) / float(row[2])) for each in kinds.values())
         said = [f'{what}: {error} ({bound})' for what, error, bound in nearest]
         text.append(f'- **{truth}**: {"; ".join(said)}')
     return text
