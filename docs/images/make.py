@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes every picture of the pages again with the built program.
 
-    docs/images/make.py [PROGRAM] [NAME ...]     PROGRAM: build/release/caustics unless given; NAME: these only
+    docs/images/make.py [PROGRAM] [NAME ...]     PROGRAM: build/release/caustics unless given
 
 A picture is one frame of the software device, or several side by side, so its pixels are the same on every
 machine: tests/program/docs_pictures_test.py renders all of them and compares."""
@@ -29,8 +29,8 @@ PICTURES = {  # name: (frames in a row, [(scene, options), ...])
                                                  for name in ('paper', 'newton', 'impostor', 'secant')))),
     'grids': (4, floor_views('glass_sphere', *(f'--map 256 --splat {splat} --grid {grid}'
                                                for splat in ('point', 'cell') for grid in (64, 128)))),
-    'spectrum': (2, [('spectrum', f'-r 400x225 --camera close --grid 256 --exposure 0.5 --wavelengths {count}')
-                     for count in (3, 32)]),
+    'spectrum': (2, [('spectrum', f'-r 400x225 --camera close --exposure 0.5 --grid 256 --wavelengths {n}')
+                     for n in (3, 32)]),
     'lights': (2, [('two_lights', '-r 400x225'),
                    ('sun_disk', '-r 400x225 --grid 128 --map 256 -D shadow=512')]),
     'closed_room': (1, [('closed_room', '-r 480x270 --grid 1024 --map 1024')]),
@@ -93,7 +93,7 @@ def filtered(kind, row, above):
 
 
 def write_png(rows):
-    """The bytes of an 8-bit RGB file; each row is filtered in the way that leaves the smallest differences."""
+    """The bytes of an 8-bit RGB file; each row has the filter that leaves the smallest differences."""
     def chunk(name, data):
         return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
 
