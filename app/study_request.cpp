@@ -23,7 +23,7 @@ constexpr Limits<double> kErrors{1e-6, 1000.0};  // percent
 
 constexpr char kStudyPurpose[] =
     "Renders a scene with many settings, and says for each how far its caustic is from a truth\n"
-    "and how long it took: study.csv, study.json and report.html. See docs/study.md.";
+    "and how long it took: study.csv, study.json and report.html. See docs/accuracy.md.";
 constexpr char kStudyExamples[] =
     "  caustics study scene.glb -o study\n"
     "  caustics study scene.glb -o study --vary grid=64,256 --vary splat=point,cell --cross\n"
@@ -55,18 +55,16 @@ void add_study_options(Parser& parser, StudyRequest& request) {
   parser.flag("--cross", request.cross,
               "all values with all others, instead of one key at a time and grid with map");
   parser.number("--repeat", "N", {"frames timed for each setting"}, Limits<int>{1, 1000}, request.repeat);
-  parser.option(
-      "--truth", "WHAT",
-      {"what the caustic is held against: a file's layer caustic, and caustic_error where it has one; light "
-       "traced "
-       "by 'caustics reference' into DIR/truth.exr, of the meshes or of the exact shapes that the file "
-       "states; or the sweep's finest setting with grid and map doubled, which shares this program's errors",
-       "FILE.exr|traced|exact|finest", "finest"},
-      [&](const std::string& value) {
-        request.traced.wanted = value == "traced" || value == "exact";
-        request.traced.exact = value == "exact";
-        request.truth = request.traced.wanted || value == "finest" ? "" : value;
-      });
+  parser.option("--truth", "WHAT",
+                {"what the caustic is held against: a file's layer caustic; traced light, of the meshes or "
+                 "of the exact "
+                 "shapes that the file states; or the sweep's finest setting with grid and map doubled",
+                 "FILE.exr|traced|exact|finest", "finest"},
+                [&](const std::string& value) {
+                  request.traced.wanted = value == "traced" || value == "exact";
+                  request.traced.exact = value == "exact";
+                  request.truth = request.traced.wanted || value == "finest" ? "" : value;
+                });
   parser.option("--truth-error", "P%",
                 {"of traced and exact: the relative error at which tracing ends", text_of(kErrors),
                  significant(100.0 * request.traced.error, 3) + "%"},

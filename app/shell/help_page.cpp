@@ -59,22 +59,22 @@ std::string names_cell(const HelpEntry& entry) {
   return before + code(last + (entry.value.empty() ? "" : " " + entry.value));
 }
 
+// "1..8192 texels (512)".
+std::string range_cell(const About& about) {
+  const bool both = !about.range.empty() && !about.by_default.empty();
+  return escaped(about.range + (both ? " " : "") +
+                 (about.by_default.empty() ? "" : "(" + about.by_default + ")"));
+}
+
 // Its heading stands in the first cell.
 std::string table(const HelpGroup& group) {
-  const auto has = [&](std::string About::*part) {
-    return std::any_of(group.entries.begin(), group.entries.end(),
-                       [&](const HelpEntry& e) { return !(e.about.*part).empty(); });
-  };
-  const bool range = has(&About::range), by_default = has(&About::by_default);
-  std::string text = "\n| " + group.heading + " |";
-  text += std::string(range ? " range |" : "") + (by_default ? " default |" : "") + " meaning |\n|---|";
-  text += std::string(range ? "---|" : "") + (by_default ? "---|" : "") + "---|\n";
-  for (const HelpEntry& entry : group.entries) {
-    text += "| " + names_cell(entry) + " | ";
-    if (range) text += escaped(entry.about.range) + " | ";
-    if (by_default) text += escaped(entry.about.by_default) + " | ";
-    text += escaped(entry.about.meaning) + " |\n";
-  }
+  const bool ranges = std::any_of(group.entries.begin(), group.entries.end(),
+                                  [](const HelpEntry& e) { return !range_cell(e.about).empty(); });
+  std::string text = "\n| " + group.heading + (ranges ? " | range (default)" : "") + " | meaning |\n|---|" +
+                     (ranges ? "---|" : "") + "---|\n";
+  for (const HelpEntry& entry : group.entries)
+    text += "| " + names_cell(entry) + " | " + (ranges ? range_cell(entry.about) + " | " : "") +
+            escaped(entry.about.meaning) + " |\n";
   return text;
 }
 

@@ -1,4 +1,4 @@
-// study.json and study.csv (docs/study.md).
+// study.json and study.csv.
 #include <nlohmann/json.hpp>
 
 #include "lab/study/study.hpp"

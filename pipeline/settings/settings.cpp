@@ -177,7 +177,7 @@ constexpr Setting kTable[] = {
     choice<&S::pixel_means, kAutoOff>(
         "pixel_means", Maps, "the mean of a caustic over each pixel that is wider than the map's texels"),
     choice<&S::hidden_receivers, kAutoOff>("hidden_receivers", Maps,
-                                           "light onto receivers that others hide from the light's own view"),
+                                           "caustics on receivers that other receivers hide from the light"),
     number<&S::outside_share>("outside_share", Maps, {0.0, 0.5},
                               "share of the landed flux that may fall outside the fitted caustic map"),
     choice<&S::assume_solid, kNoYes>("assume_solid", Light,

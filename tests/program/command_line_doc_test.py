@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The tables in docs/command_line.md are those of `caustics COMMAND --help-markdown`. Each stands between a
-line `<!-- caustics COMMAND: HEADING; ... -->`, which names the tables (or `purpose`), and `<!-- end -->`.
-With --update they are written anew."""
+line `<!-- caustics COMMAND: HEADING; ... -->`, which names the tables (or `purpose`), and `<!-- end -->`. A
+row that stands in an earlier table is left out. With --update they are written anew."""
 
 import pathlib
 import re
@@ -25,11 +25,34 @@ def help_of(command):
     return {"purpose": purpose} | {re.match(r"\| (.*?) \|", table)[1]: table for table in tables}
 
 
-def block(match):
-    command, headings, _ = match.groups()
-    said = help_of(command)
-    wanted = "\n\n".join(said[heading] for heading in headings.split("; "))
-    return f"<!-- caustics{' ' * bool(command)}{command}: {headings} -->\n{wanted}\n\n<!-- end -->\n"
+def names(table):
+    return re.findall(r"^\| (`.*?) \| ", table, re.MULTILINE)
+
+
+def without_rows_of(earlier, text):
+    """Of a table, after the two lines of its head, the rows that were not said yet: by name and meaning. A
+    purpose is returned as it is."""
+    if not text.startswith("| "):
+        return text
+    head, rows = text.split("\n")[:2], text.split("\n")[2:]
+    said = {row: (names(row)[0], row.split(" | ")[-1]) for row in rows}
+    new = [row for row in rows if said[row] not in earlier]
+    earlier.update(said.values())
+    return "\n".join(head + new) if new else ""
+
+
+def written_anew(page):
+    """The page with its tables as the program has them now."""
+    earlier = set()
+
+    def block(match):
+        command, headings, _ = match.groups()
+        said = help_of(command)
+        parts = [without_rows_of(earlier, said[heading]) for heading in headings.split("; ")]
+        wanted = "\n\n".join(part for part in parts if part)
+        return f"<!-- caustics{' ' * bool(command)}{command}: {headings} -->\n{wanted}\n\n<!-- end -->\n"
+
+    return BLOCK.sub(block, page)
 
 
 def help_text():
@@ -37,18 +60,14 @@ def help_text():
 
 
 def update():
-    PAGE.write_text(BLOCK.sub(block, PAGE.read_text()))
+    PAGE.write_text(written_anew(PAGE.read_text()))
     HELP.write_text(help_text())
-
-
-def names(table):
-    return re.findall(r"^\| (`.*?) \| ", table, re.MULTILINE)
 
 
 class CommandLineDoc(unittest.TestCase):
     def test_tables_are_what_the_program_says(self):
         page = PAGE.read_text()
-        if BLOCK.sub(block, page) != page:
+        if written_anew(page) != page:
             self.fail("docs/command_line.md is not what the program says; to write its tables anew: "
                       "CAUSTICS_PROGRAM=build/release/caustics "
                       "python3 tests/program/command_line_doc_test.py --update")

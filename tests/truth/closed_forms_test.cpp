@@ -46,7 +46,7 @@ SphereFloorError compare_sphere(const std::vector<double>& picture) {
 
 TEST_CASE("truth: the caustic of a glass sphere, by points, Gaussians and cells") {
   // The bounds are what is reached at this size with some room; at grid and map 512 see
-  // docs/measurements.md.
+  // docs/accuracy.md.
   const int pixels = 128;
   Settings settings = small_settings(256, 256, pixels);
   for (const auto& [splat, bound] :
@@ -60,7 +60,7 @@ TEST_CASE("truth: the caustic of a glass sphere, by points, Gaussians and cells"
 }
 
 TEST_CASE("truth: figures of the glass sphere at full size", "[.figures]") {
-  // Not part of a run by default: caustics_tests "[.figures]" prints the figures of docs/measurements.md.
+  // Not part of a run by default: caustics_tests "[.figures]" prints the figures of docs/accuracy.md.
   const int pixels = 512;
   for (const int map : {256, 512})
     for (const int grid : {64, 128, 256, 512, 1024})

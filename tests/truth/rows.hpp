@@ -1,4 +1,4 @@
-// The table of closed forms (docs/measurements.md): every row renders a scene with the whole
+// The table of closed forms (docs/accuracy.md): every row renders a scene with the whole
 // pipeline on a device, and says how far from the closed form it is and how far the method's
 // resolution lets it be.
 #pragma once

@@ -81,7 +81,7 @@ void print_table(bool full) {
 }  // namespace
 
 TEST_CASE("truth: the table of closed forms at full size", "[.closed_forms]") {
-  // Not part of a run by default: tests/support/update_table.py puts it into docs/measurements.md.
+  // Not part of a run by default: tests/support/update_table.py puts it into docs/accuracy.md.
   print_table(true);
 }
 

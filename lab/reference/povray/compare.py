@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Compares `caustics render` with POV-Ray's photon mapping: error against traced light, and time
-(docs/povray.md).
+(docs/accuracy.md).
 
     lab/reference/povray/compare.py [--scene NAME|FILE.glb ...] [--sizes N,...] [--photons N:MIN:MAX[:R],...]
                                      [-o DIR]

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Makes every picture of the pages again with the built program.
+
+    docs/images/make.py [PROGRAM] [NAME ...]     PROGRAM: build/release/caustics unless given
+
+A picture is one frame of the software device, or several side by side, so its pixels are the same on every
+machine: tests/program/docs_pictures_test.py renders all of them and compares."""
+import functools
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCENES = HERE.parents[1] / 'scenes'
+GAP = 4  # white pixels between frames side by side
+
+
+def floor_views(scene, *variants):
+    return [(scene, f'-r 240x240 --camera floor {options}') for options in variants]
+
+
+PICTURES = {  # name: (frames in a row, [(scene, options), ...])
+    'overview': (2, [(scene, '-r 480x270')
+                     for scene in ('glass_sphere', 'metal_ring', 'water_plops', 'stained_glass')]),
+    'estimators': (4, floor_views('receivers', *(f'--iterations 3 --estimator {name}'
+                                                 for name in ('paper', 'newton', 'impostor', 'secant')))),
+    'grids': (4, floor_views('glass_sphere', *(f'--map 256 --splat {splat} --grid {grid}'
+                                               for splat in ('point', 'cell') for grid in (64, 128)))),
+    'spectrum': (2, [('spectrum', f'-r 400x225 --camera close --exposure 0.5 --grid 256 --wavelengths {n}')
+                     for n in (3, 32)]),
+    'lights': (2, [('two_lights', '-r 400x225'),
+                   ('sun_disk', '-r 400x225 --grid 128 --map 256 -D shadow=512')]),
+    'closed_room': (1, [('closed_room', '-r 480x270 --grid 1024 --map 1024')]),
+    'materials': (2, [('water_normal_map', '-r 400x225'), ('glass_figure', '-r 400x225')]),
+    'water_plops': (1, [('water_plops', '-r 480x270')]),
+    'hazy_lens': (1, [('hazy_lens', '-r 480x270 --exposure 3.5')]),
+}
+
+
+def read_png(data):
+    """The rows, as bytes, of an 8-bit RGB file that is not interlaced."""
+    width, height, *kind = struct.unpack('>IIBBBBB', data[16:29])
+    if kind != [8, 2, 0, 0, 0]:
+        raise ValueError(f'not a plain 8-bit RGB picture: {kind}')
+    packed, at = b'', 8
+    while at < len(data):
+        size, name = struct.unpack('>I4s', data[at:at + 8])
+        packed += data[at + 8:at + 8 + size] if name == b'IDAT' else b''
+        at += size + 12
+    raw, stride = zlib.decompress(packed), 3 * width
+    rows, above = [], bytes(stride)
+    for y in range(height):
+        begin = y * (stride + 1)
+        above = unfiltered(raw[begin], raw[begin + 1:begin + 1 + stride], above)
+        rows.append(above)
+    return rows
+
+
+def predicted(kind, left, above, corner):
+    """What a PNG filter expects of a byte, from its three neighbours."""
+    if kind == 1:
+        return left
+    if kind == 2:
+        return above
+    if kind == 3:
+        return (left + above) >> 1
+    to_left, to_above = abs(above - corner), abs(left - corner)
+    to_corner = abs(left + above - 2 * corner)
+    if to_left <= to_above and to_left <= to_corner:
+        return left
+    return above if to_above <= to_corner else corner
+
+
+def unfiltered(kind, row, above):
+    if kind == 0:
+        return bytes(row)
+    if kind == 2:
+        return bytes((value + up) & 255 for value, up in zip(row, above))
+    out = bytearray(3) + row  # three zeros stand before the first pixel
+    corners = bytes(3) + above
+    for i, value in enumerate(row):
+        out[i + 3] = (value + predicted(kind, out[i], above[i], corners[i])) & 255
+    return bytes(out[3:])
+
+
+def filtered(kind, row, above):
+    lefts, corners = bytes(3) + row, bytes(3) + above
+    return bytes([kind]) + bytes((value - predicted(kind, left, up, corner)) & 255
+                                 for value, left, up, corner in zip(row, lefts, above, corners))
+
+
+def write_png(rows):
+    """The bytes of an 8-bit RGB file; each row has the filter that leaves the smallest differences."""
+    def chunk(name, data):
+        return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
+
+    packed, above = b'', bytes(len(rows[0]))
+    for row in rows:
+        choices = [b'\0' + row] + [filtered(kind, row, above) for kind in (1, 2, 4)]
+        packed += min(choices, key=lambda choice: sum(min(value, 256 - value) for value in choice[1:]))
+        above = row
+    head = struct.pack('>IIBBBBB', len(rows[0]) // 3, len(rows), 8, 2, 0, 0, 0)
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'IDAT', zlib.compress(packed, 9)) +
+            chunk(b'IEND', b''))
+
+
+@functools.cache
+def frame(program, scene, options):
+    with tempfile.TemporaryDirectory() as folder:
+        output = pathlib.Path(folder) / 'frame.png'
+        command = [program, 'render', SCENES / f'{scene}.glb', *options.split(), '-o', output, '--quiet']
+        subprocess.run(command, check=True)
+        return read_png(output.read_bytes())
+
+
+def picture(program, name):
+    """The rows of a picture as the program draws it now."""
+    columns, frames = PICTURES[name]
+    drawn = [frame(program, scene, options) for scene, options in frames]
+    rows = []
+    for first in range(0, len(drawn), columns):
+        if first:
+            rows += [b'\xff' * len(rows[0])] * GAP
+        rows += [(b'\xff' * 3 * GAP).join(parts) for parts in zip(*drawn[first:first + columns])]
+    return rows
+
+
+def main():
+    names = [argument for argument in sys.argv[1:] if argument in PICTURES]
+    others = [argument for argument in sys.argv[1:] if argument not in PICTURES]
+    program = others[0] if others else HERE.parents[1] / 'build/release/caustics'
+    for name in names or PICTURES:
+        path, rows = HERE / f'{name}.png', picture(program, name)
+        if not path.exists() or read_png(path.read_bytes()) != rows:
+            path.write_bytes(write_png(rows))
+            print(f'{path.name}: made anew, {path.stat().st_size} bytes')
+
+
+if __name__ == '__main__':
+    main()
