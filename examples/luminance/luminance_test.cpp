@@ -16,9 +16,9 @@ bool test(Device& device) {
   Image picture(Format::RGBA32F, 2, 1);
   picture.values = {1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 2.0f, 0.0f, 1.0f};  // red, and green twice as bright
   const Pass pass = luminance_pass();
-  const PassImages out = run_pass(
-      device, definition_of(pass),
-      {.width = 2, .height = 1, .uniforms = pass.uniforms({}), .textures = {picture}});
+  const PassImages out =
+      run_pass(device, definition_of(pass),
+               {.width = 2, .height = 1, .uniforms = pass.uniforms({}), .textures = {picture}});
   const bool good = out["luminance"].values == std::vector<float>{0.2126f, 1.4304f};
   std::printf("%s: %s\n", device.description().c_str(), good ? "passed" : "FAILED");
   return good;

@@ -1,5 +1,5 @@
-# caustics_image_io: images in and out. It loads libcaustics_image_io.so, the module that links OpenImageIO, when
-# the first image is read or written.
+# caustics_image_io: images in and out. It loads libcaustics_image_io.so, the module that links OpenImageIO,
+# when the first image is read or written.
 find_package(OpenImageIO REQUIRED)
 # Debian 12's OpenImageIO names include folders (OpenCV's) that it does not depend on.
 get_target_property(oiio_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

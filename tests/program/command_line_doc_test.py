@@ -12,7 +12,7 @@ import unittest
 from program import PROGRAM, main
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/command_line.md"
-HELP = PAGE.parent / "help.txt"  # what ./caustics --help prints before the program is built
+HELP = PAGE.parents[1] / "app/help.txt"  # what ./caustics --help prints before the program is built
 BLOCK = re.compile(r"<!-- caustics ?(\w*): ([^\n]*) -->\n(.*?)<!-- end -->\n", re.DOTALL)
 
 
