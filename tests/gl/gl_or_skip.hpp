@@ -22,7 +22,7 @@ inline std::unique_ptr<GlDevice> gl_or_skip(const GlOptions& options = {.measure
   }
   const char* required = std::getenv("CAUSTICS_REQUIRE_GL");
   if (required && std::string(required) == "1") FAIL(cause);
-  skip("no OpenGL: " + cause);
+  skip(cause);
 }
 
 // Null where there is none: for tests that do without it first, and call gl_or_skip in the end.

@@ -76,7 +76,7 @@ class Frames(MovingTest):
             result = self.run_program("go.glb", *SMALL, "--backend", backend, "--frames", "0..3",
                                       "-o", "f.%d.png", "--stats", "s.json", "--quiet")
             if result.returncode == 5 and backend == "gl":
-                self.skip_without_gl(result.stderr.strip())
+                self.skip_without_gl(result.stderr)
             self.assertEqual(result.returncode, 0, result.stderr)
             frames = json.loads((self.folder / "s.json").read_text())["frames"]
             first, last = frames["made_by_first"], frames["made_by_all"]
@@ -88,7 +88,7 @@ class Frames(MovingTest):
     def test_both_backends_draw_the_same_moment(self):
         result = self.run_program("parity", "go.glb", *SMALL, "--time", "0.7")
         if result.returncode == 5:
-            self.skip_without_gl(result.stderr.strip())
+            self.skip_without_gl(result.stderr)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
     def test_a_still_scene_says_once_that_nothing_moves(self):

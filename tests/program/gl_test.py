@@ -19,7 +19,7 @@ class GlTest(ProgramTest):
         lines = self.succeeds("doctor").stdout.splitlines()
         works = [line for line in lines if line.startswith("gl backend") and "OpenGL" in line]
         if not works:
-            self.skip_without_gl(" ".join(next(l for l in lines if l.startswith("gl backend")).split()))
+            self.skip_without_gl(next(l for l in lines if l.startswith("gl backend")))
         self.is_llvmpipe = "llvmpipe" in works[0]
 
     def report(self, *arguments, code=0, **options):
