@@ -188,6 +188,16 @@ TEST_CASE("glass: from inside at a flat angle all is mirrored") {
   CHECK(bench.run().at(3, 3, 0) == Approx(8.0).epsilon(1e-5));
 }
 
+TEST_CASE("glass: from inside at a lower angle the view leaves by Snell's law") {
+  // A back face leaning by 20 degrees towards +x: asin(1.5 sin 20) = 30.866 degrees outside, so the view leans by
+  // 10.866 towards -x and lands 5 tan = 0.95967 m, as many pixels, further left. R from inside is 0.041729.
+  Bench bench;
+  bench.facing = -1.0f;
+  bench.normal = {std::sin(0.34906585f), -std::cos(0.34906585f), 0.0f};
+  bench.scene_color = pattern();
+  CHECK(bench.run().at(3, 3, 0) == Approx((1.0 - 0.041729) * (3.0 - 0.95967)).epsilon(1e-4));
+}
+
 TEST_CASE("glass: a pixel's own colour takes the place of its material's, in glass and in metal") {
   // 0.9408 of the radiance behind, as without a colour, times the colour.
   Bench bench;

@@ -147,6 +147,9 @@ TEST_CASE("view_surfaces: an alpha mask cuts holes where the interpolated alpha 
   CHECK(out["view_position"].at(4, 2, 3) == 1.0f);
   material.alpha_mode = AlphaMode::Opaque;
   CHECK(see(mesh, material, {base_color}, 1.0)["view_position"].at(0, 2, 3) == 1.0f);
+  material.alpha_mode = AlphaMode::Mask;  // as opaque as the cutoff stays
+  base_color = filled(1, 1, glm::vec4(material.alpha_cutoff));
+  CHECK(see(mesh, material, {base_color}, 1.0)["view_position"].at(0, 2, 3) == 1.0f);
 }
 
 TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {

@@ -74,6 +74,14 @@ TEST_CASE("error estimate: cells of one block that differ from each other") {
   CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(0.3 / 6.0));
 }
 
+TEST_CASE("error estimate: half of the light that cells leave to points counts") {
+  // A landing of 0.25 in each channel, of which no cell has taken anything: 0.75 of 3.
+  Bench bench;
+  Bench::set(bench.branch.landing, 1, 1, {0.0f, 0.0f, 0.0f, 1.0f});
+  Bench::set(bench.branch.flux, 1, 1, {0.25f, 0.25f, 0.25f, 0.0f});
+  CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(0.125));
+}
+
 TEST_CASE("error estimate: what differs within a texel is not seen") {
   Bench bench;
   bench.put(0, 0, 2.0f, 2.0f, 0.25f, 0.4f);

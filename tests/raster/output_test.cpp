@@ -151,6 +151,11 @@ TEST_CASE("blending: NaN poisons a sum and loses against a number in min and max
   CHECK(std::isnan(blended(kAccumulate)));
   CHECK(blended({true, BlendEquation::Min}) == 0.0f);
   CHECK(blended({true, BlendEquation::Max}) == 0.0f);
+  // Nor does one that was there before stay.
+  for (const BlendEquation equation : {BlendEquation::Min, BlendEquation::Max}) {
+    RasterBench b = with_format(Format::R32F, {true, equation}, {std::nanf("")});
+    CHECK(b.draw(layers(b, {2.0f}))[0].at(0, 0, 0) == 2.0f);
+  }
 }
 
 TEST_CASE("formats: a half target rounds after every blend") {

@@ -232,6 +232,14 @@ TEST_CASE("Transforms compose from the root down") {
   CHECK(p.z == Approx(0).margin(1e-6));
 }
 
+TEST_CASE("A node's matrix is read column by column") {
+  // A quarter turn about z, then a shift along x: (1, 0, 0) -> (10, 1, 0).
+  Gltf gltf = triangle();
+  gltf.node += R"(,"matrix":[0,1,0,0, -1,0,0,0, 0,0,1,0, 10,0,0,1])";
+  const Scene scene = load(gltf);
+  CHECK(world(scene, scene.meshes.at(0).vertices[1]) == glm::vec3(10, 1, 0));
+}
+
 TEST_CASE("A scene a thousand kilometres away keeps its detail") {
   Gltf gltf = triangle();
   gltf.node += R"(,"translation":[1e6,0,-1e6])";
@@ -248,6 +256,11 @@ TEST_CASE("EXT_mesh_gpu_instancing places the mesh once for each instance") {
   REQUIRE(scene.meshes.size() == 2);
   CHECK(scene.meshes[0].object != scene.meshes[1].object);
   CHECK(scene.meshes[1].lower.x - scene.meshes[0].lower.x == 5.0f);
+  // The node turns its instances: 5 m along x become 5 m along y.
+  gltf.node += R"(,"rotation":[0,0,0.70710678118654752,0.70710678118654752])";
+  const Scene turned = load(gltf);
+  CHECK(turned.meshes.at(1).lower.y - turned.meshes.at(0).lower.y == Approx(5));
+  CHECK(turned.meshes[1].lower.x == Approx(turned.meshes[0].lower.x));
 }
 
 TEST_CASE("Hidden nodes and their children are left out") {

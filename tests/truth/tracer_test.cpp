@@ -407,6 +407,15 @@ TEST_CASE("tracer: a tinted solid absorbs as Beer and Lambert say") {
   check_closed(run.account());
 }
 
+TEST_CASE("tracer: what stands before a caster keeps its light away") {
+  if (!has_ray_queries()) return;
+  // A board over the half of the sphere that lies at x > 0.
+  Scene scene = test::sphere_scene(1.5f, 4);
+  scene.meshes.push_back(test::box({0.0, 2.0, -1.0}, {1.0, 2.1, 1.0}, 0));
+  const Run half(std::move(scene), 8, 128, 2), whole(test::sphere_scene(1.5f, 4), 8, 128, 2);
+  CHECK(half.account().entered.x == Approx(0.5 * whole.account().entered.x).epsilon(5e-3));
+}
+
 TEST_CASE("tracer: what is not simulated is refused by name") {
   if (!has_ray_queries()) return;
   Scene hazy = test::sphere_scene(1.5f, 2);
