@@ -1,9 +1,16 @@
-"""The list of faults: one TOML file a room, one table a fault."""
+#!/usr/bin/env python3
+"""The list of faults: one TOML file a room, one table a fault. Run by itself it checks the list against the sources:
+every fault still has its place, and tests that could notice it."""
+import fnmatch
 import pathlib
+import re
+import sys
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 KEYS = {'wrong', 'file', 'text', 'fault', 'noticed_by'}
+FEWEST = 150
+MOST_UNNOTICEABLE = 0.05  # of them
 
 
 class Fault:
@@ -63,3 +70,41 @@ def complaints(faults):
                 complain(f'overlaps {other}')
         spans[fault.file].append((fault.name, begin, begin + len(fault.text)))
     return wrong
+
+
+def test_names():
+    """Catch2's of today."""
+    names = []
+    for path in ROOT.rglob('*_test.cpp'):
+        if 'build' not in path.relative_to(ROOT).parts:
+            names += re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.)*)"', path.read_text())
+    return names
+
+
+def unknown_tests(faults):
+    names, wrong = test_names(), []
+    for fault in faults:
+        for test in fault.noticed_by:
+            file, *parts = test.split()
+            if '_test.py' not in test:
+                known = any(fnmatch.fnmatchcase(name, re.sub(r'([\[?])', r'[\1]', test)) for name in names)
+            else:
+                path = ROOT / 'tests/program' / file
+                known = path.is_file() and all(f'class {part.split(".")[0]}(' in path.read_text() for part in parts)
+            if not known:
+                wrong.append(f'{fault.room}.toml, {fault.name}: there is no test {test}')
+    return wrong
+
+
+def main():
+    faults = all_faults()
+    wrong = complaints(faults) + unknown_tests(faults)
+    unnoticeable = sum(1 for fault in faults if fault.unnoticed)
+    if len(faults) < FEWEST or unnoticeable > MOST_UNNOTICEABLE * len(faults):
+        wrong.append(f'{len(faults)} faults, of which no test can notice {unnoticeable}')
+    print('\n'.join(wrong) or f'{len(faults)} faults have their place; no test can notice {unnoticeable}')
+    return 1 if wrong else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -164,12 +164,12 @@ TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wr
 
 TEST_CASE("parity: what one pass draws wrongly is not held against those that read it") {
   ReadyFrame frame;
-  WronglyClearingDevice flawed("shadow_map");
+  WronglyClearingDevice flawed("caster_map");
   const FrameParity parity = frame.against(flawed);
   CHECK(differing(parity.isolated) > 0);
   for (const AttachmentParity& a : parity.isolated)
-    if (a.attachment.rfind("shadow_depth", 0) != 0) CHECK(a.difference.all.differing == 0);
-  // Alone, the device goes on from its own shadows, and the picture shows it.
+    if (a.attachment.rfind("caster_position", 0) != 0) CHECK(a.difference.all.differing == 0);
+  // Alone, the device goes on from its own casters, and the picture shows it.
   CHECK(differing(parity.whole_frame) > differing(parity.isolated));
 }
 
