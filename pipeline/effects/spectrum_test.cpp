@@ -45,6 +45,8 @@ TEST_CASE("spectrum: the F and C lines bend apart by one, the d line not at all"
   CHECK(bend_of(kLineD) == 0.0);
   CHECK(bend_of(kLineF) - bend_of(kLineC) == Approx(1.0));
   CHECK(bend_of(kLineF) > 0.0);
+  // By the inverse square of the wavelength (Cauchy): 0.239343 of the way from C to F at the e line.
+  CHECK(bend_of(546.074) == Approx(0.23934).epsilon(1e-3));
 }
 
 TEST_CASE("spectrum: Cauchy's formula is near Sellmeier's for BK7 glass") {

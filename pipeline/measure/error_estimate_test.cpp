@@ -53,6 +53,9 @@ TEST_CASE("error estimate: even light has none") {
     for (int column = 0; column < 2; ++column)
       bench.put(column, row, 2.0f + float(column), 2.0f + float(row), 1.0f, 0.25f);
   CHECK(bench.estimate().total() == 0.0);
+  // Nor where cells have as much more light as they are larger.
+  for (int row = 0; row < 2; ++row) bench.put(1, row, 3.0f, 2.0f + float(row), 3.0f, 0.75f);
+  CHECK(bench.estimate().grid == Approx(0.0).margin(1e-9));
 }
 
 TEST_CASE("error estimate: a single bright texel") {

@@ -78,6 +78,19 @@ TEST_CASE("exact functions: comparisons choose the second of two where one is no
   CHECK_FALSE(f.inside_unit(kNaN, 0.5f));
 }
 
+TEST_CASE("exact functions: a matrix' columns are summed by a point's components") {
+  const mat4 m{{Vec4(1, 2, 3, 4), Vec4(5, 6, 7, 8), Vec4(9, 10, 11, 12), Vec4(13, 14, 15, 16)}};
+  const Vec4 p = f.transform_point(m, Vec3(1.0f, 10.0f, 100.0f));
+  const Vec3 v = f.transform_vector(m, Vec3(1.0f, 10.0f, 100.0f));
+  CHECK(p.x == 964.0f);
+  CHECK(p.y == 1076.0f);
+  CHECK(p.z == 1188.0f);
+  CHECK(p.w == 1300.0f);
+  CHECK(v.x == 951.0f);
+  CHECK(v.y == 1062.0f);
+  CHECK(v.z == 1173.0f);
+}
+
 TEST_CASE("exact functions: what has no length has the fallback's direction") {
   const Vec3 up(0.0f, 1.0f, 0.0f);
   CHECK(f.normalize_or(Vec3(1e-16f, 0.0f, 0.0f), up).y == 1.0f);

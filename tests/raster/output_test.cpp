@@ -149,6 +149,7 @@ TEST_CASE("blending: NaN poisons a sum and loses against a number in min and max
     return b.draw(layers(b, {std::nanf("")}))[0].at(0, 0, 0);
   };
   CHECK(std::isnan(blended(kAccumulate)));
+  CHECK(blended({true, BlendEquation::Add, BlendFactor::Zero, BlendFactor::One}) == 0.0f);
   CHECK(blended({true, BlendEquation::Min}) == 0.0f);
   CHECK(blended({true, BlendEquation::Max}) == 0.0f);
   // Nor does one that was there before stay.
@@ -200,6 +201,10 @@ TEST_CASE("targets: what is kept is drawn onto, what is not is cleared") {
   CHECK(b.draw(layers(b, {10.0f}), &before)[0].values == std::vector<float>{15, 15, 15, 15});
   // Without a fragment anywhere.
   CHECK(b.draw({b.at(0, 0), b.at(0, 0), b.at(0, 0)}, &before)[0].values == std::vector<float>{5, 5, 5, 5});
+  // By what the format can hold.
+  RasterBench half = with_format(Format::RGBA16F, kReplace, {0.1f, 0, 0, 0});
+  CHECK(half.draw({half.at(0, 0), half.at(0, 0), half.at(0, 0)})[0].values[0] ==
+        stored_value(Format::RGBA16F, 0.1f));
 }
 
 TEST_CASE("queries: samples passed count covered texels, layer by layer") {
