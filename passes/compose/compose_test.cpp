@@ -152,7 +152,8 @@ TEST_CASE("compose: an environment that grows with height lights surfaces by two
 }
 
 TEST_CASE("compose: an environment's light reaches each normal by the cosine lobe") {
-  // Of radiance up to the second order in the direction, the lobe leaves 1, 2/3 and 1/4 of the orders, times pi.
+  // Of radiance up to the second order in the direction, the lobe leaves 1, 2/3 and 1/4 of the orders, times
+  // pi.
   Bench bench;
   Image image(Format::RGBA32F, 256, 128);
   for (int row = 0; row < 128; ++row)
@@ -171,8 +172,9 @@ TEST_CASE("compose: an environment's light reaches each normal by the cosine lob
     CHECK(color.x == Approx(0.5 * (4.0 + (0.3 * n.x + 0.4 * n.y - 0.5 * n.z) * 2.0 / 3.0 +
                                    (0.8 * n.x * n.y - 0.6 * n.y * n.z + 0.7 * n.x * n.z) * 0.25))
                          .epsilon(1e-3));
-    CHECK(color.y == Approx(0.5 * (4.0 + (0.5 * (3.0 * n.z * n.z - 1.0) + 0.9 * (n.x * n.x - n.y * n.y)) * 0.25))
-                         .epsilon(1e-3));
+    CHECK(color.y ==
+          Approx(0.5 * (4.0 + (0.5 * (3.0 * n.z * n.z - 1.0) + 0.9 * (n.x * n.x - n.y * n.y)) * 0.25))
+              .epsilon(1e-3));
   }
 }
 

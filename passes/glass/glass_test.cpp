@@ -189,7 +189,8 @@ TEST_CASE("glass: from inside at a flat angle all is mirrored") {
 }
 
 TEST_CASE("glass: what cannot leave by the second surface is mirrored there and goes straight on") {
-  // An exit that leans by 45 degrees: the view turns level and sees the horizon; 1 - R of the first surface is left.
+  // An exit that leans by 45 degrees: the view turns level and sees the horizon; 1 - R of the first surface
+  // is left.
   Bench bench;
   bench.exit_normal = {-std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f};
   bench.scene.environment.horizon = glm::vec3(3.0f);
@@ -197,8 +198,9 @@ TEST_CASE("glass: what cannot leave by the second surface is mirrored there and 
 }
 
 TEST_CASE("glass: from inside at a lower angle the view leaves by Snell's law") {
-  // A back face leaning by 20 degrees towards +x: asin(1.5 sin 20) = 30.866 degrees outside, so the view leans by
-  // 10.866 towards -x and lands 5 tan = 0.95967 m, as many pixels, further left. R from inside is 0.041729.
+  // A back face leaning by 20 degrees towards +x: asin(1.5 sin 20) = 30.866 degrees outside, so the view
+  // leans by 10.866 towards -x and lands 5 tan = 0.95967 m, as many pixels, further left. R from inside is
+  // 0.041729.
   Bench bench;
   bench.facing = -1.0f;
   bench.normal = {std::sin(0.34906585f), -std::cos(0.34906585f), 0.0f};

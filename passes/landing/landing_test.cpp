@@ -85,8 +85,9 @@ TEST_CASE("landing: beyond the critical angle nothing leaves and the flux is boo
 }
 
 TEST_CASE("landing: at a crease light leaves by one of its faces, not by what lies between") {
-  // A roof's two faces lean by 30 degrees; the vertex lies above the ridge. Snell: asin(1.5 sin 30) = 48.59, so light
-  // leaves 18.59 degrees off the vertical, half a metre above the floor, and by no means straight down.
+  // A roof's two faces lean by 30 degrees; the vertex lies above the ridge. Snell: asin(1.5 sin 30) = 48.59,
+  // so light leaves 18.59 degrees off the vertical, half a metre above the floor, and by no means straight
+  // down.
   LandingBench bench;
   bench.solid = true;
   bench.exit_normal = -tilted(30.0);
@@ -169,8 +170,8 @@ TEST_CASE("landing: a point light's cell subtends its solid angle") {
 }
 
 TEST_CASE("landing: light that meets a surface from inside leaves by Snell's law") {
-  // A back face leaning by 20 degrees: outside asin(1.5 sin 20) = 30.866 degrees, so 10.866 off the vertical, from
-  // 1 m above the floor. R from inside is 0.041729.
+  // A back face leaning by 20 degrees: outside asin(1.5 sin 20) = 30.866 degrees, so 10.866 off the vertical,
+  // from 1 m above the floor. R from inside is 0.041729.
   LandingBench bench;
   bench.facing = -1.0f;
   bench.normal = -tilted(-20.0);

@@ -32,8 +32,9 @@ TEST_CASE("spectrum: short waves are blue, long ones red, those between green") 
 }
 
 TEST_CASE("spectrum: colours are those of the CIE 1931 observer in sRGB") {
-  // Of 520 to 530 nm over those of 600 to 610: the means of the table's entries at their ends, XYZ = (0.114385,
-  // 0.786, 0.060205) and (1.0324, 0.567, 0.00057), by the matrix of IEC 61966-2-1. White falls out of the ratio.
+  // Of 520 to 530 nm over those of 600 to 610: the means of the table's entries at their ends, XYZ =
+  // (0.114385, 0.786, 0.060205) and (1.0324, 0.567, 0.00057), by the matrix of IEC 61966-2-1. White falls out
+  // of the ratio.
   const std::vector<Wavelength> waves = spectrum(30);
   const glm::vec3 ratio = waves[12].color / waves[20].color;
   CHECK(ratio.x == Approx(-0.867581 / 2.473719).epsilon(1e-4));

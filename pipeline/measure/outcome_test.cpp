@@ -30,8 +30,8 @@ TEST_CASE("outcome: the reason why there is no caustic is what became of most of
 }
 
 TEST_CASE("outcome: what was mirrored has entered once, and each caster has its own") {
-  // Two vertices on the casters of rows 0 and 1: 2 lumen onto the first, of which 0.5 are let in and land, 0.25
-  // are mirrored and miss; 1 lumen onto the second, all absorbed.
+  // Two vertices on the casters of rows 0 and 1: 2 lumen onto the first, of which 0.5 are let in and land,
+  // 0.25 are mirrored and miss; 1 lumen onto the second, all absorbed.
   Image normal(Format::RGBA32F, 2, 1);
   normal.at(1, 0, 3) = 1.0f;
   const auto vertex = [](Image& image, int x, const glm::vec4& value) {

@@ -47,7 +47,8 @@ TEST_CASE("pixel side: a neighbour far behind does not make a pixel large") {
   // neighbours.
   Bench bench;
   for (const float away : {500.0f, 7.0f}) {
-    for (int y = 0; y < 4; ++y) bench.put(3, y, {away, away == 7.0f ? 0.0f : -1000.0f, 3.0f - 2.0f * float(y)});
+    for (int y = 0; y < 4; ++y)
+      bench.put(3, y, {away, away == 7.0f ? 0.0f : -1000.0f, 3.0f - 2.0f * float(y)});
     CHECK(bench.side() == Approx(2.0));
   }
 }

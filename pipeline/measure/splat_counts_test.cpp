@@ -17,8 +17,7 @@ TEST_CASE("splat counts: a splat counts in every texel that it touches, and in n
   for (const double radius : {0.0, 1.2}) {
     SplatKernel kernel;
     kernel.radius = radius;
-    const std::vector<std::uint32_t> counts =
-        splat_counts({branch}, {}, kernel, down(4.0, 10.0, 20.0), 8);
+    const std::vector<std::uint32_t> counts = splat_counts({branch}, {}, kernel, down(4.0, 10.0, 20.0), 8);
     REQUIRE(counts.size() == 64);
     const int reach = radius > 0.0 ? 1 : 0;
     for (int y = 0; y < 8; ++y)

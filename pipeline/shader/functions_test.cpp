@@ -1,6 +1,6 @@
-// The exact functions of the common subset within the bounds that functions.glsl states for them, in one lane:
-// the C library in double precision is the witness. That every lane width and OpenGL give the same bits is for
-// the tests of determinism and parity.
+// The exact functions of the common subset within the bounds that functions.glsl states for them, in one
+// lane: the C library in double precision is the witness. That every lane width and OpenGL give the same bits
+// is for the tests of determinism and parity.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +33,8 @@ double worst(double from, double to, Error error) {
 }  // namespace
 
 TEST_CASE("exact functions: the exponential errs by less than 3e-7 of itself") {
-  CHECK(worst(-87.0, 88.0, [](float x) { return std::fabs(f.exp_of(x) / std::exp(double(x)) - 1.0); }) < 3e-7);
+  CHECK(worst(-87.0, 88.0, [](float x) { return std::fabs(f.exp_of(x) / std::exp(double(x)) - 1.0); }) <
+        3e-7);
   CHECK(f.exp_of(-87.001f) == 0.0f);
   CHECK(f.exp_of(1000.0f) == f.exp_of(88.0f));
 }
@@ -54,7 +55,8 @@ TEST_CASE("exact functions: powers, the error function and the arctangent keep t
         }) < 2e-6);
   CHECK(f.pow_of(0.0f, 2.0f) == 0.0f);
   CHECK(f.pow_of(-1.0f, 2.0f) == 0.0f);
-  CHECK(worst(-7.0, 7.0, [](float x) { return std::fabs(double(f.erf_of(x)) - std::erf(double(x))); }) < 2e-6);
+  CHECK(worst(-7.0, 7.0, [](float x) { return std::fabs(double(f.erf_of(x)) - std::erf(double(x))); }) <
+        2e-6);
   CHECK(worst(-3.15, 3.15, [](float turn) {
           const float y = 3.0f * std::sin(turn), x = 3.0f * std::cos(turn);
           return std::fabs(double(f.atan2_of(y, x)) - std::atan2(double(y), double(x)));

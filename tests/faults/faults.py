@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The list of faults: one TOML file a room, one table a fault. Run by itself it checks the list against the sources:
-every fault still has its place, and tests that could notice it."""
+"""The list of faults: one TOML file a room, one table a fault. Run by itself it checks the list against the
+sources: every fault still has its place, and tests that could notice it."""
 import fnmatch
 import pathlib
 import re
@@ -22,14 +22,14 @@ class Fault:
         self.unnoticed = entry.get('unnoticed')
 
     def number(self):
-        """FNV-1a without the sign bit, as in fault.cpp: names may come and go, and no other number changes."""
+        """FNV-1a without the sign bit, as in fault.cpp: no number depends on what else is on the list."""
         number = 2166136261
         for byte in self.name.encode():
             number = (number ^ byte) * 16777619 % 2**32
         return number & 0x7fffffff
 
     def choice(self):
-        """The text with both ways, one taken at run time; where the fault itself says FAULT, it is the whole."""
+        """The text with both ways, one taken at run time; a fault that says FAULT is the whole text."""
         if 'FAULT' in self.fault:
             return self.fault.replace('FAULT', f'FAULT({self.number()})')
         if self.text.rstrip().endswith((';', '}')):
@@ -90,7 +90,8 @@ def unknown_tests(faults):
                 known = any(fnmatch.fnmatchcase(name, re.sub(r'([\[?])', r'[\1]', test)) for name in names)
             else:
                 path = ROOT / 'tests/program' / file
-                known = path.is_file() and all(f'class {part.split(".")[0]}(' in path.read_text() for part in parts)
+                text = path.read_text() if path.is_file() else ''
+                known = text and all(f'class {part.split(".")[0]}(' in text for part in parts)
             if not known:
                 wrong.append(f'{fault.room}.toml, {fault.name}: there is no test {test}')
     return wrong

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs faults of a planted build, each with the tests that should notice it.
   notice.py BUILD [--jobs N] [--json FILE] [--sample COUNT SEED] [NAME ...]
-NAME: a fault or a room; without any, all. Exit 1 when a test fails without a fault, or a fault goes unnoticed."""
+NAME: a fault or a room; without any, all. Exit 1 when a test fails without a fault, or a fault goes
+unnoticed."""
 import argparse
 import concurrent.futures
 import json
@@ -33,7 +34,7 @@ class Tests:
         return commands
 
     def broken(self, faults, pool):
-        """What fails without a fault: Catch2's tests of all of them as one command, so that each runs once."""
+        """What fails without a fault; Catch2's tests as one command, so that each runs once."""
         own = {command for fault in faults for command in self.commands(fault)}
         patterns = sorted({command[2] for command in own if command[1] == '--abort'})
         commands = [c for c in sorted(own) if c[1] != '--abort']
@@ -67,7 +68,8 @@ class Tests:
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('build', type=pathlib.Path)
     parser.add_argument('names', nargs='*')
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
@@ -115,7 +117,8 @@ def main():
             fault, (by, seconds) = answers[answer], answer.result()
             print(f'{"noticed    " if by else "NOT NOTICED"} {seconds:6.1f} s  {fault.room}: {fault.name}: '
                   f'{fault.wrong}', flush=True)
-            rows.append({'room': fault.room, 'fault': fault.name, 'noticed_by': by, 'seconds': round(seconds, 1)})
+            rows.append({'room': fault.room, 'fault': fault.name, 'noticed_by': by,
+                         'seconds': round(seconds, 1)})
     print(table(rows))
     if wanted.json:
         wanted.json.write_text(json.dumps(rows, indent=1) + '\n')

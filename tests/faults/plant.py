@@ -1,20 +1,21 @@
 #!/usr/bin/env python3
 """plant.py FOLDER: a copy of the sources that holds every fault, to be chosen at run time by its name in the
-variable CAUSTICS_FAULT. Files that are the same already are left alone, so that a build goes on from there."""
+variable CAUSTICS_FAULT. Files that are the same already are left alone: a build goes on from there."""
 import pathlib
 import shutil
 import sys
 
 from faults import ROOT, all_faults, complaints
 
-PARTS = ('CMakeLists.txt', 'cmake', 'pipeline', 'passes', 'raster', 'gl_backend', 'lab', 'app', 'tests', 'scenes',
-         'docs', 'README.md', 'LICENSE', 'packages.txt')
+PARTS = ('CMakeLists.txt', 'cmake', 'pipeline', 'passes', 'raster', 'gl_backend', 'lab', 'app', 'tests',
+         'scenes', 'examples', 'docs', 'README.md', 'LICENSE', 'packages.txt')
 HERE = pathlib.Path(__file__).resolve().parent
 INCLUDE = '#include "pipeline/gpu/fault.hpp"\n'
 # How a kernel and OpenGL's text come to know which fault was chosen.
 WIRING = {
     'pipeline/shader/stage.hpp': ('#pragma once\n', '#pragma once\n' + INCLUDE),
-    'gl_backend/gl_text.cpp': ('"#version 450 core\\n#define "', '"#version 450 core\\n" + fault_text() + "#define "'),
+    'gl_backend/gl_text.cpp': ('"#version 450 core\\n#define "',
+                               '"#version 450 core\\n" + fault_text() + "#define "'),
 }
 
 
@@ -27,9 +28,14 @@ def with_include(path, text):
 def planted(faults):
     """The changed files' texts, by path."""
     texts = {}
-    for fault in faults:
-        text = texts.get(fault.file) or with_include(fault.file, (ROOT / fault.file).read_text())
-        texts[fault.file] = text.replace(fault.text, fault.choice(), 1)
+    for path in {fault.file for fault in faults}:
+        source = (ROOT / path).read_text()
+        places = [(source.index(fault.text), fault) for fault in faults if fault.file == path]
+        text, done = '', 0
+        for begin, fault in sorted(places, key=lambda place: place[0]):
+            text += source[done:begin] + fault.choice()
+            done = begin + len(fault.text)
+        texts[path] = with_include(path, text + source[done:])
     for path, (before, after) in WIRING.items():
         text = texts.get(path) or (ROOT / path).read_text()
         if text.count(before) != 1:

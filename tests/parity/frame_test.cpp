@@ -1,5 +1,6 @@
 // Whole frames: the comparison itself on two software devices, then software against OpenGL.
 #include <algorithm>
+#include <set>
 
 #include "passes/parity_allowances.hpp"
 #include "passes/registry.hpp"
@@ -140,6 +141,9 @@ TEST_CASE("parity: two software devices agree on every attachment of every pass"
   CHECK(differing(parity.isolated) == 0);
   CHECK(differing(parity.whole_frame) == 0);
   for (const PassCounts& counts : parity.counts) CHECK(counts.equal());
+  // Of what several passes draw into, the whole frame has the last state alone.
+  std::set<std::string> textures;
+  for (const AttachmentParity& a : parity.whole_frame) CHECK(textures.insert(a.attachment).second);
 }
 
 TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wrong count") {

@@ -43,8 +43,8 @@ def png(pixels, width, height):
 
 
 class Exr:
-    """An OpenEXR file of 32-bit floats, stored or deflated in scanlines. Raises an error on anything else, and on
-    anything that is missing."""
+    """An OpenEXR file of 32-bit floats, stored or deflated in scanlines. Raises an error on anything else,
+    and on anything that is missing."""
 
     def __init__(self, data):
         assert data[:8] == struct.pack("<ii", 20000630, 2), "no plain OpenEXR file"
