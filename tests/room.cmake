@@ -70,6 +70,8 @@ add_test(NAME architecture.headers_compile_alone
 add_test(NAME architecture.shaders_are_precise_glsl
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/shaders.py
     $<TARGET_FILE:caustics_shader_texts>)
+add_test(NAME architecture.faults
+  COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/faults/faults.py)
 set_tests_properties(architecture.format architecture.shaders_are_precise_glsl PROPERTIES
   SKIP_RETURN_CODE 77)
 if(CAUSTICS_BUILD_APP)

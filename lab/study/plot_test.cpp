@@ -66,6 +66,9 @@ TEST_CASE("study pictures: the channel that differs most is shown with its sign"
   truth.at(0, 0, 2) = 2.0f;  // blue lacks 2, red has 1 too much
   const Image picture = difference_picture(tested, truth, 1.0);
   CHECK(picture.at(0, 0, 2) > picture.at(0, 0, 0));
+  tested.at(0, 0, 0) = 3.0f;
+  const Image more = difference_picture(tested, truth, 1.0);
+  CHECK(more.at(0, 0, 0) > more.at(0, 0, 2));
 }
 
 TEST_CASE("study pictures: large ones are averaged in boxes") {

@@ -1,5 +1,7 @@
 #include "passes/beams/beams.hpp"
 
+#include <cmath>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 
@@ -40,6 +42,12 @@ TEST_CASE("beams: flux adds up, and places are its mean") {
   CHECK(texel(out["beam_start"], 0, 0) == glm::vec4(3.0f));
   CHECK(texel(out["beam_way"], 0, 0) == glm::vec4(0, -1, 0, 1));
   CHECK(texel(out["beam_flux"], 0, 0) == glm::vec4(1, 3, 0, 0));
+  // Directions count by their flux, too: (0, -1, 0) once and (1, 0, 0) three times.
+  way.at(1, 0, 0) = 1.0f;
+  way.at(1, 0, 1) = 0.0f;
+  const glm::vec4 mean = texel(join(2, 2, 1, start, way, flux)["beam_way"], 0, 0);
+  CHECK(mean.x == Approx(3.0 / std::sqrt(10.0)));
+  CHECK(mean.y == Approx(-1.0 / std::sqrt(10.0)));
 }
 
 TEST_CASE("beams: where no light leaves there is no beam, and the grid's edge is not repeated") {

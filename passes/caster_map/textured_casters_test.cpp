@@ -198,4 +198,7 @@ TEST_CASE("textured_casters: an alpha mask cuts holes, on both sides of a caster
   CHECK(exit["caster_exit_position"].at(4, 3, 3) == 1.0f);
   bench.material.alpha_mode = AlphaMode::Opaque;
   CHECK(bench.run(detailed_exits_map())["caster_exit_position"].at(3, 3, 3) == 1.0f);
+  bench.material.alpha_mode = AlphaMode::Mask;  // as opaque as the cutoff stays
+  bench.base_color = filled(1, 1, glm::vec4(bench.material.alpha_cutoff));
+  CHECK(bench.run(detailed_exits_map())["caster_exit_position"].at(3, 3, 3) == 1.0f);
 }

@@ -86,6 +86,13 @@ TEST_CASE("cells: a landing that is none breaks the four cells around it") {
   CHECK(bench.row(1) == "110010");
   CHECK(bench.row(2) == "110010");
   CHECK(bench.row(3) == "111110");
+  // Whatever has become of its light.
+  for (const float status : {0.0f, 2.0f, 3.0f, 5.0f, 6.0f}) {
+    bench.landing = [=](int x, int y) {
+      return glm::vec4(0.5f * x - 1.25f, 0.0f, 1.25f - 0.5f * y, x == 3 && y == 2 ? status : 1.0f);
+    };
+    CHECK(bench.row(1) == "110010");
+  }
 }
 
 TEST_CASE("cells: no cell spans two materials") {

@@ -151,6 +151,33 @@ TEST_CASE("compose: an environment that grows with height lights surfaces by two
   for (const std::size_t i : {0, 2, 3, 4, 5, 6, 7, 8}) CHECK(std::fabs(c[i].x) < 1e-5);
 }
 
+TEST_CASE("compose: an environment's light reaches each normal by the cosine lobe") {
+  // Of radiance up to the second order in the direction, the lobe leaves 1, 2/3 and 1/4 of the orders, times
+  // pi.
+  Bench bench;
+  Image image(Format::RGBA32F, 256, 128);
+  for (int row = 0; row < 128; ++row)
+    for (int column = 0; column < 256; ++column) {
+      const double up = ((row + 0.5) / 128 - 0.5) * 3.14159265358979,
+                   turn = ((column + 0.5) / 256 - 0.5) * 6.28318530717959;
+      const double x = std::cos(up) * std::sin(turn), y = std::sin(up), z = -std::cos(up) * std::cos(turn);
+      image.at(column, row, 0) =
+          static_cast<float>(4.0 + 0.3 * x + 0.4 * y - 0.5 * z + 0.8 * x * y - 0.6 * y * z + 0.7 * x * z);
+      image.at(column, row, 1) = static_cast<float>(4.0 + 0.5 * (3.0 * z * z - 1.0) + 0.9 * (x * x - y * y));
+    }
+  bench.scene.environment.image = image;
+  for (const glm::vec3& n : {glm::vec3(0.6f, 0.0f, 0.8f), {0.0f, 0.8f, -0.6f}, {-0.6f, 0.8f, 0.0f}}) {
+    bench.normal = n;
+    const glm::vec3 color = bench.color();
+    CHECK(color.x == Approx(0.5 * (4.0 + (0.3 * n.x + 0.4 * n.y - 0.5 * n.z) * 2.0 / 3.0 +
+                                   (0.8 * n.x * n.y - 0.6 * n.y * n.z + 0.7 * n.x * n.z) * 0.25))
+                         .epsilon(1e-3));
+    CHECK(color.y ==
+          Approx(0.5 * (4.0 + (0.5 * (3.0 * n.z * n.z - 1.0) + 0.9 * (n.x * n.x - n.y * n.y)) * 0.25))
+              .epsilon(1e-3));
+  }
+}
+
 TEST_CASE("compose: the picture and its surroundings are composed by the same rule") {
   // Irradiance pi on albedo 0.5.
   const std::vector<Image> textures = {filled(1, 1, glm::vec4(1.0f)),

@@ -22,7 +22,7 @@ struct Bench {
   float ior = 1.5f;
   bool mirror = false;  // then `tint` is its colour
   bool solid = true;
-  glm::vec3 absorption{0.0f}, tint{1.0f}, normal{0.0f, 1.0f, 0.0f};
+  glm::vec3 absorption{0.0f}, tint{1.0f}, normal{0.0f, 1.0f, 0.0f}, exit_normal{0.0f, -1.0f, 0.0f};
   std::optional<glm::vec3> pixel_tint;  // the pixels' own colour, in place of `tint`
   float facing = 1.0f, glass_height = 5.0f;
   Image scene_color = filled(8, 8, glm::vec4(1.0f));
@@ -65,7 +65,7 @@ struct Bench {
              pass.uniforms({.scene = &scene, .effects = &effects, .camera = &view, .surroundings = &wide}),
          .textures = {scene_color, floor, wide_color, wide_floor, level(view, glass_height, facing),
                       filled(8, 8, {normal, 1.0f}), solid ? level(view, 4.0, 1.0f) : Image{},
-                      solid ? filled(8, 8, {0.0f, -1.0f, 0.0f, 1.0f}) : Image{}, materials,
+                      solid ? filled(8, 8, {exit_normal, 1.0f}) : Image{}, materials,
                       scene.environment.image.value_or(Image{}),
                       pixel_tint ? filled(8, 8, {*pixel_tint, 1.0f}) : Image{}}})["beauty"];
   }
@@ -186,6 +186,26 @@ TEST_CASE("glass: from inside at a flat angle all is mirrored") {
   bench.normal = {std::sqrt(0.75f), -0.5f, 0.0f};
   bench.scene.environment.ground = glm::vec3(8.0f);
   CHECK(bench.run().at(3, 3, 0) == Approx(8.0).epsilon(1e-5));
+}
+
+TEST_CASE("glass: what cannot leave by the second surface is mirrored there and goes straight on") {
+  // An exit that leans by 45 degrees: the view turns level and sees the horizon; 1 - R of the first surface
+  // is left.
+  Bench bench;
+  bench.exit_normal = {-std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f};
+  bench.scene.environment.horizon = glm::vec3(3.0f);
+  CHECK(bench.run().at(3, 3, 0) == Approx(3.0 * 0.96).epsilon(1e-4));
+}
+
+TEST_CASE("glass: from inside at a lower angle the view leaves by Snell's law") {
+  // A back face leaning by 20 degrees towards +x: asin(1.5 sin 20) = 30.866 degrees outside, so the view
+  // leans by 10.866 towards -x and lands 5 tan = 0.95967 m, as many pixels, further left. R from inside is
+  // 0.041729.
+  Bench bench;
+  bench.facing = -1.0f;
+  bench.normal = {std::sin(0.34906585f), -std::cos(0.34906585f), 0.0f};
+  bench.scene_color = pattern();
+  CHECK(bench.run().at(3, 3, 0) == Approx((1.0 - 0.041729) * (3.0 - 0.95967)).epsilon(1e-4));
 }
 
 TEST_CASE("glass: a pixel's own colour takes the place of its material's, in glass and in metal") {

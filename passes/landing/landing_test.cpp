@@ -57,6 +57,9 @@ TEST_CASE("landing: a solid absorbs by Beer and Lambert along the path inside, p
   CHECK(out["landing_absorbed"].at(0, 0, 1) == Approx(in * (1.0 - std::exp(-0.5))));
   CHECK(out["landing_absorbed"].at(0, 0, 2) == Approx(in * (1.0 - std::exp(-2.0))));
   CHECK(out["landing_flux"].at(0, 0, 2) == Approx(in * std::exp(-2.0) * 0.96));
+  CHECK(landing_status(out) == LandingStatus::Landed);
+  bench.absorption = glm::vec3(40.0f);  // exp(-20) is less than a millionth
+  CHECK(landing_status(bench.run()) == LandingStatus::Absorbed);
 }
 
 TEST_CASE("landing: under an open surface the medium absorbs down to the receiver") {
@@ -73,8 +76,23 @@ TEST_CASE("landing: beyond the critical angle nothing leaves and the flux is boo
   const PassImages out = bench.run();
   CHECK(landing_status(out) == LandingStatus::TotalReflection);
   CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.25 * 0.96));
+  // Whatever it would have met later.
+  LandingBench nowhere = bench;
+  nowhere.receiver = Image(Format::RGBA32F, 8, 8);
+  CHECK(landing_status(nowhere.run()) == LandingStatus::TotalReflection);
   bench.exit_normal = -tilted(41.0);
   CHECK(landing_status(bench.run()) == LandingStatus::Landed);
+}
+
+TEST_CASE("landing: at a crease light leaves by one of its faces, not by what lies between") {
+  // A roof's two faces lean by 30 degrees; the vertex lies above the ridge. Snell: asin(1.5 sin 30) = 48.59,
+  // so light leaves 18.59 degrees off the vertical, half a metre above the floor, and by no means straight
+  // down.
+  LandingBench bench;
+  bench.solid = true;
+  bench.exit_normal = -tilted(30.0);
+  bench.exit_normal_left = -tilted(-30.0);
+  CHECK(std::fabs(bench.run()["landing"].at(0, 0, 0)) == Approx(0.5 * std::tan(0.32446)).epsilon(1e-3));
 }
 
 TEST_CASE("landing: every vertex's flux is accounted for to rounding") {
@@ -146,6 +164,20 @@ TEST_CASE("landing: a point light's cell subtends its solid angle") {
   bench.view.near = 0.1;
   const PassImages out = bench.run();
   CHECK(out["landing_fresnel"].at(0, 0, 3) == Approx(0.25));
+  // 45 degrees off the axis it is by the cube of the cosine smaller.
+  bench.view.origin.x = -9.0;
+  CHECK(bench.run()["landing_fresnel"].at(0, 0, 3) == Approx(0.25 * std::pow(0.5, 1.5)));
+}
+
+TEST_CASE("landing: light that meets a surface from inside leaves by Snell's law") {
+  // A back face leaning by 20 degrees: outside asin(1.5 sin 20) = 30.866 degrees, so 10.866 off the vertical,
+  // from 1 m above the floor. R from inside is 0.041729.
+  LandingBench bench;
+  bench.facing = -1.0f;
+  bench.normal = -tilted(-20.0);
+  const PassImages out = bench.run();
+  CHECK(out["landing"].at(0, 0, 0) == Approx(-std::tan(10.866 * 3.14159265 / 180.0)).epsilon(1e-4));
+  CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.25 * (1.0 - 0.041729)).epsilon(1e-5));
 }
 
 TEST_CASE("landing: the index is n_d and the branch's bend of n_F - n_C") {

@@ -111,7 +111,7 @@ TEST_CASE("view_surfaces: a normal texture leans the normal in tangent space") {
   // (1, 0, 1): halfway between tangent and normal. Green likewise along the bitangent.
   Material material = plain();
   material.normal_texture.image = 0;
-  const MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
+  MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
   const auto with = [&](const glm::vec4& value) {
     return texel(see(mesh, material, {Image{}, filled(1, 1, value)})["view_normal"], 2, 2);
   };
@@ -121,6 +121,10 @@ TEST_CASE("view_surfaces: a normal texture leans the normal in tangent space") {
   // Scaled by a half: (0.5, 0, 1) / sqrt(1.25).
   material.normal_scale = 0.5f;
   check_direction(with({1.0f, 0.5f, 1.0f, 1.0f}), {0.5f / std::sqrt(1.25f), 1.0f / std::sqrt(1.25f), 0});
+  // A mirrored picture's bitangent is the other way about.
+  material.normal_scale = 1.0f;
+  for (std::size_t i = 0; i < 4; ++i) mesh.vertices[12 * i + 9] = -1.0f;
+  check_direction(with({0.5f, 1.0f, 1.0f, 1.0f}), {0, kHalf, kHalf});
 }
 
 TEST_CASE("view_surfaces: on a back face the textured normal as a whole is reversed") {
@@ -146,6 +150,9 @@ TEST_CASE("view_surfaces: an alpha mask cuts holes where the interpolated alpha 
   CHECK(out["view_position"].at(3, 2, 3) == 0.0f);
   CHECK(out["view_position"].at(4, 2, 3) == 1.0f);
   material.alpha_mode = AlphaMode::Opaque;
+  CHECK(see(mesh, material, {base_color}, 1.0)["view_position"].at(0, 2, 3) == 1.0f);
+  material.alpha_mode = AlphaMode::Mask;  // as opaque as the cutoff stays
+  base_color = filled(1, 1, glm::vec4(material.alpha_cutoff));
   CHECK(see(mesh, material, {base_color}, 1.0)["view_position"].at(0, 2, 3) == 1.0f);
 }
 

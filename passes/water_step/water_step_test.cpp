@@ -99,6 +99,13 @@ TEST_CASE("water_step: one raised cell falls and lifts its four neighbours") {
   CHECK(texel(after, 1, 2) == glm::vec4(0.25f, 0.5f, 0.0f, 0.0f));
   CHECK(texel(after, 2, 3) == glm::vec4(0.25f, 0.5f, 0.0f, 0.0f));
   CHECK(texel(after, 1, 1) == glm::vec4(0.0f));
+  // Each axis pulls by its own factor.
+  std140::WaterStep across = water_step_uniforms(water, 0);
+  across.pull_z = 0.0f;
+  const Image lifted = Steps(water, across, raised).state();
+  CHECK(texel(lifted, 2, 2).y == -1.0f);
+  CHECK(texel(lifted, 1, 2).y == 0.5f);
+  CHECK(texel(lifted, 2, 3).y == 0.0f);
 }
 
 TEST_CASE("water_step: a wall gives back what runs against it") {

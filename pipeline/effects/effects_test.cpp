@@ -181,6 +181,10 @@ TEST_CASE("a light that cannot reach the glass or what lies behind it") {
   spot.outer_cone = 0.3f;
   scene.lights = {spot};
   CHECK(judged(scene).expectations[0].expected);
+  // The cone's edge runs through the block: its middle is outside of it, a corner inside.
+  scene.lights[0].position = {3.7, 10, 0};
+  CHECK(judged(scene).expectations[0].expected);
+  scene.lights[0].position = {0, 10, 0};
   scene.lights[0].direction = {1, 0, 0};
   mentions(reason(), "cone misses it");
   scene.lights[0].direction = {0, 1, 0};
@@ -189,6 +193,8 @@ TEST_CASE("a light that cannot reach the glass or what lies behind it") {
   scene.lights[0].direction = {0, -1, 0};
   scene.lights[0].range = 3.0f;
   mentions(reason(), "beyond the light's range of 3.0 m");
+  scene.lights[0].range = 8.3f;  // to the block's top, not to its middle
+  CHECK(judged(scene).expectations[0].expected);
 
   scene.lights[0].range = 100.0f;
   scene.meshes.pop_back();

@@ -31,10 +31,23 @@ TEST_CASE("spectrum: short waves are blue, long ones red, those between green") 
   CHECK(strongest(620.0) == 'r');
 }
 
+TEST_CASE("spectrum: colours are those of the CIE 1931 observer in sRGB") {
+  // Of 520 to 530 nm over those of 600 to 610: the means of the table's entries at their ends, XYZ =
+  // (0.114385, 0.786, 0.060205) and (1.0324, 0.567, 0.00057), by the matrix of IEC 61966-2-1. White falls out
+  // of the ratio.
+  const std::vector<Wavelength> waves = spectrum(30);
+  const glm::vec3 ratio = waves[12].color / waves[20].color;
+  CHECK(ratio.x == Approx(-0.867581 / 2.473719).epsilon(1e-4));
+  CHECK(ratio.y == Approx(1.366049 / 0.063311).epsilon(1e-4));
+  CHECK(ratio.z == Approx(0.090336 / 0.057561).epsilon(1e-4));
+}
+
 TEST_CASE("spectrum: the F and C lines bend apart by one, the d line not at all") {
   CHECK(bend_of(kLineD) == 0.0);
   CHECK(bend_of(kLineF) - bend_of(kLineC) == Approx(1.0));
   CHECK(bend_of(kLineF) > 0.0);
+  // By the inverse square of the wavelength (Cauchy): 0.239343 of the way from C to F at the e line.
+  CHECK(bend_of(546.074) == Approx(0.23934).epsilon(1e-3));
 }
 
 TEST_CASE("spectrum: Cauchy's formula is near Sellmeier's for BK7 glass") {

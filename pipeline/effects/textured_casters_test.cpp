@@ -64,6 +64,8 @@ TEST_CASE("textured casters: a mask cuts holes where a texture varies it or the 
   Material& m = scene.materials[1];
   m.alpha_mode = AlphaMode::Mask;
   CHECK_FALSE(effects_of(scene, {}).cut_out_casters.active);
+  m.base_color.a = m.alpha_cutoff;
+  CHECK_FALSE(effects_of(scene, {}).cut_out_casters.active);
   m.base_color.a = 0.4f;
   CHECK(effects_of(scene, {}).cut_out_casters.active);
   m.base_color.a = 1.0f;

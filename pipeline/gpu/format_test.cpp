@@ -46,6 +46,7 @@ TEST_CASE("unorm8: 0 to 1 in 255 steps, clamped, ties to even, NaN to 0") {
   CHECK(unorm8_from_float(7.0f) == 255);
   CHECK(unorm8_from_float(std::nanf("")) == 0);
   CHECK(unorm8_from_float(0.5f) == 128);  // 127.5 lies between 127 and 128
+  CHECK(unorm8_from_float(2.5f / 255.0f) == 2);
   for (int i = 0; i < 256; ++i)
     CHECK(unorm8_from_float(stored_value(Format::RGBA8, static_cast<float>(i) / 255.0f)) == i);
 }

@@ -18,6 +18,12 @@ TEST_CASE("reflect: declarations are read from the text, in order") {
   CHECK(i.attribute_components() == 3);
 }
 
+TEST_CASE("reflect: what a condition leaves out is not read") {
+  const std::string choice = "#ifdef HAZE\nTEXTURE(0, hazy)\n#else\nTEXTURE(0, clear)\n#endif\n";
+  CHECK(reflect(choice).textures == std::vector<std::string>{"clear"});
+  CHECK(reflect("#define HAZE 1\n" + choice).textures == std::vector<std::string>{"hazy"});
+}
+
 TEST_CASE("reflect: gaps, overlaps and unknown types are refused") {
   CHECK_THROWS_AS(reflect("VARYING_SMOOTH(1, Vec3, p)\n"), Error);
   CHECK_THROWS_AS(reflect("ATTRIBUTE(0, Vec3, p)\nATTRIBUTE(2, Vec3, q)\n"), Error);

@@ -53,6 +53,9 @@ TEST_CASE("error estimate: even light has none") {
     for (int column = 0; column < 2; ++column)
       bench.put(column, row, 2.0f + float(column), 2.0f + float(row), 1.0f, 0.25f);
   CHECK(bench.estimate().total() == 0.0);
+  // Nor where cells have as much more light as they are larger.
+  for (int row = 0; row < 2; ++row) bench.put(1, row, 3.0f, 2.0f + float(row), 3.0f, 0.75f);
+  CHECK(bench.estimate().grid == Approx(0.0).margin(1e-9));
 }
 
 TEST_CASE("error estimate: a single bright texel") {
@@ -72,6 +75,14 @@ TEST_CASE("error estimate: cells of one block that differ from each other") {
   bench.put(0, 1, 2, 3, 1, 0.2f);
   bench.put(1, 1, 3, 3, 1, 0.2f);
   CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(0.3 / 6.0));
+}
+
+TEST_CASE("error estimate: half of the light that cells leave to points counts") {
+  // A landing of 0.25 in each channel, of which no cell has taken anything: 0.75 of 3.
+  Bench bench;
+  Bench::set(bench.branch.landing, 1, 1, {0.0f, 0.0f, 0.0f, 1.0f});
+  Bench::set(bench.branch.flux, 1, 1, {0.25f, 0.25f, 0.25f, 0.0f});
+  CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(0.125));
 }
 
 TEST_CASE("error estimate: what differs within a texel is not seen") {

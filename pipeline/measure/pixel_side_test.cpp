@@ -43,11 +43,14 @@ TEST_CASE("pixel side: only what shows light counts") {
 }
 
 TEST_CASE("pixel side: a neighbour far behind does not make a pixel large") {
-  // The rightmost column shows something 1 km away: the pixels beside it are measured by their other
+  // The rightmost column shows something 1 km away, or 6 m: the pixels beside it are measured by their other
   // neighbours.
   Bench bench;
-  for (int y = 0; y < 4; ++y) bench.put(3, y, {500.0f, -1000.0f, 3.0f - 2.0f * float(y)});
-  CHECK(bench.side() == Approx(2.0));
+  for (const float away : {500.0f, 7.0f}) {
+    for (int y = 0; y < 4; ++y)
+      bench.put(3, y, {away, away == 7.0f ? 0.0f : -1000.0f, 3.0f - 2.0f * float(y)});
+    CHECK(bench.side() == Approx(2.0));
+  }
 }
 
 TEST_CASE("pixel side: under a light that sees all around, texels are those of the face below it") {

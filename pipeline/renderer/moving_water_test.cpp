@@ -60,6 +60,13 @@ TEST_CASE("water: plops fall at regular intervals where splitmix64 says") {
   CHECK(water.plop_in_step(4)->centre == first.centre);
   CHECK(water.plop_in_step(7)->centre == first.centre);
   CHECK(water.plop_in_step(8)->centre == water.plop(1).centre);
+  // A second apart there are 20 steps from plop to plop, and the water rests for 12 of them.
+  WaterSettings rare = lively(40);
+  rare.interval = 1.0;
+  const Scene calm = pool_scene(0.5, rare);
+  CHECK(calm.waters[0].plop_steps == 8);
+  CHECK(calm.waters[0].plop_in_step(27));
+  CHECK_FALSE(calm.waters[0].plop_in_step(28));
 }
 
 TEST_CASE("water: a moment has the same state whatever was computed before") {

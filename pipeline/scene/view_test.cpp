@@ -24,6 +24,19 @@ TEST_CASE("frame: from above, up is -z and right is +x, as on a map") {
   CHECK(f.up == glm::dvec3(0.0, 0.0, -1.0));
 }
 
+TEST_CASE("frame: a camera's window has the picture's shape, and its height the camera's angle") {
+  Camera camera;
+  camera.vertical_fov = 2.0 * std::atan(0.5);
+  const View wide = view_of(camera, 200, 100, {});
+  CHECK(wide.window_upper.y == Approx(0.5));
+  CHECK(wide.window_upper.x == Approx(1.0));
+  camera.orthographic = true;
+  camera.half_height = 1.0;
+  camera.half_width = 3.0;
+  // What the camera asks for is all in the picture.
+  CHECK(view_of(camera, 200, 100, {}).window_upper == glm::dvec2(3.0, 1.5));
+}
+
 TEST_CASE("frame: packed uniforms map the window's corners to 0 and 1") {
   View f = view_along({0.0, 5.0, 0.0}, {0.0, -1.0, 0.0});
   f.window_lower = {-1.0, -2.0};

@@ -31,6 +31,7 @@ TEST_CASE("visibility: a box is seen unless it lies wholly beyond one of the vie
   CHECK_FALSE(may_see(camera(), cube_at({-7.1, 0, -5}, 1)));
   CHECK(may_see(camera(), cube_at({-6.9, 0, -5}, 1)));
   CHECK_FALSE(may_see(camera(), cube_at({0, 7.1, -5}, 1)));
+  CHECK(may_see(camera(), cube_at({0, 6.9, -5}, 1)));
 }
 
 TEST_CASE("visibility: nothing is seen of nothing") { CHECK_FALSE(may_see(camera(), Bounds{})); }

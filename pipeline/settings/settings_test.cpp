@@ -171,5 +171,7 @@ TEST_CASE("settings: names of choices are what sets them") {
 TEST_CASE("the nearest name is the one with the fewest edits") {
   CHECK(nearest_name("reslution", {"grid", "resolution", "map"}) == "resolution");
   CHECK(nearest_name("x", {"ab", "cd"}) == "ab");
+  // A letter too many within is one edit, two others are two.
+  CHECK(nearest_name("abcdef", {"abcxyf", "abdef"}) == "abdef");
   CHECK(nearest_name("x", {}).empty());
 }

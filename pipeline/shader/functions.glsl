@@ -113,7 +113,7 @@ Float log_of(Float x) {
 // x^y for x >= 0; 0 for x <= 0.
 Float pow_of(Float x, Float y) { return sel(x > 0.0f, exp_of(y * log_of(x)), Float(0.0f)); }
 
-// The error function, absolute error below 1e-6 in single precision (Abramowitz and Stegun 7.1.28).
+// The error function, absolute error below 2e-6 in single precision (Abramowitz and Stegun 7.1.28).
 Float erf_of(Float x) {
   Float a = clamp_to(sel(x < 0.0f, -x, x), 0.0f, 6.0f);
   Float p = Float(0.0000430638f);

@@ -1,5 +1,6 @@
 // Whole frames: the comparison itself on two software devices, then software against OpenGL.
 #include <algorithm>
+#include <set>
 
 #include "passes/parity_allowances.hpp"
 #include "passes/registry.hpp"
@@ -104,6 +105,24 @@ class FlawedDevice final : public ForwardingDevice {
   TextureId flawed_ = TextureId::None;
 };
 
+// The software device, but that one pass clears its first attachment to other values: what it leaves is wrong
+// for whoever reads it.
+class WronglyClearingDevice final : public ForwardingDevice {
+ public:
+  explicit WronglyClearingDevice(std::string pass) : pass_(std::move(pass)) {}
+  PassResult run(const PassRun& run) override {
+    if (run.definition->name != pass_) return ForwardingDevice::run(run);
+    PassDefinition wrong = *run.definition;
+    wrong.writes[0].clear = {0.5f, 0.5f, 0.5f, 0.5f};
+    PassRun changed = run;
+    changed.definition = &wrong;
+    return ForwardingDevice::run(changed);
+  }
+
+ private:
+  std::string pass_;
+};
+
 std::size_t differing(const std::vector<AttachmentParity>& attachments) {
   std::size_t count = 0;
   for (const AttachmentParity& a : attachments) count += a.difference.all.differing;
@@ -122,6 +141,9 @@ TEST_CASE("parity: two software devices agree on every attachment of every pass"
   CHECK(differing(parity.isolated) == 0);
   CHECK(differing(parity.whole_frame) == 0);
   for (const PassCounts& counts : parity.counts) CHECK(counts.equal());
+  // Of what several passes draw into, the whole frame has the last state alone.
+  std::set<std::string> textures;
+  for (const AttachmentParity& a : parity.whole_frame) CHECK(textures.insert(a.attachment).second);
 }
 
 TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wrong count") {
@@ -142,6 +164,17 @@ TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wr
   std::size_t miscounted = 0;
   for (const PassCounts& counts : parity.counts) miscounted += counts.equal() ? 0 : 1;
   CHECK(miscounted == 3);
+}
+
+TEST_CASE("parity: what one pass draws wrongly is not held against those that read it") {
+  ReadyFrame frame;
+  WronglyClearingDevice flawed("caster_map");
+  const FrameParity parity = frame.against(flawed);
+  CHECK(differing(parity.isolated) > 0);
+  for (const AttachmentParity& a : parity.isolated)
+    if (a.attachment.rfind("caster_position", 0) != 0) CHECK(a.difference.all.differing == 0);
+  // Alone, the device goes on from its own casters, and the picture shows it.
+  CHECK(differing(parity.whole_frame) > differing(parity.isolated));
 }
 
 TEST_CASE("parity: two software devices agree on casters with textures") {

@@ -95,7 +95,7 @@ class Selections(MetricsTest):
 
     def test_mask(self):
         self.layers([1, 2, math.nan, 6], [1, 2, 3, 4])
-        self.write("m.exr", {"Y": [1, 0.5, 0, 0]})
+        self.write("m.exr", {"Y": [1, 0.5, 0, 0], "A": [1, 1, 1, 1]})
         self.write("all.exr", {"Y": [1, 1, 0, 1]})
         document = self.document(0, "a.exr", "b.exr", "--layer=caustic", "--mask=m.exr")
         self.assertEqual(document["selected"], {"texels": 2, "of": 4})

@@ -54,9 +54,9 @@ def roof():
     return apart, [(i, i + 1, i + 2) for i in range(0, len(apart), 3)]
 
 
-def scene(material=None, light=None, caster=None, floors=((0, 0, 0),)):
+def scene(material=None, light=None, caster=None, floors=((0, 0, 0),), origin=(0, 0, 0)):
     """A sphere of `material` (solid glass unless given), or another closed `caster`, above a floor, or floors
-    moved so, under a light from above."""
+    moved so, under a light from above; all of it around `origin`."""
     document = {
         "asset": {"version": "2.0"},
         "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_transmission",
@@ -82,6 +82,8 @@ def scene(material=None, light=None, caster=None, floors=((0, 0, 0),)):
                         "baseColorFactor": [0.8, 0.8, 0.8, 1]}}],
         "meshes": [], "accessors": [], "bufferViews": [],
     }
+    for node in document["nodes"]:
+        node["translation"] = [a + b for a, b in zip(node.get("translation", (0, 0, 0)), origin)]
     blob = b""
     for number, (positions, triangles) in enumerate([caster or sphere(), floor()]):
         vertices = b"".join(struct.pack("<3f", *p) for p in positions)

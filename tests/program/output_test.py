@@ -8,6 +8,7 @@ import subprocess
 import time
 
 import glb
+import pictures
 from program import PROGRAM, SMALL, ProgramTest, main
 
 
@@ -68,6 +69,39 @@ class Outputs(ProgramTest):
         self.succeeds("ball.glb", *SMALL, "-o", "link.png")
         self.assertTrue((self.folder / "link.png").is_symlink())
         self.assertTrue((self.folder / "old.png").read_bytes().startswith(b"\x89PNG"))
+
+
+class Layers(ProgramTest):
+    """A red ball over a floor far from the world's origin, under an open sky."""
+
+    def test_each_holds_what_its_name_says(self):
+        origin = (300, 20, -500)
+        red = {"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [0.8, 0.2, 0.05, 1]}}
+        (self.folder / "far.glb").write_bytes(glb.scene(red, origin=origin))
+        names = ["coverage", "depth", "normal", "position", "direct", "caustic", "beauty"]
+        self.succeeds("far.glb", *SMALL, "-o", "far.exr", "--aov", ",".join(names))
+        file = pictures.Exr((self.folder / "far.exr").read_bytes())
+        self.assertEqual((file.width, file.height), (64, 48))
+        channels = file.values()
+        expected = ["R", "G", "B", "A", "depth.R", "coverage.R"] + [
+            f"{name}.{c}" for name in ("caustic", "direct", "position", "normal") for c in "RGB"]
+        self.assertEqual(sorted(channels), sorted(expected))
+        ball, floor, sky = (self.texel(channels, 64 * row + 32) for row in (15, 45, 1))
+        self.assertGreater(ball["R"], ball["G"])
+        self.assertGreater(ball["G"], ball["B"])
+        self.assertEqual([floor[f"normal.{c}"] for c in "RGB"], [0, 1, 0])
+        self.assertAlmostEqual(floor["position.R"], origin[0], delta=0.1)
+        self.assertAlmostEqual(floor["position.G"], origin[1], places=4)
+        self.assertTrue(origin[2] < floor["position.B"] < origin[2] + 3)
+        # The sun shines straight down, and the floor is nearer to the camera than the ball.
+        self.assertEqual([floor[f"direct.{c}"] for c in "RGB"], [1000] * 3)
+        self.assertTrue(1 < floor["depth.R"] < ball["depth.R"] < 4)
+        self.assertEqual((floor["coverage.R"], ball["coverage.R"]), (1, 1))
+        self.assertEqual({sky[name] for name in sky if "." in name}, {0})
+        self.assertEqual(sky["A"], 1)
+
+    def texel(self, channels, i):
+        return {name: values[i] for name, values in channels.items()}
 
 
 class NumericFault(ProgramTest):
@@ -139,6 +173,17 @@ class Tools(ProgramTest):
             self.assertRegex(line, r"\Aball\.glb \S+ \S+ [0-9a-f]{64}\Z")
         second = self.succeeds("digest", "ball.glb", "-t", "3").stdout.splitlines()
         self.assertEqual(first[:len(first) // 2], second)
+
+    def test_digest_has_four_words_a_line_whatever_the_names(self):
+        glass = glb.glass(thicknessFactor=1)
+        glass["extensions"]["KHR_materials_dispersion"] = {"dispersion": 1}
+        document, blob = glb.unpack(glb.scene(glass))
+        document["nodes"][2]["name"] = "the high sun"
+        (self.folder / "two balls.glb").write_bytes(glb.pack(document, blob))
+        lines = self.succeeds("digest", "two balls.glb").stdout.splitlines()
+        for line in lines:
+            self.assertRegex(line, r"\Atwo_balls\.glb \S+ \S+ [0-9a-f]{64}\Z")
+        self.assertIn("[the_high_sun_", " ".join(lines))
 
     def test_probe_agrees_with_the_rendered_texel(self):
         for texel in ("16,16", "10,20", "0,0", "31,31"):

@@ -1,8 +1,14 @@
 """caustics paper: rows made again, checked and reported."""
 
 import json
+import pathlib
+import shutil
+import subprocess
 
-from program import ProgramTest, main
+import glb
+from program import PROGRAM, ProgramTest, main
+
+SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 
 
 class Paper(ProgramTest):
@@ -15,6 +21,21 @@ class Paper(ProgramTest):
         self.assertTrue(rows[0]["commands"][0].startswith("caustics render scenes/glass_sphere.glb"))
         self.assertTrue((self.folder / "out/paper_weights.png").exists())
         self.assertIn("| 21 |", (self.folder / "out/paper.md").read_text())
+
+    def test_a_row_that_does_not_hold_is_the_answer_no(self):
+        # Beside a copy of the program lies a sample scene whose sphere is too small.
+        document, blob = glb.unpack((SCENES / "glass_sphere.glb").read_bytes())
+        for node in document["nodes"]:
+            if node["name"] == "sphere":
+                node["scale"] = [0.5, 0.5, 0.5]
+        (self.folder / "scenes").mkdir()
+        (self.folder / "scenes/glass_sphere.glb").write_bytes(glb.pack(document, blob))
+        program = shutil.copy(PROGRAM, self.folder / "caustics")
+        result = subprocess.run([program, "paper", "-o", "out", "--row", "21"], cwd=self.folder, text=True,
+                                capture_output=True, timeout=300)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("FAILS", result.stdout)
+        self.assertIn("does not hold", (self.folder / "out/paper.md").read_text())
 
     def test_an_unknown_row_is_refused_before_anything_is_made(self):
         self.fails(2, "paper", "-o", "out", "--row", "99", saying="there is no row '99'")

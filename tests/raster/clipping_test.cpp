@@ -37,6 +37,14 @@ TEST_CASE("clipping: what reaches far beyond the sides covers the target once") 
   }
 }
 
+TEST_CASE("clipping: two planes leave a polygon of five corners") {
+  // All of 8 x 8 pixels but the upper right one lie below x + y = 14.2.
+  RasterBench b = counting(8, 8);
+  const Image image = b.draw({b.at(0, 0), b.at(14.2, 0), b.at(0, 14.2)})[0];
+  CHECK(RasterBench::sum(image) == 63.0);
+  CHECK(image.at(7, 7, 0) == 0.0f);
+}
+
 TEST_CASE("clipping: nothing before the near plane or behind the far plane is drawn") {
   RasterBench b = counting(8, 8);
   CHECK(RasterBench::sum(b.draw(square(1.0f, -0.001f))[0]) == 0.0);

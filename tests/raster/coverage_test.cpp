@@ -76,6 +76,7 @@ TEST_CASE("coverage: window coordinates are snapped to 1/256 with ties to even")
         2, 1, 0);
   };
   CHECK(column_2(2.5 + 0.5 / 256.0) == 0.0f);
+  CHECK(column_2(2.5 + 0.75 / 256.0) == 1.0f);
   CHECK(column_2(2.5 + 1.5 / 256.0) == 1.0f);
 }
 

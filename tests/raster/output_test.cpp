@@ -149,8 +149,14 @@ TEST_CASE("blending: NaN poisons a sum and loses against a number in min and max
     return b.draw(layers(b, {std::nanf("")}))[0].at(0, 0, 0);
   };
   CHECK(std::isnan(blended(kAccumulate)));
+  CHECK(blended({true, BlendEquation::Add, BlendFactor::Zero, BlendFactor::One}) == 0.0f);
   CHECK(blended({true, BlendEquation::Min}) == 0.0f);
   CHECK(blended({true, BlendEquation::Max}) == 0.0f);
+  // Nor does one that was there before stay.
+  for (const BlendEquation equation : {BlendEquation::Min, BlendEquation::Max}) {
+    RasterBench b = with_format(Format::R32F, {true, equation}, {std::nanf("")});
+    CHECK(b.draw(layers(b, {2.0f}))[0].at(0, 0, 0) == 2.0f);
+  }
 }
 
 TEST_CASE("formats: a half target rounds after every blend") {
@@ -166,6 +172,11 @@ TEST_CASE("formats: an 8-bit target clamps and rounds") {
   CHECK(b.draw(layers(b, {0.5f}))[0].at(0, 0, 0) == 128.0f / 255.0f);
   CHECK(b.draw(layers(b, {7.0f}))[0].at(0, 0, 0) == 1.0f);
   CHECK(b.draw(layers(b, {-1.0f}))[0].at(0, 0, 0) == 0.0f);
+  // Before it blends, too: an alpha of -1 counts as 0, so all of what was there stays.
+  RasterBench kept = with_format(
+      Format::RGBA8, {true, BlendEquation::Add, BlendFactor::Zero, BlendFactor::OneMinusSourceAlpha},
+      {0.5f, 0, 0, 0});
+  CHECK(kept.draw(layers(kept, {-1.0f}))[0].at(0, 0, 0) == 128.0f / 255.0f);
 }
 
 TEST_CASE("targets: a colour mask keeps channels, and each target takes its own output") {
@@ -195,6 +206,10 @@ TEST_CASE("targets: what is kept is drawn onto, what is not is cleared") {
   CHECK(b.draw(layers(b, {10.0f}), &before)[0].values == std::vector<float>{15, 15, 15, 15});
   // Without a fragment anywhere.
   CHECK(b.draw({b.at(0, 0), b.at(0, 0), b.at(0, 0)}, &before)[0].values == std::vector<float>{5, 5, 5, 5});
+  // By what the format can hold.
+  RasterBench half = with_format(Format::RGBA16F, kReplace, {0.1f, 0, 0, 0});
+  CHECK(half.draw({half.at(0, 0), half.at(0, 0), half.at(0, 0)})[0].values[0] ==
+        stored_value(Format::RGBA16F, 0.1f));
 }
 
 TEST_CASE("queries: samples passed count covered texels, layer by layer") {

@@ -38,6 +38,8 @@ TEST_CASE("points: odd sizes at a pixel's centre cover as many pixels a side") {
     CHECK(image.at(8 - size / 2, 8 + size / 2, 0) == 1.0f);
     CHECK(image.at(8 + size / 2, 8 - size / 2, 0) == 1.0f);
   }
+  RasterBench large = points(256, 256);
+  CHECK(RasterBench::sum(large.draw({point(large, 128.5, 128.5, 201.0f)})[0]) == 201 * 201);
 }
 
 TEST_CASE(

@@ -188,6 +188,11 @@ TEST_CASE("A skinned mesh follows its joints and not its own node") {
   CHECK(world(later, 0) == glm::dvec3(0, 0, 0));
   CHECK(world(later, 1) == glm::dvec3(1, 0, 2));
   CHECK(world(later, 2) == glm::dvec3(0, 1, 1));
+  // The knee turns by a quarter about z around itself, 3 m above.
+  gltf = skinned_triangle();
+  const float half = std::sqrt(0.5f);
+  animate(gltf, 3, "rotation", {0, 1}, {0, 0, half, half, 0, 0, half, half}, "VEC4");
+  CHECK(glm::length(world(load_moving(gltf).at(0.0), 1) - glm::dvec3(3, 4, 0)) < 1e-6);
 }
 
 TEST_CASE("Weights of joints need not add up to one") {

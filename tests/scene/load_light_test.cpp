@@ -49,6 +49,9 @@ TEST_CASE("Spot cones are put in order, with a note") {
   const Scene good = load(lit(R"("type":"spot","spot":{"innerConeAngle":0.2,"outerConeAngle":0.4})"));
   CHECK(good.lights.at(0).inner_cone == 0.2f);
   CHECK(good.lights[0].outer_cone == 0.4f);
+  const Light plain = load(lit(R"("type":"spot","spot":{})")).lights.at(0);
+  CHECK(plain.inner_cone == 0.0f);
+  CHECK(plain.outer_cone == Approx(3.14159265358979 / 4));
   const Scene swapped = load(lit(R"("type":"spot","spot":{"innerConeAngle":0.9,"outerConeAngle":0.4})"));
   CHECK(swapped.lights.at(0).inner_cone == 0.4f);
   CHECK(has_note(swapped, "innerConeAngle"));

@@ -52,6 +52,7 @@ TEST_CASE("A material without members has the defaults of the specifications") {
   CHECK(m.dispersion == 0.0f);
   CHECK(m.attenuation_distance == std::numeric_limits<float>::infinity());
   CHECK(m.alpha_mode == AlphaMode::Opaque);
+  CHECK(m.alpha_cutoff == 0.5f);
   CHECK_FALSE(m.base_color_texture.present());
 }
 
@@ -194,6 +195,36 @@ TEST_CASE("KHR_texture_transform turns as its own example says") {
   CHECK(a.y == Approx(0).margin(1e-6));
   CHECK(b.x == Approx(0.5));
   CHECK(b.y == Approx(0.5));
+}
+
+TEST_CASE("KHR_texture_transform scales before it turns, and names its own coordinates") {
+  // Turned by 30 degrees: u' = 0.5 cos u + 0.25 sin v, counted from the top v' = -0.5 sin u + 0.25 cos v.
+  Gltf gltf = triangle();
+  gltf.add<float>({0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
+  gltf.add<float>({0.5f, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
+  gltf.mesh = R"("attributes":{"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_1":2},"material":0)";
+  gltf.rest = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{
+      "KHR_texture_transform":{"rotation":0.52359877559829882,"scale":[0.5,0.25],"texCoord":1}}}}}],
+      "textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)" +
+              std::string(kPng) + R"("}])";
+  const Scene scene = load(gltf);
+  const glm::mat3 m = scene.materials.at(0).base_color_texture.uv_transform;
+  const glm::vec3 across = m * glm::vec3(1, 0, 0), down = m * glm::vec3(0, 1, 0);
+  CHECK(across.x == Approx(0.5 * 0.8660254));
+  CHECK(across.y == Approx(0.5 * 0.5));
+  CHECK(down.x == Approx(0.25 * 0.5));
+  CHECK(down.y == Approx(-0.25 * 0.8660254));
+  CHECK(scene.meshes.at(0).vertices[0].uv == glm::vec2(0.5f, 0.0f));
+}
+
+TEST_CASE("A grey picture spreads over the colours and keeps its alpha") {
+  // One texel: grey 188, alpha 128.
+  const std::string png =
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAQAAAC1HAwCAAAAC0lEQVR4nGPY"
+      "0wAAAfsBPZk8qocAAAAASUVORK5CYII=";
+  const Image image = load_text(textured(kBase, "data:image/png;base64," + png)).images.at(0);
+  for (int c = 0; c < 3; ++c) CHECK(image.at(0, 0, c) == Approx(0.502886).margin(2.5e-4));
+  CHECK(image.at(0, 0, 3) == stored_value(Format::RGBA16F, 128.0f / 255.0f));
 }
 
 TEST_CASE("A texture that cannot be read is left out with a note") {

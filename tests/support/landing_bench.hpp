@@ -63,6 +63,7 @@ struct LandingBench {
   bool solid = false;
   float exit_height = 0.5f;
   glm::vec3 exit_normal{0.0f, -1.0f, 0.0f};
+  std::optional<glm::vec3> exit_normal_left;  // of the exit surface's half at x < 0, if it is another
   glm::vec3 receivers_lower{-100.0f, 0.0f, -100.0f}, receivers_upper{100.0f, 0.0f, 100.0f};
   int iterations = 5;
   int estimator = ESTIMATOR_SECANT;
@@ -99,6 +100,16 @@ struct LandingBench {
     return image;
   }
 
+  // As exit_height's map has positions.
+  Image exit_normals() const {
+    Image image = filled(64, 64, glm::vec4(exit_normal, 1.0f));
+    if (!exit_normal_left) return image;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 32; ++x)
+        for (int c = 0; c < 3; ++c) image.at(x, y, c) = (*exit_normal_left)[c];
+    return image;
+  }
+
   PassImages run() const {
     std140::Landing u = bench_uniforms(view, impostors, estimator, iterations);
     u.channel_share = channel_share;
@@ -114,7 +125,7 @@ struct LandingBench {
     return run_landing(u, {.position = filled(2, 2, {0.0f, 1.0f, 0.0f, facing}),
                            .normal = filled(2, 2, glm::vec4(normal, 0.0f)),
                            .exit_position = floor_map(64, static_cast<double>(exit_height), 0.0),
-                           .exit_normal = filled(64, 64, glm::vec4(exit_normal, 1.0f)),
+                           .exit_normal = exit_normals(),
                            .receiver = receiver,
                            .materials = materials(),
                            .tint = tint ? filled(2, 2, glm::vec4(*tint, 1.0f)) : Image{},

@@ -408,6 +408,41 @@ TEST_CASE("tracer: a tinted solid absorbs as Beer and Lambert say") {
   check_closed(run.account());
 }
 
+TEST_CASE("tracer: what stands before a caster keeps its light away") {
+  if (!has_ray_queries()) return;
+  // A board over the half of the sphere that lies at x > 0.
+  Scene scene = test::sphere_scene(1.5f, 4);
+  scene.meshes.push_back(test::box({0.0, 2.0, -1.0}, {1.0, 2.1, 1.0}, 0));
+  const Run half(std::move(scene), 8, 128, 2), whole(test::sphere_scene(1.5f, 4), 8, 128, 2);
+  CHECK(half.account().entered.x == Approx(0.5 * whole.account().entered.x).epsilon(5e-3));
+}
+
+TEST_CASE("tracer: a spot light falls off by the square of a ramp of the cosine") {
+  Light spot{.name = "spot", .type = LightType::Spot};
+  spot.inner_cone = 0.2f;
+  spot.outer_cone = 0.6f;
+  const auto at = [&](double cosine) {
+    return Falloff(spot).at({std::sqrt(1.0 - cosine * cosine), 0.0, -cosine}, {0.0, 0.0, -1.0});
+  };
+  CHECK(at(std::cos(0.1)) == 1.0);
+  CHECK(at(0.5 * (std::cos(0.2) + std::cos(0.6))) == Approx(0.25));
+  CHECK(at(std::cos(0.7)) == 0.0);
+}
+
+TEST_CASE("tracer: a thin pane passes direct light less what both its faces mirror") {
+  if (!has_ray_queries()) return;
+  Scene scene;
+  scene.materials = {test::diffuse(0.8f), test::glass(1.5f)};
+  scene.materials[1].thickness = 0.0f;
+  scene.meshes = {test::floor(3.0, 0.0, 0), test::floor(2.0, 1.0, 1)};
+  scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
+  scene.cameras = {test::camera_down(0.3, 0.3)};
+  const Run run(std::move(scene), 4, 8, 1);
+  // R = 0.04 at either face: (1 - R) / (1 + R).
+  for (const double value : red(direct_light(run.tracer->world(), run.tracer->film(), 0)))
+    CHECK(value == Approx(0.96 / 1.04).epsilon(1e-6));
+}
+
 TEST_CASE("tracer: what is not simulated is refused by name") {
   test::need_ray_queries();
   Scene hazy = test::sphere_scene(1.5f, 2);

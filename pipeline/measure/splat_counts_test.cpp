@@ -1,0 +1,28 @@
+#include "pipeline/measure/splat_counts.hpp"
+
+#include "pipeline/settings/splat_kernel.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/run_pass.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+TEST_CASE("splat counts: a splat counts in every texel that it touches, and in no other") {
+  // On a map of 8 x 8 texels of 1 m: a landing in the middle of texel (5, 2), and one that did not land.
+  BranchImages branch{};
+  branch.landing = Image(Format::RGBA32F, 2, 1);
+  const float places[2][4] = {{1.5f, 0.0f, 1.5f, STATUS_LANDED}, {-2.5f, 0.0f, 1.5f, STATUS_MISSED}};
+  for (int x = 0; x < 2; ++x)
+    for (int c = 0; c < 4; ++c) branch.landing.at(x, 0, c) = places[x][c];
+  for (const double radius : {0.0, 1.2}) {
+    SplatKernel kernel;
+    kernel.radius = radius;
+    const std::vector<std::uint32_t> counts = splat_counts({branch}, {}, kernel, down(4.0, 10.0, 20.0), 8);
+    REQUIRE(counts.size() == 64);
+    const int reach = radius > 0.0 ? 1 : 0;
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x)
+        CHECK(counts[static_cast<std::size_t>(8 * y + x)] ==
+              (std::abs(x - 5) <= reach && std::abs(y - 2) <= reach ? 1u : 0u));
+  }
+}
