@@ -1,16 +1,16 @@
 # caustics_add_shader(TARGET shader TEXT path/to/text.glsl [DEFINES A=1 ...])
 # Compiles one shader text for every lane width of CAUSTICS_WIDTHS, embeds the text with its includes
 # expanded, and adds a `const caustics::Shader <shader>_shader` to TARGET, with the size of its uniform block
-# and the choices of it that the text asks. Paths of texts and their includes start at the current source folder or
-# at CAUSTICS_SHADER_ROOT, where this project's own stand: its source folder, or where it is installed.
+# and the choices of it that the text asks. Paths of texts and their includes start at the current source
+# folder or at CAUSTICS_SHADER_ROOT, where this project's own stand: its source folder, or where it is installed.
 set(CAUSTICS_EXACT_FLAGS -ffp-contract=off -fno-math-errno -fno-fast-math)
 set(CAUSTICS_KERNEL_OPTIMISATION $<$<CONFIG:Release>:$<IF:$<BOOL:${CAUSTICS_QUICK_BUILD}>,-O2,-O3>>)
 set(CAUSTICS_FLAGS_scalar ${CAUSTICS_KERNEL_OPTIMISATION})
 set(CAUSTICS_FLAGS_plain4 ${CAUSTICS_KERNEL_OPTIMISATION})
 set(CAUSTICS_FLAGS_sse41 ${CAUSTICS_KERNEL_OPTIMISATION} -msse4.1)
 set(CAUSTICS_FLAGS_avx2 ${CAUSTICS_KERNEL_OPTIMISATION} -mavx2 -mfma)
-set(CAUSTICS_FLAGS_avx512 ${CAUSTICS_KERNEL_OPTIMISATION} -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl -mavx512bw
-  -Wno-uninitialized)  # GCC 12 headers
+set(CAUSTICS_FLAGS_avx512 ${CAUSTICS_KERNEL_OPTIMISATION} -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl
+  -mavx512bw -Wno-uninitialized)  # GCC 12 headers
 set(CAUSTICS_LANES_scalar 1)
 set(CAUSTICS_LANES_plain4 4)
 set(CAUSTICS_LANES_sse41 4)
@@ -130,7 +130,8 @@ function(caustics_add_shader target shader)
     set(kernel ${directory}/${shader}_${WIDTH}.cpp)
     configure_file(${CAUSTICS_CMAKE_DIR}/kernel.cpp.in ${kernel} @ONLY)
     set_source_files_properties(${kernel} PROPERTIES
-      COMPILE_OPTIONS "${CAUSTICS_EXACT_FLAGS};${CAUSTICS_FLAGS_${WIDTH}}" COMPILE_DEFINITIONS "${ARG_DEFINES}"
+      COMPILE_OPTIONS "${CAUSTICS_EXACT_FLAGS};${CAUSTICS_FLAGS_${WIDTH}}"
+      COMPILE_DEFINITIONS "${ARG_DEFINES}"
       SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
     target_sources(${target} PRIVATE ${kernel})
     string(APPEND DECLARATIONS "void ${shader}_vertex_${WIDTH}(const VertexBlock&);\n"
