@@ -54,7 +54,8 @@ ensure_packages() {
     give_up 5 "no list of packages: is there a network? When there is, run this again, or as root: $line" "$log"
   say "$("${apt[@]}" install --print-uris --no-install-recommends "${missing[@]}" 2>> "$log" |
     sed -nE 's/.* ([0-9]+) newly installed.*/\1 packages with all that they need/p
-      s/^Need to get ([^/]*).* of archives.*/, \1 to fetch/p; s/^After this operation, (.*) of add.*/, \1 on disk/p' |
+      s/^Need to get ([^/]*).* of archives.*/, \1 to fetch/p
+      s/^After this operation, (.*) of add.*/, \1 on disk/p' |
     tr -d '\n')"
   "${apt[@]}" install --no-install-recommends -y "${missing[@]}" 2>> "$log" < /dev/null |
     watch_lines "$log" '^(Get|Unpacking|Setting up)[: ]' ||

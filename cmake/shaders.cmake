@@ -2,7 +2,8 @@
 # Compiles one shader text for every lane width of CAUSTICS_WIDTHS, embeds the text with its includes
 # expanded, and adds a `const caustics::Shader <shader>_shader` to TARGET, with the size of its uniform block
 # and the choices of it that the text asks. Paths of texts and their includes start at the current source
-# folder or at CAUSTICS_SHADER_ROOT, where this project's own stand: its source folder, or where it is installed.
+# folder or at CAUSTICS_SHADER_ROOT, where this project's own stand: its source folder, or where it is
+# installed.
 set(CAUSTICS_EXACT_FLAGS -ffp-contract=off -fno-math-errno -fno-fast-math)
 set(CAUSTICS_KERNEL_OPTIMISATION $<$<CONFIG:Release>:$<IF:$<BOOL:${CAUSTICS_QUICK_BUILD}>,-O2,-O3>>)
 set(CAUSTICS_FLAGS_scalar ${CAUSTICS_KERNEL_OPTIMISATION})
