@@ -51,7 +51,7 @@ ensure_packages() {
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -o DPkg::Lock::Timeout=300
     -o Acquire::Retries=1 -o Acquire::http::Timeout=20 -o Acquire::https::Timeout=20)
   "${apt[@]}" update --error-on=any > "$log" 2>&1 < /dev/null ||
-    give_up 5 "no list of packages: is there a network? When there is, run this again, or as root: $line" "$log"
+    give_up 5 "no list of packages: is there a network? With one, run this again, or as root: $line" "$log"
   say "$("${apt[@]}" install --print-uris --no-install-recommends "${missing[@]}" 2>> "$log" |
     sed -nE 's/.* ([0-9]+) newly installed.*/\1 packages with all that they need/p
       s/^Need to get ([^/]*).* of archives.*/, \1 to fetch/p

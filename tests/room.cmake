@@ -16,7 +16,7 @@ caustics_target_options(caustics_tests)
 target_compile_options(caustics_tests PRIVATE $<$<CONFIG:Release>:-O1>)
 target_precompile_headers(caustics_tests PRIVATE ${CAUSTICS_STANDARD_HEADERS}
   ${PROJECT_SOURCE_DIR}/tests/support/catch.hpp)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/catch2_main.cpp PROPERTIES
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/catch_main.cpp PROPERTIES
   SKIP_PRECOMPILE_HEADERS ON)
 target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster caustics_gl_backend
   caustics_reference caustics_metrics
