@@ -1,6 +1,6 @@
-# caustics_add_room(name [folder [FAST]]): a static library caustics_<name> of every source in the folder (<name>
-# where none is given), tests left out. caustics_target_options(target [FAST]): the flags that every target of the
-# project compiles with; FAST for those whose loops take a frame's time.
+# caustics_add_room(name [folder [FAST]]): a static library caustics_<name> of every source in the folder
+# (<name> where none is given), tests left out. caustics_target_options(target [FAST]): the flags that every
+# target of the project compiles with; FAST for those whose loops take a frame's time.
 option(CAUSTICS_QUICK_BUILD
   "Optimise less: shaders' kernels -O2, all else -O1. The same bits, 10 % slower" OFF)
 
