@@ -58,9 +58,9 @@ class Frames(MovingTest):
             row = [self.picture(f"row.{n}.png") for n in range(6)]
             self.assertEqual(len(set(row)), 6)
             for n in (0, 2, 5):
-                self.succeeds("go.glb", *SMALL, "--frames", n, "--fps", "6", "-o", "one.%d.png",
+                self.succeeds("go.glb", *SMALL, "--frames", n, "--fps", "6", "-o", "one.%03d.png",
                               "-o", "one.%d.exr")
-                self.assertEqual(self.picture(f"one.{n}.png"), row[n])
+                self.assertEqual(self.picture(f"one.{n:03}.png"), row[n])
                 self.assertEqual(self.picture(f"one.{n}.exr"), self.picture(f"row.{n}.exr"))
             self.succeeds("go.glb", *SMALL, "--time", "0.5", "-o", "still.png")
             self.assertEqual(self.picture("still.png"), row[3])

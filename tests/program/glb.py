@@ -82,7 +82,7 @@ def scene(material=None, light=None, caster=None, floors=((0, 0, 0),), origin=(0
                         "baseColorFactor": [0.8, 0.8, 0.8, 1]}}],
         "meshes": [], "accessors": [], "bufferViews": [],
     }
-    for node in document["nodes"]:
+    for node in document["nodes"] if any(origin) else ():
         node["translation"] = [a + b for a, b in zip(node.get("translation", (0, 0, 0)), origin)]
     blob = b""
     for number, (positions, triangles) in enumerate([caster or sphere(), floor()]):

@@ -172,11 +172,11 @@ TEST_CASE("formats: an 8-bit target clamps and rounds") {
   CHECK(b.draw(layers(b, {0.5f}))[0].at(0, 0, 0) == 128.0f / 255.0f);
   CHECK(b.draw(layers(b, {7.0f}))[0].at(0, 0, 0) == 1.0f);
   CHECK(b.draw(layers(b, {-1.0f}))[0].at(0, 0, 0) == 0.0f);
-  // Before it blends, too: an alpha of -1 counts as 0, so all of what was there stays.
-  RasterBench kept = with_format(
-      Format::RGBA8, {true, BlendEquation::Add, BlendFactor::Zero, BlendFactor::OneMinusSourceAlpha},
-      {0.5f, 0, 0, 0});
-  CHECK(kept.draw(layers(kept, {-1.0f}))[0].at(0, 0, 0) == 128.0f / 255.0f);
+  // Before it blends, too: an alpha of 2 counts as 1, so what was there stays as it was.
+  RasterBench kept =
+      with_format(Format::RGBA8, {true, BlendEquation::Add, BlendFactor::Zero, BlendFactor::SourceAlpha},
+                  {0.5f, 0, 0, 0});
+  CHECK(kept.draw(layers(kept, {2.0f}))[0].at(0, 0, 0) == 128.0f / 255.0f);
 }
 
 TEST_CASE("targets: a colour mask keeps channels, and each target takes its own output") {
