@@ -40,6 +40,9 @@ bool texel_is(const Image& image, int x, int y, const std::array<float, 4>& valu
   return true;
 }
 
+// 1/255 and half a step of rounding.
+bool beyond_a_step(float a, float b) { return std::abs(a - b) > 1.5f / 255.0f; }
+
 // The channels of one texel into the counters; true where one differs.
 bool add_texel(const Image& a, const Image& b, int x, int y, DifferenceCounter& all,
                std::vector<DifferenceCounter>& channels) {
@@ -51,6 +54,20 @@ bool add_texel(const Image& a, const Image& b, int x, int y, DifferenceCounter& 
     differs = differs || !same_value(pair.a, pair.b);
   }
   return differs;
+}
+
+// The sums of one texel, and what covers it.
+void add_to_sums(const Image& a, const Image& b, int x, int y, const std::array<float, 4>& background,
+                 ImageDifference& result) {
+  const bool in_a = !texel_is(a, x, y, background), in_b = !texel_is(b, x, y, background);
+  result.covered += in_a;
+  result.coverage_mismatches += in_a != in_b;
+  for (int c = 0; c < a.channels(); ++c) {
+    const float of_a = a.at(x, y, c), of_b = b.at(x, y, c);
+    result.sums.add(of_a, of_b);
+    if (in_a && in_b) result.both_covered.add(of_a, of_b);
+    result.beyond_a_step += beyond_a_step(of_a, of_b);
+  }
 }
 
 }  // namespace
@@ -121,6 +138,18 @@ ValueDifference difference(const ChannelView& a, const ChannelView& b, const Tol
   return counter.result();
 }
 
+void DifferenceSums::add(float of_a, float of_b) {
+  if (!std::isfinite(of_a) || !std::isfinite(of_b)) return;
+  const double x = of_a, y = of_b;
+  a += x;
+  b += y;
+  magnitude += std::abs(x);
+  difference += std::abs(x - y);
+}
+
+double DifferenceSums::relative() const { return difference == 0.0 ? 0.0 : difference / magnitude; }
+double DifferenceSums::relative_total() const { return a == b ? 0.0 : std::abs(a - b) / magnitude; }
+
 ImageDifference difference(const Image& a, const Image& b, const Tolerance& tolerance,
                            const std::array<float, 4>& background) {
   ImageDifference result;
@@ -131,15 +160,13 @@ ImageDifference difference(const Image& a, const Image& b, const Tolerance& tole
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
       ++result.texels;
+      add_to_sums(a, b, x, y, background, result);
       if (!add_texel(a, b, x, y, all, channels)) continue;
       if (result.differing_texels++ == 0) {
         for (int c = 0; c < a.channels(); ++c) {
           result.first_a[static_cast<std::size_t>(c)] = a.at(x, y, c);
           result.first_b[static_cast<std::size_t>(c)] = b.at(x, y, c);
         }
-      }
-      if (texel_is(a, x, y, background) != texel_is(b, x, y, background)) {
-        ++result.coverage_mismatches;
       }
     }
   }

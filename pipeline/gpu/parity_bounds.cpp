@@ -1,0 +1,167 @@
+#include "pipeline/gpu/parity_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace caustics {
+
+namespace {
+
+template <std::size_t N, class Enum>
+std::string_view named(const std::string_view (&names)[N], Enum value) {
+  return names[static_cast<std::size_t>(value)];
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+ParityVerdict beyond(std::string reason) { return {Verdict::Beyond, {}, std::move(reason)}; }
+
+// Why a difference is beyond whatever its bounds; empty: it is not.
+std::string always_wrong(const ImageDifference& d) {
+  if (!d.same_shape) return "another size or format";
+  if (d.all.nan_only_a + d.all.nan_only_b > 0) return "a NaN on one side alone";
+  if (d.all.infinite > 0) return "an infinity on one side alone";
+  return {};
+}
+
+}  // namespace
+
+std::string_view name_of(DriverClass driver) {
+  static constexpr std::string_view names[] = {"llvmpipe, fused",         "llvmpipe, fused, other points",
+                                               "llvmpipe, unfused",       "hardware",
+                                               "hardware that contracts", "hardware with 4 sub-pixel bits"};
+  return named(names, driver);
+}
+
+std::string_view name_of(ImageKind kind) {
+  static constexpr std::string_view names[] = {"shading",      "rasterized map", "flux map",
+                                               "intermediate", "beauty",         "picture"};
+  return named(names, kind);
+}
+
+std::string_view name_of(Measure measure) {
+  static constexpr std::string_view names[] = {"coverage", "relative L1", "total flux", "p99.9 of relative",
+                                               "share beyond 1/255"};
+  return named(names, measure);
+}
+
+std::string_view name_of(Verdict verdict) {
+  static constexpr std::string_view names[] = {"equal", "within", "BEYOND"};
+  return named(names, verdict);
+}
+
+std::span<const ParityBound> parity_bounds() {
+  using K = ImageKind;
+  using M = Measure;
+  // By class:      fused, other points, unfused, hardware, contracting, 4 bits
+  static constexpr ParityBound bounds[] = {
+      {K::Shading,
+       M::RelativeL1,
+       {0, 0, 0, 2e-6, 2e-5, 2e-6},
+       "division and square root, off by an ulp or so; a contracted product plus sum; llvmpipe rounds all "
+       "correctly"},
+      {K::RasterizedMap,
+       M::Coverage,
+       {0, 0, 2e-3, 2e-3, 2e-3, 2e-2},
+       "corners snapped to the sub-pixel grid from a viewport transform that rounds otherwise"},
+      {K::RasterizedMap,
+       M::RelativeL1,
+       {0, 0, 2e-5, 1e-5, 1e-5, 1e-3},
+       "interpolation: planes or weights with other roundings, from corners snapped otherwise"},
+      {K::FluxMap,
+       M::RelativeL1,
+       {0, 2e-5, 2e-5, 2e-5, 2e-5, 2e-5},
+       "points' edges a texel further or nearer, where kernels end, and quotients in the shares; texel by "
+       "texel "
+       "there is no bound, for a dim one is a sum of few tails"},
+      {K::FluxMap,
+       M::TotalFlux,
+       {0, 1e-6, 1e-6, 1e-6, 1e-6, 1e-6},
+       "roundings of the sum, which favour no side"},
+      {K::Intermediate, M::RelativeL1, {0, 1e-2, 1e-2, 1e-2, 1e-2, 1e-2}, "to be measured"},
+      {K::Beauty,
+       M::RelativeL1,
+       {0, 6e-6, 6e-6, 6e-6, 5e-5, 1.5e-3},
+       "the differences of all passes added up; with coarse corners, edges that cover other pixels"},
+      {K::Beauty,
+       M::P999,
+       {0, 2e-4, 2e-4, 2e-4, 2e-4, 2.0},
+       "what small differences become where light is focused"},
+      {K::Picture, M::RelativeL1, {0, 1, 1, 1, 1, 1}, "to be measured"},
+      {K::Picture,
+       M::BeyondAStep,
+       {0, 1e-3, 1e-3, 1e-3, 1e-3, 2e-2},
+       "values near the middle between two steps, and edges"},
+  };
+  return bounds;
+}
+
+double measured(Measure measure, ImageKind kind, const ImageDifference& d) {
+  const auto share = [](std::size_t part, std::size_t of) {
+    return part == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(of);
+  };
+  switch (measure) {
+    case Measure::Coverage:
+      return share(d.coverage_mismatches, d.covered);
+    case Measure::RelativeL1:
+      return (kind == ImageKind::RasterizedMap ? d.both_covered : d.sums).relative();
+    case Measure::TotalFlux:
+      return d.sums.relative_total();
+    case Measure::P999:
+      return d.all.relative.p999;
+    case Measure::BeyondAStep:
+      return share(d.beyond_a_step, d.all.values);
+  }
+  return 0.0;
+}
+
+const BoundCheck* ParityVerdict::closest() const {
+  const auto ratio = [](const BoundCheck& c) { return c.found == 0.0 ? 0.0 : c.found / c.most; };
+  const auto less = [&](const BoundCheck& a, const BoundCheck& b) {
+    return a.within != b.within ? a.within : ratio(a) < ratio(b);
+  };
+  const auto found = std::max_element(checks.begin(), checks.end(), less);
+  return found == checks.end() ? nullptr : &*found;
+}
+
+ParityVerdict judge(const ImageDifference& difference, ImageKind kind, DriverClass driver,
+                    std::span<const ParityBound> bounds) {
+  if (std::string why = always_wrong(difference); !why.empty()) return beyond(std::move(why));
+  ParityVerdict verdict;
+  for (const ParityBound& bound : bounds) {
+    if (bound.kind != kind) continue;
+    if (bound.cause.empty()) return beyond("a bound without a cause");
+    const double most = bound.most[static_cast<std::size_t>(driver)];
+    const double found = measured(bound.measure, kind, difference);
+    const bool one_texel = bound.measure == Measure::Coverage && difference.coverage_mismatches == 1;
+    const bool within = most == 0.0 ? difference.all.differing == 0 : found <= most || one_texel;
+    verdict.checks.push_back({&bound, found, most, within});
+  }
+  const BoundCheck* closest = verdict.closest();
+  if (!closest) return beyond("no bound for a " + std::string(name_of(kind)));
+  if (difference.all.differing == 0) return verdict;
+  verdict.verdict = closest->within ? Verdict::Within : Verdict::Beyond;
+  verdict.reason = closest->within
+                       ? std::string(closest->bound->cause)
+                       : std::string(name_of(closest->bound->measure)) + " is " + number(closest->found) +
+                             ", at most " + number(closest->most) + " on " + std::string(name_of(driver));
+  return verdict;
+}
+
+bool samples_agree(std::uint64_t reference, std::uint64_t tested, DriverClass driver) {
+  const std::uint64_t apart = reference > tested ? reference - tested : tested - reference;
+  if (apart == 0) return true;
+  for (const ParityBound& bound : parity_bounds()) {
+    if (bound.measure != Measure::Coverage) continue;
+    const double most = bound.most[static_cast<std::size_t>(driver)];
+    return most > 0.0 && static_cast<double>(apart) <= std::ceil(most * static_cast<double>(reference));
+  }
+  return false;
+}
+
+}  // namespace caustics
