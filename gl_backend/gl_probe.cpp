@@ -265,10 +265,11 @@ std::string rounding(int wrong) {
 
 }  // namespace
 
-GlFindings probe(GlDevice& device) {
+GlFindings probe(GlDevice& device) { return probe(device, device.renderer(), device.limits()); }
+
+GlFindings probe(Device& device, const std::string& renderer, const GlLimits& limits) {
   GlFindings found;
-  found.renderer = device.renderer();
-  const GlLimits limits = device.limits();
+  found.renderer = renderer;
   found.subpixel_bits = limits.subpixel_bits;
   found.smallest_point = limits.smallest_point;
   found.largest_point = limits.largest_point;

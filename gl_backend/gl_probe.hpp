@@ -36,6 +36,8 @@ struct GlFindings {
 
 // Throws Error like any run.
 GlFindings probe(GlDevice& device);
+// The same of a device that says this of itself.
+GlFindings probe(Device& device, const std::string& renderer, const GlLimits& limits);
 
 DriverClass class_of(const GlFindings& findings);
 

@@ -56,18 +56,32 @@ bool add_texel(const Image& a, const Image& b, int x, int y, DifferenceCounter& 
   return differs;
 }
 
-// The sums of one texel, and what covers it.
+// The largest finite magnitude in an image.
+float scale_of(const Image& image) {
+  float largest = 0.0f;
+  for (const float value : image.values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+// The sums of one texel, what covers it, and whether it jumps in images of this scale.
 void add_to_sums(const Image& a, const Image& b, int x, int y, const std::array<float, 4>& background,
-                 ImageDifference& result) {
+                 float scale, ImageDifference& result) {
   const bool in_a = !texel_is(a, x, y, background), in_b = !texel_is(b, x, y, background);
   result.covered += in_a;
   result.coverage_mismatches += in_a != in_b;
+  float largest = 0.0f, apart = 0.0f;
   for (int c = 0; c < a.channels(); ++c) {
     const float of_a = a.at(x, y, c), of_b = b.at(x, y, c);
+    largest = std::max({largest, std::abs(of_a), std::abs(of_b)});
+    apart = std::max(apart, std::abs(of_a - of_b));
     result.sums.add(of_a, of_b);
-    if (in_a && in_b) result.both_covered.add(of_a, of_b);
     result.beyond_a_step += beyond_a_step(of_a, of_b);
   }
+  const bool jumps = apart > 0.01f * largest && apart > 1e-6f * scale;
+  result.jumps += jumps;
+  if (jumps || !in_a || !in_b) return;
+  for (int c = 0; c < a.channels(); ++c) result.steady.add(a.at(x, y, c), b.at(x, y, c));
 }
 
 }  // namespace
@@ -155,12 +169,13 @@ ImageDifference difference(const Image& a, const Image& b, const Tolerance& tole
   ImageDifference result;
   result.same_shape = a.shape == b.shape;
   if (!result.same_shape) return result;
+  const float scale = std::max(scale_of(a), scale_of(b));
   DifferenceCounter all(tolerance);
   std::vector<DifferenceCounter> channels(static_cast<std::size_t>(a.channels()), all);
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
       ++result.texels;
-      add_to_sums(a, b, x, y, background, result);
+      add_to_sums(a, b, x, y, background, scale, result);
       if (!add_texel(a, b, x, y, all, channels)) continue;
       if (result.differing_texels++ == 0) {
         for (int c = 0; c < a.channels(); ++c) {

@@ -110,9 +110,12 @@ struct ImageDifference {
   std::size_t differing_texels = 0;  // at least one channel differs
   // Texels of which exactly one equals the background: something is drawn in one image alone.
   std::size_t coverage_mismatches = 0;
-  std::size_t covered = 0;                // texels of the first that are not the background
-  DifferenceSums sums;                    // over all texels
-  DifferenceSums both_covered;            // over those that neither image leaves as the background
+  std::size_t covered = 0;  // texels of the first that are not the background
+  DifferenceSums sums;      // over all texels
+  // Texels of which a channel differs by more than a hundredth of the texel's largest value, and by more than
+  // a millionth of the images': something else is there, not the same with another rounding.
+  std::size_t jumps = 0;
+  DifferenceSums steady;                  // over all that both cover and that do not jump
   std::size_t beyond_a_step = 0;          // values more than 1/255 apart
   ValueDifference all;                    // over all channels together
   std::vector<ValueDifference> channels;  // each by itself

@@ -32,13 +32,15 @@ enum class ImageKind : std::uint8_t {
   Intermediate,   // between the passes of a frame that a device draws by itself
   Beauty,         // the radiance that the picture is made from
   Picture,        // 8 bits
+  RandomDraws,    // of the tests: overlapping shapes at random, where each edge decides between two colours
 };
-inline constexpr std::size_t kImageKinds = 6;
+inline constexpr std::size_t kImageKinds = 7;
 std::string_view name_of(ImageKind kind);
 
 enum class Measure : std::uint8_t {
-  Coverage,     // texels that one image alone covers, of those covered; rounded up to whole texels
-  RelativeL1,   // sum |a - b| / sum |a|; of a rasterized map where both cover
+  Coverage,     // texels that one image alone covers, of those covered; one is always allowed
+  Jumps,        // texels that hold something else (ImageDifference::jumps), of those covered; likewise
+  RelativeL1,   // sum |a - b| / sum |a|; of shading and rasterized maps where both cover and nothing jumps
   TotalFlux,    // difference of the sums, relative
   P999,         // 99.9th percentile of the relative difference of a value
   BeyondAStep,  // share of values more than 1/255 apart

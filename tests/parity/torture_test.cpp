@@ -1,6 +1,5 @@
-// Random draws on both devices. On the drivers of docs/parity.md not one value differs; on others
-// the differences are shown. One line repeats a test: caustics_tests "torture: slivers".
-#include "tests/parity/blend_allowances.hpp"
+// Random draws on both devices, judged by the driver's class: on llvmpipe with fused multiply-add not one
+// value differs. One line repeats a test: caustics_tests "torture: slivers".
 #include "tests/parity/match.hpp"
 #include "tests/support/catch.hpp"
 
@@ -15,11 +14,18 @@ struct Size {
 // Powers of two, where the viewport's arithmetic is exact, and others, where it is not.
 constexpr Size kSizes[] = {{256, 256}, {240, 180}, {333, 97}, {61, 512}, {1, 1}, {640, 360}};
 
+// What is not finite, on drivers that cover other texels on edges: there one side alone has it.
+bool left_out(const Match& match, bool finite) {
+  if (finite || match.exact()) return false;
+  WARN("skipped: only a driver that covers the same texels can be judged");
+  return true;
+}
+
 // Four draws in every size; `make` gives the vertices of each.
 template <class Make>
-void torture_draws(const std::string& name, Topology topology, const Make& make) {
+void torture_draws(const std::string& name, Topology topology, bool finite, const Make& make) {
   Match match;
-  if (!match) return;
+  if (!match || left_out(match, finite)) return;
   Random random(name);
   for (const Size& size : kSizes)
     for (int i = 0; i < 4; ++i) {
@@ -37,14 +43,14 @@ void torture_draws(const std::string& name, Topology topology, const Make& make)
 }
 
 void torture_triangles(const std::string& name, const TriangleMaker& maker, int triangles = 300,
-                       Painter paint = random_color) {
-  torture_draws(name, Topology::Triangles, [&](Random& random, const Size& size) {
+                       Painter paint = random_color, bool finite = true) {
+  torture_draws(name, Topology::Triangles, finite, [&](Random& random, const Size& size) {
     return random_triangles(random, triangles, size.width, size.height, maker, paint);
   });
 }
 
 void torture_points(const std::string& name, float largest, int points, Painter paint = random_color) {
-  torture_draws(name, Topology::Points,
+  torture_draws(name, Topology::Points, true,
                 [&](Random& random, const Size&) { return random_points(random, points, largest, paint); });
 }
 
@@ -130,13 +136,13 @@ TEST_CASE("torture: triangles with corners behind the eye") {
   torture_triangles("behind", torture::behind_the_eye);
 }
 TEST_CASE("torture: positions that are NaN or infinite") {
-  torture_triangles("non-finite positions", torture::non_finite_position);
+  torture_triangles("non-finite positions", torture::non_finite_position, 300, random_color, false);
 }
 TEST_CASE("torture: colours that are denormal, huge or between two stored values") {
   torture_triangles("odd colours", torture::large, 100, odd_color);
 }
 TEST_CASE("torture: colours that are NaN or infinite") {
-  torture_triangles("non-finite colours", torture::large, 20, non_finite_color);
+  torture_triangles("non-finite colours", torture::large, 20, non_finite_color, false);
 }
 
 TEST_CASE("torture: shared edges") {
@@ -161,7 +167,7 @@ TEST_CASE("torture: points whose colours are denormal, huge or between two store
 }
 TEST_CASE("torture: points at NaN and infinite places") {
   Match match;
-  if (!match) return;
+  if (!match || left_out(match, false)) return;
   Random random("non-finite points");
   for (const Size& size : kSizes) {
     TortureCase c = plain_case(Topology::Points, size.width, size.height);
@@ -177,7 +183,7 @@ TEST_CASE("torture: points at NaN and infinite places") {
 }
 
 TEST_CASE("torture: combinations of formats, blending, depth, culling, masks and discarding") {
-  Match match(blend_allowances());
+  Match match;
   if (!match) return;
   Random random("states");
   for (int i = 0; i < 400; ++i) {
@@ -188,7 +194,7 @@ TEST_CASE("torture: combinations of formats, blending, depth, culling, masks and
 }
 
 TEST_CASE("torture: every blend equation and factor in every format, and no allowance in vain") {
-  Match match(blend_allowances());
+  Match match;
   if (!match) return;
   Random random("blending");
   for (const Format format : kFormats)
