@@ -169,7 +169,7 @@ ImageDifference difference(const Image& a, const Image& b, const Tolerance& tole
   ImageDifference result;
   result.same_shape = a.shape == b.shape;
   if (!result.same_shape) return result;
-  const float scale = std::max(scale_of(a), scale_of(b));
+  const float scale = scale_of(a) > 0.0f ? std::max(scale_of(a), scale_of(b)) : 1.0f;
   DifferenceCounter all(tolerance);
   std::vector<DifferenceCounter> channels(static_cast<std::size_t>(a.channels()), all);
   for (int y = 0; y < a.height(); ++y) {

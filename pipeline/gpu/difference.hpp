@@ -113,7 +113,8 @@ struct ImageDifference {
   std::size_t covered = 0;  // texels of the first that are not the background
   DifferenceSums sums;      // over all texels
   // Texels of which a channel differs by more than a hundredth of the texel's largest value, and by more than
-  // a millionth of the images': something else is there, not the same with another rounding.
+  // a millionth of the images' largest (of 1 where the first is all 0): something else is there, not the same
+  // with another rounding.
   std::size_t jumps = 0;
   DifferenceSums steady;                  // over all that both cover and that do not jump
   std::size_t beyond_a_step = 0;          // values more than 1/255 apart

@@ -166,6 +166,10 @@ TEST_CASE("difference: what is dark beside the image's brightest texel does not 
   const auto jumps = [](float dark) { return difference(row({1000.0f, 0.0f}), row({1000.0f, dark})).jumps; };
   CHECK(jumps(0.9e-3f) == 0);
   CHECK(jumps(1.1e-3f) == 1);
+  // Beside black, what rounding leaves of 1 - 1.
+  CHECK(difference(row({0.0f}), row({0x1p-24f})).jumps == 0);
+  CHECK(difference(row({0.0f}), row({1e-5f})).jumps == 1);
+  CHECK(difference(row({1e-8f}), row({0.0f})).jumps == 1);
 }
 
 TEST_CASE("difference: values beyond one of 255 steps are counted") {

@@ -44,8 +44,9 @@ std::string_view name_of(DriverClass driver) {
 }
 
 std::string_view name_of(ImageKind kind) {
-  static constexpr std::string_view names[] = {"shading", "rasterized map", "flux map",    "intermediate",
-                                               "beauty",  "picture",        "random draws"};
+  static constexpr std::string_view names[] = {"shading",  "rasterized map", "samples passed",
+                                               "flux map", "intermediate",   "beauty",
+                                               "picture",  "random draws"};
   return named(names, kind);
 }
 
@@ -63,46 +64,73 @@ std::string_view name_of(Verdict verdict) {
 std::span<const ParityBound> parity_bounds() {
   using K = ImageKind;
   using M = Measure;
-  // By class:      fused, other points, unfused, hardware, contracting, 4 bits
+  // A few times the worst that was measured on the sample scenes, on emulated hardware for what is no
+  // llvmpipe (docs/parity.md). By class: fused, other points, unfused, hardware, contracting, 4 bits.
   static constexpr ParityBound bounds[] = {
-      {K::Shading, M::Jumps, {0, 0, 0, 1, 1, 1}, "m"},
-      {K::RasterizedMap, M::Jumps, {0, 0, 1, 1, 1, 1}, "m"},
-      {K::Shading, M::RelativeL1, {0, 0, 0, 2e-6, 2e-5, 2e-6}, "m"},
+      {K::Shading,
+       M::Jumps,
+       {0, 0, 0, 0.1, 0.03, 0.1},
+       "rays on an edge, which a quotient an ulp off or a contracted sum turns to its other side"},
+      {K::Shading,
+       M::RelativeL1,
+       {0, 0, 0, 1.5e-4, 1e-4, 1.5e-4},
+       "quotients and roots an ulp off, or contracted sums, most where rays graze a surface"},
       {K::RasterizedMap,
        M::Coverage,
-       {0, 0, 2e-3, 2e-3, 2e-3, 2e-2},
+       {0, 0, 2e-3, 2e-3, 2e-3, 0.1},
        "corners snapped to the sub-pixel grid from a viewport transform that rounds otherwise"},
       {K::RasterizedMap,
+       M::Jumps,
+       {0, 0, 2e-3, 2e-3, 2e-3, 0.15},
+       "edges between triangles a pixel further, and fetches on borders between texels"},
+      {K::RasterizedMap,
        M::RelativeL1,
-       {0, 0, 2e-5, 1e-5, 1e-5, 1e-3},
+       {0, 0, 4e-6, 4e-6, 4e-6, 6e-4},
        "interpolation: planes or weights with other roundings, from corners snapped otherwise"},
+      {K::Samples,
+       M::Coverage,
+       {0, 0, 2e-3, 2e-2, 2e-2, 2e-2},
+       "coverage, also of what depth hides, and holes whose borders lie between texels"},
       {K::FluxMap,
        M::RelativeL1,
-       {0, 2e-5, 2e-5, 2e-5, 2e-5, 2e-5},
-       "points' edges a texel further or nearer, where kernels end, and quotients in the shares; texel by "
-       "texel "
-       "there is no bound, for a dim one is a sum of few tails"},
+       {0, 2e-6, 2e-5, 4e-5, 4e-5, 4e-5},
+       "points a texel larger or smaller where kernels end, and quotients in the shares"},
       {K::FluxMap,
        M::TotalFlux,
-       {0, 1e-6, 1e-6, 1e-6, 1e-6, 1e-6},
-       "roundings of the sum, which favour no side"},
-      {K::Intermediate, M::RelativeL1, {0, 1e-2, 1e-2, 1e-2, 1e-2, 1e-2}, "to be measured"},
+       {0, 1e-7, 1e-6, 2e-6, 1e-6, 1.5e-5},
+       "shares that add up to 1 but for roundings; of panes, with coarse corners, also edges"},
+      {K::Intermediate,
+       M::Jumps,
+       {0, 1e-3, 0.05, 0.11, 0.05, 0.49},
+       "rays on an edge, and dim texels of light maps, which are sums of few tails"},
       {K::Beauty,
        M::RelativeL1,
-       {0, 6e-6, 6e-6, 6e-6, 5e-5, 1.5e-3},
-       "the differences of all passes added up; with coarse corners, edges that cover other pixels"},
+       {0, 6e-6, 1.5e-4, 2e-4, 2.5e-4, 1e-2},
+       "all passes added up; one of N rays that lands elsewhere takes 1/N of the light along"},
       {K::Beauty,
        M::P999,
-       {0, 2e-4, 2e-4, 2e-4, 2e-4, 2.0},
-       "what small differences become where light is focused"},
-      {K::Picture, M::RelativeL1, {0, 1, 1, 1, 1, 1}, "to be measured"},
+       {0, 2e-4, 0.02, 0.02, 0.04, 1.5},
+       "pixels that see such a ray's light or focused light; with coarse corners, edges"},
+      {K::Picture,
+       M::RelativeL1,
+       {0, 6e-6, 5e-5, 6e-5, 1e-4, 4e-3},
+       "differences of the radiance, as far as 8 bits show them"},
       {K::Picture,
        M::BeyondAStep,
-       {0, 1e-3, 1e-3, 1e-3, 1e-3, 2e-2},
-       "values near the middle between two steps, and edges"},
-      {K::RandomDraws, M::Coverage, {0, 1, 1, 1, 1, 1}, "m"},
-      {K::RandomDraws, M::Jumps, {0, 1, 1, 1, 1, 1}, "m"},
-      {K::RandomDraws, M::RelativeL1, {0, 1, 1, 1, 1, 1}, "m"},
+       {0, 1e-4, 1e-3, 1.5e-3, 2.5e-3, 0.03},
+       "pixels that see a ray's other landing; with coarse corners, edges"},
+      {K::RandomDraws,
+       M::Coverage,
+       {0, 1e-4, 1e-4, 1e-2, 1e-2, 0.1},
+       "as of rasterized maps, in shapes that are little but edges"},
+      {K::RandomDraws,
+       M::Jumps,
+       {0, 1e-4, 1e-4, 1e-2, 1e-2, 0.1},
+       "which of two overlapping shapes is nearer, and which covers an edge"},
+      {K::RandomDraws,
+       M::RelativeL1,
+       {0, 1e-6, 1e-6, 1e-4, 1e-4, 4e-3},
+       "interpolation across slivers and triangles far larger than the target"},
   };
   return bounds;
 }
@@ -115,7 +143,7 @@ double measured(Measure measure, ImageKind kind, const ImageDifference& d) {
     case Measure::Coverage:
       return share(d.coverage_mismatches, d.covered);
     case Measure::Jumps:
-      return share(d.jumps, d.covered);
+      return share(d.jumps, d.texels);
     case Measure::RelativeL1:
       return (has_edges(kind) ? d.steady : d.sums).relative();
     case Measure::TotalFlux:
@@ -166,7 +194,7 @@ bool samples_agree(std::uint64_t reference, std::uint64_t tested, DriverClass dr
   const std::uint64_t apart = reference > tested ? reference - tested : tested - reference;
   if (apart == 0) return true;
   for (const ParityBound& bound : parity_bounds()) {
-    if (bound.measure != Measure::Coverage) continue;
+    if (bound.kind != ImageKind::Samples) continue;
     const double most = bound.most[static_cast<std::size_t>(driver)];
     return most > 0.0 && static_cast<double>(apart) <= std::ceil(most * static_cast<double>(reference));
   }

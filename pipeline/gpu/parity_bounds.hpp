@@ -28,18 +28,19 @@ std::string_view name_of(DriverClass driver);
 enum class ImageKind : std::uint8_t {
   Shading,        // of a full-screen pass: each texel by itself, at the same place on all devices
   RasterizedMap,  // of triangles: coverage and interpolated values
+  Samples,        // no image: how many samples passed the depth test
   FluxMap,        // sums of what points or triangles add
   Intermediate,   // between the passes of a frame that a device draws by itself
   Beauty,         // the radiance that the picture is made from
   Picture,        // 8 bits
   RandomDraws,    // of the tests: overlapping shapes at random, where each edge decides between two colours
 };
-inline constexpr std::size_t kImageKinds = 7;
+inline constexpr std::size_t kImageKinds = 8;
 std::string_view name_of(ImageKind kind);
 
 enum class Measure : std::uint8_t {
   Coverage,     // texels that one image alone covers, of those covered; one is always allowed
-  Jumps,        // texels that hold something else (ImageDifference::jumps), of those covered; likewise
+  Jumps,        // share of texels that hold something else (ImageDifference::jumps); one is always allowed
   RelativeL1,   // sum |a - b| / sum |a|; of shading and rasterized maps where both cover and nothing jumps
   TotalFlux,    // difference of the sums, relative
   P999,         // 99.9th percentile of the relative difference of a value
@@ -80,7 +81,7 @@ struct ParityVerdict {
 ParityVerdict judge(const ImageDifference& difference, ImageKind kind, DriverClass driver,
                     std::span<const ParityBound> bounds = parity_bounds());
 
-// Likewise of samples that passed: of rasterized maps, by coverage.
+// Likewise of numbers of samples; one is always allowed where any is.
 bool samples_agree(std::uint64_t reference, std::uint64_t tested, DriverClass driver);
 
 }  // namespace caustics
