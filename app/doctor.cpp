@@ -7,7 +7,7 @@
 
 #include "app/shell/parser.hpp"
 #include "app/shell/version.hpp"
-#include "gl_backend/gl_device.hpp"
+#include "gl_backend/gl_probe.hpp"
 #include "lab/reference/tracer/rays.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/gpu/device.hpp"
@@ -47,6 +47,14 @@ std::string fused_multiply_add() {
 #endif
 }
 
+// What the first device that works makes of arithmetic and shapes, and its class.
+void describe_driver() {
+  const auto device = make_gl_device();
+  const GlFindings found = probe(*device);
+  line("gl driver class", std::string(name_of(class_of(found))));
+  for (const auto& [what, value] : rows_of(found)) line(("  " + what).c_str(), value);
+}
+
 // Every way to OpenGL that EGL offers, or why there is none.
 void describe_gl() {
   try {
@@ -55,6 +63,7 @@ void describe_gl() {
                                                   : "cannot be used: " + gl.reason;
       line(("gl backend " + std::to_string(gl.index)).c_str(), gl.platform + ": " + found);
     }
+    describe_driver();
   } catch (const Error& error) {
     line("gl backend", error.what());
   }

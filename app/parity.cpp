@@ -13,8 +13,7 @@
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
 #include "gl_backend/gl_device.hpp"
-#include "gl_backend/gl_driver.hpp"
-#include "passes/parity_allowances.hpp"
+#include "gl_backend/gl_probe.hpp"
 #include "passes/registry.hpp"
 
 namespace caustics::app {
@@ -25,7 +24,7 @@ struct ParityRequest {
   FrameRequest frame;
   std::vector<std::string> scenes;
   std::string dump;
-  bool json = false, all_samples = false;
+  bool json = false;
 };
 
 bool parse(const Arguments& arguments, ParityRequest& request) {
@@ -48,19 +47,11 @@ bool parse(const Arguments& arguments, ParityRequest& request) {
       [&](const std::string& folder) { request.dump = folder; });
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
-  request.all_samples = request.scenes.empty();
-  if (request.all_samples) request.scenes = sample_scenes();
+  if (request.scenes.empty()) request.scenes = sample_scenes();
   if (!request.dump.empty() && request.scenes.size() != 1) {
     throw Error(ExitCode::WrongUsage, "--dump takes one scene; name it");
   }
   return true;
-}
-
-// The definition's name of a planned pass's label.
-std::string pass_name(const FramePlan& plan, const std::string& label) {
-  for (const PlannedPass& pass : plan.passes)
-    if (pass.label == label) return pass.definition.name;
-  return label;
 }
 
 class ParityCommand {
@@ -69,8 +60,7 @@ class ParityCommand {
       : request_(request),
         progress_(request.json),
         gl_(make_gl_device(measuring(request.frame.backend))),
-        driver_(gl_driver_name(gl_->renderer(), gl_->version())),
-        book_(driver_, parity_allowances()) {}
+        driver_(class_of(probe(*gl_))) {}
 
   ParityReport compare(const std::string& scene, ParityDump* dump) {
     FrameRequest request = request_.frame;
@@ -89,20 +79,11 @@ class ParityCommand {
                          ": " + pass.label);
           return interruption() == ExitCode::Done;
         });
-    const auto name = [&](const std::string& label) { return pass_name(frame.plan(), label); };
-    const auto whole = [](const std::string&) { return std::string("whole frame"); };
     return {.scene = scene,
             .reference = frame.device().description(),
             .tested = gl_->description(),
-            .driver = driver_,
-            .measured = is_measured_driver(driver_),
-            .isolated = judge(parity.isolated, book_, name),
-            .whole_frame = judge(parity.whole_frame, book_, whole),
-            .counts = parity.counts};
+            .judged = judge(parity, frame.plan(), pass_registry(), driver_)};
   }
-
-  const std::string& driver() const { return driver_; }
-  std::vector<Allowance> unused() const { return book_.unused(); }
 
  private:
   BackendRequest measuring(BackendRequest request) {
@@ -116,27 +97,19 @@ class ParityCommand {
   const ParityRequest& request_;
   Progress progress_;
   std::unique_ptr<GlDevice> gl_;
-  std::string driver_;
-  AllowanceBook book_;
+  DriverClass driver_;
 };
 
 std::string verdict_line(const ParityReport& report) {
-  const std::size_t attachments = report.isolated.size() + report.whole_frame.size();
-  std::string line = one_line(report.scene) + ": ";
-  if (report.differing_values() == 0 && report.passes()) {
-    return line + std::to_string(attachments) + " comparisons of attachments, all equal to the bit";
+  const JudgedFrame& judged = report.judged;
+  const std::string line = one_line(report.scene) + ": ";
+  if (judged.differing_values() == 0 && judged.passes()) {
+    return line + std::to_string(judged.isolated.size() + judged.whole_frame.size()) +
+           " comparisons of attachments, all equal to the bit";
   }
-  line += grouped(report.differing_values()) + " values differ";
-  return line + (report.passes() ? ", all allowed" : ", more than is allowed");
-}
-
-// Allowances that the sample scenes no longer need.
-bool print_unused(const ParityCommand& command) {
-  for (const Allowance& a : command.unused()) {
-    complain("the allowance for " + a.pass + " " + a.attachment + " on " + a.driver +
-             " is no longer needed: take it out");
-  }
-  return !command.unused().empty();
+  return line + grouped(judged.differing_values()) + " values differ, " +
+         (judged.passes() ? "all within" : "BEYOND") + " the bounds of the class '" +
+         std::string(name_of(judged.driver)) + "'";
 }
 
 }  // namespace
@@ -152,21 +125,17 @@ ExitCode run_parity(const Arguments& arguments) {
   for (const std::string& scene : request.scenes) {
     const bool names_devices = !request.json && request.scenes.size() > 1 && reports.empty();
     const ParityReport report = command.compare(scene, dump ? &*dump : nullptr);
-    passes = passes && report.passes();
+    passes = passes && report.judged.passes();
     reports.push_back(parity_json(report));
     if (request.json) continue;
     if (names_devices) std::printf("software: %s; gl: %s\n", report.reference.c_str(), report.tested.c_str());
-    if (request.scenes.size() == 1 || !report.passes()) std::printf("%s\n", parity_text(report).c_str());
+    if (request.scenes.size() == 1 || !report.judged.passes())
+      std::printf("%s\n", parity_text(report).c_str());
     std::printf("%s\n", verdict_line(report).c_str());
   }
   const nlohmann::ordered_json document = {{"format", 1}, {"program", version_line()}, {"scenes", reports}};
   if (dump) dump->finish(document);
   if (request.json) std::printf("%s", json_text(document).c_str());
-  if (!is_measured_driver(command.driver())) {
-    complain("nobody has measured the driver '" + command.driver() +
-             "': its differences are shown as they are, and none is allowed");
-  }
-  if (request.all_samples && print_unused(command)) passes = false;
   return passes ? ExitCode::Done : ExitCode::AnswerIsNo;
 }
 

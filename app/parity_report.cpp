@@ -1,6 +1,5 @@
 #include "app/parity_report.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/shell/table.hpp"
@@ -11,13 +10,6 @@ namespace caustics::app {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-std::string without_light(const std::string& name) { return name.substr(0, name.find('[')); }
-
-bool any_beyond(const std::vector<JudgedAttachment>& judged) {
-  return std::any_of(judged.begin(), judged.end(),
-                     [](const JudgedAttachment& a) { return a.verdict == ParityVerdict::Beyond; });
-}
 
 std::string nan_text(const ValueDifference& all) {
   if (!all.has_nan()) return "0";
@@ -43,35 +35,40 @@ std::string first_text(const ImageDifference& d) {
 }
 
 std::string attachments_text(const std::vector<JudgedAttachment>& judged) {
-  Table table({false, false, true, true, true, true, true, true, true, false, false});
-  table.row({"pass", "attachment", "texels", "differ", "coverage", "ulp max", "99.9%", "rel. max", "99.9%",
-             "NaN", ""});
+  Table table(
+      {false, false, false, true, true, true, true, true, true, true, true, false, true, true, false});
+  table.row({"pass", "attachment", "kind", "texels", "differ", "coverage", "ulp max", "99.9%", "rel. max",
+             "99.9%", "rel. L1", "NaN", "found", "at most", ""});
   std::string firsts;
   for (const JudgedAttachment& a : judged) {
     const ImageDifference& d = a.parity.difference;
-    table.row({one_line(a.parity.pass), one_line(a.parity.attachment), grouped(d.texels),
-               grouped(d.differing_texels), grouped(d.coverage_mismatches),
-               significant(d.all.ulps.largest, 4), significant(d.all.ulps.p999, 4),
-               significant(d.all.relative.largest, 3), significant(d.all.relative.p999, 3), nan_text(d.all),
-               name_of(a.verdict)});
-    if (a.verdict == ParityVerdict::Equal) continue;
-    firsts += "  " + one_line(a.parity.pass) + " " + one_line(a.parity.attachment) +
-              (a.reason.empty() ? "" : " (" + a.reason + ")") + "\n" + first_text(d);
+    const BoundCheck* closest = a.verdict.closest();
+    table.row(
+        {one_line(a.parity.pass), one_line(a.parity.attachment), std::string(name_of(a.kind)),
+         grouped(d.texels), grouped(d.differing_texels), grouped(d.coverage_mismatches),
+         significant(d.all.ulps.largest, 4), significant(d.all.ulps.p999, 4),
+         significant(d.all.relative.largest, 3), significant(d.all.relative.p999, 3),
+         significant(d.sums.relative(), 3), nan_text(d.all),
+         closest ? std::string(name_of(closest->bound->measure)) + " " + significant(closest->found, 3) : "",
+         closest ? significant(closest->most, 3) : "", std::string(name_of(a.verdict.verdict))});
+    if (a.verdict.verdict == Verdict::Equal) continue;
+    firsts += "  " + one_line(a.parity.pass) + " " + one_line(a.parity.attachment) + " (" + a.verdict.reason +
+              ")\n" + first_text(d);
   }
   return table.text() + firsts;
 }
 
-std::string counts_text(const std::vector<PassCounts>& counts) {
+std::string counts_text(const std::vector<JudgedCounts>& judged) {
   Table table({false, true, true, true, true, false});
   table.row({"pass", "vertices", "primitives", "samples passed", "fragments", ""});
-  for (const PassCounts& c : counts) {
+  for (const auto& [c, agree] : judged) {
     const auto both = [](std::uint64_t a, std::uint64_t b) {
       return a == b ? grouped(a) : grouped(a) + " | " + grouped(b);
     };
     table.row({one_line(c.pass), both(c.reference.vertices, c.tested.vertices),
                both(c.reference.primitives, c.tested.primitives),
                c.counts_samples ? both(c.reference.samples_passed, c.tested.samples_passed) : "-",
-               both(c.reference.fragments, c.tested.fragments), c.equal() ? "equal" : "DIFFER"});
+               both(c.reference.fragments, c.tested.fragments), agree ? "agree" : "DIFFER"});
   }
   return table.text();
 }
@@ -90,12 +87,17 @@ Json attachment_json(const JudgedAttachment& a) {
                {"texels", d.texels},
                {"differing_texels", d.differing_texels},
                {"differing_values", d.all.differing},
+               {"covered_texels", d.covered},
                {"coverage_mismatches", d.coverage_mismatches},
                {"ulps", {{"max", d.all.ulps.largest}, {"p99.9", d.all.ulps.p999}}},
                {"relative", {{"max", d.all.relative.largest}, {"p99.9", d.all.relative.p999}}},
+               {"relative_l1", d.sums.relative()},
                {"nan", {{"both", d.all.nan_both}, {"software", d.all.nan_only_a}, {"gl", d.all.nan_only_b}}},
-               {"verdict", name_of(a.verdict)}};
-  if (!a.reason.empty()) json["reason"] = a.reason;
+               {"kind", name_of(a.kind)},
+               {"verdict", name_of(a.verdict.verdict)}};
+  if (!a.verdict.reason.empty()) json["reason"] = a.verdict.reason;
+  for (const BoundCheck& c : a.verdict.checks)
+    json["bounds"].push_back({{"measure", name_of(c.bound->measure)}, {"found", c.found}, {"most", c.most}});
   if (d.all.first) {
     json["first"] = {{"x", d.all.first->x},
                      {"y", d.all.first->y},
@@ -116,53 +118,13 @@ Json result_json(const PassResult& result, bool counts_samples) {
 
 }  // namespace
 
-const char* name_of(ParityVerdict verdict) {
-  switch (verdict) {
-    case ParityVerdict::Equal:
-      return "equal";
-    case ParityVerdict::Allowed:
-      return "allowed";
-    case ParityVerdict::Beyond:
-      return "DIFFERS";
-  }
-  return "?";
-}
-
-bool ParityReport::passes() const {
-  return !any_beyond(isolated) && !any_beyond(whole_frame) &&
-         std::all_of(counts.begin(), counts.end(), [](const PassCounts& c) { return c.equal(); });
-}
-
-std::size_t ParityReport::differing_values() const {
-  std::size_t sum = 0;
-  for (const auto* list : {&isolated, &whole_frame}) {
-    for (const JudgedAttachment& a : *list) sum += a.parity.difference.all.differing;
-  }
-  return sum;
-}
-
-std::vector<JudgedAttachment> judge(const std::vector<AttachmentParity>& found, AllowanceBook& book,
-                                    const std::function<std::string(const std::string& label)>& pass_name) {
-  std::vector<JudgedAttachment> judged;
-  for (const AttachmentParity& parity : found) {
-    JudgedAttachment a{parity, ParityVerdict::Equal, {}};
-    if (!parity.difference.same_shape || parity.difference.differing_texels > 0) {
-      const Allowance* allowance =
-          book.covers(pass_name(parity.pass), without_light(parity.attachment), parity.difference);
-      a.verdict = allowance ? ParityVerdict::Allowed : ParityVerdict::Beyond;
-      if (allowance) a.reason = allowance->reason;
-    }
-    judged.push_back(std::move(a));
-  }
-  return judged;
-}
-
 std::string parity_text(const ParityReport& report) {
   std::string text = one_line(report.scene) + "\n  software  " + report.reference + "\n  gl        " +
-                     report.tested + "\n\n";
-  text += "each pass on the software device's inputs\n" + attachments_text(report.isolated);
-  text += "\ncounts (software | gl)\n" + counts_text(report.counts);
-  text += "\nthe whole frame, each backend by itself\n" + attachments_text(report.whole_frame);
+                     report.tested + "\n  class     " + std::string(name_of(report.judged.driver)) + "\n\n";
+  for (const std::string& name : report.judged.missing) text += "MISSING " + one_line(name) + "\n";
+  text += "each pass on the software device's inputs\n" + attachments_text(report.judged.isolated);
+  text += "\ncounts (software | gl)\n" + counts_text(report.judged.counts);
+  text += "\nthe whole frame, each backend by itself\n" + attachments_text(report.judged.whole_frame);
   return text;
 }
 
@@ -170,19 +132,20 @@ Json parity_json(const ParityReport& report) {
   Json json = {{"scene", report.scene},
                {"software", report.reference},
                {"gl", report.tested},
-               {"driver", {{"name", report.driver}, {"measured", report.measured}}},
-               {"differing_values", report.differing_values()},
-               {"within_allowances", report.passes()},
+               {"driver_class", name_of(report.judged.driver)},
+               {"differing_values", report.judged.differing_values()},
+               {"within_bounds", report.judged.passes()},
+               {"missing", report.judged.missing},
                {"isolated", Json::array()},
                {"whole_frame", Json::array()},
                {"counts", Json::array()}};
-  for (const JudgedAttachment& a : report.isolated) json["isolated"].push_back(attachment_json(a));
-  for (const JudgedAttachment& a : report.whole_frame) {
+  for (const JudgedAttachment& a : report.judged.isolated) json["isolated"].push_back(attachment_json(a));
+  for (const JudgedAttachment& a : report.judged.whole_frame) {
     json["whole_frame"].push_back(attachment_json(a));
   }
-  for (const PassCounts& c : report.counts) {
+  for (const auto& [c, agree] : report.judged.counts) {
     json["counts"].push_back({{"pass", c.pass},
-                              {"equal", c.equal()},
+                              {"agree", agree},
                               {"software", result_json(c.reference, c.counts_samples)},
                               {"gl", result_json(c.tested, c.counts_samples)}});
   }

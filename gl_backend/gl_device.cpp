@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "gl_backend/egl_context.hpp"
 #include "gl_backend/gl_debug.hpp"
@@ -14,6 +15,7 @@
 #include "gl_backend/gl_texture.hpp"
 #include "gl_backend/gl_uniforms.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/point_rule.hpp"
 #include "pipeline/gpu/validate.hpp"
 
 namespace caustics {
@@ -31,6 +33,27 @@ bool is_software(const std::string& renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
     if (renderer.find(name) != std::string::npos) return true;
   return false;
+}
+
+// Why a driver that offers OpenGL 4.5 cannot be used all the same; empty: it can.
+std::string unusable(const std::string& renderer) {
+  const auto has = [&](const char* part) { return renderer.find(part) != std::string::npos; };
+  if (renderer.rfind("softpipe", 0) == 0)
+    return "softpipe has OpenGL 3.3 and, made to claim more, draws some passes wrong; unset GALLIUM_DRIVER, "
+           "or set it to llvmpipe";
+  if (has("llvmpipe") && has("512 bits"))
+    return "llvmpipe crashes with vectors of 512 bits; unset LP_NATIVE_VECTOR_WIDTH, or set it to 256";
+  return {};
+}
+
+GlLimits limits_of_driver(float largest_point) {
+  GlLimits limits;
+  GLfloat points[2] = {1.0f, 1.0f};
+  glGetIntegerv(GL_SUBPIXEL_BITS, &limits.subpixel_bits);
+  glGetFloatv(GL_POINT_SIZE_RANGE, points);
+  limits.smallest_point = points[0];
+  limits.largest_point = largest_point > 0.0f ? std::min(largest_point, points[1]) : points[1];
+  return limits;
 }
 
 int smallest_limit() {
@@ -57,10 +80,13 @@ class OpenGlDevice final : public GlDevice {
         renderer_(text_of(GL_RENDERER)),
         version_(text_of(GL_VERSION)),
         passed_over_(std::move(passed_over)),
+        limits_(limits_of_driver(options.largest_point)),
         compiling_(options.compiling),
         meter_(options.measure, is_software(renderer_)),
         no_vertices_(make_empty_vertex_array()),
         max_texture_size_(smallest_limit()) {
+    if (const std::string why = unusable(renderer_); !why.empty())
+      throw Error(ExitCode::BackendUnavailable, why);
     set_common_state();
     zeros_ = make_texture({Format::RGBA32F, 1, 1});
     write_texels(zeros_, Image(Format::RGBA32F, 1, 1));
@@ -76,6 +102,7 @@ class OpenGlDevice final : public GlDevice {
   std::string description() const override { return "OpenGL, " + renderer_ + ", " + platform_; }
   std::string renderer() const override { return renderer_; }
   std::string version() const override { return version_; }
+  GlLimits limits() const override { return limits_; }
   std::string passed_over() const override { return passed_over_; }
   DeviceObjects made() const override { return made_; }
   void finish() override {
@@ -176,12 +203,12 @@ class OpenGlDevice final : public GlDevice {
   PassResult checked_run(const PassRun& run, const std::string& what) {
     // All that a faultless driver can refuse comes before the queries begin.
     std::vector<const Program*> programs;
-    for (const Draw& draw : run.draws)
-      programs.push_back(&program_of(*run.definition->shader, draw.uniforms));
+    for (const Draw& draw : run.draws) programs.push_back(&program_of(*run.definition, draw.uniforms));
     const GLuint framebuffer = framebuffer_of(run);
     prepare_draws(run, programs);
     debug_.check(what);
-    PassResult result = counted(run);
+    const PassResult submitted = counted(run);
+    PassResult result = submitted;
     const bool counts =
         run.definition->count_samples && (meter_.measures() || run.counts_into != OcclusionQuery::None);
     meter_.begin();
@@ -189,12 +216,16 @@ class OpenGlDevice final : public GlDevice {
     if (counts) occlusion_.begin(run.counts_into);
     if (run.only_if != OcclusionQuery::None) occlusion_.begin_condition(run.only_if);
     for (std::size_t i = 0; i < run.draws.size(); ++i) {
-      if (i == 0 || programs[i] != programs[i - 1]) glUseProgram(programs[i]->object.id());
+      if (i == 0 || programs[i] != programs[i - 1]) use(*programs[i], run);
       draw(run, i);
     }
     occlusion_.end_condition();
     occlusion_.end();
     meter_.end(result);
+    if (as_quads(*run.definition)) {  // what the driver counts are corners of quadrilaterals
+      result.vertices = submitted.vertices;
+      result.primitives = submitted.primitives;
+    }
     if (counts && meter_.measures()) result.samples_passed = occlusion_.samples(run.counts_into).value_or(0);
     if (run.only_if != OcclusionQuery::None && meter_.measures())
       result.left_out = occlusion_.samples(run.only_if) == 0;
@@ -224,9 +255,14 @@ class OpenGlDevice final : public GlDevice {
     return found->second;
   }
 
-  Program compiled(const Shader& shader, const std::vector<int>& choices) {
+  // Are the pass's points drawn as quadrilaterals?
+  bool as_quads(const PassDefinition& definition) const {
+    return definition.topology == Topology::Points && limits_.largest_point < kLargestPointSize;
+  }
+
+  Program compiled(const Shader& shader, const std::vector<int>& choices, bool quads) {
     try {
-      return make_program(shader, choices);
+      return make_program(shader, choices, quads ? Stage::VertexOfQuads : Stage::Vertex);
     } catch (...) {
       debug_.forget("shader '" + std::string(shader.name) +
                     "'");  // the compiler's messages, which the Error repeats
@@ -235,12 +271,13 @@ class OpenGlDevice final : public GlDevice {
   }
 
   // For the choices that a draw's uniform block has made.
-  const Program& program_of(const Shader& shader, const std::vector<std::byte>& uniforms) {
-    std::pair key{&shader, choices_in(shader, uniforms)};
+  const Program& program_of(const PassDefinition& definition, const std::vector<std::byte>& uniforms) {
+    const Shader& shader = *definition.shader;
+    std::tuple key{&shader, choices_in(shader, uniforms), as_quads(definition)};
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
     if (compiling_) compiling_(shader.name);
-    Program program = compiled(shader, key.second);
+    Program program = compiled(shader, std::get<1>(key), std::get<2>(key));
     debug_.check("shader '" + std::string(shader.name) + "'");
     ++made_.programs;
     return programs_.emplace(std::move(key), std::move(program)).first->second;
@@ -268,8 +305,13 @@ class OpenGlDevice final : public GlDevice {
       if (draw.mesh == MeshId::None) continue;
       mesh_of(draw.mesh);
       Mesh& mesh = meshes_.at(draw.mesh);
-      if (mesh.arrays.count(run.definition->shader)) continue;
-      mesh.arrays.emplace(run.definition->shader, make_vertex_array(mesh, programs[i]->interface));
+      const std::pair key{run.definition->shader, as_quads(*run.definition)};
+      if (key.second && mesh.indices.id())
+        throw Error(ExitCode::InternalError,
+                    "points of an indexed mesh cannot be drawn as quadrilaterals, which "
+                    "this driver's small points need; list the vertices in order");
+      if (mesh.arrays.count(key)) continue;
+      mesh.arrays.emplace(key, make_vertex_array(mesh, programs[i]->interface, key.second));
       ++made_.vertex_layouts;
     }
     if (uniforms_.upload()) ++made_.buffers;
@@ -289,14 +331,26 @@ class OpenGlDevice final : public GlDevice {
   }
 
   void begin_targets(const PassRun& run, GLuint framebuffer) {
-    const auto drawn_into = std::find_if(run.colors.begin(), run.colors.end(),
-                                         [](TextureId id) { return id != TextureId::None; });
-    const ImageShape size = shape(drawn_into == run.colors.end() ? run.depth : *drawn_into);
+    const ImageShape size = size_of_targets(run);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.width, size.height);
     open_masks();
     clear_targets(framebuffer, run);
     set_pass_state(*run.definition);
+    if (as_quads(*run.definition)) glDisable(GL_CULL_FACE);  // points have no faces
+  }
+
+  void use(const Program& program, const PassRun& run) {
+    glUseProgram(program.object.id());
+    if (!as_quads(*run.definition)) return;
+    const ImageShape size = size_of_targets(run);
+    glUniform2f(0, static_cast<float>(size.width), static_cast<float>(size.height));  // target_size
+  }
+
+  ImageShape size_of_targets(const PassRun& run) const {
+    const auto drawn_into = std::find_if(run.colors.begin(), run.colors.end(),
+                                         [](TextureId id) { return id != TextureId::None; });
+    return shape(drawn_into == run.colors.end() ? run.depth : *drawn_into);
   }
 
   void draw(const PassRun& run, std::size_t i) {
@@ -308,15 +362,13 @@ class OpenGlDevice final : public GlDevice {
       const Texture& texture = id == TextureId::None ? zeros_ : textures_.at(id);
       glBindTextureUnit(static_cast<GLuint>(unit), texture.object.id());
     }
-    if (draw.mesh == MeshId::None) {
-      glBindVertexArray(no_vertices_.id());
-      glDrawArrays(topology, 0, std::max(0, draw.vertex_count));
-      return;
-    }
-    const Mesh& mesh = meshes_.at(draw.mesh);
-    const auto corners = static_cast<GLsizei>(mesh.corner_count());
-    glBindVertexArray(mesh.arrays.at(run.definition->shader).id());
-    if (mesh.indices.id())
+    const bool quads = as_quads(*run.definition);
+    const Mesh* mesh = draw.mesh == MeshId::None ? nullptr : &meshes_.at(draw.mesh);
+    const auto corners = mesh ? static_cast<GLsizei>(mesh->corner_count()) : std::max(0, draw.vertex_count);
+    glBindVertexArray(mesh ? mesh->arrays.at({run.definition->shader, quads}).id() : no_vertices_.id());
+    if (quads)
+      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, corners);
+    else if (mesh && mesh->indices.id())
       glDrawElements(topology, corners, GL_UNSIGNED_INT, nullptr);
     else
       glDrawArrays(topology, 0, corners);
@@ -325,6 +377,7 @@ class OpenGlDevice final : public GlDevice {
   EglContext context_;
   DebugLog debug_;
   std::string platform_, renderer_, version_, passed_over_;
+  GlLimits limits_;
   std::function<void(std::string_view)> compiling_;
   RunMeter meter_;
   OcclusionQueries occlusion_;
@@ -336,7 +389,8 @@ class OpenGlDevice final : public GlDevice {
   DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
   std::map<MeshId, Mesh> meshes_;
-  std::map<std::pair<const Shader*, std::vector<int>>, Program> programs_;
+  // By shader, choices, and whether its points are drawn as quadrilaterals.
+  std::map<std::tuple<const Shader*, std::vector<int>, bool>, Program> programs_;
   std::map<Attachments, FramebufferObject> framebuffers_;
 };
 
@@ -363,6 +417,8 @@ GlDeviceInfo describe(const EglCandidate& candidate, int index) {
     info.vendor = text_of(GL_VENDOR);
     info.renderer = text_of(GL_RENDERER);
     info.version = text_of(GL_VERSION);
+    info.reason = unusable(info.renderer);
+    if (!info.reason.empty()) info.renderer.clear();
   } catch (const Error& error) {
     info.reason = error.what();
   }
@@ -399,6 +455,7 @@ std::unique_ptr<GlDevice> make_gl_device(const GlOptions& options) {
     try {
       return std::make_unique<gl::OpenGlDevice>(candidate, options, reasons);
     } catch (const Error& error) {
+      if (reasons.find(error.what()) != std::string::npos) continue;  // said once
       if (!reasons.empty()) reasons += "; ";
       reasons += "device " + std::to_string(i) + ", " + candidate.name + ": " + error.what();
     }

@@ -3,8 +3,9 @@
 // may live in one thread.
 //
 // Differences that the contract allows: denormals are flushed by some drivers, fragments are
-// counted where the driver counts them, and a point may be no larger than the driver's limit. It
-// never multisamples, filters, makes mipmaps or converts to sRGB.
+// counted where the driver counts them. It never multisamples, filters, makes mipmaps or converts to sRGB.
+// Where the driver's points are not as large as pipeline/gpu/point_rule.hpp promises, it draws them as
+// quadrilaterals.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -29,6 +30,14 @@ struct GlOptions {
   // Called before a shader is compiled, with its name: by the first run() that needs it with the choices of
   // its uniform block. Drivers may put most of the work off until that run draws.
   std::function<void(std::string_view shader)> compiling = {};
+  // Treat the driver as one whose points are no larger than this, for tests; 0: as large as it says.
+  float largest_point = 0.0f;
+};
+
+// What the driver says of itself.
+struct GlLimits {
+  int subpixel_bits = 0;
+  float smallest_point = 0.0f, largest_point = 0.0f;  // pixels
 };
 
 // Beyond the contract, for tests and tools.
@@ -38,6 +47,7 @@ class GlDevice : public Device {
   virtual std::string renderer() const = 0;
   // GL_VERSION, e.g. "4.5 (Core Profile) Mesa 22.3.6".
   virtual std::string version() const = 0;
+  virtual GlLimits limits() const = 0;
   // What could not be used before this one was taken, and why: "device 0, EGL device 0 (/dev/dri/card0):
   // eglInitialize failed (0x3001)"; empty where it was the first choice.
   virtual std::string passed_over() const = 0;

@@ -65,11 +65,12 @@ void update_mesh(Mesh& mesh, const MeshData& data) {
   write_buffer(mesh.indices, data.indices);
 }
 
-VertexArrayObject make_vertex_array(const Mesh& mesh, const ShaderInterface& interface) {
+VertexArrayObject make_vertex_array(const Mesh& mesh, const ShaderInterface& interface, bool instanced) {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   VertexArrayObject array(id);
   glVertexArrayVertexBuffer(id, 0, mesh.vertices.id(), 0, mesh.stride);
+  if (instanced) glVertexArrayBindingDivisor(id, 0, 1);
   if (mesh.indices.id()) glVertexArrayElementBuffer(id, mesh.indices.id());
   for (std::size_t i = 0; i < interface.attributes.size(); ++i) {
     const auto location = static_cast<GLuint>(i);

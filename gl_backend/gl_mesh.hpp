@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gl_backend/gl_object.hpp"
@@ -16,8 +17,8 @@ struct Mesh {
   std::size_t vertex_count = 0;
   std::size_t index_count = 0;
   int stride = 0;  // bytes from vertex to vertex
-  // Vertex arrays by the shader that they feed.
-  std::map<const Shader*, VertexArrayObject> arrays;
+  // Vertex arrays by the shader that they feed, and whether they feed it once an instance.
+  std::map<std::pair<const Shader*, bool>, VertexArrayObject> arrays;
 
   std::size_t corner_count() const { return indices.id() ? index_count : vertex_count; }
 };
@@ -27,6 +28,7 @@ Mesh make_mesh(const MeshData& data);
 // Other contents of the same layout and size, in the same buffers; throws Error (InternalError) otherwise.
 void update_mesh(Mesh& mesh, const MeshData& data);
 // Feeds attribute i of the interface to location i; the mesh must have them all (validated before).
-VertexArrayObject make_vertex_array(const Mesh& mesh, const ShaderInterface& interface);
+// `instanced`: each vertex of the mesh feeds an instance.
+VertexArrayObject make_vertex_array(const Mesh& mesh, const ShaderInterface& interface, bool instanced);
 
 }  // namespace caustics::gl

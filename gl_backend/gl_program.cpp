@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "gl_backend/gl_text.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics::gl {
@@ -35,7 +34,7 @@ ShaderObject compile(const Shader& shader, Stage stage, std::span<const int> cho
   const std::string text = gl_text(shader, stage, choices);
   const GLchar* start = text.data();
   const GLint size = static_cast<GLint>(text.size());
-  ShaderObject object(glCreateShader(stage == Stage::Vertex ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER));
+  ShaderObject object(glCreateShader(stage == Stage::Fragment ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER));
   glShaderSource(object.id(), 1, &start, &size);
   glCompileShader(object.id());
   GLint compiled = GL_FALSE, length = 0;
@@ -44,7 +43,7 @@ ShaderObject compile(const Shader& shader, Stage stage, std::span<const int> cho
   glGetShaderiv(object.id(), GL_INFO_LOG_LENGTH, &length);
   std::vector<char> log(static_cast<std::size_t>(std::max(length, 0)) + 1);
   glGetShaderInfoLog(object.id(), length, nullptr, log.data());
-  refuse(shader, stage == Stage::Vertex ? "vertex stage" : "fragment stage", log);
+  refuse(shader, stage == Stage::Fragment ? "fragment stage" : "vertex stage", log);
 }
 
 int uniform_bytes_of(GLuint program) {
@@ -64,10 +63,10 @@ std::vector<int> choices_in(const Shader& shader, std::span<const std::byte> uni
   return values;
 }
 
-Program make_program(const Shader& shader, std::span<const int> choices) {
+Program make_program(const Shader& shader, std::span<const int> choices, Stage vertex_stage) {
   Program program{ProgramObject(glCreateProgram()), interface_of(shader)};
   const GLuint id = program.object.id();
-  const ShaderObject vertex = compile(shader, Stage::Vertex, choices);
+  const ShaderObject vertex = compile(shader, vertex_stage, choices);
   const ShaderObject fragment = compile(shader, Stage::Fragment, choices);
   glAttachShader(id, vertex.id());
   glAttachShader(id, fragment.id());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl_backend/gl_object.hpp"
+#include "gl_backend/gl_text.hpp"
 #include "pipeline/gpu/shader.hpp"
 
 namespace caustics::gl {
@@ -23,6 +24,7 @@ std::vector<int> choices_in(const Shader& shader, std::span<const std::byte> uni
 
 // Compiles and links, for these values of the choices. Throws Error (InternalError) with the shader's name,
 // the stage and the compiler's first complaint, whose line numbers count from the first line of Shader::text.
-Program make_program(const Shader& shader, std::span<const int> choices);
+// `vertex_stage`: Vertex or VertexOfQuads.
+Program make_program(const Shader& shader, std::span<const int> choices, Stage vertex_stage);
 
 }  // namespace caustics::gl

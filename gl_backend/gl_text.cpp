@@ -27,9 +27,11 @@ std::string with_choices(const Shader& shader, std::span<const int> values) {
 }  // namespace
 
 std::string gl_text(const Shader& shader, Stage stage, std::span<const int> choices) {
-  const std::string macro = stage == Stage::Vertex ? "VERTEX_STAGE" : "FRAGMENT_STAGE";
-  return precise_text("#version 450 core\n#define " + macro + " 1\n" + std::string(kPrelude) + "\n#line 1\n" +
-                      with_choices(shader, choices));
+  const bool quads = stage == Stage::VertexOfQuads;
+  std::string head = stage == Stage::Fragment ? "#define FRAGMENT_STAGE 1\n" : "#define VERTEX_STAGE 1\n";
+  if (quads) head += "#define POINT_QUADS 1\n";
+  return precise_text("#version 450 core\n" + head + std::string(kPrelude) + "\n#line 1\n" +
+                      with_choices(shader, choices) + (quads ? std::string(kPointQuads) : ""));
 }
 
 }  // namespace caustics::gl

@@ -9,10 +9,13 @@
 
 namespace caustics::gl {
 
-enum class Stage : std::uint8_t { Vertex, Fragment };
+// VertexOfQuads: of points that are drawn as quadrilaterals (point_quads.glsl).
+enum class Stage : std::uint8_t { Vertex, VertexOfQuads, Fragment };
 
 // pipeline/shader/prelude.glsl, embedded at build time.
 extern const std::string_view kPrelude;
+// point_quads.glsl, likewise.
+extern const std::string_view kPointQuads;
 
 // Version, stage, prelude and the shader's text, with every float operation marked precise
 // (precise_text.hpp), and with a value for each of its choices, in their order, in place of `u.name`; without

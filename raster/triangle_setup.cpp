@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/gpu/point_rule.hpp"
 #include "raster/clip.hpp"
 #include "raster/vertex_stage.hpp"
 
@@ -107,18 +108,11 @@ bool set_up_triangle(const WindowVertex (&v)[3], const float* provoking, const V
 bool set_up_point(const float* shaded, const Viewport& viewport, PointRecord& record) {
   if (!is_inside(shaded)) return false;
   const WindowVertex v = to_window(shaded, false, viewport);
-  const float size = shaded[4] >= 1.0f ? std::min(shaded[4], 255.0f) : 1.0f;
-  // Centre half away from zero, width as a whole number of sub-pixels (llvmpipe's scalar path).
-  const auto fixed = [](float f) {
-    const float scaled = (f - 0.5f) * kSubpixels;
-    return static_cast<std::int64_t>(scaled >= 0.0f ? scaled + 0.5f : scaled - 0.5f);
-  };
-  const std::int64_t width = std::max<std::int64_t>(256, std::lround(size * kSubpixels));
-  const std::int64_t x0 = fixed(v.x) - width / 2, y0 = fixed(v.y) - width / 2;
-  record.x_first = std::max(0, ceil_div_256(x0));
-  record.x_last = std::min(viewport.width - 1, ceil_div_256(x0 + width) - 1);
-  record.y_first = std::max(0, ceil_div_256(y0));
-  record.y_last = std::min(viewport.height - 1, ceil_div_256(y0 + width) - 1);
+  const PixelRange x = pixels_of_point(v.x, shaded[4]), y = pixels_of_point(v.y, shaded[4]);
+  record.x_first = std::max(0, x.first);
+  record.x_last = std::min(viewport.width - 1, x.last);
+  record.y_first = std::max(0, y.first);
+  record.y_last = std::min(viewport.height - 1, y.last);
   record.z = v.z;
   record.varyings = v.varyings;
   return record.x_first <= record.x_last && record.y_first <= record.y_last;

@@ -40,6 +40,9 @@ bool texel_is(const Image& image, int x, int y, const std::array<float, 4>& valu
   return true;
 }
 
+// 1/255 and half a step of rounding.
+bool beyond_a_step(float a, float b) { return std::abs(a - b) > 1.5f / 255.0f; }
+
 // The channels of one texel into the counters; true where one differs.
 bool add_texel(const Image& a, const Image& b, int x, int y, DifferenceCounter& all,
                std::vector<DifferenceCounter>& channels) {
@@ -51,6 +54,34 @@ bool add_texel(const Image& a, const Image& b, int x, int y, DifferenceCounter& 
     differs = differs || !same_value(pair.a, pair.b);
   }
   return differs;
+}
+
+// The largest finite magnitude in an image.
+float scale_of(const Image& image) {
+  float largest = 0.0f;
+  for (const float value : image.values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+// The sums of one texel, what covers it, and whether it jumps in images of this scale.
+void add_to_sums(const Image& a, const Image& b, int x, int y, const std::array<float, 4>& background,
+                 float scale, ImageDifference& result) {
+  const bool in_a = !texel_is(a, x, y, background), in_b = !texel_is(b, x, y, background);
+  result.covered += in_a;
+  result.coverage_mismatches += in_a != in_b;
+  float largest = 0.0f, apart = 0.0f;
+  for (int c = 0; c < a.channels(); ++c) {
+    const float of_a = a.at(x, y, c), of_b = b.at(x, y, c);
+    largest = std::max({largest, std::abs(of_a), std::abs(of_b)});
+    apart = std::max(apart, std::abs(of_a - of_b));
+    result.sums.add(of_a, of_b);
+    result.beyond_a_step += beyond_a_step(of_a, of_b);
+  }
+  const bool jumps = apart > 0.01f * largest && apart > 1e-6f * scale;
+  result.jumps += jumps;
+  if (jumps || !in_a || !in_b) return;
+  for (int c = 0; c < a.channels(); ++c) result.steady.add(a.at(x, y, c), b.at(x, y, c));
 }
 
 }  // namespace
@@ -121,25 +152,36 @@ ValueDifference difference(const ChannelView& a, const ChannelView& b, const Tol
   return counter.result();
 }
 
+void DifferenceSums::add(float of_a, float of_b) {
+  if (!std::isfinite(of_a) || !std::isfinite(of_b)) return;
+  const double x = of_a, y = of_b;
+  a += x;
+  b += y;
+  magnitude += std::abs(x);
+  difference += std::abs(x - y);
+}
+
+double DifferenceSums::relative() const { return difference == 0.0 ? 0.0 : difference / magnitude; }
+double DifferenceSums::relative_total() const { return a == b ? 0.0 : std::abs(a - b) / magnitude; }
+
 ImageDifference difference(const Image& a, const Image& b, const Tolerance& tolerance,
                            const std::array<float, 4>& background) {
   ImageDifference result;
   result.same_shape = a.shape == b.shape;
   if (!result.same_shape) return result;
+  const float scale = scale_of(a) > 0.0f ? std::max(scale_of(a), scale_of(b)) : 1.0f;
   DifferenceCounter all(tolerance);
   std::vector<DifferenceCounter> channels(static_cast<std::size_t>(a.channels()), all);
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
       ++result.texels;
+      add_to_sums(a, b, x, y, background, scale, result);
       if (!add_texel(a, b, x, y, all, channels)) continue;
       if (result.differing_texels++ == 0) {
         for (int c = 0; c < a.channels(); ++c) {
           result.first_a[static_cast<std::size_t>(c)] = a.at(x, y, c);
           result.first_b[static_cast<std::size_t>(c)] = b.at(x, y, c);
         }
-      }
-      if (texel_is(a, x, y, background) != texel_is(b, x, y, background)) {
-        ++result.coverage_mismatches;
       }
     }
   }

@@ -90,13 +90,34 @@ struct ChannelView {
 // Both have one size.
 ValueDifference difference(const ChannelView& a, const ChannelView& b, const Tolerance& tolerance = {});
 
+// Sums over the finite pairs of some texels.
+struct DifferenceSums {
+  double a = 0.0, b = 0.0;
+  double magnitude = 0.0;   // of |a|
+  double difference = 0.0;  // of |a - b|
+
+  void add(float of_a, float of_b);
+  // The relative L1 norm, sum |a - b| / sum |a|; 0 where nothing differs.
+  double relative() const;
+  // How far the sums themselves are apart, relative to that of |a|.
+  double relative_total() const;
+};
+
 // Two attachments of one name.
 struct ImageDifference {
   bool same_shape = false;  // format and size; where it is false, nothing else is filled in
   std::size_t texels = 0;
   std::size_t differing_texels = 0;  // at least one channel differs
-  // Exactly one of both texels equals the background: something is drawn in one image alone.
+  // Texels of which exactly one equals the background: something is drawn in one image alone.
   std::size_t coverage_mismatches = 0;
+  std::size_t covered = 0;  // texels of the first that are not the background
+  DifferenceSums sums;      // over all texels
+  // Texels of which a channel differs by more than a hundredth of the texel's largest value, and by more than
+  // a millionth of the images' largest (of 1 where the first is all 0): something else is there, not the same
+  // with another rounding.
+  std::size_t jumps = 0;
+  DifferenceSums steady;                  // over all that both cover and that do not jump
+  std::size_t beyond_a_step = 0;          // values more than 1/255 apart
   ValueDifference all;                    // over all channels together
   std::vector<ValueDifference> channels;  // each by itself
   // All channels of the first differing texel (all.first says where it is); else zeros.

@@ -142,6 +142,42 @@ TEST_CASE("difference: texels are counted once whatever number of channels diffe
   CHECK(difference(a, b, {}, {7.0f, 7.0f, 0.0f, 0.0f}).coverage_mismatches == 0);
 }
 
+TEST_CASE("difference: sums over all texels, and what is steady, covered or jumps") {
+  Image a(Format::RG32F, 4, 1), b(Format::RG32F, 4, 1);
+  a.values = {1, 3, 0, 0, 4, 4, 2, 0};
+  b.values = {1, 3.015625f, 5, 0, 4, 1, 0, 0};
+  const ImageDifference d = difference(a, b);
+  CHECK(d.covered == 3);
+  CHECK(d.coverage_mismatches == 2);
+  // The first texel is another rounding: 1/192 of 3. The others hold something else.
+  CHECK(d.jumps == 3);
+  CHECK(d.steady.magnitude == 4.0);
+  CHECK(d.steady.difference == 0.015625);
+  CHECK(d.steady.relative() == 0.015625 / 4.0);
+  CHECK(d.sums.a == 14.0);
+  CHECK(d.sums.b == 14.015625);
+  CHECK(d.sums.difference == 0.015625 + 5.0 + 3.0 + 2.0);
+  CHECK(d.sums.relative_total() == 0.015625 / 14.0);
+  CHECK(difference(a, a).sums.relative() == 0.0);
+  CHECK(std::isinf(difference(Image(Format::RG32F, 4, 1), b).sums.relative()));
+}
+
+TEST_CASE("difference: what is dark beside the image's brightest texel does not jump") {
+  const auto jumps = [](float dark) { return difference(row({1000.0f, 0.0f}), row({1000.0f, dark})).jumps; };
+  CHECK(jumps(0.9e-3f) == 0);
+  CHECK(jumps(1.1e-3f) == 1);
+  // Beside black, what rounding leaves of 1 - 1.
+  CHECK(difference(row({0.0f}), row({0x1p-24f})).jumps == 0);
+  CHECK(difference(row({0.0f}), row({1e-5f})).jumps == 1);
+  CHECK(difference(row({1e-8f}), row({0.0f})).jumps == 1);
+}
+
+TEST_CASE("difference: values beyond one of 255 steps are counted") {
+  Image a(Format::RGBA8, 1, 1), b(Format::RGBA8, 1, 1);
+  b.values = {1.0f / 255.0f, 2.0f / 255.0f, 0.0f, 1.0f};
+  CHECK(difference(a, b).beyond_a_step == 2);
+}
+
 TEST_CASE("difference: a channel of interleaved values") {
   const std::vector<float> a = {1, 9, 2, 9, 3, 9, 4, 9}, b = {1, 2, 5, 4};
   const ValueDifference d = difference(ChannelView{a.data(), 2, 2, 2}, ChannelView{b.data(), 1, 2, 2});

@@ -7,11 +7,6 @@
 
 namespace caustics {
 
-bool PassCounts::equal() const {
-  return reference.vertices == tested.vertices && reference.primitives == tested.primitives &&
-         (!counts_samples || reference.samples_passed == tested.samples_passed);
-}
-
 namespace {
 
 class Comparison {

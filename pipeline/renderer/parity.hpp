@@ -22,9 +22,6 @@ struct PassCounts {
   std::string pass;
   bool counts_samples = false;
   PassResult reference, tested;
-  // Vertices and primitives submitted, and samples passed where the pass counts them. Fragments may
-  // differ: how often a shader runs is the implementation's own affair (OpenGL 4.6, 4.2.4).
-  bool equal() const;
 };
 
 struct FrameParity {

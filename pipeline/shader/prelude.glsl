@@ -29,7 +29,12 @@
 #define VARYING_FLAT(component, T, name) flat precise out T name;
 #define OUTPUT(location, T, name)
 out gl_PerVertex { precise vec4 gl_Position; float gl_PointSize; };
+#ifdef POINT_QUADS  // a point is an instance (gl_backend/point_quads.glsl)
+#define vertex_id() gl_InstanceID
+#define main point_main
+#else
 #define vertex_id() gl_VertexID
+#endif
 #define set_position(p) gl_Position = (p)
 #define set_point_size(s) gl_PointSize = (s)
 #else

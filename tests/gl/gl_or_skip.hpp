@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "gl_backend/gl_device.hpp"
+#include "gl_backend/gl_probe.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/skip.hpp"
@@ -32,6 +32,12 @@ inline std::unique_ptr<GlDevice> gl_if_any() {
   } catch (const Error&) {
     return nullptr;
   }
+}
+
+// Of this machine's driver: every device of a test program is made by the same.
+inline DriverClass driver_class(GlDevice& device) {
+  static const DriverClass found = class_of(probe(device));
+  return found;
 }
 
 }  // namespace caustics::test

@@ -1,7 +1,8 @@
 // caustics_shader_texts FOLDER: writes what the OpenGL Device hands to the driver, <shader>.vert and
 // <shader>.frag of every registered pass and of the template, for compilers that need no driver
 // (tests/architecture/shaders.py): with its choices open, so that nothing is left out, and all 0 and all 1
-// (<shader>.0.vert ...).
+// (<shader>.0.vert ...); and the vertex stage of points that are drawn as quadrilaterals
+// (<shader>.quads.vert).
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -36,11 +37,17 @@ bool write_texts(const std::filesystem::path& folder, const Shader& shader) {
                            write_stages(folder, shader, name + ".1", std::vector<int>(choices, 1))));
 }
 
+bool write_quads(const std::filesystem::path& folder, const Shader& shader) {
+  return write_text(folder / (std::string(shader.name) + ".quads.vert"),
+                    gl::gl_text(shader, gl::Stage::VertexOfQuads));
+}
+
 bool write_all(const std::filesystem::path& folder) {
   return write_texts(folder, *copy_pass().shaders[0].shader) &&
          std::all_of(pass_registry().begin(), pass_registry().end(), [&](const Pass& pass) {
            return std::all_of(pass.shaders.begin(), pass.shaders.end(), [&](const Permutation& permutation) {
-             return write_texts(folder, *permutation.shader);
+             return write_texts(folder, *permutation.shader) &&
+                    (pass.topology != Topology::Points || write_quads(folder, *permutation.shader));
            });
          });
 }

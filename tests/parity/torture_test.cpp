@@ -1,6 +1,5 @@
-// Random draws on both devices. On the drivers of docs/parity.md not one value differs; on others
-// the differences are shown. One line repeats a test: caustics_tests "torture: slivers".
-#include "tests/parity/blend_allowances.hpp"
+// Random draws on both devices, judged by the driver's class: on llvmpipe with fused multiply-add not one
+// value differs. One line repeats a test: caustics_tests "torture: slivers".
 #include "tests/parity/match.hpp"
 #include "tests/support/catch.hpp"
 
@@ -15,10 +14,17 @@ struct Size {
 // Powers of two, where the viewport's arithmetic is exact, and others, where it is not.
 constexpr Size kSizes[] = {{256, 256}, {240, 180}, {333, 97}, {61, 512}, {1, 1}, {640, 360}};
 
+// What is not finite, or becomes so in triangles without an area, on drivers that cover or round otherwise:
+// there one side alone has it.
+void skip_unless_judged(const Match& match, bool finite) {
+  if (!finite && !match.exact()) skip("only a driver that covers the same texels can be judged");
+}
+
 // Four draws in every size; `make` gives the vertices of each.
 template <class Make>
-void torture_draws(const std::string& name, Topology topology, const Make& make) {
+void torture_draws(const std::string& name, Topology topology, bool finite, const Make& make) {
   Match match;
+  skip_unless_judged(match, finite);
   Random random(name);
   for (const Size& size : kSizes)
     for (int i = 0; i < 4; ++i) {
@@ -36,14 +42,14 @@ void torture_draws(const std::string& name, Topology topology, const Make& make)
 }
 
 void torture_triangles(const std::string& name, const TriangleMaker& maker, int triangles = 300,
-                       Painter paint = random_color) {
-  torture_draws(name, Topology::Triangles, [&](Random& random, const Size& size) {
+                       Painter paint = random_color, bool finite = true) {
+  torture_draws(name, Topology::Triangles, finite, [&](Random& random, const Size& size) {
     return random_triangles(random, triangles, size.width, size.height, maker, paint);
   });
 }
 
 void torture_points(const std::string& name, float largest, int points, Painter paint = random_color) {
-  torture_draws(name, Topology::Points,
+  torture_draws(name, Topology::Points, true,
                 [&](Random& random, const Size&) { return random_points(random, points, largest, paint); });
 }
 
@@ -117,9 +123,12 @@ TEST_CASE("torture: triangles of some pixels") { torture_triangles("medium", tor
 TEST_CASE("torture: slivers") { torture_triangles("slivers", torture::sliver, 1000); }
 TEST_CASE("torture: corners on pixel centres and borders") { torture_triangles("aligned", torture::aligned); }
 TEST_CASE("torture: degenerate triangles") {
-  torture_triangles("degenerate", [](Random& r, int w, int h, TortureVertex(&c)[3]) {
-    r.one_in(2) ? torture::degenerate(r, w, h, c) : torture::large(r, w, h, c);
-  });
+  torture_triangles(
+      "degenerate",
+      [](Random& r, int w, int h, TortureVertex(&c)[3]) {
+        r.one_in(2) ? torture::degenerate(r, w, h, c) : torture::large(r, w, h, c);
+      },
+      300, random_color, false);
 }
 TEST_CASE("torture: triangles far off the target") { torture_triangles("off-screen", torture::off_screen); }
 TEST_CASE("torture: triangles through the near and the far plane") {
@@ -129,13 +138,13 @@ TEST_CASE("torture: triangles with corners behind the eye") {
   torture_triangles("behind", torture::behind_the_eye);
 }
 TEST_CASE("torture: positions that are NaN or infinite") {
-  torture_triangles("non-finite positions", torture::non_finite_position);
+  torture_triangles("non-finite positions", torture::non_finite_position, 300, random_color, false);
 }
 TEST_CASE("torture: colours that are denormal, huge or between two stored values") {
-  torture_triangles("odd colours", torture::large, 100, odd_color);
+  torture_triangles("odd colours", torture::large, 100, odd_color, false);
 }
 TEST_CASE("torture: colours that are NaN or infinite") {
-  torture_triangles("non-finite colours", torture::large, 20, non_finite_color);
+  torture_triangles("non-finite colours", torture::large, 20, non_finite_color, false);
 }
 
 TEST_CASE("torture: shared edges") {
@@ -159,6 +168,7 @@ TEST_CASE("torture: points whose colours are denormal, huge or between two store
 }
 TEST_CASE("torture: points at NaN and infinite places") {
   Match match;
+  skip_unless_judged(match, false);
   Random random("non-finite points");
   for (const Size& size : kSizes) {
     TortureCase c = plain_case(Topology::Points, size.width, size.height);
@@ -174,7 +184,7 @@ TEST_CASE("torture: points at NaN and infinite places") {
 }
 
 TEST_CASE("torture: combinations of formats, blending, depth, culling, masks and discarding") {
-  Match match(blend_allowances());
+  Match match;
   Random random("states");
   for (int i = 0; i < 400; ++i) {
     const TortureCase c = random_state(random);
@@ -184,7 +194,7 @@ TEST_CASE("torture: combinations of formats, blending, depth, culling, masks and
 }
 
 TEST_CASE("torture: every blend equation and factor in every format, and no allowance in vain") {
-  Match match(blend_allowances());
+  Match match;
   Random random("blending");
   for (const Format format : kFormats)
     for (const BlendEquation equation : {BlendEquation::Add, BlendEquation::Min, BlendEquation::Max})
