@@ -1,5 +1,5 @@
-// Behind the vertex shader of a pass whose points are drawn as quadrilaterals: moves each of the four vertices
-// of an instance to a corner of the pixels that the point covers, by the rule of pipeline/gpu/point_rule.hpp.
+// Behind the vertex shader of a pass whose points are drawn as quadrilaterals: moves each of the four
+// vertices of an instance to a corner of the pixels that the point covers (pipeline/gpu/point_rule.hpp).
 #undef main
 layout(location = 0) uniform vec2 target_size;
 
