@@ -1,7 +1,7 @@
 # CAUSTICS_WIDTHS: the lane widths that shaders are compiled for, of CAUSTICS_ALL_WIDTHS, which stand in the
 # order of `enum class Lanes`. The scalar one is always among them: probe follows single rays with it.
-# all: what this architecture has; native: scalar and this processor's widest; plain: scalar and 4 lanes, which
-# every processor has.
+# all: what this architecture has; native: scalar and this processor's widest; plain: scalar and 4 lanes,
+# which every processor has.
 set(CAUSTICS_LANES all CACHE STRING "Lane widths to compile: all, native or plain")
 set_property(CACHE CAUSTICS_LANES PROPERTY STRINGS all native plain)
 

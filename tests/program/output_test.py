@@ -182,7 +182,7 @@ class Tools(ProgramTest):
         (self.folder / "two balls.glb").write_bytes(glb.pack(document, blob))
         lines = self.succeeds("digest", "two balls.glb").stdout.splitlines()
         for line in lines:
-            self.assertRegex(line, r"\Atwo_balls\.glb \S+ \S+ [0-9a-f]{64}\Z")
+            self.assertRegex(line, r"\Atwo%20balls\.glb \S+ \S+ [0-9a-f]{64}\Z")
         self.assertIn("[the_high_sun_", " ".join(lines))
 
     def test_probe_agrees_with_the_rendered_texel(self):
