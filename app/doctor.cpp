@@ -49,7 +49,7 @@ std::string fused_multiply_add() {
 
 // What the first device that works makes of arithmetic and shapes, and its class.
 void describe_driver() {
-  const auto device = make_gl_device();
+  const auto device = caustics::make_gl_device();
   const GlFindings found = probe(*device);
   line("gl driver class", std::string(name_of(class_of(found))));
   for (const auto& [what, value] : rows_of(found)) line(("  " + what).c_str(), value);

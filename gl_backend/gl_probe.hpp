@@ -1,7 +1,7 @@
 // The start-up probe: what a driver makes of arithmetic, interpolation, corners and points, drawn and
 // counted. It decides the driver's class, by which parity judges (pipeline/gpu/parity_bounds.hpp). Run on
 // request only, by `caustics doctor`, `caustics parity` and the tests; no frame waits for it. Two small
-// programs and six draws.
+// programs and nine draws.
 #pragma once
 #include <string>
 #include <utility>

@@ -59,7 +59,7 @@ class Match {
   void expect_all_needed() const {
     if (!exact()) return;
     for (const BlendAllowance& allowance : blend_allowances()) {
-      INFO("no longer needed");
+      INFO("no longer needed: " << allowance.name);
       CHECK(needed_.count(allowance.name) == 1);
     }
   }
