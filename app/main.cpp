@@ -74,7 +74,7 @@ HelpPage program_help() {
 std::string version_text() {
   std::string text = version_line() + "\nsoftware: " + make_software_device({})->description() + "\nOpenGL: ";
   try {
-    const auto gl = make_gl_device({});
+    const auto gl = caustics::make_gl_device();
     return text + gl->renderer() + ", " + gl->version() + "\n";
   } catch (const Error& error) {
     return text + error.what() + "\n";

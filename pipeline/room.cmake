@@ -18,5 +18,8 @@ if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST OR CAUSTI
   caustics_target_options(caustics_gltf)
   target_precompile_headers(caustics_gltf PRIVATE ${CAUSTICS_STANDARD_HEADERS})
   target_link_libraries(caustics_gltf PUBLIC caustics_pipeline
-    PRIVATE nlohmann_json::nlohmann_json $<TARGET_NAME_IF_EXISTS:caustics_image_io>)
+    PRIVATE nlohmann_json::nlohmann_json)
+  if(TARGET caustics_image_io)
+    target_link_libraries(caustics_gltf PRIVATE caustics_image_io)
+  endif()
 endif()

@@ -183,7 +183,7 @@ class Tools(ProgramTest):
         lines = self.succeeds("digest", "two balls.glb").stdout.splitlines()
         for line in lines:
             self.assertRegex(line, r"\Atwo%20balls\.glb \S+ \S+ [0-9a-f]{64}\Z")
-        self.assertIn("[the_high_sun_", " ".join(lines))
+        self.assertIn("[the%20high%20sun%20", " ".join(lines))
 
     def test_probe_agrees_with_the_rendered_texel(self):
         for texel in ("16,16", "10,20", "0,0", "31,31"):
