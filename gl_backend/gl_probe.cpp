@@ -186,8 +186,8 @@ void probe_corners(Canvas& canvas, GlFindings& found) {
   constexpr float kStep = 0.125f / kSteps;
   std::vector<ProbeVertex> corners;
   const auto centre = [](int i) {
-    return std::pair(static_cast<float>(i % (kSide / kEvery) * kEvery) + 1.5f,
-                     static_cast<float>(i / (kSide / kEvery) * kEvery) + 1.5f);
+    const int column = i % (kSide / kEvery), row = i / (kSide / kEvery);
+    return std::pair(static_cast<float>(column * kEvery) + 1.5f, static_cast<float>(row * kEvery) + 1.5f);
   };
   for (int i = 0; i < kSteps; ++i) {
     const auto [x, y] = centre(i);
