@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
+#include "gl_backend/gl_device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "raster/software_device.hpp"
 

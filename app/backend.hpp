@@ -5,11 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "app/shell/parser.hpp"
-#include "gl_backend/gl_device.hpp"
-#include "pipeline/gpu/device.hpp"
+namespace caustics {
+class Device;
+class GlDevice;
+}  // namespace caustics
 
 namespace caustics::app {
+
+class Parser;
 
 enum class Backend : std::uint8_t { Software, OpenGl };
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "app/frame_options.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/output/attachments.hpp"
 #include "app/sample_scenes.hpp"
 #include "app/shell/setting_options.hpp"

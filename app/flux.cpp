@@ -3,6 +3,7 @@
 #include "app/output/light_groups.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/measure/pixel_side.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
 

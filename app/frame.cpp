@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "app/backend.hpp"
+#include "app/frame_options.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
@@ -75,6 +78,10 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Loaded
                    .breath = stop_if_interrupted,
                    .accept = [](const PlannedFrame& frame) { check_memory(frame.plan, frame.effects); }});
 }
+
+RenderedFrame::~RenderedFrame() = default;
+
+bool RenderedFrame::moves() const { return loaded_->moves() || renderer_->has_waters(); }
 
 void RenderedFrame::move_to(double seconds) {
   if (loaded_->moves()) {

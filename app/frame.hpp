@@ -2,10 +2,13 @@
 #pragma once
 #include <memory>
 
-#include "app/loaded_scene.hpp"
 #include "pipeline/renderer/frame_renderer.hpp"
 
 namespace caustics::app {
+
+class LoadedScene;
+struct BackendRequest;
+struct FrameRequest;
 
 // What a frame occupies while it is rendered, in bytes: its textures as the software device holds
 // them, and one more of the largest, read back.
@@ -23,6 +26,9 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend);
 class RenderedFrame {
  public:
   RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded, const PlanGoal& goal);
+  RenderedFrame(const RenderedFrame&) = delete;
+  RenderedFrame& operator=(const RenderedFrame&) = delete;
+  ~RenderedFrame();
 
   // Stops after a pass when `after` says so, or on an interruption.
   std::vector<PassReport> run(const AfterPass& after = {});
@@ -30,7 +36,7 @@ class RenderedFrame {
   // images are those of a frame made for that moment alone.
   void move_to(double seconds);
 
-  bool moves() const { return loaded_->moves() || renderer_->has_waters(); }
+  bool moves() const;
   bool has(const std::string& texture) const { return renderer_->has(texture); }
   template <class NameOrIndex>
   Image read(const NameOrIndex& texture) const {
@@ -38,7 +44,7 @@ class RenderedFrame {
   }
   PassRun prepare(const PlannedPass& pass) const { return renderer_->prepare(pass); }
 
-  const Scene& scene() const { return loaded_->scene(); }
+  const Scene& scene() const { return renderer_->scene(); }
   const Effects& effects() const { return renderer_->effects(); }
   const Settings& settings() const { return renderer_->settings(); }
   const FramePlan& plan() const { return renderer_->plan(); }

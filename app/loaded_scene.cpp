@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/frame_options.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/renderer/light_pilot.hpp"

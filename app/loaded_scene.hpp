@@ -2,10 +2,12 @@
 #pragma once
 #include <memory>
 
-#include "app/frame_options.hpp"
 #include "pipeline/scene/animated_scene.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
+
+struct FrameRequest;
 
 // What a file leaves out (ground, light, camera, sky) and the automatic exposure are chosen once, from
 // the scene at 0 s with its moving meshes as large as all that they touch in the course of the

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/json.hpp"
 #include "app/output/stats.hpp"
 #include "app/paper_shots.hpp"
 #include "app/shell/atomic_file.hpp"
@@ -80,10 +80,10 @@ std::string markdown(const std::vector<Done>& done, const RenderedShots& shots) 
 }
 
 std::string json(const std::vector<Done>& done, const RenderedShots& shots) {
-  nlohmann::ordered_json document = {{"format", 1}, {"program", version_line()}};
-  document["rows"] = nlohmann::ordered_json::array();
+  Json document = {{"format", 1}, {"program", version_line()}};
+  document["rows"] = Json::array();
   for (const Done& d : done) {
-    nlohmann::ordered_json commands = nlohmann::ordered_json::array();
+    Json commands = Json::array();
     for (const Shot& shot : d.row.shots) commands.push_back(shots.command(shot.name));
     document["rows"].push_back({{"row", d.row.id},
                                 {"thing", d.row.thing},

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "app/json.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/image_planes.hpp"
 #include "app/sample_scenes.hpp"
@@ -66,7 +66,7 @@ void RenderedShots::take(const Shot& shot) {
   if (!shot.layers.empty()) arguments.insert(arguments.end(), {"-o", file(shot.name, ".exr").string()});
   run_render(arguments);
   std::ifstream in(stats);
-  stats_[shot.name] = nlohmann::ordered_json::parse(in);
+  stats_[shot.name] = Json::parse(in);
 }
 
 void RenderedShots::trace(const Shot& shot) {

@@ -1,8 +1,11 @@
 // caustics parity: do both backends draw the same? Every pass by itself, and the whole frame.
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "app/backend.hpp"
 #include "app/frame.hpp"
+#include "app/frame_options.hpp"
+#include "app/json.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/output/stats.hpp"
 #include "app/parity_dump.hpp"
 #include "app/parity_report.hpp"
@@ -120,7 +123,7 @@ ExitCode run_parity(const Arguments& arguments) {
   std::optional<ParityDump> dump;
   if (!request.dump.empty()) dump.emplace(request.dump);
   ParityCommand command(request);
-  nlohmann::ordered_json reports = nlohmann::ordered_json::array();
+  Json reports = Json::array();
   bool passes = true;
   for (const std::string& scene : request.scenes) {
     const bool names_devices = !request.json && request.scenes.size() > 1 && reports.empty();
@@ -133,7 +136,7 @@ ExitCode run_parity(const Arguments& arguments) {
       std::printf("%s\n", parity_text(report).c_str());
     std::printf("%s\n", verdict_line(report).c_str());
   }
-  const nlohmann::ordered_json document = {{"format", 1}, {"program", version_line()}, {"scenes", reports}};
+  const Json document = {{"format", 1}, {"program", version_line()}, {"scenes", reports}};
   if (dump) dump->finish(document);
   if (request.json) std::printf("%s", json_text(document).c_str());
   return passes ? ExitCode::Done : ExitCode::AnswerIsNo;

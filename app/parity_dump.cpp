@@ -1,7 +1,6 @@
 #include "app/parity_dump.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "app/json.hpp"
 #include "app/output/dump.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/stats.hpp"
@@ -35,7 +34,7 @@ void ParityDump::add(const AttachmentParity& parity, const Image& reference, con
   write_exr(folder_ / (stem + ".mask.exr"), channels_of(mask));
 }
 
-void ParityDump::finish(const nlohmann::ordered_json& report) {
+void ParityDump::finish(const Json& report) {
   write_atomically(folder_ / "manifest.json", json_text(report));
 }
 

@@ -1,13 +1,10 @@
 #include "app/parity_report.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "app/json.hpp"
 #include "app/shell/table.hpp"
 #include "app/shell/terminal.hpp"
 
 namespace caustics::app {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -51,7 +48,7 @@ std::string attachments_text(const std::vector<JudgedAttachment>& judged) {
          significant(d.sums.relative(), 3), nan_text(d.all),
          closest ? std::string(name_of(closest->bound->measure)) + " " + significant(closest->found, 3) : "",
          closest ? significant(closest->most, 3) : "", std::string(name_of(a.verdict.verdict))});
-    if (a.verdict.verdict == Verdict::Equal) continue;
+    if (a.verdict.verdict == caustics::Verdict::Equal) continue;
     firsts += "  " + one_line(a.parity.pass) + " " + one_line(a.parity.attachment) + " (" + a.verdict.reason +
               ")\n" + first_text(d);
   }

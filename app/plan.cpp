@@ -4,8 +4,11 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/frame_options.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/plan_report.hpp"
 #include "app/shell/interrupt.hpp"
+#include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
 

@@ -1,6 +1,6 @@
-#include <nlohmann/json.hpp>
-
 #include "app/expectations.hpp"
+#include "app/json.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/output/light_groups.hpp"
 #include "app/output/stats.hpp"
 #include "app/plan_report.hpp"
@@ -8,8 +8,6 @@
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics::app {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

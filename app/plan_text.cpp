@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/expectations.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/output/light_groups.hpp"
 #include "app/output/summary.hpp"
 #include "app/plan_report.hpp"

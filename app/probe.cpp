@@ -2,10 +2,14 @@
 #include <cstdio>
 
 #include "app/flux.hpp"
+#include "app/frame_options.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/output/light_groups.hpp"
 #include "app/probe_texel.hpp"
+#include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/shader/kernel.hpp"
 #include "raster/workers.hpp"
 

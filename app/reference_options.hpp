@@ -6,6 +6,7 @@
 
 #include "app/frame_options.hpp"
 #include "app/reference_shapes.hpp"
+#include "app/shell/parser.hpp"
 #include "lab/reference/tracer/tracer.hpp"
 #include "pipeline/settings/setting.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/flux.hpp"
+#include "app/json.hpp"
 #include "app/output/stats.hpp"
 #include "app/output/summary.hpp"
 #include "app/shell/terminal.hpp"
@@ -13,8 +13,6 @@
 namespace caustics::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double total(const glm::dvec3& v) { return v.x + v.y + v.z; }
 

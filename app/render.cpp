@@ -4,7 +4,9 @@
 #include <memory>
 #include <set>
 
+#include "app/frame_options.hpp"
 #include "app/frame_range.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/output/dump.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/outputs.hpp"
@@ -14,9 +16,11 @@
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/shell/on_demand.hpp"
+#include "app/shell/parser.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
+#include "pipeline/gpu/device.hpp"
 
 namespace caustics::app {
 

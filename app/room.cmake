@@ -6,9 +6,12 @@ file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
 list(FILTER app_sources EXCLUDE REGEX "_test[.]cpp$")
 add_executable(caustics_app ${app_sources})
 set_target_properties(caustics_app PROPERTIES OUTPUT_NAME caustics)
-caustics_target_options(caustics_app)
+caustics_target_options(caustics_app ONCE)
 caustics_batch(caustics_app)
-target_precompile_headers(caustics_app PRIVATE ${CAUSTICS_STANDARD_HEADERS} <nlohmann/json.hpp>)
+caustics_precompile(caustics_app caustics_app)
+# A large part of the first build, and no part of a frame.
+set_source_files_properties(app/json.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON
+  SKIP_UNITY_BUILD_INCLUSION ON)
 target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_gltf
   caustics_reference caustics_metrics caustics_study caustics_paper
   caustics_image_io nlohmann_json::nlohmann_json CLI11::CLI11)

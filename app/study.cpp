@@ -2,14 +2,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/json.hpp"
 #include "app/output/display_pair.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/stats.hpp"
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
+#include "app/shell/parser.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
@@ -23,11 +24,11 @@
 #include "lab/study/sentence.hpp"
 #include "lab/study/study_plot.hpp"
 #include "lab/study/sweep_settings.hpp"
+#include "pipeline/gpu/device.hpp"
 
 namespace caustics::app {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using namespace study;
 
 namespace {

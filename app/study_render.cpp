@@ -2,8 +2,13 @@
 
 #include <set>
 
+#include "app/frame_options.hpp"
+#include "app/loaded_scene.hpp"
+#include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
+#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/error.hpp"
 
 namespace caustics::app {
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "app/output/stats.hpp"
+#include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/settings/nearest.hpp"
 #include "pipeline/settings/setting.hpp"
 
@@ -19,7 +21,7 @@ const std::vector<Varied> kDefault = {{"grid", "64,128,256,512"},
                                       {"map", "128,256,512"},
                                       {"estimator", "paper,secant,newton,impostor"},
                                       {"splat", "point,gaussian,cell"}};
-constexpr Limits<double> kErrors{1e-6, 1000.0};  // percent
+constexpr Limits<double> kTruthErrors{1e-6, 1000.0};  // percent
 
 constexpr char kStudyPurpose[] =
     "Renders a scene with many settings, and says for each how far its caustic is from a truth\n"
@@ -66,10 +68,10 @@ void add_study_options(Parser& parser, StudyRequest& request) {
                   request.truth = request.traced.wanted || value == "finest" ? "" : value;
                 });
   parser.option("--truth-error", "P%",
-                {"of traced and exact: the relative error at which tracing ends", text_of(kErrors),
+                {"of traced and exact: the relative error at which tracing ends", text_of(kTruthErrors),
                  significant(100.0 * request.traced.error, 3) + "%"},
                 [&](const std::string& value) {
-                  request.traced.error = parse_percent("--truth-error", value, kErrors);
+                  request.traced.error = parse_percent("--truth-error", value, kTruthErrors);
                   request.says_how_long = true;
                 });
   constexpr Limits<double> kSeconds{0.0, 1e7};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/frame_options.hpp"
+#include "app/shell/parser.hpp"
 #include "app/study_trace.hpp"
 #include "lab/study/sweep.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "app/json.hpp"
 #include "app/output/stats.hpp"
 #include "app/shell/command.hpp"
 #include "app/shell/progress.hpp"
@@ -21,7 +21,7 @@ constexpr const char* kShared[] = {"emissive.lights",  "interfaces",     "wavele
                                    "reflections",      "assume_solid",   "mirror.metallic",
                                    "mirror.roughness", "glass.roughness"};
 
-std::string text_of(const nlohmann::ordered_json& value) {
+std::string text_of(const Json& value) {
   if (value.is_string()) return value;
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   return value.is_number_float() ? significant(value.get<double>(), 9) : value.dump();
@@ -39,7 +39,7 @@ Arguments reference_arguments(const FrameRequest& frame, const TracedTruth& trut
                       "--aov",
                       "caustic,caustic_error",
                       "--quiet"};
-  const nlohmann::ordered_json json = settings_json(settings);
+  const Json json = settings_json(settings);
   for (const char* key : kShared)
     if (json.contains(key))
       arguments.insert(arguments.end(), {"-D", std::string(key) + "=" + text_of(json[key])});
@@ -60,7 +60,7 @@ TracedLight trace_piece(Arguments arguments, const TracedTruth& truth, const std
   if (resume) arguments.emplace_back("--resume");
   run_reference(arguments);
   std::ifstream in(file.string() + ".json");
-  const nlohmann::ordered_json stats = nlohmann::ordered_json::parse(in);
+  const Json stats = Json::parse(in);
   TracedLight light{
       .error = stats.at("relative_error"), .batches = stats.at("batches"), .notes = stats.at("notes")};
   light.good = light.batches >= kLeastBatches && light.error <= truth.error;

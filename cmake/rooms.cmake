@@ -1,14 +1,17 @@
-# caustics_add_room(name [folder [FAST]]): a static library caustics_<name> of every source in the folder
-# (<name> where none is given), tests left out. caustics_target_options(target [FAST]): the flags that every
-# target of the project compiles with; FAST for those whose loops take a frame's time.
+# caustics_add_room(name [folder [FAST | ONCE]]): a static library caustics_<name> of every source in the
+# folder (<name> where none is given), tests left out. caustics_target_options(target [FAST | ONCE]): the flags
+# that every target of the project compiles with; FAST for those whose loops take a frame's time, ONCE for
+# what is done once a command.
 option(CAUSTICS_QUICK_BUILD
-  "Optimise less: shaders' kernels -O2, all else -O1. The same bits, 10 % slower" OFF)
+  "Optimise less: shaders' kernels -O2, all else -O1, commands not at all. The same bits, 10 % slower" OFF)
 
 function(caustics_target_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set(level -O2)
   if("FAST" IN_LIST ARGN AND NOT CAUSTICS_QUICK_BUILD)
     set(level -O3)
+  elseif(CAUSTICS_QUICK_BUILD AND "ONCE" IN_LIST ARGN)
+    set(level -O0)
   elseif(CAUSTICS_QUICK_BUILD AND NOT "FAST" IN_LIST ARGN)
     set(level -O1)
   endif()
@@ -42,5 +45,4 @@ function(caustics_add_room room)
   target_include_directories(caustics_${room} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/caustics>)
   caustics_target_options(caustics_${room} ${ARGN})
-  target_precompile_headers(caustics_${room} PRIVATE ${CAUSTICS_STANDARD_HEADERS})
 endfunction()

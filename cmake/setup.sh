@@ -23,7 +23,7 @@ give_up() {
 missing_packages() {
   command -v dpkg-query > /dev/null || return 0
   local wanted installed package stop=
-  if [[ $1 == program ]]; then stop='/^# For the tests/q'; fi
+  if [[ $1 == program ]]; then stop='/^# For the tests/,$d'; fi
   wanted="$(sed -e "$stop" -e 's/#.*//' "$root/packages.txt") ${*:2}"
   # shellcheck disable=SC2086
   installed=" $(dpkg-query -W -f '${db:Status-Status}:${Package} ' $wanted 2> /dev/null || true)"

@@ -396,7 +396,7 @@ class OpenGlDevice final : public GlDevice {
 
 constexpr const char* kInstead = "; --backend software works";
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void no_device(const std::string& why) {
   throw Error(ExitCode::BackendUnavailable, why + kInstead);
 }
 
@@ -404,7 +404,7 @@ std::vector<EglCandidate> candidates_or_error() {
   try {
     return egl_candidates();
   } catch (const Error& error) {
-    refuse("OpenGL cannot be used: " + std::string(error.what()));
+    no_device("OpenGL cannot be used: " + std::string(error.what()));
   }
 }
 
@@ -446,8 +446,8 @@ std::unique_ptr<GlDevice> make_gl_device(const GlOptions& options) {
   const std::vector<gl::EglCandidate> candidates = gl::candidates_or_error();
   const int count = static_cast<int>(candidates.size());
   if (options.device < -1 || options.device >= count)
-    gl::refuse("OpenGL device " + std::to_string(options.device) + " does not exist, the last is " +
-               std::to_string(count - 1));
+    gl::no_device("OpenGL device " + std::to_string(options.device) + " does not exist, the last is " +
+                  std::to_string(count - 1));
   std::string reasons;
   for (int i = 0; i < count; ++i) {
     if (options.device >= 0 && i != options.device) continue;
@@ -460,7 +460,7 @@ std::unique_ptr<GlDevice> make_gl_device(const GlOptions& options) {
       reasons += "device " + std::to_string(i) + ", " + candidate.name + ": " + error.what();
     }
   }
-  gl::refuse("no OpenGL 4.5 core context (" + reasons + ")");
+  gl::no_device("no OpenGL 4.5 core context (" + reasons + ")");
 }
 
 }  // namespace caustics

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gl_backend/gl_object.hpp"
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/pass_run.hpp"
 
 namespace caustics::gl {
 

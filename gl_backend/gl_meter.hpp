@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "gl_backend/gl_object.hpp"
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/pass_run.hpp"
 
 namespace caustics::gl {
 

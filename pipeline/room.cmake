@@ -16,7 +16,8 @@ if(CAUSTICS_BUILD_APP OR CAUSTICS_BUILD_TESTS OR CAUSTICS_BUILD_DIGEST OR CAUSTI
   add_library(caustics_gltf STATIC pipeline/scene/gltf/load_gltf.cpp ${gltf_sources})
   add_library(caustics::gltf ALIAS caustics_gltf)
   caustics_target_options(caustics_gltf)
-  target_precompile_headers(caustics_gltf PRIVATE ${CAUSTICS_STANDARD_HEADERS})
+  caustics_batch(caustics_gltf)
+  caustics_precompile(caustics_gltf caustics_pipeline)
   target_link_libraries(caustics_gltf PUBLIC caustics_pipeline
     PRIVATE nlohmann_json::nlohmann_json)
   if(TARGET caustics_image_io)

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/pass_run.hpp"
 #include "pipeline/shader/kernel.hpp"
 #include "raster/workers.hpp"
 

@@ -1,16 +1,14 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/compare/difference_report.hpp"
 #include "app/compare/measurement_report.hpp"
+#include "app/json.hpp"
 #include "app/output/stats.hpp"
 #include "app/shell/version.hpp"
 
 namespace caustics::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // JSON has no word for these values; a reader must not take them for a missing one.
 Json number(float value) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "app/json.hpp"
 #include "app/shell/interrupt.hpp"
 #include "pipeline/gpu/error.hpp"
 
@@ -13,8 +13,6 @@ namespace caustics::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
   throw Error(ExitCode::BadInput, path.string() + ": " + why);
 }

@@ -1,15 +1,12 @@
 #include "app/compare/measurement_report.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "app/json.hpp"
 #include "app/shell/table.hpp"
 #include "app/shell/terminal.hpp"
 
 namespace caustics::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string shown(const std::optional<double>& value) { return value ? significant(*value, 4) : "-"; }
 
@@ -96,14 +93,14 @@ std::string measurement_text(const PlanesDifference& difference, const Measureme
   return selection_text(measurement.selection) + table.text() + flip;
 }
 
-nlohmann::ordered_json metrics_json(const ImageMetrics& metrics) {
+Json metrics_json(const ImageMetrics& metrics) {
   Json json = {{"values", metrics.values}, {"non_finite", metrics.non_finite}};
   for (const NamedMetric& each : named_metrics(metrics)) json[each.name] = number(each.value);
   json["clip"] = number(metrics.clip);
   return json;
 }
 
-nlohmann::ordered_json layers_json(const Measurement& measurement) {
+Json layers_json(const Measurement& measurement) {
   Json list = Json::array();
   for (const LayerMeasure& layer : measurement.layers) {
     Json json = {{"layer", layer.layer}, {"channels", Json::array()}};
@@ -126,7 +123,7 @@ std::string bounds_line(const std::vector<BoundAnswer>& answers, const std::stri
   return "within the bounds: " + within + "\n";
 }
 
-nlohmann::ordered_json bounds_json(const std::vector<BoundAnswer>& answers) {
+Json bounds_json(const std::vector<BoundAnswer>& answers) {
   Json list = Json::array();
   for (const BoundAnswer& each : answers) {
     list.push_back({{"metric", each.bound.metric},

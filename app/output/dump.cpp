@@ -1,11 +1,12 @@
 #include "app/output/dump.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "app/json.hpp"
 #include "app/output/attachments.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/stats.hpp"
 #include "app/shell/atomic_file.hpp"
+#include "app/shell/parser.hpp"
+#include "pipeline/gpu/error.hpp"
 
 namespace caustics::app {
 
@@ -30,10 +31,9 @@ void make_dump_folder(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / "manifest.json", error);
 }
 
-Dump::Dump(const std::filesystem::path& folder)
-    : folder_(folder), manifest_(std::make_unique<nlohmann::ordered_json>()) {
+Dump::Dump(const std::filesystem::path& folder) : folder_(folder), manifest_(std::make_unique<Json>()) {
   make_dump_folder(folder);
-  (*manifest_)["attachments"] = nlohmann::ordered_json::array();
+  (*manifest_)["attachments"] = Json::array();
 }
 
 Dump::~Dump() = default;

@@ -6,7 +6,9 @@
 #include "app/output/image_file.hpp"
 #include "app/output/video_file.hpp"
 #include "app/shell/atomic_file.hpp"
+#include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/frame.hpp"
+#include "app/shell/parser.hpp"
 
 namespace caustics::app {
 

@@ -1,14 +1,13 @@
 #include "app/output/stats.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "app/json.hpp"
 #include "app/output/light_groups.hpp"
 #include "app/shell/version.hpp"
+#include "pipeline/gpu/device.hpp"
 
 namespace caustics::app {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

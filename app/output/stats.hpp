@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/flux.hpp"
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {

@@ -4,6 +4,8 @@
 
 #include "app/expectations.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/gpu/device.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
 

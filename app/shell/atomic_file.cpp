@@ -70,7 +70,7 @@ PendingFile::~PendingFile() {
 
 void PendingFile::write_all(const char* data, std::size_t size) {
   while (size > 0) {
-    const ssize_t written = write(descriptor_, data, size);
+    const ssize_t written = ::write(descriptor_, data, size);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) cannot_write(target_, last_error());
     data += written;

@@ -106,7 +106,7 @@ ChildProcess::~ChildProcess() {
 bool ChildProcess::write_all(const void* data, std::size_t size) {
   auto at = static_cast<const char*>(data);
   while (size > 0) {
-    const ssize_t written = write(input_, at, size);
+    const ssize_t written = ::write(input_, at, size);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     at += written;

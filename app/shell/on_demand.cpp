@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "app/frame_options.hpp"
+#include "app/loaded_scene.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/reference/squared.hpp"
+
 namespace caustics {
 
 namespace {
-
-double squared(double x) { return x * x; }
 
 double transmittance_at(double incidence, double n) {
   return 1.0 - fresnel(std::cos(incidence), 1.0, n).mean();

@@ -4,14 +4,13 @@
 #include <numbers>
 
 #include "lab/reference/closed_forms.hpp"
+#include "lab/reference/squared.hpp"
 
 namespace caustics {
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-double squared(double x) { return x * x; }
 
 // Simpson's rule for the mean of f(b) over the disc of impact parameters up to `largest` of a
 // sphere: with b = R sin(alpha), b db / R^2 = sin(alpha) cos(alpha) dalpha, which is smooth up to

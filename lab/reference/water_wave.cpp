@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "lab/reference/closed_forms.hpp"
+#include "lab/reference/squared.hpp"
 
 namespace caustics {
 
 namespace {
-
-double squared(double x) { return x * x; }
 
 // tan of the angle by which a vertical ray is turned where the surface leans by `incidence`.
 double bend(double incidence, double index) {

@@ -1,5 +1,7 @@
 #include "passes/beams/beams.hpp"
 
+#include "pipeline/settings/settings.hpp"
+
 namespace caustics {
 
 extern const Shader beams_shader;

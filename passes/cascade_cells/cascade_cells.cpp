@@ -2,6 +2,7 @@
 
 #include "passes/caustic_map/caustic_map.hpp"
 #include "passes/shared/caustic_map_write.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

@@ -1,6 +1,7 @@
 #include "passes/caustic_cells/caustic_cells.hpp"
 
 #include "passes/shared/caustic_map_write.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

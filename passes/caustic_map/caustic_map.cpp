@@ -1,6 +1,7 @@
 #include "passes/caustic_map/caustic_map.hpp"
 
 #include "passes/shared/caustic_map_write.hpp"
+#include "pipeline/settings/settings.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {

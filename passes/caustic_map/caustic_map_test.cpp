@@ -1,5 +1,6 @@
 #include "passes/caustic_map/caustic_map.hpp"
 
+#include "pipeline/settings/settings.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"

@@ -4,12 +4,6 @@ namespace caustics {
 
 extern const Shader haze_shader;
 
-namespace {
-
-constexpr ColorMask kColor{true, true, true, false};
-
-}  // namespace
-
 Pass haze_pass() {
   return {
       .name = "haze",
@@ -20,7 +14,7 @@ Pass haze_pass() {
       .writes = {{.name = "beauty",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .blend = kAccumulate,
-                  .mask = kColor}},
+                  .mask = kColorWithoutAlpha}},
       .shaders = {{&haze_shader}},
   };
 }

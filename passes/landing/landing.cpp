@@ -4,6 +4,7 @@
 
 #include "passes/shared/medium_uniforms.hpp"
 #include "pipeline/scene/cube_view.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

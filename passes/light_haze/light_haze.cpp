@@ -3,6 +3,7 @@
 #include "passes/shared/camera_rays.hpp"
 #include "passes/shared/light_uniforms.hpp"
 #include "passes/shared/medium_uniforms.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::std140 {
 

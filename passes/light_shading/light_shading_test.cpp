@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 

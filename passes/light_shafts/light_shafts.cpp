@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/settings/settings.hpp"
+
 namespace caustics {
 
 extern const Shader light_shafts_shader;

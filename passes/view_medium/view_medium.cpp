@@ -23,8 +23,6 @@ std140::ViewMedium view_uniforms(const PassContext& context) {
           .medium = shader_medium(*context.scene)};
 }
 
-constexpr ColorMask kColor{true, true, true, false};
-
 }  // namespace
 
 Pass view_medium_pass() {
@@ -42,7 +40,7 @@ Pass view_medium_pass() {
       .writes = {{.name = "beauty",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .blend = kMultiply,
-                  .mask = kColor},
+                  .mask = kColorWithoutAlpha},
                  {.name = "view_range",
                   .meaning = "x: depth of the first surface along the camera's axis, metres, 1e30 where "
                              "there is none; y, z: distances from the camera at which its ray enters "

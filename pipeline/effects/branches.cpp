@@ -6,6 +6,7 @@
 #include "pipeline/effects/spectrum.hpp"
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/scene/material_optics.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
@@ -29,7 +30,7 @@ void add_dispersion(const Scene& scene, const Settings& settings, Effects& effec
   if (!most) return add(false, "no refractor's index depends on the wavelength");
   const std::string what =
       quoted_name("material", most->name, static_cast<std::size_t>(most - scene.materials.data())) +
-      " has dispersion " + number_text(most->dispersion);
+      " has dispersion " + rounded_text(most->dispersion);
   if (!effects.caustics.active) return add(false, what + ", but there is no caustic");
   if (settings.wavelengths == 1) return add(false, what + ", but one wavelength was asked for");
   add(true, what + ": " + std::to_string(settings.wavelengths) +
@@ -53,7 +54,7 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
     for (const Wavelength& w :
          settings.wavelengths == 3 ? fraunhofer_lines() : spectrum(settings.wavelengths))
       branches.push_back(
-          {.name = number_text(w.nanometres, 4) + "nm", .bend = bend_of(w.nanometres), .color = w.color});
+          {.name = rounded_text(w.nanometres, 4) + "nm", .bend = bend_of(w.nanometres), .color = w.color});
   } else {
     branches.push_back({});
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "pipeline/settings/settings.hpp"
+
 namespace caustics {
 
 bool can_have_cascades(const Settings& settings) {

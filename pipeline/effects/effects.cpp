@@ -17,6 +17,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/view.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

@@ -7,9 +7,10 @@
 
 #include "pipeline/scene/scene.hpp"
 #include "pipeline/scene/view.hpp"
-#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
+
+struct Settings;
 
 // What a mesh does to light.
 enum class Role : std::uint8_t {

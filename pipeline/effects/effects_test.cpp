@@ -1,6 +1,7 @@
 #include "pipeline/effects/effects.hpp"
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace caustics;

@@ -96,7 +96,7 @@ std::string why_not_lit(const Scene& scene, const Light& light, std::size_t inde
   if (light.lambertian && cone_misses(light, mesh)) return "it lies behind the light";
   if (light.type != LightType::Directional &&
       reach_of(light, mesh).nearest > static_cast<double>(light.range))
-    return "it lies beyond the light's range of " + number_text(light.range) + " m";
+    return "it lies beyond the light's range of " + rounded_text(light.range) + " m";
   return {};
 }
 

@@ -8,14 +8,14 @@ namespace {
 
 // "0.3", or "0.3 0.2 0.1" where the channels differ.
 std::string per_channel(const glm::vec3& value) {
-  if (value.x == value.y && value.y == value.z) return number_text(value.x);
-  return number_text(value.x) + " " + number_text(value.y) + " " + number_text(value.z);
+  if (value.x == value.y && value.y == value.z) return rounded_text(value.x);
+  return rounded_text(value.x) + " " + rounded_text(value.y) + " " + rounded_text(value.z);
 }
 
 std::string description(const Medium& medium) {
   std::string text = "scattering " + per_channel(medium.scattering) + ", absorption " +
                      per_channel(medium.absorption) + " per metre";
-  if (medium.anisotropy != 0.0f) text += ", anisotropy " + number_text(medium.anisotropy);
+  if (medium.anisotropy != 0.0f) text += ", anisotropy " + rounded_text(medium.anisotropy);
   return text;
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "pipeline/settings/settings.hpp"
+
 namespace caustics {
 
-std::string number_text(double value, int digits) {
+std::string rounded_text(double value, int digits) {
   char buffer[32];
   const auto end =
       std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
@@ -46,7 +48,7 @@ InterfaceChoice interfaces_of(const Mesh& mesh, const Settings& settings) {
   }
   const double holes = 1.0 - static_cast<double>(mesh.closedness);
   if (holes <= 0.0) return {true, "closed mesh: light enters and leaves"};
-  const std::string share = " (holes of " + number_text(std::max(holes * 100.0, 0.001)) + "% of its area)";
+  const std::string share = " (holes of " + rounded_text(std::max(holes * 100.0, 0.001)) + "% of its area)";
   if (!mesh.closed()) {
     return {false, "open mesh" + share + ": one interface, as a water surface"};
   }
@@ -57,7 +59,7 @@ InterfaceChoice interfaces_of(const Mesh& mesh, const Settings& settings) {
 
 Judgement judge_glass(const Mesh& mesh, const Material& material, const std::string& name,
                       const Settings& settings) {
-  const std::string glass = name + ": transmission " + number_text(material.transmission);
+  const std::string glass = name + ": transmission " + rounded_text(material.transmission);
   if (material.ior == 0.0f) {
     return diffuse_instead(name, "ior 0 never refracts (all light is reflected)");
   }
@@ -68,14 +70,14 @@ Judgement judge_glass(const Mesh& mesh, const Material& material, const std::str
     return {{Role::ThinPane, false, glass + ", " + why}, true, false, why};
   }
   if (material.roughness > settings.glass_roughness) {
-    Judgement rough = diffuse_instead(name, "roughness " + number_text(material.roughness) + " is above " +
-                                                number_text(settings.glass_roughness) +
+    Judgement rough = diffuse_instead(name, "roughness " + rounded_text(material.roughness) + " is above " +
+                                                rounded_text(settings.glass_roughness) +
                                                 ": scatters light, throws no caustic");
     rough.rough = true;
     return rough;
   }
   const InterfaceChoice interfaces = interfaces_of(mesh, settings);
-  std::string reason = glass + ", IOR " + number_text(material.ior);
+  std::string reason = glass + ", IOR " + rounded_text(material.ior);
   if (material.ior == 1.0f) reason += " (bends nothing)";
   if (material.ior < 1.0f) reason += " (thinner than its surroundings, as a bubble)";
   if (!(material.thickness > 0.0f)) reason += ", --assume-solid";
@@ -92,8 +94,8 @@ Judgement judge(const Mesh& mesh, const Material& material, const Settings& sett
   }
   if (material.metallic >= settings.mirror_metallic && material.roughness <= settings.mirror_roughness) {
     return {{Role::Mirror, false,
-             name + ": metallic " + number_text(material.metallic) + ", roughness " +
-                 number_text(material.roughness) + ": a mirror"},
+             name + ": metallic " + rounded_text(material.metallic) + ", roughness " +
+                 rounded_text(material.roughness) + ": a mirror"},
             true,
             false,
             {}};
@@ -102,7 +104,7 @@ Judgement judge(const Mesh& mesh, const Material& material, const Settings& sett
   const float transmissive = material.transmission * (1.0f - material.metallic);
   if (transmissive >= kMostlyTransmissive) return judge_glass(mesh, material, name, settings);
   if (transmissive > 0.0f) {
-    return diffuse_instead(name, "transmission " + number_text(transmissive) +
+    return diffuse_instead(name, "transmission " + rounded_text(transmissive) +
                                      (material.metallic > 0 ? " beside the metal" : "") +
                                      " is below 0.5: more diffuse than clear");
   }

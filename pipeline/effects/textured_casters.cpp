@@ -5,6 +5,7 @@
 
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
@@ -45,7 +46,7 @@ std::string fineness(const Scene& scene, const Mesh& mesh, const TextureUse& use
   const Image& image = scene.images[static_cast<std::size_t>(use.image)];
   const double ratio = std::sqrt(texels_on(mesh, use, image)) / settings.grid;
   if (!(ratio > 1.0)) return {};
-  return "; its texels are finer than the grid, " + number_text(ratio, 3) +
+  return "; its texels are finer than the grid, " + rounded_text(ratio, 3) +
          " or more to a grid vertex each way: the caustic is a sample of theirs, and noisy (--grid makes it "
          "finer)";
 }

@@ -9,9 +9,9 @@ namespace {
 
 std::string water_text(const Water& water, std::size_t index) {
   const WaterSettings& s = water.settings;
-  return quoted_name("water", water.name, index) + " has waves of " + number_text(s.speed) + " m/s on " +
+  return quoted_name("water", water.name, index) + " has waves of " + rounded_text(s.speed) + " m/s on " +
          std::to_string(water.columns) + "x" + std::to_string(water.rows) + " cells, a plop every " +
-         number_text(s.interval) + " s; pass water_step";
+         rounded_text(s.interval) + " s; pass water_step";
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 #pragma once
 #include <utility>
 
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/pass_run.hpp"
 
 namespace caustics {
+
+class Device;
 
 // Id is TextureId or MeshId. The device must outlive it.
 template <class Id>
@@ -19,9 +21,7 @@ class Owned {
     std::swap(id_, other.id_);
     return *this;
   }
-  ~Owned() {
-    if (id_ != Id::None) device_->destroy(id_);
-  }
+  ~Owned();
 
   Id id() const { return id_; }
 

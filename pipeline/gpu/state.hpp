@@ -48,5 +48,6 @@ inline constexpr BlendState kMultiply{true, BlendEquation::Add, BlendFactor::Zer
 // Which channels a pass may write, in the order red, green, blue, alpha.
 using ColorMask = std::array<bool, 4>;
 inline constexpr ColorMask kAllChannels{true, true, true, true};
+inline constexpr ColorMask kColorWithoutAlpha{true, true, true, false};
 
 }  // namespace caustics

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics {

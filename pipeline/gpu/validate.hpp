@@ -1,8 +1,10 @@
 // Refuses a wrong definition or binding before any device sees it.
 #pragma once
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/pass_run.hpp"
 
 namespace caustics {
+
+class Device;
 
 // Throws Error (InternalError) with one line "pass 'name': what is wrong; what to do".
 // Checks: a shader is set; reads and writes have the names of the TEXTURE and OUTPUT lines in the

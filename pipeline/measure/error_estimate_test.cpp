@@ -1,5 +1,6 @@
 #include "pipeline/measure/error_estimate.hpp"
 
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 

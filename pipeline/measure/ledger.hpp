@@ -8,10 +8,11 @@
 #include "pipeline/gpu/image.hpp"
 #include "pipeline/measure/landing_images.hpp"
 #include "pipeline/scene/view.hpp"
-#include "pipeline/settings/settings.hpp"
 #include "pipeline/shader/constants.hpp"
 
 namespace caustics {
+
+struct Settings;
 
 // How a grid vertex ended; `landing`'s alpha channel holds the number.
 enum class LandingStatus : std::uint8_t {

@@ -1,6 +1,7 @@
 #include "pipeline/measure/splat_counts.hpp"
 
 #include "pipeline/settings/splat_kernel.hpp"
+#include "pipeline/shader/constants.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 

@@ -9,6 +9,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/needed_passes.hpp"
 #include "pipeline/plan/texture_memory.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
@@ -207,7 +208,7 @@ class Planner {
     }
     for (const ColorWrite& write : planned.definition.writes) {
       plan_.before.push_back({planned.label,
-                              reason + ": a step every " + number_text(1e3 * water.step) + " ms",
+                              reason + ": a step every " + rounded_text(1e3 * water.step) + " ms",
                               {water_texture(write.name, number), write.format, water.columns, water.rows}});
       plan_.textures.push_back(plan_.before.back().writes);
       planned.writes.push_back(static_cast<int>(plan_.textures.size()) - 1);

@@ -5,6 +5,7 @@
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/validate.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

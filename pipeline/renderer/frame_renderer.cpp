@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "pipeline/effects/cascades.hpp"
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/settings/settings.hpp"
 #include "pipeline/views/cascades.hpp"
 
 namespace caustics {
@@ -44,25 +46,31 @@ PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& 
 
 FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
                              FrameOptions options)
-    : scene_(scene), settings_(settings), registry_(registry), device_(device), options_(std::move(options)) {
-  const Effects effects = effects_of(scene_, settings_);
+    : scene_(scene),
+      settings_(std::make_unique<Settings>(settings)),
+      registry_(registry),
+      device_(device),
+      options_(std::move(options)) {
+  const Effects effects = effects_of(scene_, *settings_);
   on_device_ = std::make_unique<SceneOnDevice>(scene_, effects, device_);
   if (options_.pilot) on_pilot_ = std::make_unique<SceneOnDevice>(scene_, effects, *options_.pilot);
-  pilot_ = std::make_unique<LightPilot>(on_pilot_ ? *on_pilot_ : *on_device_, settings_, registry_);
-  inputs_.settings = &settings_;
+  pilot_ = std::make_unique<LightPilot>(on_pilot_ ? *on_pilot_ : *on_device_, *settings_, registry_);
+  inputs_.settings = settings_.get();
   inputs_.effects = &frame_.effects;
   inputs_.views = &frame_.views;
-  inputs_.exposure = options_.exposure.value_or(exposure_of(scene_, settings_));
+  inputs_.exposure = options_.exposure.value_or(exposure_of(scene_, *settings_));
   judge_and_plan();
   if (effects.water_waves.active) water_ = std::make_unique<MovingWater>(scene_, device_, registry_);
   make_targets();
   show_waters(options_.seconds);
 }
 
+FrameRenderer::~FrameRenderer() = default;
+
 void FrameRenderer::judge_and_plan() {
   if (options_.breath) options_.breath();
-  const std::optional<View> camera = camera_view(scene_, options_.camera, settings_);
-  frame_ = planned(scene_, settings_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
+  const std::optional<View> camera = camera_view(scene_, options_.camera, *settings_);
+  frame_ = planned(scene_, *settings_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
                    options_.breath);
   inputs_.camera = camera.value_or(View{});
   if (options_.breath) options_.breath();

@@ -44,6 +44,7 @@ class FrameRenderer {
                 FrameOptions options = {});
   FrameRenderer(const FrameRenderer&) = delete;
   FrameRenderer& operator=(const FrameRenderer&) = delete;
+  ~FrameRenderer();
 
   // Draws the frame. Moving water's steps come first in the reports.
   std::vector<PassReport> run(const AfterPass& after = {});
@@ -64,7 +65,7 @@ class FrameRenderer {
   PassRun prepare(const PlannedPass& pass) const;
 
   const Scene& scene() const { return scene_; }
-  const Settings& settings() const { return settings_; }
+  const Settings& settings() const { return *settings_; }
   const Effects& effects() const { return frame_.effects; }
   const FramePlan& plan() const { return frame_.plan; }
   const std::vector<LightViews>& views() const { return frame_.views; }
@@ -78,7 +79,7 @@ class FrameRenderer {
   void make_targets();
 
   Scene& scene_;
-  Settings settings_;
+  std::unique_ptr<const Settings> settings_;
   const Registry& registry_;
   Device& device_;
   FrameOptions options_;

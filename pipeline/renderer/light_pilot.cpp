@@ -7,11 +7,13 @@
 
 #include "pipeline/effects/backdrop.hpp"
 #include "pipeline/effects/cascades.hpp"
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/renderer/run_plan.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/settings/settings.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
 #include "pipeline/views/all_around.hpp"
 #include "pipeline/views/cascades.hpp"

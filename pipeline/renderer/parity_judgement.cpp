@@ -7,7 +7,7 @@ namespace caustics {
 
 namespace {
 
-bool beyond(const JudgedAttachment& a) { return a.verdict.verdict == Verdict::Beyond; }
+bool beyond_its_bound(const JudgedAttachment& a) { return a.verdict.verdict == Verdict::Beyond; }
 
 const PlannedTexture& texture_of(const FramePlan& plan, int index) {
   return plan.textures[static_cast<std::size_t>(index)];
@@ -80,8 +80,8 @@ class Judge {
 }  // namespace
 
 bool JudgedFrame::passes() const {
-  return missing.empty() && std::none_of(isolated.begin(), isolated.end(), beyond) &&
-         std::none_of(whole_frame.begin(), whole_frame.end(), beyond) &&
+  return missing.empty() && std::none_of(isolated.begin(), isolated.end(), beyond_its_bound) &&
+         std::none_of(whole_frame.begin(), whole_frame.end(), beyond_its_bound) &&
          std::all_of(counts.begin(), counts.end(), [](const JudgedCounts& c) { return c.agree; });
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/renderer/run_pass.hpp"
 
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/owned.hpp"
 
 namespace caustics {

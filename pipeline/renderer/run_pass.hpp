@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/pass_run.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
+
+class Device;
 
 // What a pass wrote, by attachment name.
 struct PassImages {

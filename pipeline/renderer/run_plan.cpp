@@ -1,7 +1,9 @@
 #include "pipeline/renderer/run_plan.hpp"
 
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/cube_view.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/material_optics.hpp"

@@ -1,5 +1,6 @@
 #include "pipeline/renderer/water_simulation.hpp"
 
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics {

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/pass.hpp"
 

@@ -33,7 +33,7 @@ Value value_at(const Keyframes& keys, std::size_t slot) {
 }
 
 Value key_value(const Keyframes& keys, std::size_t key) {
-  const bool spline = keys.interpolation == Interpolation::CubicSpline;
+  const bool spline = keys.interpolation == KeyframeInterpolation::CubicSpline;
   Value value = value_at(keys, spline ? 3 * key + 1 : key);
   if (keys.rotation && !make_unit(value.data())) value = {0.0, 0.0, 0.0, 1.0};
   return value;
@@ -88,12 +88,12 @@ std::vector<double> Keyframes::at(double seconds) const {
                                      [](double t, float key) { return t < static_cast<double>(key); });
   if (next == times.begin()) return key_value(*this, 0);
   const auto key = static_cast<std::size_t>(next - times.begin()) - 1;
-  if (next == times.end() || interpolation == Interpolation::Step) return key_value(*this, key);
+  if (next == times.end() || interpolation == KeyframeInterpolation::Step) return key_value(*this, key);
   const double start = static_cast<double>(times[key]);
   const double length = static_cast<double>(times[key + 1]) - start;
   const double share = (seconds - start) / length;
-  return interpolation == Interpolation::Linear ? linear(*this, key, share)
-                                                : spline(*this, key, share, length);
+  return interpolation == KeyframeInterpolation::Linear ? linear(*this, key, share)
+                                                        : spline(*this, key, share, length);
 }
 
 }  // namespace caustics

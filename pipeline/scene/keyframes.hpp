@@ -7,10 +7,10 @@
 
 namespace caustics {
 
-enum class Interpolation : std::uint8_t { Step, Linear, CubicSpline };
+enum class KeyframeInterpolation : std::uint8_t { Step, Linear, CubicSpline };
 
 struct Keyframes {
-  Interpolation interpolation = Interpolation::Linear;
+  KeyframeInterpolation interpolation = KeyframeInterpolation::Linear;
   bool rotation = false;     // four components that are a unit quaternion (x, y, z, w)
   std::size_t width = 1;     // components of a value
   std::vector<float> times;  // seconds, strictly increasing, at least one

@@ -8,21 +8,21 @@ namespace caustics {
 
 namespace {
 
-using Corners = std::array<glm::dvec3, 8>;
+using BoxCorners = std::array<glm::dvec3, 8>;
 
 // Share of the part's distance that rounding may hide.
 constexpr double kSlack = 1e-6;
 
 template <class At>
-Corners corners(const At& at) {
-  Corners result;
+BoxCorners corners(const At& at) {
+  BoxCorners result;
   for (int i = 0; i < 8; ++i) result[static_cast<std::size_t>(i)] = at(i & 1, i >> 1 & 1, i >> 2 & 1);
   return result;
 }
 
 // What a view sees is an intersection of half-spaces, a part the convex hull of its corners.
-bool may_see(const View& view, const Corners& part) {
-  Corners q;
+bool may_see(const View& view, const BoxCorners& part) {
+  BoxCorners q;
   double size = 0.0;
   for (std::size_t i = 0; i < part.size(); ++i) {
     q[i] = view.coordinates(part[i]);

@@ -7,6 +7,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/nearest.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/settings/settings.hpp"
-
 namespace caustics {
+
+struct Settings;
 
 struct Setting {
   enum class Kind : std::uint8_t { Count, Real, Choice, YesNo, Text };

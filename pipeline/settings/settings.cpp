@@ -13,7 +13,6 @@ namespace {
 using Part = Setting::Part;
 using Range = Setting::Range;
 using S = Settings;
-using enum Setting::Part;
 
 // A value and what the command line calls it.
 template <class T>
@@ -136,59 +135,64 @@ constexpr Setting text(std::string_view name, Part part, std::string_view takes,
 }
 
 constexpr Setting kTable[] = {
-    number<&S::width>("width", View, {1, 16384, "pixels"}, "width of the picture"),
-    number<&S::height>("height", View, {1, 16384, "pixels"}, "height of the picture"),
-    number<&S::grid>("grid", Maps, {1, 8192}, "grid vertices a side: rays from the light"),
-    number<&S::map>("map", Maps, {1, 8192, "texels"}, "side of the caustic map and of the receiver map"),
-    number<&S::shadow>("shadow", Maps, {1, 8192, "texels"}, "side of the shadow map"),
-    number<&S::light_samples>("light.samples", Maps, {1, 256},
+    number<&S::width>("width", Part::View, {1, 16384, "pixels"}, "width of the picture"),
+    number<&S::height>("height", Part::View, {1, 16384, "pixels"}, "height of the picture"),
+    number<&S::grid>("grid", Part::Maps, {1, 8192}, "grid vertices a side: rays from the light"),
+    number<&S::map>("map", Part::Maps, {1, 8192, "texels"},
+                    "side of the caustic map and of the receiver map"),
+    number<&S::shadow>("shadow", Part::Maps, {1, 8192, "texels"}, "side of the shadow map"),
+    number<&S::light_samples>("light.samples", Part::Maps, {1, 256},
                               "points by which a light with a size is drawn"),
-    choice<&S::emissive_lights, kOffOn>("emissive.lights", Light, "meshes that shine light the scene"),
-    number<&S::shafts>("shafts", Maps, {1, 1024},
+    choice<&S::emissive_lights, kOffOn>("emissive.lights", Part::Light, "meshes that shine light the scene"),
+    number<&S::shafts>("shafts", Part::Maps, {1, 1024},
                        "beams a side by which light shafts are drawn; no more than the grid has vertices"),
-    number<&S::medium_steps>("medium.steps", Maps, {1, 1024}, "steps of each camera ray through a medium"),
-    number<&S::iterations>("iterations", Maps, {1, 1000}, "steps of the estimator at each surface"),
-    choice<&S::estimator, kEstimators>("estimator", Maps, "what finds where a ray lands"),
+    number<&S::medium_steps>("medium.steps", Part::Maps, {1, 1024},
+                             "steps of each camera ray through a medium"),
+    number<&S::iterations>("iterations", Part::Maps, {1, 1000}, "steps of the estimator at each surface"),
+    choice<&S::estimator, kEstimators>("estimator", Part::Maps, "what finds where a ray lands"),
     choice<&S::thickness, kThicknesses>(
-        "thickness", Maps,
+        "thickness", Part::Maps,
         "what tells a ray's way inside a solid caster: the map of its back, or "
         "Wyman's (2005) mean of two thicknesses"),
-    choice<&S::splat, kSplats>("splat", Maps,
+    choice<&S::splat, kSplats>("splat", Part::Maps,
                                "how landings become light in the map: one by one, or as cells of four"),
-    number<&S::gaussian_sigma>("splat.sigma", Maps, {0.1, 4.0, "texels"},
+    number<&S::gaussian_sigma>("splat.sigma", Part::Maps, {0.1, 4.0, "texels"},
                                "standard deviation of the Gaussian, and of what cells leave to splats"),
     choice<&S::interfaces, kInterfaces>(
-        "interfaces", Light, "surfaces that bend light; auto: 2 where the mesh encloses a volume, else 1"),
-    choice<&S::weights, kWeights>("weights", Maps, "flux of a ray: physical, or the paper's equation 6"),
+        "interfaces", Part::Light,
+        "surfaces that bend light; auto: 2 where the mesh encloses a volume, else 1"),
+    choice<&S::weights, kWeights>("weights", Part::Maps,
+                                  "flux of a ray: physical, or the paper's equation 6"),
     number<&S::wavelengths>(
-        "wavelengths", Light, {.least = 8, .most = 64, .also = {1, 3}},
+        "wavelengths", Part::Light, {.least = 8, .most = 64, .also = {1, 3}},
         "samples of the spectrum where glass disperses (KHR_materials_dispersion): 1 bends "
         "all colours alike, 3 are red, green and blue at the C, d and F lines, 8 and more "
         "have the colours of the CIE 1931 observer"),
-    choice<&S::reflections, kNoYes>("reflections", Light,
+    choice<&S::reflections, kNoYes>("reflections", Part::Light,
                                     "light that glass and water mirror throws caustics too"),
-    choice<&S::shared_views, kViews>("views", Maps,
+    choice<&S::shared_views, kViews>("views", Part::Maps,
                                      "the light's views: fitted to each map, or all that of the caster map"),
-    choice<&S::cube, kCubes>("cube", Maps,
+    choice<&S::cube, kCubes>("cube", Part::Maps,
                              "which lights see all around, by a cube's six faces: those among their casters, "
                              "all that have a position, or none"),
-    choice<&S::cascades, kAutoOff>("cascades", Maps,
+    choice<&S::cascades, kAutoOff>("cascades", Part::Maps,
                                    "a finer second map for a caustic that is small in its map"),
     choice<&S::pixel_means, kAutoOff>(
-        "pixel_means", Maps, "the mean of a caustic over each pixel that is wider than the map's texels"),
-    choice<&S::hidden_receivers, kAutoOff>("hidden_receivers", Maps,
+        "pixel_means", Part::Maps,
+        "the mean of a caustic over each pixel that is wider than the map's texels"),
+    choice<&S::hidden_receivers, kAutoOff>("hidden_receivers", Part::Maps,
                                            "caustics on receivers that other receivers hide from the light"),
-    number<&S::outside_share>("outside_share", Maps, {0.0, 0.5},
+    number<&S::outside_share>("outside_share", Part::Maps, {0.0, 0.5},
                               "share of the landed flux that may fall outside the fitted caustic map"),
-    choice<&S::assume_solid, kNoYes>("assume_solid", Light,
+    choice<&S::assume_solid, kNoYes>("assume_solid", Part::Light,
                                      "glass without KHR_materials_volume is solid instead of a thin wall"),
-    optional_number<&S::exposure>("exposure", Picture, {-40, 40, "EV"},
+    optional_number<&S::exposure>("exposure", Part::Picture, {-40, 40, "EV"},
                                   "brightness of PNG pictures beside the automatic one"),
-    text<&S::camera>("camera", View, "a name or a number", "the first", "a camera of the scene"),
-    number<&S::mirror_metallic>("mirror.metallic", Light, {0, 1},
+    text<&S::camera>("camera", Part::View, "a name or a number", "the first", "a camera of the scene"),
+    number<&S::mirror_metallic>("mirror.metallic", Part::Light, {0, 1},
                                 "metal is a mirror where it is at least so metallic"),
-    number<&S::mirror_roughness>("mirror.roughness", Light, {0, 1}, "rougher metal is no mirror"),
-    number<&S::glass_roughness>("glass.roughness", Light, {0, 1}, "rougher glass throws no caustic"),
+    number<&S::mirror_roughness>("mirror.roughness", Part::Light, {0, 1}, "rougher metal is no mirror"),
+    number<&S::glass_roughness>("glass.roughness", Part::Light, {0, 1}, "rougher glass throws no caustic"),
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/settings/settings.hpp"
+
 namespace caustics {
 
 namespace {

@@ -1,8 +1,9 @@
 // The kernel by which one landing is spread over the caustic map.
 #pragma once
-#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
+
+struct Settings;
 
 // Lengths in texels. A Gaussian of standard deviation sigma is cut at `radius` = 3 sigma along each
 // axis and divided by the mass inside, so that a splat that lies wholly in the map deposits exactly

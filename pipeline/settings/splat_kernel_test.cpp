@@ -1,5 +1,6 @@
 #include "pipeline/settings/splat_kernel.hpp"
 
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace caustics;

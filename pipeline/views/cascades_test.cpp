@@ -1,5 +1,6 @@
 #include "pipeline/views/cascades.hpp"
 
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace caustics;

@@ -10,7 +10,7 @@ using namespace caustics;
 
 namespace {
 
-Keyframes scalar(Interpolation interpolation, std::vector<float> times, std::vector<float> values) {
+Keyframes scalar(KeyframeInterpolation interpolation, std::vector<float> times, std::vector<float> values) {
   return {.interpolation = interpolation, .width = 1, .times = std::move(times), .values = std::move(values)};
 }
 
@@ -19,7 +19,7 @@ double at(const Keyframes& keys, double seconds) { return keys.at(seconds)[0]; }
 constexpr double kSin15 = 0.25881904510252074, kCos15 = 0.96592582628906831;
 
 // From no turn to a quarter turn about y in two seconds; `sign` chooses one of its two quaternions.
-Keyframes quarter_turn(Interpolation interpolation, float sign) {
+Keyframes quarter_turn(KeyframeInterpolation interpolation, float sign) {
   const float half = std::sqrt(0.5f);
   return {.interpolation = interpolation,
           .rotation = true,
@@ -31,7 +31,7 @@ Keyframes quarter_turn(Interpolation interpolation, float sign) {
 }  // namespace
 
 TEST_CASE("Stepped keyframes hold a value until the next moment") {
-  const Keyframes keys = scalar(Interpolation::Step, {1, 2, 4}, {10, 20, 30});
+  const Keyframes keys = scalar(KeyframeInterpolation::Step, {1, 2, 4}, {10, 20, 30});
   CHECK(at(keys, 0.0) == 10);
   CHECK(at(keys, 1.0) == 10);
   CHECK(at(keys, 1.9999) == 10);
@@ -42,7 +42,7 @@ TEST_CASE("Stepped keyframes hold a value until the next moment") {
 }
 
 TEST_CASE("Linear keyframes go straight from value to value and stay before and after") {
-  const Keyframes keys = scalar(Interpolation::Linear, {1, 2, 4}, {10, 20, -20});
+  const Keyframes keys = scalar(KeyframeInterpolation::Linear, {1, 2, 4}, {10, 20, -20});
   CHECK(at(keys, 0.5) == 10);
   CHECK(at(keys, 1.25) == 12.5);
   CHECK(at(keys, 2.0) == 20);
@@ -53,7 +53,7 @@ TEST_CASE("Linear keyframes go straight from value to value and stay before and 
 
 TEST_CASE("A cubic spline meets its values and uses tangents per second") {
   // In-tangent, value, out-tangent. Half way: 1/2 * 1 + 2 s * 1/8 * 2 + 1/2 * 5 - 2 s * 1/8 * (-1).
-  const Keyframes keys = scalar(Interpolation::CubicSpline, {1, 3}, {99, 1, 2, -1, 5, 99});
+  const Keyframes keys = scalar(KeyframeInterpolation::CubicSpline, {1, 3}, {99, 1, 2, -1, 5, 99});
   CHECK(at(keys, 0.0) == 1);
   CHECK(at(keys, 1.0) == 1);
   CHECK(at(keys, 2.0) == 3.75);
@@ -65,13 +65,13 @@ TEST_CASE("A cubic spline meets its values and uses tangents per second") {
 
 TEST_CASE("Rotations turn at an even pace along the shorter way") {
   for (const float sign : {1.0f, -1.0f}) {
-    const std::vector<double> third = quarter_turn(Interpolation::Linear, sign).at(2.0 / 3);
+    const std::vector<double> third = quarter_turn(KeyframeInterpolation::Linear, sign).at(2.0 / 3);
     CHECK(third[0] == 0);
     CHECK(third[1] == Approx(kSin15).epsilon(1e-7));
     CHECK(third[2] == 0);
     CHECK(third[3] == Approx(kCos15).epsilon(1e-7));
   }
-  const std::vector<double> stepped = quarter_turn(Interpolation::Step, 1.0f).at(1.9);
+  const std::vector<double> stepped = quarter_turn(KeyframeInterpolation::Step, 1.0f).at(1.9);
   CHECK(stepped == std::vector<double>{0, 0, 0, 1});
 }
 
@@ -94,14 +94,14 @@ TEST_CASE("A spherical interpolation agrees with its definition") {
 }
 
 TEST_CASE("Rotations that are no unit quaternions give one all the same") {
-  Keyframes keys = quarter_turn(Interpolation::Linear, 1.0f);
+  Keyframes keys = quarter_turn(KeyframeInterpolation::Linear, 1.0f);
   keys.values = {0, 0, 0, 5, 0, 0, 0, 0};
   for (const double seconds : {0.0, 1.0, 2.0}) {
     const std::vector<double> q = keys.at(seconds);
     CHECK(q == std::vector<double>{0, 0, 0, 1});
   }
   // A spline through opposite quaternions passes zero half way.
-  keys.interpolation = Interpolation::CubicSpline;
+  keys.interpolation = KeyframeInterpolation::CubicSpline;
   keys.values = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0};
   CHECK(keys.at(1.0) == std::vector<double>{0, 0, 0, 1});
 }

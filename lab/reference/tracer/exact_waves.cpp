@@ -10,7 +10,7 @@ namespace caustics::tracer {
 
 namespace {
 
-constexpr double kThousandth = 1e-3;
+constexpr double kTolerance = 1e-3;
 // More turns of one wave across the rectangle are no water, and would take for ever.
 constexpr double kMostRadians = 1e5;
 constexpr int kMostSteps = 1'000'000;
@@ -163,7 +163,7 @@ ExactWaves waves_of(const Mesh& mesh, const HeightField& field) {
   const double rounding =
       4e-7 * (size.x + size.y + std::fabs(field.level) + exact::length(waves.to_field * field.origin));
   for (const glm::dvec3& p : points)
-    if (!(std::fabs(p.y - waves.height({p.x, p.z})) <= kThousandth * waves.reach() + rounding))
+    if (!(std::fabs(p.y - waves.height({p.x, p.z})) <= kTolerance * waves.reach() + rounding))
       refuse(mesh, "its vertices must lie on them to a thousandth of their height");
   double covered = 0.0, upward = 0.0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -173,8 +173,8 @@ ExactWaves waves_of(const Mesh& mesh, const HeightField& field) {
     covered += std::fabs(up);
     upward += up;
   }
-  if (!(std::fabs(covered - size.x * size.y) <= kThousandth * size.x * size.y) ||
-      !(std::fabs(upward) >= (1.0 - kThousandth) * covered))
+  if (!(std::fabs(covered - size.x * size.y) <= kTolerance * size.x * size.y) ||
+      !(std::fabs(upward) >= (1.0 - kTolerance) * covered))
     refuse(mesh, "it must cover a rectangle of x and z once");
   waves.side = (upward > 0.0) == (glm::determinant(field.axes) > 0.0) ? 1.0 : -1.0;
   return waves;

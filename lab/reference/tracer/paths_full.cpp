@@ -8,7 +8,7 @@ namespace caustics::tracer {
 
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr int kMostNested = 8;
 
 // A body that the light is in.
@@ -78,9 +78,9 @@ bool Paths::advance(Moving& moving, SurfaceHit& met, std::vector<Landing>& landi
     account.cut += moving.flux;
     return false;
   }
-  const auto caster = lit_.casters.nearest(moving.ray, world_.nearest(), kFar);
+  const auto caster = lit_.casters.nearest(moving.ray, world_.nearest(), kNoEnd);
   const auto receiver = receiver_on(moving.ray, moving.crossed);
-  const double reach = caster ? caster->distance - world_.nearest() : kFar;
+  const double reach = caster ? caster->distance - world_.nearest() : kNoEnd;
   const bool lands = receiver && receiver->distance < reach;
   if (!lands && !caster) {
     account.missed += moving.flux;

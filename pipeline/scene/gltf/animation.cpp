@@ -61,7 +61,7 @@ class AnimationReader {
   bool is_property(const Cursor& path, Channel& channel);
   void check_target(const Cursor& target, const Channel& channel);
   Keyframes read_keys(const Cursor& sampler, const Channel& channel);
-  Interpolation interpolation(const Cursor& cursor);
+  KeyframeInterpolation interpolation(const Cursor& cursor);
   std::size_t width(const Channel& channel);
   void read_times(const Cursor& cursor, Keyframes& keys);
   void read_values(const Cursor& cursor, const Channel& channel, Keyframes& keys);
@@ -117,11 +117,11 @@ void AnimationReader::check_target(const Cursor& target, const Channel& channel)
                 "export it with translation, rotation and scale");
 }
 
-Interpolation AnimationReader::interpolation(const Cursor& cursor) {
+KeyframeInterpolation AnimationReader::interpolation(const Cursor& cursor) {
   const std::string name = cursor.string("LINEAR");
-  if (name == "STEP") return Interpolation::Step;
-  if (name == "LINEAR") return Interpolation::Linear;
-  if (name == "CUBICSPLINE") return Interpolation::CubicSpline;
+  if (name == "STEP") return KeyframeInterpolation::Step;
+  if (name == "LINEAR") return KeyframeInterpolation::Linear;
+  if (name == "CUBICSPLINE") return KeyframeInterpolation::CubicSpline;
   cursor.fail("is \"" + printable(name, 40) + "\"", "use STEP, LINEAR or CUBICSPLINE");
 }
 
@@ -166,7 +166,7 @@ void AnimationReader::read_values(const Cursor& cursor, const Channel& channel, 
   if (accessor.components() != components || (integer && (plain || !accessor.normalized())))
     cursor.fail("has the wrong type for what it animates", kFix);
   const std::size_t a_key =
-      (weights ? keys.width : 1) * (keys.interpolation == Interpolation::CubicSpline ? 3 : 1);
+      (weights ? keys.width : 1) * (keys.interpolation == KeyframeInterpolation::CubicSpline ? 3 : 1);
   if (accessor.size() / a_key != keys.times.size() || accessor.size() % a_key != 0)
     cursor.fail("has " + std::to_string(accessor.size()) + " values for " +
                     std::to_string(keys.times.size()) + " moments of " + std::to_string(a_key),

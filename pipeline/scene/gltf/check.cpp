@@ -10,7 +10,6 @@ namespace caustics::gltf {
 namespace {
 
 constexpr std::int64_t kMostBytes = std::int64_t{1} << 53;
-const char* kFix = "export the file again or correct it by hand";
 
 struct Counts {
   std::size_t buffers, views, accessors, meshes, nodes, materials, cameras, textures, images;
@@ -24,13 +23,13 @@ Counts count(const Cursor& root) {
 
 std::int64_t checked_bytes(const Cursor& type) {
   const std::size_t bytes = component_bytes(static_cast<int>(type.integer(0, 65535)));
-  if (bytes == 0) type.fail("is not a component type of glTF 2.0", kFix);
+  if (bytes == 0) type.fail("is not a component type of glTF 2.0", kExportAgainOrCorrect);
   return static_cast<std::int64_t>(bytes);
 }
 
 std::int64_t checked_count(const Cursor& type) {
   const int count = component_count(type.string());
-  if (count == 0) type.fail("is not an accessor type of glTF 2.0: " + type.string(), kFix);
+  if (count == 0) type.fail("is not an accessor type of glTF 2.0: " + type.string(), kExportAgainOrCorrect);
   return count;
 }
 
@@ -42,11 +41,11 @@ void check_view(const Cursor& root, const Cursor& view, const Counts& counts) {
   const std::int64_t room = length_of(root.member("buffers").element(static_cast<std::size_t>(buffer)));
   const std::int64_t offset = offset_of(view), length = length_of(view);
   const Cursor stride = view.member("byteStride");
-  if (stride.integer(4, 252, 4) % 4 != 0) stride.fail("must be a multiple of 4", kFix);
+  if (stride.integer(4, 252, 4) % 4 != 0) stride.fail("must be a multiple of 4", kExportAgainOrCorrect);
   if (offset > room || length > room - offset) {
     view.fail("ends at byte " + std::to_string(offset + length) + ", but buffers[" + std::to_string(buffer) +
                   "] has " + std::to_string(room),
-              kFix);
+              kExportAgainOrCorrect);
   }
 }
 
@@ -60,7 +59,7 @@ void check_extent(const Cursor& root, const Cursor& place, const Counts& counts,
   if (stride < size) {
     step.fail("is " + std::to_string(stride) + ", less than the " + std::to_string(size) +
                   " bytes of an element of " + place.path(),
-              kFix);
+              kExportAgainOrCorrect);
   }
   const std::int64_t room = length_of(view), offset = offset_of(place);
   // Divided instead of multiplied: no product of two numbers from the file can overflow.
@@ -69,7 +68,7 @@ void check_extent(const Cursor& root, const Cursor& place, const Counts& counts,
   if (!fits) {
     place.fail("its " + std::to_string(elements) + " elements reach beyond the " + std::to_string(room) +
                    " bytes of bufferViews[" + std::to_string(index) + "]",
-               kFix);
+               kExportAgainOrCorrect);
   }
 }
 
@@ -81,7 +80,7 @@ void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts
   const std::int64_t size = checked_bytes(type);
   const std::int64_t code = type.integer(0, 65535);
   if (code != kUnsignedByte && code != kUnsignedShort && code != kUnsignedInt)
-    type.fail("must be an unsigned type", kFix);
+    type.fail("must be an unsigned type", kExportAgainOrCorrect);
   check_extent(root, indices, counts, changed, size, false);
   check_extent(root, sparse.member("values"), counts, changed, element_size, false);
 }

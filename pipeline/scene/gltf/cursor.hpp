@@ -14,6 +14,10 @@
 
 namespace caustics::gltf {
 
+// What to do about a file that is wrong: the last part of a message.
+constexpr const char* kExportAgain = "export the file again";
+constexpr const char* kExportAgainOrCorrect = "export the file again or correct it by hand";
+
 class Cursor {
  public:
   Cursor(const Context& context, const Json* value, std::string path)

@@ -1,12 +1,11 @@
 #include "pipeline/scene/gltf/morph.hpp"
 
 #include "pipeline/scene/gltf/accessor.hpp"
+#include "pipeline/scene/gltf/cursor.hpp"
 
 namespace caustics::gltf {
 
 namespace {
-
-const char* kFix = "export the file again";
 
 Cursor mesh_cursor(const Context& context, const Document& document, std::size_t mesh) {
   return document.root(context).member("meshes").element(mesh);
@@ -19,16 +18,18 @@ std::vector<glm::vec3> read_differences(const Context& context, const Cursor& at
   if (!index) return values;
   const Accessor accessor(context, model, *index);
   if (accessor.components() != 3 || accessor.component_type() == kUnsignedInt) {
-    attribute.fail("has the wrong type for a morph target", kFix);
+    attribute.fail("has the wrong type for a morph target", kExportAgain);
   }
   if (accessor.size() != vertices) {
     attribute.fail(
-        "has " + std::to_string(accessor.size()) + " elements, POSITION " + std::to_string(vertices), kFix);
+        "has " + std::to_string(accessor.size()) + " elements, POSITION " + std::to_string(vertices),
+        kExportAgain);
   }
   values.reserve(used.size());
   for (const std::uint32_t i : used) {
     glm::dvec3 value(accessor.value(i, 0), accessor.value(i, 1), accessor.value(i, 2));
-    if (!exact::finite(value)) attribute.fail("element " + std::to_string(i) + " is not finite", kFix);
+    if (!exact::finite(value))
+      attribute.fail("element " + std::to_string(i) + " is not finite", kExportAgain);
     values.emplace_back(value);
   }
   return values;
@@ -44,7 +45,7 @@ std::size_t target_count(const Context& context, const Document& document, std::
     if (i > 0 && targets.size() != count)
       targets.fail("has " + std::to_string(targets.size()) + " morph targets, the mesh's first " +
                        "primitive " + std::to_string(count),
-                   kFix);
+                   kExportAgain);
     count = targets.size();
   }
   return count;
@@ -58,7 +59,7 @@ std::vector<double> rest_weights(const Context& context, const Document& documen
   if (!given.present()) return std::vector<double>(count, 0.0);
   std::vector<double> weights = given.numbers(count);
   for (const double weight : weights)
-    if (!(weight > -1e30 && weight < 1e30)) given.fail("has a weight beyond 1e30", kFix);
+    if (!(weight > -1e30 && weight < 1e30)) given.fail("has a weight beyond 1e30", kExportAgain);
   return weights;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "pipeline/scene/gltf/accessor.hpp"
+#include "pipeline/scene/gltf/cursor.hpp"
 #include "pipeline/scene/gltf/morph.hpp"
 #include "pipeline/scene/gltf/skin.hpp"
 
@@ -12,7 +13,6 @@ namespace caustics::gltf {
 namespace {
 
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
-const char* kFix = "export the file again";
 
 // The accessor of an attribute, or none. Its type must be the one that glTF prescribes.
 std::optional<Accessor> attribute(const Context& context, const Model& model, const Primitive& primitive,
@@ -22,7 +22,7 @@ std::optional<Accessor> attribute(const Context& context, const Model& model, co
   Accessor accessor(context, model, found->second);
   const bool is_uint = accessor.component_type() == kUnsignedInt;
   if (accessor.components() != components || is_uint) {
-    context.fail(accessor.path(), "has the wrong type for " + name, kFix);
+    context.fail(accessor.path(), "has the wrong type for " + name, kExportAgain);
   }
   return accessor;
 }
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> read_indices(const Context& context, const Model& mod
   const int type = accessor.component_type();
   if (accessor.components() != 1 ||
       (type != kUnsignedByte && type != kUnsignedShort && type != kUnsignedInt)) {
-    context.fail(accessor.path(), "indices must be unsigned scalars", kFix);
+    context.fail(accessor.path(), "indices must be unsigned scalars", kExportAgain);
   }
   const std::uint32_t restart = type == kUnsignedByte    ? 0xFFu
                                 : type == kUnsignedShort ? 0xFFFFu
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> read_indices(const Context& context, const Model& mod
                    "index " + std::to_string(i) + " is " + std::to_string(value) +
                        (value == restart ? ", the primitive restart value, which glTF forbids"
                                          : ", but there are " + std::to_string(vertices) + " vertices"),
-                   kFix);
+                   kExportAgain);
     }
     indices.push_back(value);
   }
@@ -127,7 +127,7 @@ class Gather {
       context_.fail(accessor->path(),
                     name + " has " + std::to_string(accessor->size()) + " elements, POSITION " +
                         std::to_string(positions_.size()),
-                    kFix);
+                    kExportAgain);
     }
   }
 

@@ -1,12 +1,12 @@
 #include "pipeline/scene/gltf/skin.hpp"
 
 #include "pipeline/scene/gltf/accessor.hpp"
+#include "pipeline/scene/gltf/cursor.hpp"
 
 namespace caustics::gltf {
 
 namespace {
 
-const char* kFix = "export the file again";
 constexpr std::size_t kMostSets = 16;  // of four joints a vertex
 
 exact::Affine read_matrix(const Cursor& cursor, const Accessor& accessor, std::size_t i) {
@@ -14,7 +14,7 @@ exact::Affine read_matrix(const Cursor& cursor, const Accessor& accessor, std::s
     return glm::dvec3(accessor.value(i, 4 * c), accessor.value(i, 4 * c + 1), accessor.value(i, 4 * c + 2));
   };
   const exact::Affine matrix{column(0), column(1), column(2), column(3)};
-  if (!matrix.finite()) cursor.fail("matrix " + std::to_string(i) + " is not finite", kFix);
+  if (!matrix.finite()) cursor.fail("matrix " + std::to_string(i) + " is not finite", kExportAgain);
   return matrix;
 }
 
@@ -24,12 +24,12 @@ void read_inverse_binds(const Context& context, const Cursor& cursor, const Mode
   if (!index) return;
   const Accessor accessor(context, model, *index);
   if (accessor.components() != 16 || !accessor.is_float()) {
-    cursor.fail("must be matrices of 4x4 floats", kFix);
+    cursor.fail("must be matrices of 4x4 floats", kExportAgain);
   }
   if (accessor.size() < skin.joints.size()) {
     cursor.fail("has " + std::to_string(accessor.size()) + " matrices for " +
                     std::to_string(skin.joints.size()) + " joints",
-                kFix);
+                kExportAgain);
   }
   for (std::size_t i = 0; i < skin.joints.size(); ++i)
     skin.inverse_binds[i] = read_matrix(cursor, accessor, i);
@@ -42,10 +42,10 @@ struct InfluenceSet {
 
 Accessor influence(const Context& context, const Cursor& cursor, const Model& model, std::size_t vertices) {
   Accessor accessor(context, model, cursor.index("accessors", model.accessors.size()));
-  if (accessor.components() != 4) cursor.fail("must be of type VEC4", kFix);
+  if (accessor.components() != 4) cursor.fail("must be of type VEC4", kExportAgain);
   if (accessor.size() != vertices) {
     cursor.fail("has " + std::to_string(accessor.size()) + " elements, POSITION " + std::to_string(vertices),
-                kFix);
+                kExportAgain);
   }
   return accessor;
 }
@@ -59,13 +59,13 @@ std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& a
     if (!joints.present() && !weights.present()) break;
     if (joints.present() != weights.present())
       (joints.present() ? joints : weights)
-          .fail(joints.present() ? "has no WEIGHTS beside it" : "has no JOINTS beside it", kFix);
+          .fail(joints.present() ? "has no WEIGHTS beside it" : "has no JOINTS beside it", kExportAgain);
     if (n == kMostSets) joints.fail("is one set of joints too many", "use at most 64 joints a vertex");
     sets.push_back(
         {influence(context, joints, model, vertices), influence(context, weights, model, vertices)});
     const int type = sets.back().joints.component_type();
     if (type != kUnsignedByte && type != kUnsignedShort)
-      joints.fail("must be unsigned bytes or shorts", kFix);
+      joints.fail("must be unsigned bytes or shorts", kExportAgain);
   }
   return sets;
 }
@@ -94,12 +94,13 @@ class InfluenceReader {
   double add_one(const InfluenceSet& set, std::size_t vertex, int c) {
     const double weight = set.weights.value(vertex, c);
     if (!(weight >= 0 && weight < 1e30))
-      attributes_.fail("vertex " + std::to_string(vertex) + " has a weight below 0 or not finite", kFix);
+      attributes_.fail("vertex " + std::to_string(vertex) + " has a weight below 0 or not finite",
+                       kExportAgain);
     const auto joint = static_cast<std::size_t>(set.joints.value(vertex, c));
     if (joint >= joints_ && weight > 0)
       attributes_.fail("vertex " + std::to_string(vertex) + " hangs on joint " + std::to_string(joint) +
                            ", but the skin has " + std::to_string(joints_),
-                       kFix);
+                       kExportAgain);
     body_.joints.push_back(joint < joints_ ? static_cast<std::uint32_t>(joint) : 0u);
     body_.weights.push_back(static_cast<float>(weight));
     return static_cast<double>(body_.weights.back());
@@ -124,16 +125,17 @@ Skin read_skin(const Context& context, const Document& document, const Model& mo
   const Cursor root = document.root(context);
   const Cursor cursor = root.member("skins").element(number);
   const Cursor joints = cursor.member("joints");
-  if (joints.size() == 0) joints.fail("has no joints", kFix);
+  if (joints.size() == 0) joints.fail("has no joints", kExportAgain);
   cursor.member("skeleton").optional_index("nodes", model.nodes.size());
   Skin skin;
   std::vector<bool> used(placements.tree.size(), false);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const int node = joints.element(i).index("nodes", model.nodes.size());
     const int place = placements.place_of[static_cast<std::size_t>(node)];
-    if (place < 0) joints.element(i).fail("nodes[" + std::to_string(node) + "] is not in the scene", kFix);
+    if (place < 0)
+      joints.element(i).fail("nodes[" + std::to_string(node) + "] is not in the scene", kExportAgain);
     const auto p = static_cast<std::size_t>(place);
-    if (used[p]) joints.element(i).fail("nodes[" + std::to_string(node) + "] is a joint twice", kFix);
+    if (used[p]) joints.element(i).fail("nodes[" + std::to_string(node) + "] is a joint twice", kExportAgain);
     used[p] = true;
     skin.joints.push_back(p);
   }
