@@ -3,8 +3,8 @@
 set(CAUSTICS_STANDARD_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <glm/glm.hpp>
   <map> <memory> <optional> <span> <string> <string_view> <vector>)
 
-# caustics_precompile(target owner [HEADER ...]): target uses these headers as owner has parsed them, which must
-# compile with the same level of optimisation; owner itself parses them, and the headers named.
+# caustics_precompile(target owner [HEADER ...]): target uses these headers as owner has parsed them, which
+# must compile with the same options; owner itself parses them, and the headers named.
 function(caustics_precompile target owner)
   if(target STREQUAL owner)
     target_precompile_headers(${target} PRIVATE ${CAUSTICS_STANDARD_HEADERS} ${ARGN})

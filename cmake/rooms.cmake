@@ -1,7 +1,7 @@
 # caustics_add_room(name [folder [FAST | ONCE]]): a static library caustics_<name> of every source in the
-# folder (<name> where none is given), tests left out. caustics_target_options(target [FAST | ONCE]): the flags
-# that every target of the project compiles with; FAST for those whose loops take a frame's time, ONCE for
-# what is done once a command.
+# folder (<name> where none is given), tests left out. caustics_target_options(target [FAST | ONCE]): the
+# flags that every target of the project compiles with; FAST for those whose loops take a frame's time, ONCE
+# for what is done once a command.
 option(CAUSTICS_QUICK_BUILD
   "Optimise less: shaders' kernels -O2, all else -O1, commands not at all. The same bits, 10 % slower" OFF)
 

@@ -7,6 +7,7 @@
 #include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
+#include "pipeline/settings/settings.hpp"
 #include "raster/software_device.hpp"
 
 int main(int count, char** arguments) try {
