@@ -112,7 +112,7 @@ Pass light_shading_pass() {
                  {.name = "caustic",
                   .meaning = "rgb: irradiance from caustics, lux",
                   .blend = kAccumulate,
-                  .needed_with = with<&Effects::caustics>}},
+                  .needed_with = &Effects::caustics}},
       .owner = Each::Frame,
       .shaders = {{&light_shading_shader, block_of<uniforms>},
                   {&light_shading_in_medium_shader, block_of<in_medium<uniforms>>, with<&Effects::medium>}},

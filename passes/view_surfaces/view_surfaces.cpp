@@ -54,7 +54,7 @@ Pass view_surfaces_pass() {
                  {.name = "view_albedo", .meaning = "rgb: diffuse albedo, linear"},
                  {.name = "view_emission",
                   .meaning = "rgb: emitted radiance, nit",
-                  .needed_with = with<&Effects::emission>}},
+                  .needed_with = &Effects::emission}},
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .shaders = {{&view_surfaces_shader, block_of<uniforms>}},

@@ -167,7 +167,7 @@ class Planner {
     for (const Write& write : pass.writes) {
       if (write.only_with && !write.only_with(effects_)) continue;
       const Format format = planned.definition.writes[written++].format;
-      if (write.needed_with && !write.needed_with(effects_)) {
+      if (!called_for(write.needed_with)) {
         planned.writes.push_back(PlannedPass::kNothing);
         planned.keep.push_back(false);
         continue;
@@ -237,18 +237,25 @@ class Planner {
 
   // What is read is the instance's own, or else the plain one; the branch's, or else the light's, or else the
   // frame's.
-  int resolve(const Pass& pass, const Read& read, const DrawnFor& drawn_for, Owner user) const {
+  int resolve(const Pass& pass, const Read& read, const DrawnFor& drawn_for, Owner user) {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
-    if (read.needed_with && !read.needed_with(effects_)) return PlannedPass::kNothing;
     const std::string name(read.texture.empty() ? read.name : read.texture);
     for (const std::string& wanted : {with_label(name, drawn_for.label), name})
       for (const Owner owner : {user, Owner{user.light, -1}, Owner{}})
-        if (const int found = plan_.find(full_name(wanted, owner)); found >= 0) return found;
+        if (const int found = plan_.find(full_name(wanted, owner)); found >= 0)
+          return called_for(read.needed_with) ? found : leave_unread(found, effects_.*read.needed_with);
     if (read.optional) return PlannedPass::kNothing;
     throw Error(ExitCode::InternalError, "pass '" + std::string(pass.name) + "' reads '" + name +
                                              "', which no pass before it writes; register a "
                                              "writer first or mark the read optional");
+  }
+
+  bool called_for(Effect Effects::*effect) const { return !effect || (effects_.*effect).active; }
+
+  int leave_unread(int texture, const Effect& effect) {
+    plan_.textures[static_cast<std::size_t>(texture)].unread = effect.reason;
+    return PlannedPass::kNothing;
   }
 
   // The texture that an attachment is drawn into. What an earlier pass wrote is kept, not cleared.

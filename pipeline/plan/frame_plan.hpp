@@ -16,6 +16,7 @@ struct PlannedTexture {
   bool external = false;  // uploaded with the scene, not written by a pass
   bool kept = true;       // holds its contents until the next frame; else only until its last reader has run
   int memory = -1;        // index into FramePlan::memory; of an external texture none
+  std::string unread{};   // why a pass that could read it does not: the reason of an effect
   bool operator==(const PlannedTexture&) const = default;
 };
 

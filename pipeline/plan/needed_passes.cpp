@@ -32,11 +32,12 @@ class BackwardWalk {
       texture.kept = is_named(texture.name, goal.textures) || is_named(texture.name, goal.beside);
   }
 
-  // By pass: does it stay?
-  std::vector<bool> walk() {
-    std::vector<bool> stays(plan_.passes.size(), false);
-    for (std::size_t i = plan_.passes.size(); i-- > 0;) stays[i] = visit(plan_.passes[i]);
-    return stays;
+  // By pass: why it does not stay; empty where it stays.
+  std::vector<std::string> walk() {
+    std::vector<std::string> reasons(plan_.passes.size());
+    for (std::size_t i = plan_.passes.size(); i-- > 0;)
+      if (!visit(plan_.passes[i])) reasons[i] = why_not(plan_.passes[i]);
+    return reasons;
   }
 
  private:
@@ -55,6 +56,19 @@ class BackwardWalk {
     for (const int texture : pass.reads)
       if (texture >= 0) needed_.insert(texture);
     return true;
+  }
+
+  PlannedTexture& texture_of(int index) { return plan_.textures[static_cast<std::size_t>(index)]; }
+
+  // The effect that keeps the readers from what the pass writes; what the pass reads is unread by it too.
+  std::string why_not(const PlannedPass& pass) {
+    std::string reason;
+    for (const int texture : pass.attachments())
+      if (texture >= 0 && reason.empty()) reason = texture_of(texture).unread;
+    if (reason.empty()) return "no wanted image depends on it";
+    for (const int texture : pass.reads)
+      if (texture >= 0 && texture_of(texture).unread.empty()) texture_of(texture).unread = reason;
+    return reason;
   }
 
   void write(int& texture, bool keeps) {
@@ -77,7 +91,7 @@ class BackwardWalk {
 }  // namespace
 
 FramePlan needed_for(const PlanGoal& goal, FramePlan plan) {
-  const std::vector<bool> stays = BackwardWalk(plan, goal).walk();
+  const std::vector<std::string> reasons = BackwardWalk(plan, goal).walk();
   FramePlan result;
   result.skipped = std::move(plan.skipped);
   result.before = std::move(plan.before);
@@ -93,8 +107,8 @@ FramePlan needed_for(const PlanGoal& goal, FramePlan plan) {
   };
   for (std::size_t i = 0; i < plan.passes.size(); ++i) {
     PlannedPass& pass = plan.passes[i];
-    if (!stays[i]) {
-      if (pass.water < 0) result.skipped.push_back({pass.label, "no wanted image depends on it"});
+    if (!reasons[i].empty()) {
+      if (pass.water < 0) result.skipped.push_back({pass.label, reasons[i]});
       continue;
     }
     for (int& texture : pass.reads) keep_texture(texture);

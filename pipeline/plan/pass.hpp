@@ -179,13 +179,13 @@ int throws_caustic(const PassContext& context);
 struct Read {
   std::string_view name;
   std::string_view meaning;
-  std::string_view texture{};       // another name than the shader has for it
-  bool of_material = false;         // the drawn surface's material's, instead of one of the frame
-  bool optional = false;            // the frame may lack it; one texel of zeros is bound then
-  Condition only_with = nullptr;    // the shader declares it only then
-  std::string_view only_for{};      // read only by the instance with this label; the others get zeros
-  std::string_view only_towards{};  // an optional read: the only attachment that depends on it
-  Condition needed_with = nullptr;  // an optional read: otherwise what it holds changes nothing
+  std::string_view texture{};              // another name than the shader has for it
+  bool of_material = false;                // the drawn surface's material's, instead of one of the frame
+  bool optional = false;                   // the frame may lack it; one texel of zeros is bound then
+  Condition only_with = nullptr;           // the shader declares it only then
+  std::string_view only_for{};             // read only by the instance with this label; the others get zeros
+  std::string_view only_towards{};         // an optional read: the only attachment that depends on it
+  Effect Effects::*needed_with = nullptr;  // an optional read: otherwise what it holds changes nothing
 };
 
 // A colour attachment: `name` is that of the shader's OUTPUT line.
@@ -199,7 +199,7 @@ struct Write {
   Format (*format_by)(const Effects&) = nullptr;             // where effects choose the format
   std::string_view (*texture_by)(const Effects&) = nullptr;  // where effects choose the texture's name
   Condition only_with = nullptr;                             // the shader declares it only then
-  Condition needed_with = nullptr;                           // otherwise nobody needs what is in it
+  Effect Effects::*needed_with = nullptr;                    // otherwise nobody needs what is in it
 };
 
 // The pass's shader text compiled for what effects add; the last one whose condition holds is taken.

@@ -1,7 +1,10 @@
 // Only what the wanted images depend on is planned, and they are the same as those of a whole frame.
 #include <algorithm>
 
+#include "passes/registry.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/renderer/frame_renderer.hpp"
+#include "raster/software_device.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/scenes.hpp"
@@ -101,6 +104,23 @@ TEST_CASE("needed passes: black surfaces need no light, but its layers do") {
     CHECK_FALSE(runs(passes_towards({"picture"}, scene), pass));
     CHECK(runs(passes_towards({"aov_caustic"}, scene), pass));
   }
+}
+
+TEST_CASE("needed passes: what a wanted picture does not depend on says whose reason that is") {
+  Scene scene = sphere_scene(1.5f, 4);
+  scene.materials[0].base_color = {0.0f, 0.0f, 0.0f, 1.0f};
+  const auto device = make_software_device();
+  const PlannedFrame frame =
+      plan_frame(scene, small_settings(32, 32, 24), pass_registry(), *device, {{"picture"}});
+  REQUIRE_FALSE(frame.effects.reflecting_receivers.active);
+  std::size_t found = 0;
+  for (const SkippedPass& skipped : frame.plan.skipped)
+    for (const char* pass : {"caster_map[", "receiver_map[", "landing[", "caustic_map[", "light_shading["})
+      if (skipped.name.rfind(pass, 0) == 0) {
+        CHECK(skipped.reason == frame.effects.reflecting_receivers.reason);
+        ++found;
+      }
+  CHECK(found >= 4);
 }
 
 TEST_CASE("needed passes: a spot light turned away from all that is in view is not simulated") {
