@@ -52,7 +52,7 @@ void add_study_options(Parser& parser, StudyRequest& request) {
   parser.group("Study");
   parser.repeated("--vary", "KEY=a,b,c",
                   {"values of a key of -D; may stand several times, once for each key",
-                   "not of width, height, camera, exposure", "below"},
+                   "not of what is seen, nor of how it is shown", "below"},
                   [&](const std::string& text) { add_varied(request, text); });
   parser.flag("--cross", request.cross,
               "all values with all others, instead of one key at a time and grid with map");

@@ -248,7 +248,8 @@ class Planner {
     if (read.optional) return PlannedPass::kNothing;
     throw Error(ExitCode::InternalError, "pass '" + std::string(pass.name) + "' reads '" + name +
                                              "', which no pass before it writes; register a "
-                                             "writer first or mark the read optional");
+                                             "writer first, name the effect that its writer waits for in "
+                                             "'when', or mark the read optional");
   }
 
   bool called_for(Effect Effects::*effect) const { return !effect || (effects_.*effect).active; }

@@ -144,7 +144,7 @@ using UniformBytes = std::vector<std::byte>;
 // The bytes of a uniform struct, as a draw carries them.
 template <class T>
 UniformBytes uniform_bytes(const T& block) {
-  static_assert(sizeof(T) % 16 == 0);
+  static_assert(sizeof(T) % 16 == 0, "std140 blocks end on 16 bytes: struct alignas(16)");
   UniformBytes bytes(sizeof(T));
   std::memcpy(bytes.data(), &block, sizeof(T));
   return bytes;

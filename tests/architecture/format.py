@@ -16,8 +16,9 @@ LEFT_OUT = ('build', '.git')
 
 
 def files(endings):
-    """Those that git knows; all where this is no checkout."""
-    listed = subprocess.run(['git', '-C', ROOT, 'ls-files'], text=True, capture_output=True)
+    """Those that git does not ignore; all where this is no checkout."""
+    listed = subprocess.run(['git', '-C', ROOT, 'ls-files', '-co', '--exclude-standard'], text=True,
+                            capture_output=True)
     names = listed.stdout.splitlines() if listed.returncode == 0 else [
         str(p.relative_to(ROOT)) for p in ROOT.rglob('*') if p.relative_to(ROOT).parts[0] not in LEFT_OUT]
     return sorted(n for n in names if n.endswith(endings) and (ROOT / n).is_file())
