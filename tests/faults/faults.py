@@ -98,8 +98,11 @@ def unknown_tests(faults):
 
 
 def main():
+    from plant import planted
     faults = all_faults()
     wrong = complaints(faults) + unknown_tests(faults)
+    if not wrong:
+        planted(faults)  # exits where a file does not take them
     unnoticeable = sum(1 for fault in faults if fault.unnoticed)
     if len(faults) < FEWEST or unnoticeable > MOST_UNNOTICEABLE * len(faults):
         wrong.append(f'{len(faults)} faults, of which no test can notice {unnoticeable}')

@@ -14,8 +14,8 @@ INCLUDE = '#include "pipeline/gpu/fault.hpp"\n'
 # How a kernel and OpenGL's text come to know which fault was chosen.
 WIRING = {
     'pipeline/shader/stage.hpp': ('#pragma once\n', '#pragma once\n' + INCLUDE),
-    'gl_backend/gl_text.cpp': ('"#version 450 core\\n#define "',
-                               '"#version 450 core\\n" + fault_text() + "#define "'),
+    'gl_backend/gl_text.cpp': ('"#version 450 core\\n" + head',
+                               '"#version 450 core\\n" + fault_text() + head'),
 }
 
 
@@ -39,7 +39,7 @@ def planted(faults):
     for path, (before, after) in WIRING.items():
         text = texts.get(path) or (ROOT / path).read_text()
         if text.count(before) != 1:
-            sys.exit(f'plant.py: {path} no longer holds {before!r} once')
+            sys.exit(f'plant.py: {path} does not hold {before!r} once; mend WIRING')
         if path.endswith('.cpp') and INCLUDE not in text:
             text = with_include(path, text)
         texts[path] = text.replace(before, after)
