@@ -1,7 +1,10 @@
 #include "app/flux.hpp"
 
+#include <optional>
+
 #include "app/output/light_groups.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/measure/model_error.hpp"
 #include "pipeline/measure/pixel_side.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -9,7 +12,9 @@ namespace caustics::app {
 
 namespace {
 constexpr char kViewPosition[] = "view_position";
-}
+// Followed through the scene for each light.
+constexpr int kRays = 8192;
+}  // namespace
 
 std::vector<std::string> ledger_textures() {
   std::vector<std::string> textures{kCasterNormal, kLandingMedium, kCascadeMap, kViewPosition};
@@ -40,8 +45,16 @@ std::vector<int> casters_by_row(const RenderedFrame& frame) {
   return meshes;
 }
 
+// What a frame's light is judged by, beside the frame itself.
+struct Judge {
+  LightPaths paths;
+  PictureBlocks blocks;
+  explicit Judge(const RenderedFrame& frame)
+      : paths(frame.scene(), frame.effects()), blocks(frame.read(kViewPosition), frame.inputs().camera) {}
+};
+
 // Adds what a light's sample did, `share` times.
-void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum) {
+void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
   const auto has = [&](const std::string& name) { return frame.has(name); };
   const auto read = [&](const std::string& name) { return frame.read(name); };
   const std::vector<BranchImages> branches = branch_images(light, frame.effects().branches, has, read);
@@ -60,6 +73,14 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
       estimate_error(branches, cells, map, if_any(light_texture(kCascadeMap, light)), views, frame.settings(),
                      ledger, pixel),
       share);
+  if (model) {
+    const Light& sample = frame.scene().lights[static_cast<std::size_t>(light)];
+    model->add({.light = sample,
+                .caster = views.caster,
+                .branches = branches,
+                .share = share,
+                .samples = static_cast<int>(samples_of(frame.scene(), sum.light).size())});
+  }
   const std::vector<Outcome> outcomes = outcomes_of(
       sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));
   if (sum.outcomes.empty())
@@ -70,6 +91,13 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
 
 }  // namespace
 
+std::string why_not_judged(const RenderedFrame& frame) {
+  if (!frame.has(kViewPosition)) return "the picture has no view of the caustics";
+  if (frame.settings().weights == Weights::Paper) return "the paper's weights are not those of light";
+  const std::string beyond = not_in_triangles(frame.scene(), frame.effects());
+  return beyond.empty() ? "" : "rays through the triangles do not show " + beyond;
+}
+
 double LightLedger::leaves() const {
   const double entered = sum(ledger.entered);
   return entered > 0.0 ? (sum(ledger.outside) + sum(ledger.kernel_edge)) / entered : 0.0;
@@ -78,8 +106,12 @@ double LightLedger::leaves() const {
 std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
   const Scene& scene = frame.scene();
   std::vector<LightLedger> ledgers;
+  std::optional<Judge> judge;
+  if (why_not_judged(frame).empty()) judge.emplace(frame);
   for (int source = 0; source < static_cast<int>(scene.sources.size()); ++source) {
     LightLedger sum{.light = source, .ledger = {}};
+    std::optional<ModelError> model;
+    if (judge) model.emplace(judge->paths, judge->blocks, kRays);
     bool any = false;
     for (const int light : samples_of(scene, source)) {
       const Branch& branch = frame.effects().branches.front();
@@ -88,9 +120,10 @@ std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
       // A sample's flux is relative to its own intensity.
       const double share = static_cast<double>(scene.lights[static_cast<std::size_t>(light)].intensity) /
                            static_cast<double>(scene.sources[static_cast<std::size_t>(source)].intensity);
-      add_sample(frame, light, share, sum);
+      add_sample(frame, light, share, sum, model ? &*model : nullptr);
       any = true;
     }
+    if (any && model) model->complete(sum.error);
     if (any) ledgers.push_back(sum);
   }
   return ledgers;

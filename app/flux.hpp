@@ -28,6 +28,9 @@ PlanGoal goal_with_ledgers(std::vector<std::string> images);
 // over its samples.
 std::vector<LightLedger> read_ledgers(const RenderedFrame& frame);
 
+// Why no rays are followed to judge the frame's caustics by (ErrorEstimate::judged); empty where they are.
+std::string why_not_judged(const RenderedFrame& frame);
+
 // A ledger's accounts with the names that users see, `entered` first.
 std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger);
 double sum(const FluxRgb& flux);

@@ -9,7 +9,9 @@ import os
 import sys
 
 from making.cat import sitting_cat
+from making.glassware import bottle, bowl, tumbler, wine_glass
 from making.gltf_scene import Scene, diffuse, glass, metal, pane, png, textured
+from making.revolved import revolved
 from making.shapes import (box, equilateral_prism, flat_faces, holed_board, icosphere, lens, lens_along,
                            ring, room, sheet, square, surface_of, torus, upright)
 from making.vectors import add, mul, rotation_to, sub, unit
@@ -353,12 +355,80 @@ def closed_room():
     return s
 
 
+def real_glass(*bodies, sun=(-1.0, -1.0, 0.0), view=1.0):
+    """Glass over a floor, for which two surfaces are not enough: (name, shape, material) each."""
+    s = Scene()
+    for name, shape, material in bodies:
+        s.mesh(name, shape, material)
+    s.mesh('floor', square(8.0), FLOOR)
+    s.sun(sun, 10.0)
+    s.camera('view', (1.5, 1.45, 2.2), (-0.25, 0.28, 0.0), 38)
+    s.camera_down('floor', (0.0, 0.01, 0.0), view)
+    return s
+
+
+GLASS = glass('glass', 1.5)
+
+
+def steep(degrees):
+    """Sunlight that far from the vertical."""
+    return (-math.sin(math.radians(degrees)), -math.cos(math.radians(degrees)), 0.0)
+
+
+def drinking_glass():
+    return real_glass(('glass', revolved(tumbler(0.02), 96), GLASS), sun=steep(45))
+
+
+def drinking_glass_high_sun():
+    return real_glass(('glass', revolved(tumbler(0.02), 96), GLASS), sun=steep(20))
+
+
+def glass_of_wine():
+    return real_glass(('glass', revolved(wine_glass(0.02), 96), GLASS), sun=steep(45), view=1.4)
+
+
+def bottle_of_liquid():
+    glassy, liquid = bottle(0.02)
+    return real_glass(('bottle', revolved(glassy, 96), glass('green glass', 1.52, ((0.45, 0.80, 0.50), 0.1))),
+                      ('liquid', revolved(liquid, 96), glass('liquid', 1.33)), sun=steep(45), view=1.4)
+
+
+def hollow_ball():
+    shell = icosphere((0.0, 0.55, 0.0), 0.45, 5)
+    p, n, i = icosphere((0.0, 0.55, 0.0), 0.38, 5)
+    first = len(shell[0])
+    inside = [first + i[k + o] for k in range(0, len(i), 3) for o in (0, 2, 1)]
+    return real_glass(('shell', (shell[0] + p, shell[1] + [mul(v, -1.0) for v in n], shell[2] + inside), GLASS),
+                      sun=steep(20))
+
+
+def bubbles():
+    """Gas in glass: indices below 1 are relative to what is around."""
+    return real_glass(('ball', icosphere((0.0, 0.55, 0.0), 0.45, 5), GLASS),
+                      ('bubble', icosphere((0.12, 0.62, 0.05), 0.12, 4), glass('gas', 1.0 / 1.5)),
+                      ('small bubble', icosphere((-0.15, 0.45, -0.08), 0.07, 4), glass('gas', 1.0 / 1.5)),
+                      sun=steep(20))
+
+
+def two_balls():
+    return real_glass(('upper ball', icosphere((0.25, 0.95, 0.0), 0.28, 5), GLASS),
+                      ('lower ball', icosphere((0.0, 0.35, 0.1), 0.30, 5), GLASS), sun=steep(20))
+
+
+def glass_bowl():
+    return real_glass(('bowl', revolved(bowl(0.02), 96), GLASS), sun=steep(30))
+
+
+REAL_GLASS = (drinking_glass, drinking_glass_high_sun, glass_of_wine, bottle_of_liquid, hollow_ball, bubbles,
+              two_balls, glass_bowl)
+
+
 def main():
     scenes = {'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               **{make.__name__ + '.glb': make for make in (
                   glass_sphere, glass_figure, water_patch, water_sine, prism, spectrum, metal_ring,
                   thin_panes, two_lights, receivers, sun_disk, water_normal_map, stained_glass, moving_lens,
-                  water_plops, hazy_lens, closed_room)}}
+                  water_plops, hazy_lens, closed_room, *REAL_GLASS)}}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue

@@ -42,13 +42,17 @@ Json frames_json(const FrameStats& frames, const DeviceObjects& made) {
           {"made_by_all", objects_json(made)}};
 }
 
-// Relative L1 of the caustic; null where it is not estimated.
+// Relative L1 of the caustic; null where it is not estimated, and of the model where it is not judged.
 Json error_json(const ErrorEstimate& error) {
   if (!(error.landed > 0.0)) return nullptr;
+  const auto judged = [&](double value) { return error.judged ? Json(error.relative(value)) : Json(); };
   return {{"total", error.total()},
           {"map", error.relative(error.map)},
           {"grid", error.relative(error.grid)},
-          {"missing", error.relative(error.missing)}};
+          {"missing", error.relative(error.missing)},
+          {"model", judged(error.model)},
+          {"sampling", judged(error.sampling)},
+          {"not_followed", judged(error.not_followed)}};
 }
 
 Json ledger_json(const Scene& scene, const LightLedger& entry) {

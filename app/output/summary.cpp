@@ -36,12 +36,22 @@ std::string ledger_sentence(const Scene& scene, const LightLedger& entry) {
   return line + losses;
 }
 
-// "estimated error 1.2% (map 0.9%, grid 0.2%, missing 0.1%)"; empty where there is no estimate.
-std::string error_text(const ErrorEstimate& error) {
+// Of the light that lands, what goes other ways than the passes follow is worth a sentence from here on.
+constexpr double kWorthSaying = 0.05;
+
+// "estimated error 1.2% (map 0.9%, grid 0.2%, missing 0.1%, model 12.0% +- 0.5%)"; empty where there is no
+// estimate.
+std::string error_text(const ErrorEstimate& error, const std::string& why_not_judged) {
   if (!(error.landed > 0.0)) return {};
-  return "; estimated error " + percent(error.total()) + " (map " + percent(error.relative(error.map)) +
-         ", grid " + percent(error.relative(error.grid)) + ", missing " +
-         percent(error.relative(error.missing)) + ")";
+  const auto part = [&](double value) { return percent(error.relative(value)); };
+  std::string text = "; estimated error " + percent(error.total());
+  if (error.total() > 1.0) text += ", more than all the light that lands";
+  text += " (map " + part(error.map) + ", grid " + part(error.grid) + ", missing " + part(error.missing);
+  if (!error.judged) return text + ", model not known: " + why_not_judged + ")";
+  text += ", model " + part(error.model) + " +- " + part(error.sampling) + ")";
+  if (error.relative(error.not_followed) > kWorthSaying)
+    text += "; " + part(error.not_followed) + " of its light lands by ways that are not followed";
+  return text;
 }
 
 void print_some(const char* kind, const std::vector<std::string>& sentences) {
@@ -95,7 +105,9 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
   print_some("no caustic",
              missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)));
   for (const LightLedger& ledger : ledgers) {
-    std::fprintf(stderr, "%s\n", (ledger_sentence(frame.scene(), ledger) + error_text(ledger.error)).c_str());
+    std::fprintf(
+        stderr, "%s\n",
+        (ledger_sentence(frame.scene(), ledger) + error_text(ledger.error, why_not_judged(frame))).c_str());
     const std::string warning = leaving_sentence(frame.scene(), ledger);
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }

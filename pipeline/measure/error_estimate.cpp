@@ -237,8 +237,10 @@ double total(const FluxRgb& flux) { return flux[0] + flux[1] + flux[2]; }
 
 void add(ErrorEstimate& sum, const ErrorEstimate& other, double share) {
   for (double ErrorEstimate::*part :
-       {&ErrorEstimate::landed, &ErrorEstimate::map, &ErrorEstimate::grid, &ErrorEstimate::missing})
+       {&ErrorEstimate::landed, &ErrorEstimate::map, &ErrorEstimate::grid, &ErrorEstimate::missing,
+        &ErrorEstimate::model, &ErrorEstimate::sampling, &ErrorEstimate::not_followed})
     sum.*part += share * (other.*part);
+  sum.judged = sum.judged || other.judged;
 }
 
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,

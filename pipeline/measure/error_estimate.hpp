@@ -13,14 +13,19 @@ namespace caustics {
 // what receives it, in the ledger's unit of flux and summed over the three channels. Each part compares the
 // frame with a coarser one made from its own textures.
 struct ErrorEstimate {
-  double landed = 0.0;   // all flux in the map
+  double landed = 0.0;   // all flux in the map; once `judged`, all that light itself lands
   double map = 0.0;      // by the size of the maps' texels: against texels of twice the side
   double grid = 0.0;     // by the grid's spacing: against cells of twice the side, or half of the splats; and
                          // light in spots
   double missing = 0.0;  // landed beyond the map, or not followed to its landing
+  // What rays through the scene's triangles have shown (model_error.hpp), where they were asked for.
+  bool judged = false;
+  double model = 0.0;         // by the model: light that goes other ways than the passes take it
+  double sampling = 0.0;      // how far `model` may be off, as it comes from few rays
+  double not_followed = 0.0;  // flux that lands by other ways, in the right place or not
   // Relative L1 of the caustic's irradiance; 0 where nothing landed.
   double relative(double part) const { return landed > 0.0 ? part / landed : 0.0; }
-  double total() const { return relative(map + grid + missing); }
+  double total() const { return relative(map + grid + missing + model); }
 };
 
 // Adds another estimate `share` times: a light's samples to the light's own. Errors of several are taken to

@@ -4,25 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "pipeline/measure/surface_steps.hpp"
+
 namespace caustics {
 
 namespace {
-
-using Place = std::optional<glm::dvec3>;
-
-Place place_at(const Image& position, int x, int y) {
-  if (x < 0 || y < 0 || x >= position.width() || y >= position.height() || position.at(x, y, 3) == 0.0f)
-    return {};
-  return glm::dvec3(position.at(x, y, 0), position.at(x, y, 1), position.at(x, y, 2));
-}
-
-// The step to the nearer of the neighbours along (dx, dy) and against it: the other may show something else.
-Place step_at(const Image& position, const glm::dvec3& here, int x, int y, int dx, int dy) {
-  const Place ahead = place_at(position, x + dx, y + dy), behind = place_at(position, x - dx, y - dy);
-  if (!ahead && !behind) return {};
-  if (!behind || (ahead && glm::distance(*ahead, here) <= glm::distance(*behind, here))) return *ahead - here;
-  return here - *behind;
-}
 
 // Texels of a map of so many a side, of a cube those of this face; none behind a light.
 std::optional<glm::dvec2> texel_of(const glm::dvec3& p, const View& view, int map, int face) {
@@ -48,7 +34,8 @@ double light_at(const Image& map, const glm::dvec2& texel) {
 // Square texels of a pixel's parallelogram; none where that cannot be told.
 std::optional<double> area_at(const Image& position, const glm::dvec3& here, const glm::dvec2& texel,
                               const View& view, int map, int face, int x, int y) {
-  const Place across = step_at(position, here, x, y, 1, 0), upward = step_at(position, here, x, y, 0, 1);
+  const auto across = surface_step(position, here, x, y, 1, 0),
+             upward = surface_step(position, here, x, y, 0, 1);
   if (!across || !upward) return {};
   const auto right = texel_of(here + *across, view, map, face),
              above = texel_of(here + *upward, view, map, face);
@@ -66,7 +53,7 @@ double pixel_side(const Image& view_position, const Image& caustic_map, const Vi
   double sides = 0.0, weights = 0.0;
   for (int y = 0; y < view_position.height(); ++y)
     for (int x = 0; x < view_position.width(); ++x) {
-      const Place here = place_at(view_position, x, y);
+      const auto here = surface_at(view_position, x, y);
       if (!here) continue;
       const int face = caustic.cube ? face_of(caustic.coordinates(*here)) : 0;
       const std::optional<glm::dvec2> texel = texel_of(*here, caustic, map, face);

@@ -21,6 +21,11 @@ glm::dvec3 turned_to_face(const glm::dvec3& q, int face) {
   }
 }
 
+glm::dvec3 turned_from_face(const glm::dvec3& q, int face) {
+  // Opposite sides' turns undo one another; ahead and behind undo themselves.
+  return turned_to_face(q, face < 4 ? face ^ 1 : face);
+}
+
 int face_of(const glm::dvec3& q) {
   const double x = std::fabs(q.x), y = std::fabs(q.y), z = std::fabs(q.z);
   if (z >= x && z >= y) return q.z >= 0.0 ? 4 : 5;

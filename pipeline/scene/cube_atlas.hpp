@@ -47,6 +47,7 @@ inline constexpr int kLeastGuard = 3;
 
 // Right-handed turns of view coordinates that make a face's axis the z axis.
 glm::dvec3 turned_to_face(const glm::dvec3& q, int face);
+glm::dvec3 turned_from_face(const glm::dvec3& q, int face);
 // The face that q lies in: that of the largest component; of equal ones z wins over x, x over y.
 int face_of(const glm::dvec3& q);
 

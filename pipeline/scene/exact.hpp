@@ -47,6 +47,9 @@ double arctangent(double x);
 // Natural logarithm of x > 0, to about 1e-15.
 double log(double x);
 
+// e^x, to about 1e-15 of it; 0 below x = -700, infinite above 709.
+double exp(double x);
+
 // The sRGB transfer function (IEC 61966-2-1): encoded 0..1 to linear 0..1, to about 1e-15.
 double srgb_to_linear(double encoded);
 

@@ -28,6 +28,17 @@ TEST_CASE("The exact logarithm agrees with the C library to 2e-15") {
   CHECK(worst < 2e-15);
 }
 
+TEST_CASE("The exact exponential agrees with the C library to 2e-15 of it") {
+  double worst = 0;
+  for (int i = -3000; i <= 3000; ++i) {
+    const double x = i * 0.23, expected = std::exp(x);
+    worst = std::max(worst, std::abs(caustics::exact::exp(x) - expected) / expected);
+  }
+  CHECK(worst < 2e-15);
+  CHECK(caustics::exact::exp(0.0) == 1.0);
+  CHECK(caustics::exact::exp(-1e9) == 0.0);
+}
+
 TEST_CASE("The sRGB curve agrees with the C library's pow") {
   for (int i = 0; i <= 255; ++i) {
     const double x = i / 255.0;

@@ -5,49 +5,17 @@
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
-#include "pipeline/scene/material_optics.hpp"
 
 namespace caustics::tracer {
 
 namespace {
 
-constexpr NamedEffect kNotTraced[] = {{"medium", &Effects::medium},
-                                      {"textured casters", &Effects::textured_casters},
-                                      {"normal-mapped casters", &Effects::normal_mapped_casters},
-                                      {"cut-out casters", &Effects::cut_out_casters},
-                                      {"water waves", &Effects::water_waves}};
-
 // Never a picture that silently lacks something.
 void refuse_what_is_not_traced(const Scene& scene, const Effects& effects) {
-  for (const NamedEffect& named : kNotTraced) {
-    const Effect& effect = effects.*named.effect;
-    if (effect.active)
-      throw Error(ExitCode::BadInput, "the reference does not trace " + std::string(named.name) + " (" +
-                                          effect.reason + "); docs/reference.md lists what it does");
-  }
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const Material& m = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
-    const Role role = effects.surfaces[i].role;
-    if (role == Role::Receiver && m.alpha_mode == AlphaMode::Mask && m.base_color_texture.present())
-      throw Error(ExitCode::BadInput, "the reference does not trace alpha masks: material '" + m.name +
-                                          "' has one; docs/reference.md lists what it does");
-    if (role == Role::ThinPane && (m.base_color_texture.present() || m.transmission_texture.present()))
-      throw Error(ExitCode::BadInput, "the reference does not trace textured panes: material '" + m.name +
-                                          "' is one; docs/reference.md lists what it does");
-  }
-}
-
-Optics optics_of(const Material& material, const SurfaceRole& surface) {
-  Optics o{.role = surface.role, .solid = surface.two_interfaces};
-  if (surface.role == Role::Mirror) {
-    o.color = glm::dvec3(metal_reflectance(material));
-    return o;
-  }
-  o.ior = static_cast<double>(material.ior);
-  o.spread = static_cast<double>(main_dispersion(material));
-  o.color = glm::dvec3(glm::vec3(material.base_color));
-  if (surface.role == Role::Refractor) o.absorption = glm::dvec3(absorption_of(material));
-  return o;
+  const std::string what = not_in_triangles(scene, effects);
+  if (!what.empty())
+    throw Error(ExitCode::BadInput,
+                "the reference does not trace " + what + "; docs/reference.md lists what it does");
 }
 
 std::vector<int> meshes_with(const std::vector<Optics>& optics, int without, bool (*wanted)(Role)) {
@@ -64,9 +32,8 @@ bool throws_light(Role role) { return is_caster(role); }
 }  // namespace
 
 World::World(const Scene& scene, const Effects& effects, const std::vector<ExactShape>& exact)
-    : scene_(scene), effects_(effects), exact_(exact), panes_(scene, {}) {
+    : scene_(scene), effects_(effects), exact_(exact), optics_(optics_of(scene, effects)), panes_(scene, {}) {
   refuse_what_is_not_traced(scene, effects);
-  judge(scene, effects);
   Bounds everything = bounds_of(scene);
   for (const Light& light : scene.sources)
     if (light.type != LightType::Directional) everything.add(light.position);
@@ -85,16 +52,6 @@ World::World(const Scene& scene, const Effects& effects, const std::vector<Exact
   for (const Expectation& e : effects.expectations) {
     const int source = scene.lights[static_cast<std::size_t>(e.light)].source;
     if (e.expected) throws_[static_cast<std::size_t>(source)] = true;
-  }
-}
-
-void World::judge(const Scene& scene, const Effects& effects) {
-  std::map<std::pair<int, int>, int> bodies;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const Mesh& mesh = scene.meshes[i];
-    Optics o = optics_of(scene.materials[static_cast<std::size_t>(mesh.material)], effects.surfaces[i]);
-    o.body = bodies.try_emplace({mesh.object, mesh.material}, static_cast<int>(bodies.size())).first->second;
-    optics_.push_back(o);
   }
 }
 

@@ -3,21 +3,9 @@
 #include <vector>
 
 #include "lab/reference/tracer/rays.hpp"
-#include "pipeline/effects/effects.hpp"
+#include "pipeline/effects/optics.hpp"
 
 namespace caustics::tracer {
-
-// What a mesh does to light; the numbers are the renderer's own (pipeline/renderer/scene_on_device.hpp).
-struct Optics {
-  Role role = Role::Receiver;
-  bool solid = false;          // light leaves through a second surface
-  double ior = 1.0;            // at the d line
-  double spread = 0.0;         // n_F - n_C
-  glm::dvec3 absorption{0.0};  // per metre
-  glm::dvec3 color{1.0};       // of what passes; of a mirror its reflectance straight on
-  int body = 0;                // primitives of one object and material are one body
-  double index(double bend) const { return ior + spread * bend; }
-};
 
 // What takes part in one light's paths: all but the mesh that shines it.
 struct LitSet {
@@ -47,7 +35,6 @@ class World {
   double size() const { return size_; }  // diameter of everything, lights and cameras included
 
  private:
-  void judge(const Scene& scene, const Effects& effects);
   LitSet set_without(int emitter) const;
 
   const Scene& scene_;

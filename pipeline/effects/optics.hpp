@@ -1,0 +1,29 @@
+// What each mesh does to a ray of light, for whoever follows rays through a scene's triangles.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/effects/effects.hpp"
+
+namespace caustics {
+
+// The numbers are those that the passes work with (pipeline/renderer/scene_on_device.hpp).
+struct Optics {
+  Role role = Role::Receiver;
+  bool solid = false;          // light leaves through a second surface
+  double ior = 1.0;            // at the d line
+  double spread = 0.0;         // n_F - n_C
+  glm::dvec3 absorption{0.0};  // per metre
+  glm::dvec3 color{1.0};       // of what passes; of a mirror its reflectance straight on
+  int body = 0;                // primitives of one object and material are one body
+  double index(double bend) const { return ior + spread * bend; }
+};
+
+// By Scene::meshes.
+std::vector<Optics> optics_of(const Scene& scene, const Effects& effects);
+
+// What in the scene following rays does not show: textures that lean normals, tint or cut holes, waves, haze.
+// "textured casters (...)", with the reason; empty where it shows everything.
+std::string not_in_triangles(const Scene& scene, const Effects& effects);
+
+}  // namespace caustics

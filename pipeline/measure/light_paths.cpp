@@ -1,0 +1,239 @@
+#include "pipeline/measure/light_paths.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics {
+
+namespace {
+
+constexpr int kMostNested = 8;
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+// An index below 1 is relative to what surrounds the body, as of a bubble; others are absolute.
+double absolute_index(double ior, double around) { return ior < 1.0 ? ior * around : ior; }
+
+std::vector<int> meshes_of(const std::vector<Optics>& optics, bool casters) {
+  std::vector<int> meshes;
+  for (int m = 0; m < static_cast<int>(optics.size()); ++m) {
+    const Role role = optics[static_cast<std::size_t>(m)].role;
+    if (casters ? is_caster(role) : role == Role::Receiver) meshes.push_back(m);
+  }
+  return meshes;
+}
+
+// The shading normal against the light. One that faces away from its own surface is tilted to just within the
+// horizon (passes/shared/optics.glsl, facing_normal).
+glm::dvec3 normal_against(const glm::dvec3& normal, const glm::dvec3& direction) {
+  const double along = exact::dot(normal, direction);
+  if (along < -1e-4) return normal;
+  return exact::normalise(normal - direction * (along + 1e-3), -direction);
+}
+
+glm::dvec3 mirrored(const glm::dvec3& direction, const glm::dvec3& normal) {
+  return exact::normalise(direction - normal * (2.0 * exact::dot(direction, normal)), -direction);
+}
+
+// Unpolarised light at an interface. Snell's law as t = eta d - mu N, with
+// mu = cos_t - eta cos_i as a quotient, so that nothing cancels at eta = 1.
+struct Interface {
+  double reflectance = 1.0;
+  bool total = true;
+  glm::dvec3 bent{0.0};
+
+  Interface(const glm::dvec3& d, const glm::dvec3& n, double n1, double n2) {
+    const double eta = n1 / n2, ci = std::clamp(-exact::dot(d, n), 0.0, 1.0);
+    const double squared = 1.0 - eta * eta * (1.0 - ci * ci);
+    if (!(squared > 0.0)) return;
+    const double ct = std::sqrt(squared);
+    total = false;
+    bent = exact::normalise(d * eta - n * ((1.0 - eta * eta) / (ct + eta * ci)), d);
+    const double s = (n1 * ci - n2 * ct) / (n1 * ci + n2 * ct), p = (n1 * ct - n2 * ci) / (n1 * ct + n2 * ci);
+    reflectance = 0.5 * (s * s + p * p);
+  }
+};
+
+// Schlick (1994), as glTF 2.0 has it (appendix B.2).
+glm::dvec3 metal(const glm::dvec3& straight_on, double cosine) {
+  const double s = 1.0 - cosine, grazing = (s * s) * (s * s) * s;
+  return straight_on * (1.0 - grazing) + glm::dvec3(grazing);
+}
+
+glm::dvec3 left_after(const glm::dvec3& absorption, double metres) {
+  return {exact::exp(-absorption.x * metres), exact::exp(-absorption.y * metres),
+          exact::exp(-absorption.z * metres)};
+}
+
+}  // namespace
+
+// Random numbers by counter: SplitMix64 (Steele, Lea, Flood 2014) from the ray's own number.
+class LightPaths::Draws {
+ public:
+  explicit Draws(std::uint64_t key) : state_(key * 0x9e3779b97f4a7c15ull) {}
+  // In [0, 1).
+  double next() {
+    std::uint64_t x = state_ += 0x9e3779b97f4a7c15ull;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+    return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+// A body that the light is in. Bodies may overlap: the last that was entered counts.
+struct LightPaths::Body {
+  int number = -1, mesh = -1;
+  double index = 1.0;  // of refraction, absolute
+};
+
+struct LightPaths::Bodies {
+  std::array<Body, kMostNested> list{};
+  int count = 0;
+
+  const Body* last() const { return count > 0 ? &list[static_cast<std::size_t>(count) - 1] : nullptr; }
+  double index() const { return count > 0 ? last()->index : 1.0; }
+  bool has(int number) const {
+    return std::any_of(list.begin(), list.begin() + count,
+                       [&](const Body& body) { return body.number == number; });
+  }
+  void enter(const Body& body) {
+    if (count < kMostNested) list[static_cast<std::size_t>(count++)] = body;
+  }
+  void leave(int number) {
+    const auto end = list.begin() + count;
+    const auto kept =
+        std::remove_if(list.begin(), end, [&](const Body& body) { return body.number == number; });
+    count = static_cast<int>(kept - list.begin());
+  }
+};
+
+struct LightPaths::Moving {
+  glm::dvec3 origin{0.0}, direction{0.0}, flux{0.0};
+  double first = 0.0;    // the largest channel of what the light began with
+  TriangleId on{};       // where it starts
+  bool crossed = false;  // that surface, instead of being mirrored
+  int surfaces = 0;      // met so far
+  bool followed = true;  // by the passes too, so far
+  Bodies bodies{};
+};
+
+LightPaths::LightPaths(const Scene& scene, const Effects& effects)
+    : scene_(scene),
+      optics_(optics_of(scene, effects)),
+      casters_(scene, meshes_of(optics_, true)),
+      receivers_(scene, meshes_of(optics_, false)) {
+  const Bounds bounds = bounds_of(scene);
+  if (!bounds.empty()) nearest_ = 4e-6 * std::max(bounds.radius(), 1e-6);
+}
+
+bool LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landings) const {
+  const auto first = casters_.nearest(light.origin, light.direction, {}, light.emitter);
+  if (!first) return false;
+  Draws draws(light.key);
+  std::vector<Moving> pending;
+  meet({.origin = light.origin,
+        .direction = light.direction,
+        .flux = light.flux,
+        .first = largest(light.flux)},
+       *first, light.bend, draws, pending);
+  while (!pending.empty()) {
+    Moving moving = pending.back();
+    pending.pop_back();
+    TriangleHit met;
+    if (advance(light, moving, met, landings)) meet(moving, met, light.bend, draws, pending);
+  }
+  return true;
+}
+
+bool LightPaths::casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const {
+  const auto caster = casters_.nearest(p + direction * nearest_, direction);
+  return caster && caster->distance < distance;
+}
+
+// To the next caster: false where the light lands, misses or is given up.
+bool LightPaths::advance(const LightRay& light, Moving& moving, TriangleHit& met,
+                         std::vector<LightLanding>& landings) const {
+  if (moving.surfaces >= kMostSurfaces || largest(moving.flux) < kLeastShare * moving.first) return false;
+  const auto caster = casters_.nearest(moving.origin, moving.direction, moving.on, light.emitter);
+  // Light that crossed a surface may start on a receiver that touches it; light that was mirrored may not.
+  const double back = moving.crossed ? nearest_ : -nearest_;
+  const auto receiver =
+      receivers_.nearest(moving.origin - moving.direction * back, moving.direction, {}, light.emitter);
+  const double to_receiver = receiver ? std::max(receiver->distance - back, 0.0) : 0.0;
+  const bool lands = receiver && (!caster || to_receiver < caster->distance - nearest_);
+  if (!lands && !caster) return false;
+  if (const Body* in = moving.bodies.last())
+    moving.flux *= left_after(optics_[static_cast<std::size_t>(in->mesh)].absorption,
+                              lands ? to_receiver : caster->distance);
+  if (lands) {
+    landings.push_back({position_of(scene_, *receiver), moving.flux, moving.followed});
+    return false;
+  }
+  met = *caster;
+  return true;
+}
+
+void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend, Draws& draws,
+                      std::vector<Moving>& pending) const {
+  const Optics& o = optics(met);
+  const glm::dvec3& d = moving.direction;
+  const double side = met.front ? 1.0 : -1.0;
+  const glm::dvec3 plane = plane_normal(scene_, met.id) * side;
+  const glm::dvec3 normal = normal_against(shading_normal(scene_, met) * side, d);
+  Moving next = moving;
+  next.origin = position_of(scene_, met);
+  next.on = met.id;
+  ++next.surfaces;
+  // What an interpolated normal sends to the wrong side of its own surface is given up.
+  const bool mirror = o.role == Role::Mirror;
+  const auto send = [&](Moving onward, const glm::dvec3& direction, bool crosses) {
+    onward.direction = direction;
+    onward.crossed = crosses;
+    const bool in = next.surfaces == 1 && crosses != mirror;
+    const bool out = next.surfaces == 2 && o.solid && crosses && !met.front;
+    onward.followed = moving.followed && (in || out);
+    if ((exact::dot(direction, plane) < 0.0) == crosses) pending.push_back(onward);
+  };
+  if (mirror) {
+    next.flux *= metal(o.color, -exact::dot(d, normal));
+    return send(next, mirrored(d, normal), false);
+  }
+  const bool within = moving.bodies.has(o.body);
+  if (met.front && within) return send(next, d, true);  // a second skin of the same body
+  Moving through = next;
+  double n1 = moving.bodies.index(), n2 = n1;
+  if (met.front) {
+    n2 = absolute_index(o.index(bend), n1);
+    through.bodies.enter({o.body, met.id.mesh, n2});
+  } else if (within) {
+    through.bodies.leave(o.body);
+    n2 = through.bodies.index();
+  } else {  // the light began inside
+    n1 = absolute_index(o.index(bend), n2);
+  }
+  const Interface at(d, normal, n1, n2);
+  const double r = at.reflectance;
+  const double weaker = std::min(r, 1.0 - r) * largest(moving.flux);
+  const bool both = weaker > kWeakShare * moving.first && next.surfaces <= kBothWays;
+  const bool mirrors = both || at.total || draws.next() < r;
+  if (mirrors) {
+    Moving back = next;
+    if (both) back.flux *= r;
+    send(back, mirrored(d, normal), false);
+  }
+  if (both || !mirrors) {
+    if (both) through.flux *= 1.0 - r;
+    // The tint counts once for each body, as light gets in; or out, where it began inside.
+    if (met.front || !within) through.flux *= o.color;
+    send(through, at.bent, true);
+  }
+}
+
+}  // namespace caustics

@@ -1,0 +1,64 @@
+// Light followed through a scene's triangles all its way: what the passes leave out can be told from it
+// (docs/accuracy.md).
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/effects/optics.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
+
+namespace caustics {
+
+// A ray of light before it meets anything. `flux`: by channel.
+struct LightRay {
+  glm::dvec3 origin{0.0}, direction{0.0, 0.0, -1.0};
+  glm::dvec3 flux{1.0};
+  double bend = 0.0;      // Branch::bend
+  int emitter = -1;       // Light::emitter, which its light passes
+  std::uint64_t key = 0;  // the ray's number: what it draws depends on that alone
+};
+
+// Where a part of it met a receiver.
+struct LightLanding {
+  glm::dvec3 position{0.0}, flux{0.0};
+  bool followed = false;  // on the way that the passes take: in, out where the caster is solid, and on
+};
+
+// A path is followed both ways at a surface until it has met kBothWays of them or the weaker way has less
+// than kWeakShare of the ray's flux; from then on one way is drawn, in proportion to Fresnel's shares. It is
+// given up after kMostSurfaces, and below kLeastShare of its flux.
+class LightPaths {
+ public:
+  static constexpr int kBothWays = 4, kMostSurfaces = 48;
+  static constexpr double kWeakShare = 0.02, kLeastShare = 1e-4;
+
+  // Both must outlive it; the scene must keep its vertices.
+  LightPaths(const Scene& scene, const Effects& effects);
+  LightPaths(const LightPaths&) = delete;
+  LightPaths& operator=(const LightPaths&) = delete;
+
+  // Adds where the light lands behind casters, by any number of surfaces. False where it meets no caster.
+  bool follow(const LightRay& light, std::vector<LightLanding>& landings) const;
+  // Does a caster stand on the way from p in this direction, up to that distance?
+  bool casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const;
+
+ private:
+  struct Body;
+  struct Bodies;  // that the light is in
+  struct Moving;  // light between two surfaces
+  class Draws;
+  bool advance(const LightRay& light, Moving& moving, TriangleHit& met,
+               std::vector<LightLanding>& landings) const;
+  void meet(const Moving& moving, const TriangleHit& met, double bend, Draws& draws,
+            std::vector<Moving>& pending) const;
+  const Optics& optics(const TriangleHit& hit) const {
+    return optics_[static_cast<std::size_t>(hit.id.mesh)];
+  }
+
+  const Scene& scene_;
+  std::vector<Optics> optics_;
+  TriangleTree casters_, receivers_;
+  double nearest_ = 1e-6;  // metres: surfaces as near to one another touch
+};
+
+}  // namespace caustics

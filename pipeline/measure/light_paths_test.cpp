@@ -1,0 +1,140 @@
+#include "pipeline/measure/light_paths.hpp"
+
+#include <cmath>
+
+#include "pipeline/settings/settings.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/shapes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A floor at y = 0 and what stands over it.
+struct Bench {
+  Scene scene;
+  explicit Bench(std::vector<Mesh> casters, Material caster = glass(1.5f)) {
+    scene.materials = {diffuse(0.8f), std::move(caster)};
+    scene.meshes = std::move(casters);
+    scene.meshes.insert(scene.meshes.begin(), floor(10.0, 0.0, 0));
+    scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
+    scene.cameras = {camera_down(0.2, 1.0)};
+  }
+  std::vector<LightLanding> follow(const glm::dvec3& from, const glm::dvec3& along,
+                                   std::uint64_t key = 1) const {
+    const LightPaths paths(scene, effects_of(scene, Settings{}));
+    std::vector<LightLanding> landings;
+    paths.follow({.origin = from, .direction = along, .key = key}, landings);
+    return landings;
+  }
+};
+
+double followed_flux(const std::vector<LightLanding>& landings, bool followed) {
+  double sum = 0.0;
+  for (const LightLanding& landing : landings)
+    if (landing.followed == followed) sum += landing.flux.x;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "light paths: straight through a slab goes what two surfaces let in, and some of what they mirror") {
+  const Bench bench({box({-1, 0.5, -1}, {1, 0.8, 1}, 1)});
+  const auto landings = bench.follow({0.3, 2.0, 0.2}, {0, -1, 0});
+  // R = 0.04 at each surface: 0.96^2; then 0.96^2 R^2 after two more. What is left is drawn.
+  CHECK(followed_flux(landings, true) == Approx(0.9216).epsilon(1e-12));
+  for (const LightLanding& landing : landings) {
+    CHECK(landing.position.x == Approx(0.3));
+    CHECK(std::fabs(landing.position.y) < 1e-12);
+  }
+  const LightPaths paths(bench.scene, effects_of(bench.scene, Settings{}));
+  std::vector<LightLanding> many;
+  for (std::uint64_t key = 0; key < 4000; ++key)
+    paths.follow({.origin = {0.3, 2.0, 0.2}, .direction = {0, -1, 0}, .key = key}, many);
+  // All orders together: (1 - R) / (1 + R). 4000 draws of what is left, 0.0384 R either way: +- 0.0001.
+  const double all = (followed_flux(many, true) + followed_flux(many, false)) / 4000.0;
+  CHECK(all == Approx(0.96 / 1.04).margin(4e-4));
+}
+
+TEST_CASE("light paths: Snell's law bends the way through a slab, Beer and Lambert's takes its share") {
+  Material tinted = glass(1.5f);
+  tinted.attenuation_color = {0.5f, 1.0f, 1.0f};
+  tinted.attenuation_distance = 0.4f;
+  const Bench bench({box({-2, 0.5, -2}, {2, 0.8, 2}, 1)}, tinted);
+  // 60 degrees from the vertical; inside sin t = sin 60 / 1.5.
+  const double s = std::sqrt(0.75), inside = s / 1.5, cosine = std::sqrt(1.0 - inside * inside);
+  const auto landings = bench.follow({-1.0, 0.8 + 0.5, 0.0}, {s, -0.5, 0.0});
+  const auto straight =
+      std::find_if(landings.begin(), landings.end(), [](const auto& landing) { return landing.followed; });
+  REQUIRE(straight != landings.end());
+  CHECK(straight->position.x == Approx(-1.0 + s + 0.3 * inside / cosine + 0.5 * s / 0.5).epsilon(1e-6));
+  CHECK(straight->flux.x / straight->flux.y == Approx(std::pow(0.5, 0.3 / cosine / 0.4)).epsilon(1e-6));
+}
+
+TEST_CASE("light paths: total reflection is followed, as the passes do not") {
+  // Vertical light onto a roof of 45 degrees upside down: a right-angled prism, hypotenuse up, sends it back
+  // up; turned over its legs, it goes out at the side.
+  Mesh prism;
+  prism.material = 1;
+  const glm::vec3 a(-0.5f, 1.0f, 0.0f), b(0.5f, 1.0f, 0.0f), c(0.5f, 0.0f, 0.0f), deep(0.0f, 0.0f, -1.0f),
+      up(0.0f, 0.6f, 0.0f);
+  const auto face = [&](const std::vector<glm::vec3>& points, const glm::vec3& normal) {
+    const auto first = static_cast<std::uint32_t>(prism.vertices.size());
+    for (const glm::vec3& p : points) prism.vertices.push_back({.position = p + up, .normal = normal});
+    for (std::uint32_t k = 2; k < points.size(); ++k)
+      prism.indices.insert(prism.indices.end(), {first, first + k - 1, first + k});
+  };
+  const float half = std::sqrt(0.5f);
+  face({a, b, b + deep, a + deep}, {0, 1, 0});
+  face({b, c, c + deep, b + deep}, {1, 0, 0});
+  face({c, a, a + deep, c + deep}, {-half, -half, 0});
+  face({a, c, b}, {0, 0, 1});
+  face({a + deep, b + deep, c + deep}, {0, 0, -1});
+  finish(prism, 1.0f);
+  Bench bench({prism});
+  bench.scene.meshes.push_back(box({2.0, 0.0, -1.0}, {2.1, 3.0, 1.0}, 0));
+  const auto landings = bench.follow({0.2, 5.0, -0.5}, {0, -1, 0});
+  // In at the top, off the slope at 45 degrees (beyond 41.8), out at the side, level: onto the wall.
+  const auto turned = std::find_if(landings.begin(), landings.end(), [](const LightLanding& landing) {
+    return std::fabs(landing.position.x - 2.0) < 1e-6;
+  });
+  REQUIRE(turned != landings.end());
+  CHECK_FALSE(turned->followed);
+  CHECK(turned->flux.x == Approx(0.9216).epsilon(1e-5));
+  // The slope's height at x = 0.2.
+  CHECK(turned->position.y == Approx(0.6 + 0.3).epsilon(1e-5));
+}
+
+TEST_CASE("light paths: a second body bends light that the passes send straight on") {
+  const Bench bench({box({-1, 0.5, -1}, {1, 0.8, 1}, 1), box({-1, 1.0, -1}, {1, 1.3, 1}, 1)});
+  const auto landings = bench.follow({0.3, 2.0, 0.2}, {0, -1, 0});
+  CHECK(followed_flux(landings, true) == 0.0);
+  CHECK(landings.front().flux.x > 0.0);
+  // 0.96^4 go straight through both.
+  double most = 0.0;
+  for (const LightLanding& landing : landings) most = std::max(most, landing.flux.x);
+  CHECK(most == Approx(0.84934656).epsilon(1e-9));
+}
+
+TEST_CASE("light paths: a bubble's index is relative to the glass around it") {
+  Bench bench({box({-1, 0.5, -1}, {1, 1.5, 1}, 1), box({-0.5, 0.9, -0.5}, {0.5, 1.1, 0.5}, 2)});
+  bench.scene.materials.push_back(glass(1.0f / 1.5f));
+  const auto landings = bench.follow({0.3, 2.0, 0.2}, {0, -1, 0});
+  double most = 0.0;
+  for (const LightLanding& landing : landings) most = std::max(most, landing.flux.x);
+  // Glass to gas and back mirrors as much as air to glass.
+  CHECK(most == Approx(0.84934656).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "light paths: what meets no caster is not followed, and one ray's draws do not depend on another's") {
+  const Bench bench({sphere({0.0, 1.0, 0.0}, 0.5, 3, 1)});
+  CHECK(bench.follow({3.0, 2.0, 0.0}, {0, -1, 0}).empty());
+  const auto once = bench.follow({0.3, 2.0, 0.1}, {0, -1, 0}, 7),
+             again = bench.follow({0.3, 2.0, 0.1}, {0, -1, 0}, 7);
+  REQUIRE(once.size() == again.size());
+  REQUIRE(!once.empty());
+  for (std::size_t i = 0; i < once.size(); ++i) CHECK(once[i].position == again[i].position);
+}

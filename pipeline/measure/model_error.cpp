@@ -1,0 +1,180 @@
+#include "pipeline/measure/model_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/measure/ledger.hpp"
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics {
+
+struct ModelError::Vertex {
+  int x = 0, y = 0, half = 0;
+  double times = 1.0;  // as many vertices it stands for
+};
+
+namespace {
+
+double sum_of(const glm::dvec3& v) { return (v.x + v.y) + v.z; }
+
+bool is_covered(const Image& landing, int x, int y) {
+  return landing.at(x, y, 3) != static_cast<float>(LandingStatus::Empty);
+}
+
+glm::dvec3 texel_rgb(const Image& image, int x, int y) {
+  return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
+}
+
+// The ray of light through the middle of a texel.
+LightRay light_ray(const Light& light, const View& view, int side, int x, int y) {
+  LightRay ray{.origin = view.origin, .direction = view.forward, .emitter = light.emitter};
+  const glm::dvec2 middle(x + 0.5, y + 0.5);
+  if (view.cube) {
+    const int column = x / view.cube->tile_width(), row = y / view.cube->tile_height();
+    const int face = 3 * row + column;
+    const glm::dvec2 corner = view.cube->texel(glm::dvec2(-1.0), face);
+    const glm::dvec2 tangents =
+        (middle - corner) / glm::dvec2(view.cube->face_width(), view.cube->face_height()) * 2.0 - 1.0;
+    const glm::dvec3 q = turned_from_face({tangents.x, tangents.y, 1.0}, face);
+    ray.direction = exact::normalise((view.right * q.x + view.up * q.y) + view.forward * q.z, view.forward);
+    return ray;
+  }
+  const glm::dvec2 window =
+      view.window_lower + (view.window_upper - view.window_lower) * (middle / static_cast<double>(side));
+  const glm::dvec3 aside = view.right * window.x + view.up * window.y;
+  if (view.perspective) {
+    ray.direction = exact::normalise(view.forward + aside, view.forward);
+  } else {
+    ray.origin = view.origin + aside;
+  }
+  return ray;
+}
+
+}  // namespace
+
+ModelError::ModelError(const LightPaths& paths, const PictureBlocks& blocks, int rays)
+    : paths_(paths), blocks_(blocks), rays_(rays) {
+  for (std::vector<double>& half : surplus_) half.assign(3 * blocks.count(), 0.0);
+}
+
+// Every n-th vertex along both sides of the grid, so that about as many covered ones are left as asked for.
+void ModelError::add(const Sample& sample) {
+  const Image& landing = sample.branches.front().landing;
+  std::size_t covered = 0;
+  for (int y = 0; y < landing.height(); ++y)
+    for (int x = 0; x < landing.width(); ++x) covered += is_covered(landing, x, y) ? 1u : 0u;
+  const double wanted = std::max(1.0, static_cast<double>(rays_) / sample.samples);
+  int step = 1;
+  while (static_cast<double>(covered) > wanted * step * step) ++step;
+  for (int y = step / 2; y < landing.height(); y += step)
+    for (int x = step / 2; x < landing.width(); x += step)
+      if (is_covered(landing, x, y))
+        compare(sample, {x, y, (x / step + y / step) % 2, static_cast<double>(step) * step * sample.share});
+}
+
+bool ModelError::sees(const glm::dvec3& p) const {
+  const View& camera = blocks_.camera();
+  if (!camera.perspective) return !paths_.casters_block(p, -camera.forward, camera.coordinates(p).z);
+  const glm::dvec3 way = camera.origin - p;
+  return !paths_.casters_block(p, exact::normalise(way, -camera.forward), exact::length(way));
+}
+
+void ModelError::compare(const Sample& sample, const Vertex& vertex) {
+  bool lost = false;
+  for (const BranchImages& images : sample.branches) {
+    const auto status = static_cast<LandingStatus>(images.landing.at(vertex.x, vertex.y, 3));
+    lost = lost || status == LandingStatus::NotConverged || status == LandingStatus::Outside;
+    if (status != LandingStatus::Landed) continue;
+    const glm::dvec3 p = texel_rgb(images.landing, vertex.x, vertex.y);
+    const auto place = blocks_.find(p);
+    if (!place || !sees(p)) continue;
+    const glm::dvec3 light =
+        texel_rgb(images.flux, vertex.x, vertex.y) * (vertex.times * place->pixels_per_area);
+    for (int c = 0; c < 3; ++c)
+      surplus_[vertex.half][3 * place->block + static_cast<std::size_t>(c)] += light[c];
+  }
+  follow(sample, vertex, lost);
+}
+
+void ModelError::follow(const Sample& sample, const Vertex& vertex, bool lost) {
+  const View& view = sample.caster;
+  const int side = sample.branches.front().landing.width();
+  std::uint64_t key = static_cast<std::uint64_t>(vertex.y) * static_cast<std::uint64_t>(side) +
+                      static_cast<std::uint64_t>(vertex.x);
+  LightRay ray = light_ray(sample.light, view, side, vertex.x, vertex.y);
+  for (const BranchImages& images : sample.branches) {
+    if (images.branch.reflected) continue;
+    const double flux = static_cast<double>(images.fresnel.at(vertex.x, vertex.y, 3)) * vertex.times;
+    ray.flux = glm::dvec3(images.branch.color) * flux;
+    ray.bend = images.branch.bend;
+    ray.key = ++key * 0x10001u;
+    landings_.clear();
+    entered_ += sum_of(ray.flux);
+    if (!(flux > 0.0) || !paths_.follow(ray, landings_)) continue;
+    for (const LightLanding& landing : landings_) {
+      landed_ += sum_of(landing.flux);
+      if (landing.followed) followed_ += sum_of(landing.flux);
+      const auto place = blocks_.find(landing.position);
+      if (!place || !sees(landing.position)) continue;
+      const glm::dvec3 light = landing.flux * place->pixels_per_area;
+      lit_ += sum_of(light);
+      if (lost) {
+        lost_ += sum_of(light);
+        continue;
+      }
+      for (int c = 0; c < 3; ++c)
+        surplus_[vertex.half][3 * place->block + static_cast<std::size_t>(c)] -= light[c];
+    }
+  }
+}
+
+// What has more, frame or light, in each block and channel: 1, -1, or 0 where nothing tells. Where the rays
+// have left a block empty, the next larger square of blocks tells that is not.
+std::vector<double> ModelError::signs(const std::vector<double>& surplus) const {
+  std::vector<double> signs(surplus.size(), 0.0), sums = surplus;
+  std::size_t across = blocks_.across(), upward = blocks_.upward();
+  for (int level = 0; across > 0; ++level) {
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+      if (signs[i] != 0.0) continue;
+      const std::size_t block = i / 3, x = (block % blocks_.across()) >> level,
+                        y = (block / blocks_.across()) >> level;
+      const double sum = sums[3 * (y * across + x) + i % 3];
+      signs[i] = sum > 0.0 ? 1.0 : sum < 0.0 ? -1.0 : 0.0;
+    }
+    if (across == 1 && upward == 1) break;
+    const std::size_t half_across = (across + 1) / 2, half_upward = (upward + 1) / 2;
+    std::vector<double> halves(3 * half_across * half_upward, 0.0);
+    for (std::size_t y = 0; y < upward; ++y)
+      for (std::size_t x = 0; x < across; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          halves[3 * (y / 2 * half_across + x / 2) + c] += sums[3 * (y * across + x) + c];
+    sums = std::move(halves);
+    across = half_across;
+    upward = half_upward;
+  }
+  return signs;
+}
+
+void ModelError::complete(ErrorEstimate& estimate) const {
+  estimate.judged = true;
+  if (!(landed_ > 0.0)) return;
+  // |surplus| summed over the blocks is too much, by the noise of few rays. The signs that one half of the
+  // rays gives, put to the other half's surplus, sum to too little. The truth lies between.
+  const std::vector<double> signs_a = signs(surplus_[0]), signs_b = signs(surplus_[1]);
+  double most = 0.0, least = 0.0;
+  for (std::size_t i = 0; i < signs_a.size(); ++i) {
+    const double a = surplus_[0][i], b = surplus_[1][i];
+    most += std::fabs(a + b);
+    least += signs_a[i] * b + signs_b[i] * a;
+  }
+  least = std::clamp(least, 0.0, most);
+  estimate.landed = landed_;
+  const double whole = lit_ > 0.0 ? landed_ / lit_ : 0.0;
+  estimate.model = 0.5 * (most + least) * whole;
+  estimate.sampling = 0.5 * (most - least) * whole;
+  estimate.missing = lost_ * whole;
+  estimate.not_followed = landed_ - followed_;
+}
+
+}  // namespace caustics

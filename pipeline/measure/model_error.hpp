@@ -1,0 +1,52 @@
+// How far a light's caustic is from what light itself would draw, by the model: rays of a frame's own grid
+// vertices are followed through the scene all their way, and where they land is held against where the frame
+// has put them (docs/accuracy.md).
+#pragma once
+#include <vector>
+
+#include "pipeline/measure/error_estimate.hpp"
+#include "pipeline/measure/landing_images.hpp"
+#include "pipeline/measure/light_paths.hpp"
+#include "pipeline/measure/picture_blocks.hpp"
+#include "pipeline/views/light_views.hpp"
+
+namespace caustics {
+
+// One light's rays, its samples' together, and what both have put into the picture's blocks.
+class ModelError {
+ public:
+  // `rays`: about how many of all samples'. All must outlive it.
+  ModelError(const LightPaths& paths, const PictureBlocks& blocks, int rays);
+
+  struct Sample {
+    const Light& light;
+    const View& caster;  // LightViews::caster
+    const std::vector<BranchImages>& branches;
+    double share = 1.0;  // of the sample's flux, in the light's unit
+    int samples = 1;     // of the light
+  };
+  void add(const Sample& sample);
+
+  // Puts into the estimate what the frame alone does not know: `model`, `sampling`, `not_followed`; `missing`
+  // where that light would land in the picture; and takes all light that lands for the whole.
+  void complete(ErrorEstimate& estimate) const;
+
+ private:
+  struct Vertex;
+  void compare(const Sample& sample, const Vertex& vertex);
+  void follow(const Sample& sample, const Vertex& vertex, bool lost);
+  bool sees(const glm::dvec3& p) const;
+  std::vector<double> signs(const std::vector<double>& surplus) const;
+
+  const LightPaths& paths_;
+  const PictureBlocks& blocks_;
+  int rays_;
+  // Of rays in turn, three a block: what the frame has more of than light.
+  std::vector<double> surplus_[2];
+  double lit_ = 0.0;   // in the picture, by light
+  double lost_ = 0.0;  // of that, what the frame did not follow to its landing
+  double landed_ = 0.0, followed_ = 0.0, entered_ = 0.0;
+  std::vector<LightLanding> landings_;
+};
+
+}  // namespace caustics
