@@ -14,7 +14,7 @@ constexpr char kReferenceExamples[] =
     "  caustics reference scene.glb -o truth.exr -r 640x360\n"
     "  caustics reference scene.glb -o truth.exr --error 1% --seconds 600\n"
     "  caustics reference scene.glb -o truth.exr --batches 64 --resume   goes on where it stopped\n"
-    "  caustics reference scene.glb -o full.exr --physics full          all reflections inside too\n";
+    "  caustics reference scene.glb -o single.exr --physics single      only the light that render follows\n";
 
 constexpr int kUsualBatches = 16;
 constexpr Limits<int> kRays{1, 16384}, kBatches{2, 1'000'000};
@@ -30,7 +30,7 @@ void add_physics(Parser& parser, SettingOptions& options, ReferenceRequest& requ
   parser.group("Light");
   parser.option("--physics", "NAME",
                 {"single: light goes in, out, and lands, as render has it; full: it meets every surface",
-                 "single|full", "single"},
+                 "single|full", "full"},
                 [&](const std::string& value) { request.trace.physics = parse_physics(value); });
   options.add("interfaces");
   options.add("wavelengths");

@@ -17,7 +17,7 @@ struct ReferenceRequest {
   std::filesystem::path output;
   std::vector<std::string> layers;  // checked
   std::string stats;                // --stats; "": none
-  tracer::TraceSettings trace;
+  tracer::TraceSettings trace{.physics = tracer::Physics::Full};
   ExactRequest exact;  // looked up in the scene, they are trace.exact
   // Whatever comes first ends the run.
   std::optional<int> batches;

@@ -96,13 +96,14 @@ void print_reference(const ReferenceRequest& request, const Scene& scene, const 
   for (std::size_t i = 0; i < tracer.state().accounts.size(); ++i)
     print_ledger(scene, static_cast<int>(i), tracer.state().accounts[i]);
   const auto rays = static_cast<std::uint64_t>(rays_of(tracer));
-  std::fprintf(stderr,
-               "%s: %dx%d, %s batches of %d x %d rays a light (%s rays), standard error %s of the caustics' "
-               "light, %s\n",
-               one_line(request.output.string()).c_str(), request.trace.width, request.trace.height,
-               grouped(tracer.state().batches).c_str(), request.trace.side, request.trace.side,
-               grouped(rays).c_str(), percent(tracer.relative_error()).c_str(),
-               duration_text(timing.total).c_str());
+  std::fprintf(
+      stderr,
+      "%s: %dx%d, %s batches of %d x %d rays a light (%s rays), error %s of the caustics' light (noise "
+      "%s, given up %s), %s\n",
+      one_line(request.output.string()).c_str(), request.trace.width, request.trace.height,
+      grouped(tracer.state().batches).c_str(), request.trace.side, request.trace.side, grouped(rays).c_str(),
+      percent(tracer.relative_error() + tracer.given_up()).c_str(), percent(tracer.relative_error()).c_str(),
+      percent(tracer.given_up()).c_str(), duration_text(timing.total).c_str());
   std::error_code error;
   const auto bytes = std::filesystem::file_size(request.state_file(), error);
   if (!error)
@@ -126,7 +127,9 @@ std::string reference_stats(const ReferenceRequest& request, const Scene& scene,
       {"batches", tracer.state().batches},
       {"batches_of_this_run", timing.batches},
       {"rays", rays_of(tracer)},
-      {"relative_error", tracer.relative_error()},
+      {"relative_error", tracer.relative_error() + tracer.given_up()},
+      {"noise", tracer.relative_error()},
+      {"given_up", tracer.given_up()},
       {"milliseconds", {{"prepare", timing.prepare}, {"trace", timing.trace}, {"total", timing.total}}}};
   document["exact"] = Json::array();
   for (const tracer::ExactShape& shape : request.trace.exact)

@@ -207,11 +207,6 @@ FrameRange whole_animation(const LoadedScene& scene, double rate) {
   return frames_up_to(scene.duration() * rate - 1e-4);
 }
 
-// Sizes that are tried before a demand counts as missed.
-constexpr int kAttempts = 6;
-// How many times longer than the last one a trial may be expected to take.
-constexpr double kFarther = 8.0;
-
 class Renderer {
  public:
   explicit Renderer(RenderRequest request)
@@ -250,21 +245,17 @@ class Renderer {
           progress_.show(text);
         });
     if (!model) return;
-    // What is found with the sizes chosen corrects the model, and the choice where it has to.
-    double longest = kFarther * model->expect(2 * kPilotSide, kPilotSide).milliseconds;
-    for (int attempt = 1; attempt <= kAttempts; ++attempt) {
-      expected_ = choose(*model, request_.demand, longest);
-      const Trial free = choose(*model, request_.demand);
-      const bool hopeless = !meets(free, request_.demand) && free.milliseconds <= longest;
-      progress_.show("trying grid " + std::to_string(expected_->grid) + " and map " +
-                     std::to_string(expected_->map));
-      found_ = try_sizes(request_.frame, expected_->grid, expected_->map);
-      if (!found_ || meets(*found_, request_.demand) || hopeless) break;
-      model->learn(*found_);
-      longest = kFarther * found_->milliseconds;
+    SizeSearch search(*model, request_.demand);
+    while (const std::optional<Trial> next = search.next()) {
+      progress_.show("trying grid " + std::to_string(next->grid) + " and map " + std::to_string(next->map));
+      const std::optional<Trial> found = try_sizes(request_.frame, request_.demand, next->grid, next->map);
+      if (!found) break;
+      search.learn(*found);
     }
+    found_ = search.chosen();
     if (!found_) return;
     met_ = meets(*found_, request_.demand);
+    only_model_ = search.only_model();
     request_.frame.settings.grid = found_->grid;
     request_.frame.settings.map = found_->map;
     choosing_ = watch.milliseconds();
@@ -365,7 +356,7 @@ class Renderer {
     if (ledgers.empty() && frame_->effects().caustics.active)
       std::fputs("no flux ledger and no estimated error: nothing that is asked for depends on the caustics\n",
                  stderr);
-    if (found_) std::fputs(demand_text(request_.demand, *expected_, *found_, choosing_).c_str(), stderr);
+    if (found_) std::fputs(demand_text(request_.demand, *found_, only_model_, choosing_).c_str(), stderr);
     print_summary(*frame_, ledgers, timing_, request_.outputs.files,
                   request_.several() ? static_cast<int>(todo_.size()) : 0);
     if (there > 0) std::fprintf(stderr, "%d frames were there already\n", there);
@@ -391,7 +382,8 @@ class Renderer {
   std::size_t done_ = 0;   // of todo_
   std::vector<std::unique_ptr<VideoFile>> films_;
   // On demand: what the sizes were expected to give, and what they gave.
-  std::optional<Trial> expected_, found_;
+  std::optional<Trial> found_;
+  bool only_model_ = false;
   double choosing_ = 0.0;
   bool met_ = true;
   std::optional<RenderedFrame> frame_;

@@ -61,8 +61,7 @@ TracedLight trace_piece(Arguments arguments, const TracedTruth& truth, const std
   run_reference(arguments);
   std::ifstream in(file.string() + ".json");
   const Json stats = Json::parse(in);
-  TracedLight light{
-      .error = stats.at("relative_error"), .batches = stats.at("batches"), .notes = stats.at("notes")};
+  TracedLight light{.error = stats.at("noise"), .batches = stats.at("batches"), .notes = stats.at("notes")};
   light.good = light.batches >= kLeastBatches && light.error <= truth.error;
   return light;
 }

@@ -8,7 +8,7 @@
 
 #include "app/flux.hpp"
 #include "app/frame.hpp"
-#include "pipeline/measure/cost_model.hpp"
+#include "pipeline/measure/size_search.hpp"
 
 namespace caustics::app {
 
@@ -18,11 +18,12 @@ std::optional<Trial> trial_of(const RenderedFrame& frame, double milliseconds);
 ErrorEstimate error_of(const Scene& scene, const std::vector<LightLedger>& ledgers);
 double sum_of_passes(const std::vector<PassReport>& reports);
 
-// A frame of the request with these sizes: its estimated error, and its passes' time once memory is there.
-std::optional<Trial> try_sizes(FrameRequest request, int grid, int map);
+// A frame of the request with these sizes: its estimated error, and its passes' time, where that is demanded
+// once memory is there.
+std::optional<Trial> try_sizes(FrameRequest request, const Demand& demand, int grid, int map);
 
-// What was asked for, chosen, expected and found: a line.
-std::string demand_text(const Demand& demand, const Trial& expected, const Trial& found, double milliseconds);
+// What was asked for, chosen and found: a line. `only_model`: SizeSearch::only_model.
+std::string demand_text(const Demand& demand, const Trial& found, bool only_model, double milliseconds);
 
 // The pilots' sizes: the finer ones are twice as large.
 inline constexpr int kPilotSide = 128;

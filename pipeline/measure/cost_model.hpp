@@ -1,6 +1,5 @@
 // What sizes of grid and maps cost in time and leave in error: a model of three frames that were measured.
 #pragma once
-#include <limits>
 #include <optional>
 
 namespace caustics {
@@ -16,8 +15,10 @@ struct Demand {
 struct Trial {
   int grid = 0, map = 0;
   double map_error = 0.0, grid_error = 0.0, missing = 0.0;  // shares, as ErrorEstimate
+  double model = 0.0;                                       // likewise: what no size takes away
   double milliseconds = 0.0;
-  double error() const { return map_error + grid_error + missing; }
+  double of_sizes() const { return map_error + grid_error + missing; }
+  double error() const { return of_sizes() + model; }
 };
 
 // Error and time as powers and squares of the sizes, from three trials: a base, one with a larger grid, one
@@ -31,16 +32,10 @@ class CostModel {
 
  private:
   Trial base_;
-  double grid_order_ = 1.0, map_order_ = 1.0;
-  double fixed_ = 0.0, per_vertex_ = 0.0, per_texel_ = 0.0;  // milliseconds
+  double grid_order_ = 1.0, map_order_ = 1.0, missing_order_ = 0.0;  // what is missing falls with the grid
+  double fixed_ = 0.0, per_vertex_ = 0.0, per_texel_ = 0.0;          // milliseconds
 };
 
-// The sizes with which the demand is expected to be met: for an error the fastest, for a time the most
-// accurate. Where none suffices, those that come closest. Among those that are expected to take no longer
-// than `longest`, milliseconds, or the fastest of all: a model is not to be trusted far from what it was
-// measured at.
-Trial choose(const CostModel& model, const Demand& demand,
-             double longest = std::numeric_limits<double>::infinity());
 bool meets(const Trial& trial, const Demand& demand);
 
 }  // namespace caustics

@@ -28,36 +28,6 @@ TEST_CASE("cost model: orders of error and costs follow from three trials") {
   CHECK(expected.milliseconds == Approx(exact(512, 1024).milliseconds));
 }
 
-TEST_CASE("cost model: for an error the fastest sizes that reach it are chosen") {
-  const Demand demand{.error = 0.02, .milliseconds = {}};
-  const Trial chosen = choose(model(), demand);
-  CHECK(meets(chosen, demand));
-  for (const int grid : {64, 128, 256, 512, 1024})
-    for (const int map : {64, 128, 256, 512, 1024})
-      // 0.85: the room that is left for what the model gets wrong.
-      CHECK((exact(grid, map).error() > 0.85 * 0.02 ||
-             exact(grid, map).milliseconds >= Approx(chosen.milliseconds)));
-}
-
-TEST_CASE("cost model: for a time the most accurate sizes within it are chosen") {
-  const Demand demand{.error = {}, .milliseconds = 500.0};
-  const Trial chosen = choose(model(), demand);
-  CHECK(chosen.milliseconds <= 450.0);
-  for (const int grid : {64, 128, 256, 512, 1024})
-    for (const int map : {64, 128, 256, 512, 1024})
-      CHECK((exact(grid, map).milliseconds > 450.0 || exact(grid, map).error() >= Approx(chosen.error())));
-}
-
-TEST_CASE("cost model: what cannot be reached gives the closest") {
-  const Trial chosen = choose(model(), {.error = 1e-4, .milliseconds = {}});
-  CHECK(chosen.grid == 2048);
-  CHECK(chosen.map == 2048);
-  CHECK_FALSE(meets(chosen, {.error = 1e-4, .milliseconds = {}}));
-  const Trial fastest = choose(model(), {.error = {}, .milliseconds = 1.0});
-  CHECK(fastest.grid == 64);
-  CHECK(fastest.map == 64);
-}
-
 TEST_CASE("cost model: a trial corrects it") {
   CostModel corrected = model();
   Trial slow = exact(512, 512);
@@ -67,16 +37,6 @@ TEST_CASE("cost model: a trial corrects it") {
   CHECK(corrected.expect(512, 512).milliseconds == Approx(slow.milliseconds));
   // From 0.04 at 128 to 0.02 at 512: by the square root.
   CHECK(corrected.expect(2048, 512).grid_error == Approx(0.01));
-}
-
-TEST_CASE("cost model: sizes that would take too long are not tried at once") {
-  const Demand demand{.error = 0.003, .milliseconds = {}};
-  CHECK(choose(model(), demand).milliseconds > 200.0);
-  const Trial chosen = choose(model(), demand, 200.0);
-  CHECK(chosen.milliseconds <= 200.0);
-  for (const int grid : {64, 128, 256, 512})
-    for (const int map : {64, 128, 256, 512})
-      CHECK((exact(grid, map).milliseconds > 200.0 || exact(grid, map).error() >= Approx(chosen.error())));
 }
 
 TEST_CASE("cost model: errors that do not fall, and times that do not rise, are survived") {

@@ -135,4 +135,14 @@ double Tracer::relative_error() const {
   return light > 0.0 ? errors / light : 0.0;
 }
 
+double Tracer::given_up() const {
+  glm::dvec3 cut(0.0), landed(0.0);
+  for (const Account& account : state_.accounts) {
+    cut += account.cut;
+    landed += account.landed;
+  }
+  const double light = (landed.x + landed.y) + landed.z;
+  return light > 0.0 ? ((cut.x + cut.y) + cut.z) / light : 0.0;
+}
+
 }  // namespace caustics::tracer

@@ -52,6 +52,9 @@ class Tracer {
   // Sum of the standard errors over the sum of the irradiance, all pixels and channels; infinite before
   // the second batch, 0 where nothing is lit.
   double relative_error() const;
+  // The part of the error that more rays do not take away: light given up on its way (Account::cut), over
+  // what landed.
+  double given_up() const;
 
  private:
   struct Piece;

@@ -1,0 +1,116 @@
+#include "pipeline/measure/size_search.hpp"
+
+#include <algorithm>
+
+namespace caustics {
+
+namespace {
+
+// Sizes of grid and maps that are chosen from.
+constexpr int kSides[] = {64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
+constexpr std::size_t kMostTrials = 8;
+// Room for what a cost model gets wrong: before anything has met the demand, and when stepping down from
+// that.
+constexpr double kMargin = 0.85, kNextMargin = 0.97;
+// What is gained must be more than this share to be worth a trial.
+constexpr double kWorthTrying = 0.1;
+// How many times longer than the last one a trial may be expected to take: a cost model is not to be trusted
+// far from what it was measured at.
+constexpr double kFarther = 8.0;
+// Of the model's error: less of the sizes' would not show beside it.
+constexpr double kBesideModel = 0.1;
+
+}  // namespace
+
+SizeSearch::SizeSearch(const CostModel& model, const Demand& demand) : model_(model), demand_(demand) {}
+
+bool SizeSearch::only_model() const {
+  return demand_.error && model_.expect(kSides[0], kSides[0]).model >= *demand_.error;
+}
+
+double SizeSearch::bound() const {
+  if (!demand_.error) return demand_.milliseconds.value_or(std::numeric_limits<double>::infinity());
+  const double of_model = model_.expect(kSides[0], kSides[0]).model;
+  return only_model() ? std::max(*demand_.error, kBesideModel * of_model) : *demand_.error - of_model;
+}
+
+SizeSearch::Candidate SizeSearch::candidate(const Trial& trial) const {
+  return demand_.error ? Candidate{trial, trial.of_sizes(), trial.milliseconds}
+                       : Candidate{trial, trial.milliseconds, trial.of_sizes()};
+}
+
+// Finer sizes err less and take longer: what is coarser than sizes that err too much, or finer than sizes
+// that take too long, need not be tried.
+bool SizeSearch::is_ruled_out(int grid, int map) const {
+  return std::any_of(trials_.begin(), trials_.end(), [&](const Trial& trial) {
+    if (trial.grid == grid && trial.map == map) return true;
+    if (is_met(trial)) return false;
+    return demand_.error ? grid <= trial.grid && map <= trial.map : grid >= trial.grid && map >= trial.map;
+  });
+}
+
+std::optional<Trial> SizeSearch::better_than(const Trial& best) const {
+  std::optional<Candidate> found;
+  for (const int grid : kSides)
+    for (const int map : kSides) {
+      const Candidate c = candidate(model_.expect(grid, map));
+      if (c.demanded > bound() || is_ruled_out(grid, map)) continue;
+      if (c.wanted > (1.0 - kWorthTrying) * candidate(best).wanted) continue;
+      if (!found || c.wanted < found->wanted) found = c;
+    }
+  return found ? std::optional(found->expected) : std::nullopt;
+}
+
+std::optional<Trial> SizeSearch::first_to_meet(double longest) const {
+  std::optional<Candidate> best, closest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int grid : kSides)
+    for (const int map : kSides) {
+      const Candidate c = candidate(model_.expect(grid, map));
+      if (c.expected.milliseconds > longest || is_ruled_out(grid, map)) continue;
+      least = std::min(least, c.demanded);
+      if (c.demanded <= kMargin * bound() && (!best || c.wanted < best->wanted)) best = c;
+    }
+  if (best) return best->expected;
+  // Nothing is expected to meet it: of what comes about as close as anything, the best.
+  for (const int grid : kSides)
+    for (const int map : kSides) {
+      const Candidate c = candidate(model_.expect(grid, map));
+      if (c.expected.milliseconds > longest || is_ruled_out(grid, map)) continue;
+      if (c.demanded <= (1.0 + kWorthTrying) * least && (!closest || c.wanted < closest->wanted)) closest = c;
+    }
+  return closest ? std::optional(closest->expected) : std::nullopt;
+}
+
+std::optional<Trial> SizeSearch::next() const {
+  if (trials_.size() >= kMostTrials) return {};
+  if (trials_.empty()) return first_to_meet(kFarther * model_.expect(2 * kSides[2], kSides[2]).milliseconds);
+  const std::optional<Trial> best = chosen();
+  if (is_met(*best)) return better_than(*best);
+  const std::optional<Trial> trial = first_to_meet(kFarther * trials_.back().milliseconds);
+  // Not worth its time where hardly anything is gained by it.
+  if (!trial || candidate(*trial).demanded > (1.0 - kWorthTrying) * candidate(*best).demanded) return {};
+  return trial;
+}
+
+void SizeSearch::learn(const Trial& found) {
+  trials_.push_back(found);
+  model_.learn(found);
+}
+
+std::optional<Trial> SizeSearch::chosen() const {
+  std::optional<Candidate> best;
+  for (const Trial& trial : trials_) {
+    const Candidate c = candidate(trial);
+    if (!best) {
+      best = c;
+    } else if (is_met(trial) != is_met(best->expected)) {
+      if (is_met(trial)) best = c;
+    } else if (is_met(trial) ? c.wanted < best->wanted : c.demanded < best->demanded) {
+      best = c;
+    }
+  }
+  return best ? std::optional(best->expected) : std::nullopt;
+}
+
+}  // namespace caustics
