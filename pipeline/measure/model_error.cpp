@@ -119,7 +119,7 @@ void ModelError::follow(const Sample& sample, const Vertex& vertex, bool lost) {
       if (!place || !sees(landing.position)) continue;
       const glm::dvec3 light = landing.flux * place->pixels_per_area;
       lit_ += sum_of(light);
-      if (lost) {
+      if (lost && landing.followed) {
         lost_ += sum_of(light);
         continue;
       }

@@ -44,7 +44,7 @@ class ModelError {
   // Of rays in turn, three a block: what the frame has more of than light.
   std::vector<double> surplus_[2];
   double lit_ = 0.0;   // in the picture, by light
-  double lost_ = 0.0;  // of that, what the frame did not follow to its landing
+  double lost_ = 0.0;  // of that, what goes the way of the passes, which have not found its landing
   double landed_ = 0.0, followed_ = 0.0, entered_ = 0.0;
   std::vector<LightLanding> landings_;
 };
