@@ -12,6 +12,8 @@ namespace caustics::app {
 
 namespace {
 constexpr char kViewPosition[] = "view_position";
+// The statement is of means over squares of so many pixels a side.
+constexpr double kJudgedPixels = 4.0;
 // Followed through the scene for each light.
 constexpr int kRays = 8192;
 }  // namespace
@@ -66,7 +68,7 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
       make_ledger(branches, cells, map, if_any(light_texture(far_texture(kCausticMap), light)), views.caustic,
                   frame.settings());
   const double pixel = frame.settings().pixel_means && has(kViewPosition)
-                           ? pixel_side(read(kViewPosition), map, views.caustic)
+                           ? kJudgedPixels * pixel_side(read(kViewPosition), map, views.caustic)
                            : 0.0;
   add(sum.ledger, ledger, share);
   add(sum.error,

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/compare/block_means.hpp"
 #include "app/compare/difference_images.hpp"
 #include "app/compare/difference_report.hpp"
 #include "app/compare/flip_picture.hpp"
@@ -25,6 +26,7 @@ struct CompareRequest {
   std::string prefix;  // of the difference images
   std::string layer, mask;
   Region region;
+  int block = 1;  // side, texels
   std::vector<MetricBound> bounds;
   bool flip = false;
   bool json = false;
@@ -34,7 +36,7 @@ struct CompareRequest {
                                [](const MetricBound& each) { return each.is_of_flip(); });
   }
   bool is_about_images() const {
-    return !layer.empty() || !mask.empty() || region.width > 0 || !bounds.empty() || flip;
+    return !layer.empty() || !mask.empty() || region.width > 0 || block > 1 || !bounds.empty() || flip;
   }
 };
 
@@ -72,6 +74,8 @@ bool check(const CompareRequest& request) {
   }
   require_there(a);
   require_there(b);
+  if (request.block > 1 && !request.mask.empty())
+    throw Error(ExitCode::WrongUsage, "--blocks and --mask exclude each other");
   const bool folders = fs::is_directory(a);
   if (folders != fs::is_directory(b)) {
     throw Error(ExitCode::WrongUsage, (folders ? a : b) + " is a folder and " + (folders ? b : a) +
@@ -79,7 +83,7 @@ bool check(const CompareRequest& request) {
   }
   if (folders && (!request.prefix.empty() || request.is_about_images())) {
     throw Error(ExitCode::WrongUsage,
-                "--diff, --layer, --mask, --region, --flip and --fail-above need two images; name "
+                "--diff, --layer, --mask, --region, --blocks, --flip and --fail-above need two images; name "
                 "the files in the folders");
   }
   if (request.prefix.empty()) return folders;
@@ -137,6 +141,8 @@ ExitCode compare_images(const CompareRequest& request) {
     keep_layer(a, request.layer, comparison.a);
     keep_layer(b, request.layer, comparison.b);
   }
+  if (request.block > 1)
+    for (ImagePlanes* image : {&a, &b}) take_block_means(*image, request.block);
   Selection selection = select(a, request.mask, request.region);
   ImageAnswer result;
   result.difference = compare_planes(a, b, comparison.tolerance, selection);
@@ -175,6 +181,10 @@ void add_options(Parser& parser, CompareRequest& request) {
       [&](const std::string& value) { request.mask = value; });
   parser.option("--region", "X,Y,W,H", {"a rectangle of texels, counted from the top left", "", "all"},
                 [&](const std::string& value) { request.region = parse_region(value); });
+  parser.number("--blocks", "N",
+                {"the means of N x N texels instead of texels, as a frame's estimated error has 4; --region "
+                 "counts in them"},
+                Limits<int>{1, 4096}, request.block);
   parser.group("Figures, in two images");
   parser.flag("--flip", request.flip,
               "FLIP of each layer of colours as a screen shows them; with --diff also its map");

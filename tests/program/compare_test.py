@@ -51,6 +51,14 @@ class Values(CompareTest):
         self.assertEqual(self.different("a.exr", "b.exr"),
                          "different: 1 of 4 values fail; worst: Z at 1,0: A 2, B 2.5")
 
+    def test_blocks_are_compared_by_their_means(self):
+        # Means of 2 x 2 texels, the last column alone: 2.5 and 5, against 2.5 and 7.
+        self.write("a.exr", {"Z": [1, 2, 5, 3, 4, 5]}, 3, 2)
+        self.write("b.exr", {"Z": [4, 3, 6, 2, 1, 8]}, 3, 2)
+        self.assertEqual(self.different("a.exr", "b.exr", "--blocks", "2"),
+                         "different: 1 of 2 values fail; worst: Z at 1,0: A 5, B 7")
+        self.fails(2, "compare", "a.exr", "b.exr", "--blocks", "2", "--mask", "a.exr", saying="--blocks")
+
     def test_one_bit_is_a_difference(self):
         self.pair([1, 2, 3, 4], [1, 2, 3, 4 + 2**-21])
         channel = self.document(1, "a.exr", "b.exr")["channels"][0]
