@@ -1,7 +1,8 @@
 #include "app/flux.hpp"
 
-#include "app/output/light_groups.hpp"
+#include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/pixel_side.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -22,7 +23,7 @@ std::vector<std::string> ledger_textures() {
 }
 
 PlanGoal goal_with_ledgers(std::vector<std::string> images) {
-  PlanGoal goal{.textures = std::move(images), .beside = ledger_textures()};
+  PlanGoal goal{.textures = std::move(images), .beside = ledger_textures(), .light_by_light = true};
   goal.beside.emplace_back("beauty");
   return goal;
 }
@@ -75,25 +76,34 @@ double LightLedger::leaves() const {
   return entered > 0.0 ? (sum(ledger.outside) + sum(ledger.kernel_edge)) / entered : 0.0;
 }
 
-std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
-  const Scene& scene = frame.scene();
-  std::vector<LightLedger> ledgers;
-  for (int source = 0; source < static_cast<int>(scene.sources.size()); ++source) {
-    LightLedger sum{.light = source, .ledger = {}};
-    bool any = false;
-    for (const int light : samples_of(scene, source)) {
-      const Branch& branch = frame.effects().branches.front();
-      if (!frame.has(branch_texture(kLanding, light, branch))) continue;
-      if (!frame.has(light_texture(kCausticMap, light))) continue;
-      // A sample's flux is relative to its own intensity.
-      const double share = static_cast<double>(scene.lights[static_cast<std::size_t>(light)].intensity) /
-                           static_cast<double>(scene.sources[static_cast<std::size_t>(source)].intensity);
-      add_sample(frame, light, share, sum);
-      any = true;
-    }
-    if (any) ledgers.push_back(sum);
-  }
-  return ledgers;
+void LedgerReader::look(const RenderedFrame& frame, const PlannedPass& pass) {
+  if (!pass.ends_light) return;
+  const Branch& branch = frame.effects().branches.front();
+  if (!frame.has(branch_texture(kLanding, pass.light, branch))) return;
+  if (!frame.has(light_texture(kCausticMap, pass.light))) return;
+  frame.device().finish();
+  const Stopwatch watch;
+  const Light& light = frame.scene().lights[static_cast<std::size_t>(pass.light)];
+  const Light& source = frame.scene().sources[static_cast<std::size_t>(light.source)];
+  LightLedger& sum =
+      by_source_.try_emplace(light.source, LightLedger{.light = light.source, .ledger = {}}).first->second;
+  // A sample's flux is relative to its own intensity.
+  const double share = static_cast<double>(light.intensity) / static_cast<double>(source.intensity);
+  add_sample(frame, pass.light, share, sum);
+  milliseconds_ += watch.milliseconds();
+}
+
+AfterPass LedgerReader::watch(const RenderedFrame& frame) {
+  return [this, &frame](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
+    look(frame, pass);
+    return true;
+  };
+}
+
+std::vector<LightLedger> LedgerReader::ledgers() const {
+  std::vector<LightLedger> all;
+  for (const auto& [source, ledger] : by_source_) all.push_back(ledger);
+  return all;
 }
 
 std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger) {

@@ -17,9 +17,10 @@ std::optional<Trial> try_sizes(FrameRequest request, int grid, int map) {
   request.backend.measure = true;
   RenderedFrame frame(request, load_scene(request), goal_with_ledgers({"picture"}));
   // The first run also fetches memory, which later frames have.
-  frame.run();
+  LedgerReader reader;
+  frame.run(reader.watch(frame));
   const double once = sum_of_passes(frame.run());
-  return trial_of(frame, std::min(once, sum_of_passes(frame.run())));
+  return trial_of(frame, reader.ledgers(), std::min(once, sum_of_passes(frame.run())));
 }
 
 std::string demand_text(const Demand& demand, const Trial& expected, const Trial& found,
@@ -49,8 +50,9 @@ ErrorEstimate error_of(const Scene& scene, const std::vector<LightLedger>& ledge
   return all;
 }
 
-std::optional<Trial> trial_of(const RenderedFrame& frame, double milliseconds) {
-  const ErrorEstimate error = error_of(frame.scene(), read_ledgers(frame));
+std::optional<Trial> trial_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
+                              double milliseconds) {
+  const ErrorEstimate error = error_of(frame.scene(), ledgers);
   if (!(error.landed > 0.0)) return {};
   return Trial{.grid = frame.settings().grid,
                .map = frame.settings().map,

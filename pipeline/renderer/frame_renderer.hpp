@@ -56,8 +56,8 @@ class FrameRenderer {
   void show_waters(double seconds);
 
   bool has(const std::string& texture) const { return frame_.plan.find(texture) >= 0; }
-  // The texels of a texture of the plan, by its full name or its index. Throws Error (InternalError) for
-  // other names, and where the goal did not say that it is to be kept.
+  // The texels of a texture of the plan, by its full name or its index; from the callback of run() too.
+  // Throws Error (InternalError) for other names, and where it no longer is to hold its contents.
   Image read(const std::string& texture) const;
   Image read(int texture) const;
   // A pass of the plan with everything bound to it, as run() hands it to the device. What it reads is there
@@ -92,6 +92,7 @@ class FrameRenderer {
   std::optional<double> shown_;         // the moment of the waters
   std::unique_ptr<FrameTargets> targets_;
   FrameInputs inputs_;
+  int done_ = 0;  // the pass of the plan that ran last
 };
 
 }  // namespace caustics
