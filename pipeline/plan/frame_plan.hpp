@@ -85,7 +85,7 @@ struct FramePlan {
 struct PlanGoal {
   // Only the passes that these depend on are planned. Empty: everything that the effects call for, and every
   // texture is kept.
-  std::vector<std::string> textures;
+  std::vector<std::string> textures{};
   // Kept too, where a pass that writes them runs anyway.
   std::vector<std::string> beside{};
   // A light's own textures are kept until its last pass has run and no longer, for those who look at them

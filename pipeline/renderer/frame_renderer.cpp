@@ -15,9 +15,11 @@ namespace {
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
 // moving water hold whatever the waves do, so that maps and shadows do not crawl.
 PlannedFrame planned(Scene& scene, const Settings& settings, const Registry& registry, LightPilot& pilot,
-                     const View* camera, const PlanGoal& goal, const Breath& breath) {
+                     const View* camera, const PlanGoal& goal, const Breath& breath,
+                     Effect Effects::*without = nullptr) {
   PlannedFrame frame;
   Effects effects = effects_of(scene, settings, camera);
+  if (without) effects.*without = {false, "left out on request"};
   frame.views = effects.water_waves.active
                     ? fit_moving_views(scene, pilot.device(), effects, settings, registry, breath)
                     : pilot.fit(effects);
@@ -71,7 +73,7 @@ void FrameRenderer::judge_and_plan() {
   if (options_.breath) options_.breath();
   const std::optional<View> camera = camera_view(scene_, options_.camera, *settings_);
   frame_ = planned(scene_, *settings_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
-                   options_.breath);
+                   options_.breath, options_.without);
   done_ = 0;
   inputs_.camera = camera.value_or(View{});
   if (options_.breath) options_.breath();
