@@ -34,7 +34,7 @@ std::string word(const std::string& text) {
 using Use = std::function<void(const std::string& name, const std::string& hash)>;
 
 void digest(const FrameRequest& request, const Use& use) {
-  RenderedFrame frame(request, load_scene(request), {});
+  RenderedFrame frame(request, load_scene(request), {.light_by_light = true});
   const std::string scene = word(request.scene.filename().string());
   frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
     for_each_attachment(frame, pass, [&](const PlannedTexture& texture, const Image& image) {

@@ -1,9 +1,8 @@
 #include "app/flux.hpp"
 
-#include <optional>
-
-#include "app/output/light_groups.hpp"
+#include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/model_error.hpp"
 #include "pipeline/measure/pixel_side.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -29,7 +28,7 @@ std::vector<std::string> ledger_textures() {
 }
 
 PlanGoal goal_with_ledgers(std::vector<std::string> images) {
-  PlanGoal goal{.textures = std::move(images), .beside = ledger_textures()};
+  PlanGoal goal{.textures = std::move(images), .beside = ledger_textures(), .light_by_light = true};
   goal.beside.emplace_back("beauty");
   return goal;
 }
@@ -46,14 +45,6 @@ std::vector<int> casters_by_row(const RenderedFrame& frame) {
   }
   return meshes;
 }
-
-// What a frame's light is judged by, beside the frame itself.
-struct Judge {
-  LightPaths paths;
-  PictureBlocks blocks;
-  explicit Judge(const RenderedFrame& frame)
-      : paths(frame.scene(), frame.effects()), blocks(frame.read(kViewPosition), frame.inputs().camera) {}
-};
 
 // Adds what a light's sample did, `share` times.
 void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
@@ -105,30 +96,59 @@ double LightLedger::leaves() const {
   return entered > 0.0 ? (sum(ledger.outside) + sum(ledger.kernel_edge)) / entered : 0.0;
 }
 
-std::vector<LightLedger> read_ledgers(const RenderedFrame& frame) {
-  const Scene& scene = frame.scene();
-  std::vector<LightLedger> ledgers;
-  std::optional<Judge> judge;
-  if (why_not_judged(frame).empty()) judge.emplace(frame);
-  for (int source = 0; source < static_cast<int>(scene.sources.size()); ++source) {
-    LightLedger sum{.light = source, .ledger = {}};
-    std::optional<ModelError> model;
-    if (judge) model.emplace(judge->paths, judge->blocks, kRays);
-    bool any = false;
-    for (const int light : samples_of(scene, source)) {
-      const Branch& branch = frame.effects().branches.front();
-      if (!frame.has(branch_texture(kLanding, light, branch))) continue;
-      if (!frame.has(light_texture(kCausticMap, light))) continue;
-      // A sample's flux is relative to its own intensity.
-      const double share = static_cast<double>(scene.lights[static_cast<std::size_t>(light)].intensity) /
-                           static_cast<double>(scene.sources[static_cast<std::size_t>(source)].intensity);
-      add_sample(frame, light, share, sum, model ? &*model : nullptr);
-      any = true;
-    }
-    if (any && model) model->complete(sum.error);
-    if (any) ledgers.push_back(sum);
+// What a frame's light is judged by, beside the frame itself.
+struct LedgerReader::Judge {
+  LightPaths paths;
+  PictureBlocks blocks;
+  std::map<int, ModelError> models{};  // by source
+  explicit Judge(const RenderedFrame& frame)
+      : paths(frame.scene(), frame.effects()), blocks(frame.read(kViewPosition), frame.inputs().camera) {}
+};
+
+LedgerReader::LedgerReader() = default;
+LedgerReader::LedgerReader(LedgerReader&&) noexcept = default;
+LedgerReader& LedgerReader::operator=(LedgerReader&&) noexcept = default;
+LedgerReader::~LedgerReader() = default;
+
+ModelError* LedgerReader::model_of(const RenderedFrame& frame, int source) {
+  if (!judge_) {
+    if (!why_not_judged(frame).empty()) return nullptr;
+    judge_ = std::make_unique<Judge>(frame);
   }
-  return ledgers;
+  return &judge_->models.try_emplace(source, judge_->paths, judge_->blocks, kRays).first->second;
+}
+
+void LedgerReader::look(const RenderedFrame& frame, const PlannedPass& pass) {
+  if (!pass.ends_light) return;
+  const Branch& branch = frame.effects().branches.front();
+  if (!frame.has(branch_texture(kLanding, pass.light, branch))) return;
+  if (!frame.has(light_texture(kCausticMap, pass.light))) return;
+  frame.device().finish();
+  const Stopwatch watch;
+  const Light& light = frame.scene().lights[static_cast<std::size_t>(pass.light)];
+  const Light& source = frame.scene().sources[static_cast<std::size_t>(light.source)];
+  LightLedger& sum =
+      by_source_.try_emplace(light.source, LightLedger{.light = light.source, .ledger = {}}).first->second;
+  // A sample's flux is relative to its own intensity.
+  const double share = static_cast<double>(light.intensity) / static_cast<double>(source.intensity);
+  add_sample(frame, pass.light, share, sum, model_of(frame, light.source));
+  milliseconds_ += watch.milliseconds();
+}
+
+AfterPass LedgerReader::watch(const RenderedFrame& frame) {
+  return [this, &frame](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
+    look(frame, pass);
+    return true;
+  };
+}
+
+std::vector<LightLedger> LedgerReader::ledgers() const {
+  std::vector<LightLedger> all;
+  for (const auto& [source, ledger] : by_source_) {
+    all.push_back(ledger);
+    if (judge_ && judge_->models.contains(source)) judge_->models.at(source).complete(all.back().error);
+  }
+  return all;
 }
 
 std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger) {

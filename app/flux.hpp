@@ -1,5 +1,7 @@
 // The flux ledgers of a rendered frame, for the summary and the statistics.
 #pragma once
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +9,10 @@
 #include "app/frame.hpp"
 #include "pipeline/measure/error_estimate.hpp"
 #include "pipeline/measure/outcome.hpp"
+
+namespace caustics {
+class ModelError;
+}
 
 namespace caustics::app {
 
@@ -20,13 +26,38 @@ struct LightLedger {
   double leaves() const;
 };
 
-// The textures that ledgers are made from.
+// The textures that ledgers are made from; goals that want them are for a LedgerReader.
 std::vector<std::string> ledger_textures();
 // These images, and what can be told of the light on the way to them.
 PlanGoal goal_with_ledgers(std::vector<std::string> images);
-// One for each light whose caustic passes ran, in the order of the lights; an area light's is the sum
-// over its samples.
-std::vector<LightLedger> read_ledgers(const RenderedFrame& frame);
+
+// Makes the ledgers while the frame is drawn: a light's textures may be gone when the next light's passes
+// run.
+class LedgerReader {
+ public:
+  LedgerReader();
+  LedgerReader(LedgerReader&&) noexcept;
+  LedgerReader& operator=(LedgerReader&&) noexcept;
+  ~LedgerReader();
+
+  // To be called after each pass.
+  void look(const RenderedFrame& frame, const PlannedPass& pass);
+  // The same as a callback; the frame and this must outlive it.
+  AfterPass watch(const RenderedFrame& frame);
+  // One for each light whose caustic passes ran, in the order of the lights; an area light's is the sum
+  // over its samples.
+  std::vector<LightLedger> ledgers() const;
+  // What looking took.
+  double milliseconds() const { return milliseconds_; }
+
+ private:
+  struct Judge;
+  ModelError* model_of(const RenderedFrame& frame, int source);
+
+  std::map<int, LightLedger> by_source_;
+  std::unique_ptr<Judge> judge_;  // made at the first look
+  double milliseconds_ = 0.0;
+};
 
 // Why no rays are followed to judge the frame's caustics by (ErrorEstimate::judged); empty where they are.
 std::string why_not_judged(const RenderedFrame& frame);

@@ -65,7 +65,7 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
 }
 
 RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded,
-                             const PlanGoal& goal)
+                             const PlanGoal& goal, Effect Effects::*without)
     : loaded_(std::move(loaded)), device_(make_device(request.backend)) {
   if (request.backend.backend != Backend::Software) pilot_device_ = make_pilot_device(request.backend);
   renderer_ = std::make_unique<FrameRenderer>(
@@ -74,6 +74,7 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Loaded
                    .camera = &loaded_->camera(),
                    .exposure = loaded_->exposure(),
                    .seconds = request.seconds.value_or(0.0),
+                   .without = without,
                    .pilot = pilot_device_.get(),
                    .breath = stop_if_interrupted,
                    .accept = [](const PlannedFrame& frame) { check_memory(frame.plan, frame.effects); }});

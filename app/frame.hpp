@@ -25,7 +25,9 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend);
 // to it owns.
 class RenderedFrame {
  public:
-  RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded, const PlanGoal& goal);
+  // `without`: FrameOptions::without.
+  RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded, const PlanGoal& goal,
+                Effect Effects::*without = nullptr);
   RenderedFrame(const RenderedFrame&) = delete;
   RenderedFrame& operator=(const RenderedFrame&) = delete;
   ~RenderedFrame();

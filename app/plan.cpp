@@ -52,13 +52,13 @@ ExitCode run_plan_command(const Arguments& arguments) {
       plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot, goal_with_ledgers({"picture"}),
                  &loaded->camera(), stop_if_interrupted);
   std::optional<RenderedFrame> coarse;
-  std::vector<LightLedger> ledgers;
+  LedgerReader reader;
   if (frame.effects.caustics.active) {
-    coarse.emplace(coarse_request(request), std::move(loaded), PlanGoal{ledger_textures()});
-    coarse->run();
-    ledgers = read_ledgers(*coarse);
+    coarse.emplace(coarse_request(request), std::move(loaded),
+                   PlanGoal{.textures = ledger_textures(), .light_by_light = true});
+    coarse->run(reader.watch(*coarse));
   }
-  const PlanReport report{*shown, frame.effects, request.settings, frame.plan, ledgers};
+  const PlanReport report{*shown, frame.effects, request.settings, frame.plan, reader.ledgers()};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));
   std::fputs(text.c_str(), stdout);
   return ExitCode::Done;

@@ -76,12 +76,14 @@ Json lights_json(const Scene& scene) {
   return list;
 }
 
-Json texture_json(const PlannedTexture& texture) {
+Json texture_json(const FramePlan& plan, const PlannedTexture& texture) {
+  const bool in_frame = texture.until >= 0;
   return {{"name", texture.name},
           {"format", format_name(texture.format)},
           {"width", texture.width},
           {"height", texture.height},
-          {"kept", texture.kept}};
+          {"kept", texture.kept},
+          {"until", in_frame ? Json(plan.passes[static_cast<std::size_t>(texture.until)].label) : Json()}};
 }
 
 Json passes_json(const PlanReport& report) {
@@ -91,7 +93,7 @@ Json passes_json(const PlanReport& report) {
     list.push_back({{"pass", steps.label},
                     {"reason", steps.reason},
                     {"reads", Json::array()},
-                    {"writes", Json::array({texture_json(steps.writes)})}});
+                    {"writes", Json::array({texture_json(plan, steps.writes)})}});
   }
   for (const PlannedPass& pass : plan.passes) {
     Json reads = Json::array(), writes = Json::array();
@@ -99,7 +101,7 @@ Json passes_json(const PlanReport& report) {
       if (read >= 0) reads.push_back(plan.textures[static_cast<std::size_t>(read)].name);
     }
     for (const int write : pass.attachments())
-      writes.push_back(texture_json(plan.textures[static_cast<std::size_t>(write)]));
+      writes.push_back(texture_json(plan, plan.textures[static_cast<std::size_t>(write)]));
     list.push_back({{"pass", pass.label},
                     {"reason", pass.reason},
                     {"draws_nothing", report.draws_nothing(pass)},

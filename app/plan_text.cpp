@@ -150,14 +150,25 @@ class TextReport {
     text_ += table.text();
   }
 
-  // The passes from `first` on that do the same for the samples of one light.
-  std::size_t alike(std::size_t first) const {
-    const std::vector<PlannedPass>& all = report_.plan.passes;
-    std::size_t end = first + 1;
-    while (all[first].light >= 0 && end < all.size() && all[end].pass == all[first].pass &&
-           all[end].drawn_for == all[first].drawn_for && source(all[end]) == source(all[first]))
-      ++end;
-    return end - first;
+  // Do both the same for the samples of one light?
+  bool alike(const PlannedPass& a, const PlannedPass& b) const {
+    return a.light >= 0 && b.light >= 0 && a.pass == b.pass && a.drawn_for == b.drawn_for &&
+           source(a) == source(b);
+  }
+
+  // In the order of the first ones.
+  std::vector<std::vector<const PlannedPass*>> groups() const {
+    std::vector<std::vector<const PlannedPass*>> groups;
+    for (const PlannedPass& pass : report_.plan.passes) {
+      const auto group = std::find_if(groups.begin(), groups.end(),
+                                      [&](const auto& each) { return alike(*each.front(), pass); });
+      if (group == groups.end()) {
+        groups.push_back({&pass});
+      } else {
+        group->push_back(&pass);
+      }
+    }
+    return groups;
   }
 
   int source(const PlannedPass& pass) const {
@@ -208,13 +219,13 @@ class TextReport {
           {"", "",
            "writes " + one_line(steps.writes.name) + " " + std::string(format_name(steps.writes.format))});
     }
-    for (std::size_t i = 0; i < plan.passes.size(); i += alike(i)) {
-      const PlannedPass& pass = plan.passes[i];
-      table.row({one_line(pass_label(pass, alike(i))),
+    for (const std::vector<const PlannedPass*>& group : groups()) {
+      const PlannedPass& pass = *group.front();
+      table.row({one_line(pass_label(pass, group.size())),
                  std::to_string(pass.width) + "x" + std::to_string(pass.height),
                  report_.draws_nothing(pass) ? "draws nothing: its light reaches no caster (occlusion query)"
                                              : one_line(pass.reason)});
-      table.row({"", "", "writes " + one_line(written(pass, plan.passes[i + alike(i) - 1]))});
+      table.row({"", "", "writes " + one_line(written(pass, *group.back()))});
     }
     text_ += table.text();
   }

@@ -139,7 +139,7 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
 // With --dump everything that the effects call for; otherwise what the outputs depend on, and the caustics
 // where figures of them are asked for. `beauty` is kept to be checked.
 PlanGoal goal_of(const RenderRequest& request) {
-  if (!request.dump.empty()) return {};
+  if (!request.dump.empty()) return {.light_by_light = true};
   PlanGoal goal = goal_with_ledgers(textures_for(request.outputs));
   if (request.stats.empty() && !request.demand.any()) return goal;
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);
@@ -309,15 +309,18 @@ class Renderer {
       frame_->move_to(request_.seconds(n));
       timing_.prepare += watch.milliseconds();
     }
+    // Of a row of frames the last one's.
+    const bool booked = n == todo_.back() && (!request_.quiet || !request_.stats.empty());
     const Stopwatch watch;
     reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
+      if (booked) books_.look(*frame_, pass);
       if (dump_) dump_->add(*frame_, pass);
       progress_.show(frame_text(n) + "pass " + std::to_string(done) + " of " + std::to_string(of) + ": " +
                      pass.label);
       return true;
     });
     frame_->device().finish();
-    frame_times_.push_back(watch.milliseconds());
+    frame_times_.push_back(watch.milliseconds() - books_.milliseconds());
     timing_.passes += frame_times_.back();
     if (frame_times_.size() == 1) first_made_ = frame_->device().made();
     if (dump_) dump_->finish();
@@ -344,8 +347,7 @@ class Renderer {
         std::fprintf(stderr, "all %d frames are there already, nothing was drawn\n", there);
       return;
     }
-    std::vector<LightLedger> ledgers;
-    if (!request_.quiet || !request_.stats.empty()) ledgers = read_ledgers(*frame_);
+    const std::vector<LightLedger> ledgers = books_.ledgers();
     timing_.total = total_.milliseconds();
     if (!request_.stats.empty()) {
       write_atomically(request_.stats,
@@ -390,6 +392,7 @@ class Renderer {
   std::set<std::string> compiled_;  // shaders, by the frame's device
   std::optional<Dump> dump_;
   std::vector<PassReport> reports_;  // of the last frame
+  LedgerReader books_;               // likewise
   std::vector<double> frame_times_;
   DeviceObjects first_made_;  // after the first frame
 };

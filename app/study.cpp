@@ -19,6 +19,7 @@
 #include "app/study_text.hpp"
 #include "app/study_truth.hpp"
 #include "lab/study/difference_picture.hpp"
+#include "lab/study/effect_rows.hpp"
 #include "lab/study/fingerprint.hpp"
 #include "lab/study/report_page.hpp"
 #include "lab/study/sentence.hpp"
@@ -42,6 +43,18 @@ struct Job {
   std::string device;
   Settings settings;
   double work = 0.0;  // about in proportion to its time
+
+  // What it leaves out, or null.
+  const Omission* without(const std::vector<Knob>& knobs) const {
+    const bool whole = knobs.front().key != kWithout || point.values.front() == kNothing;
+    return whole ? nullptr : &omission(point.values.front());
+  }
+  // As --stats writes them, and what tells rows of the same settings apart.
+  Json settings_of_row(const std::vector<Knob>& knobs) const {
+    Json json = settings_json(settings);
+    if (const Omission* left_out = without(knobs)) json[kWithout] = left_out->name;
+    return json;
+  }
 };
 
 void refuse_too_many(const StudyRequest& request, const std::vector<Knob>& knobs) {
@@ -221,7 +234,7 @@ class StudyRun {
     std::error_code error;
     for (const StudyRow& row : earlier_->rows) {
       if (row.backend == name_of(job.backend) && row.device == job.device && row.repeat == request_.repeat &&
-          row.settings == settings_json(job.settings) && row.problem.empty() &&
+          row.settings == job.settings_of_row(study_.knobs) && row.problem.empty() &&
           fs::is_regular_file(request_.folder / row.picture, error))
         return &row;
     }
@@ -263,8 +276,9 @@ class StudyRun {
     FrameRequest frame = request_.frame;
     frame.settings = job.settings;
     frame.backend.backend = job.backend;
-    return render_setting(frame, request_.repeat,
-                          [&](const std::string& step) { progress_.show(head + step); });
+    return render_setting(
+        frame, request_.repeat, [&](const std::string& step) { progress_.show(head + step); },
+        job.without(study_.knobs));
   }
 
   void do_one(std::size_t i) {
@@ -315,7 +329,7 @@ class StudyRun {
     StudyRow row{.point = job.point,
                  .backend = name_of(job.backend),
                  .device = job.device,
-                 .settings = settings_json(job.settings),
+                 .settings = job.settings_of_row(study_.knobs),
                  .repeat = request_.repeat};
     try {
       measure(job, row);
@@ -359,6 +373,7 @@ class StudyRun {
   void write_all() {
     put(request_.folder / "study.json", json_text(study_json(study_)));
     put(request_.folder / "study.csv", study_csv(study_));
+    if (request_.effects) put(request_.folder / "effects.csv", effects_csv(study_));
     put(request_.folder / "report.html", report_page(study_, request_.folder));
     if (const std::string svg = plot_file(study_); !svg.empty()) put(request_.folder / "error_time.svg", svg);
   }

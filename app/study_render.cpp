@@ -36,14 +36,19 @@ std::uint64_t bytes_of(const RenderedFrame& frame) {
 
 }  // namespace
 
-Rendered render_setting(FrameRequest request, int repeat,
-                        const std::function<void(const std::string&)>& say) {
+Rendered render_setting(FrameRequest request, int repeat, const std::function<void(const std::string&)>& say,
+                        const Omission* without) {
   request.backend.measure = repeat > 0;
   request.backend.compiling = [&](std::string_view shader) {
     say("compiling shader " + std::string(shader));
   };
   say("finding where the light goes");
-  RenderedFrame frame(request, load_scene(request), {{"picture", "aov_caustic"}});
+  if (without && without->settings) without->settings(request.settings);
+  std::unique_ptr<LoadedScene> loaded = load_scene(request);
+  if (without && without->scene)
+    without->scene(loaded->scene(), effects_of(loaded->scene(), request.settings));
+  RenderedFrame frame(request, std::move(loaded), {{"picture", "aov_caustic"}},
+                      without ? without->effect : nullptr);
   Rendered result;
   result.device = frame.device().description();
   result.texture_bytes = bytes_of(frame);

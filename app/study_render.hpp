@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/frame.hpp"
+#include "app/study_effects.hpp"
 #include "lab/study/pass_times.hpp"
 
 namespace caustics::app {
@@ -17,7 +18,8 @@ struct Rendered {
 
 // Renders once to warm up and for the image, then `repeat` times for the times, of which there are
 // none with 0. `say` hears what is going on. Throws Error as `render` does, NumericFault where the
-// caustic has a NaN or an infinity.
-Rendered render_setting(FrameRequest request, int repeat, const std::function<void(const std::string&)>& say);
+// caustic has a NaN or an infinity. `without`: what is left out, or null.
+Rendered render_setting(FrameRequest request, int repeat, const std::function<void(const std::string&)>& say,
+                        const Omission* without = nullptr);
 
 }  // namespace caustics::app

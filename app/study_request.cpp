@@ -5,6 +5,7 @@
 #include "app/output/stats.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
+#include "app/study_effects.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/settings/nearest.hpp"
 #include "pipeline/settings/setting.hpp"
@@ -30,6 +31,7 @@ constexpr char kStudyExamples[] =
     "  caustics study scene.glb -o study\n"
     "  caustics study scene.glb -o study --vary grid=64,256 --vary splat=point,cell --cross\n"
     "  caustics study scene.glb -o study --truth traced --truth-error 0.5% -r 256x256\n"
+    "  caustics study scene.glb -o study --effects --truth traced -r 256x256\n"
     "  caustics study scene.glb -o study --truth truth.exr --mask floor.png -r 512x512\n"
     "  caustics study scene.glb -o study --backend both --resume\n";
 
@@ -54,6 +56,8 @@ void add_study_options(Parser& parser, StudyRequest& request) {
                   {"values of a key of -D; may stand several times, once for each key",
                    "not of what is seen, nor of how it is shown", "below"},
                   [&](const std::string& text) { add_varied(request, text); });
+  parser.flag("--effects", request.effects,
+              "instead of --vary: leave out one effect after the other that the scene calls for");
   parser.flag("--cross", request.cross,
               "all values with all others, instead of one key at a time and grid with map");
   parser.number("--repeat", "N", {"frames timed for each setting"}, Limits<int>{1, 1000}, request.repeat);
@@ -151,12 +155,19 @@ bool parse_study(const Arguments& arguments, StudyRequest& request) {
   if (request.says_how_long && !request.traced.wanted)
     throw Error(ExitCode::WrongUsage,
                 "--truth-error and --truth-seconds are for --truth traced and --truth exact");
+  if (request.effects && (request.cross || !request.varied.empty()))
+    throw Error(ExitCode::WrongUsage, "--effects excludes --vary and --cross: it leaves out one at a time");
   request.command = typed(arguments);
   if (request.backends.empty()) request.backends.push_back(request.frame.backend.backend);
   return true;
 }
 
 std::vector<Knob> knobs_of(const StudyRequest& request) {
+  if (request.effects) {
+    Knob knob{.key = study::kWithout, .values = {study::kNothing}, .base = study::kNothing};
+    for (std::string& name : omissions_for(request.frame)) knob.values.push_back(std::move(name));
+    return {knob};
+  }
   std::vector<Knob> knobs;
   for (const Varied& varied : request.varied.empty() ? kDefault : request.varied)
     knobs.push_back(knob_of(request.frame.settings, varied));

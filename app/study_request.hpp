@@ -24,14 +24,15 @@ struct StudyRequest {
   bool says_how_long = false;  // --truth-error, --truth-seconds
   std::filesystem::path mask;  // "": everything counts
   int repeat = 5;
-  bool cross = false, resume = false, quiet = false;
+  bool effects = false, cross = false, resume = false, quiet = false;
   std::string command;  // as it was typed
 };
 
 // False when only the help was asked for. Throws Error (WrongUsage).
 bool parse_study(const Arguments& arguments, StudyRequest& request);
 
-// The values checked and written as the program writes them, each once. Throws Error (WrongUsage) that
+// With --effects, whether each effect that the scene calls for is left out; else those of --vary, the values
+// checked and written as the program writes them, each once. Throws Error (WrongUsage) that
 // names the nearest key or value.
 std::vector<study::Knob> knobs_of(const StudyRequest& request);
 

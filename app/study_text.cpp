@@ -1,6 +1,7 @@
 #include "app/study_text.hpp"
 
 #include "app/shell/table.hpp"
+#include "lab/study/effect_rows.hpp"
 #include "lab/study/sentence.hpp"
 #include "pipeline/gpu/text.hpp"
 
@@ -24,6 +25,16 @@ std::string front_table(const Study& study, const std::string& backend) {
   return table.text();
 }
 
+std::string effect_table(const Study& study) {
+  Table table({false, false, true, true, true, true});
+  table.row({"effect", "", "error with", "without", "ms with", "without"});
+  for (const EffectRow& row : effect_rows(study))
+    table.row({row.effect, row.backend, figure_text(row.with->figures.relative_l1),
+               figure_text(row.without->figures.relative_l1), short_number(row.with->frame.median),
+               short_number(row.without->frame.median)});
+  return "\nwhat each effect brings, error relative L1, time of all passes:\n" + table.text();
+}
+
 std::string base_words(const Study& study) {
   std::string text;
   for (const Knob& knob : study.knobs) text += (text.empty() ? "" : ", ") + knob.key + " " + knob.base;
@@ -37,6 +48,7 @@ std::string report_text(const Study& study) {
                      std::to_string(study.height) + ", " + std::to_string(study.rows.size()) + " of " +
                      std::to_string(study.planned) + " rows\n" + truth_text(study) +
                      "\nbase: " + base_words(study) + "\n";
+  if (!effect_rows(study).empty()) text += effect_table(study);
   for (const std::string& backend : backends_of(study))
     text += "\nnothing beats these in both error and time (" + backend + "):\n" + front_table(study, backend);
   text += "\nknob by knob, error relative L1, time of the caustic passes:\n";

@@ -16,13 +16,14 @@ std::optional<Trial> try_sizes(FrameRequest request, const Demand& demand, int g
   request.settings.map = map;
   request.backend.measure = true;
   RenderedFrame frame(request, load_scene(request), goal_with_ledgers({"picture"}));
-  double milliseconds = sum_of_passes(frame.run());
+  LedgerReader reader;
+  double milliseconds = sum_of_passes(frame.run(reader.watch(frame)));
   // The first run also fetches memory, which later frames have.
   if (demand.milliseconds) {
     milliseconds = sum_of_passes(frame.run());
     milliseconds = std::min(milliseconds, sum_of_passes(frame.run()));
   }
-  return trial_of(frame, milliseconds);
+  return trial_of(frame, reader.ledgers(), milliseconds);
 }
 
 std::string demand_text(const Demand& demand, const Trial& found, bool only_model, double milliseconds) {
@@ -52,8 +53,9 @@ ErrorEstimate error_of(const Scene& scene, const std::vector<LightLedger>& ledge
   return all;
 }
 
-std::optional<Trial> trial_of(const RenderedFrame& frame, double milliseconds) {
-  const ErrorEstimate error = error_of(frame.scene(), read_ledgers(frame));
+std::optional<Trial> trial_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
+                              double milliseconds) {
+  const ErrorEstimate error = error_of(frame.scene(), ledgers);
   if (!(error.landed > 0.0)) return {};
   return Trial{.grid = frame.settings().grid,
                .map = frame.settings().map,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lab/study/difference_picture.hpp"
+#include "lab/study/effect_rows.hpp"
 #include "lab/study/html.hpp"
 #include "lab/study/sentence.hpp"
 #include "lab/study/study_plot.hpp"
@@ -179,6 +180,22 @@ std::string pictures(const Study& study, const std::filesystem::path& folder) {
   return html + "</div>\n";
 }
 
+// Nothing of a study of settings.
+std::string effect_table(const Study& study) {
+  const std::vector<EffectRow> rows = effect_rows(study);
+  if (rows.empty()) return {};
+  std::string html = section("What each effect brings") + "<div class=\"wide\"><table>\n<thead><tr>" +
+                     head("effect", " class=\"left\"") + head("backend");
+  for (const char* name : {"error with", "error without", "ms with", "ms without"}) html += head(name);
+  html += "</tr></thead>\n<tbody>\n";
+  for (const EffectRow& row : rows)
+    html += "<tr>" + left(row.effect) + cell(row.backend) + cell(figure_text(row.with->figures.relative_l1)) +
+            cell(figure_text(row.without->figures.relative_l1)) + cell(short_number(row.with->frame.median)) +
+            cell(short_number(row.without->frame.median)) + "</tr>\n";
+  return html + "</tbody></table></div>\n" +
+         paragraph("Errors are relative L1, times those of all passes of a picture.");
+}
+
 std::string base_text(const Study& study) {
   std::string text;
   for (const Knob& knob : study.knobs) text += (text.empty() ? "" : ", ") + knob.key + " " + knob.base;
@@ -219,6 +236,7 @@ std::string report_page(const Study& study, const std::filesystem::path& folder)
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>Study of " +
       escaped(study.scene) + "</title>\n" + kStyle + "</head>\n<body>\n<main>\n";
   html += introduction(study);
+  html += effect_table(study);
   html += section("Error and time") + draw(plot_of(study));
   html += section("What nothing beats in both error and time") + front_rows(study);
   html += section("What each step costs and brings") + sentence_list(study);

@@ -1,6 +1,7 @@
 // study.json and study.csv.
 #include <nlohmann/json.hpp>
 
+#include "lab/study/effect_rows.hpp"
 #include "lab/study/study.hpp"
 
 namespace caustics::study {
@@ -139,6 +140,7 @@ Json study_json(const Study& study) {
     document["drift"].push_back(
         {{"backend", drift.backend}, {"before", drift.before}, {"after", drift.after}});
   document["sentences"] = sentences_of(study);
+  if (const Json effects = effects_json(study); !effects.empty()) document["effects"] = effects;
   return document;
 }
 

@@ -14,6 +14,10 @@ struct Knob {
   bool ordered = false;  // all of them are numbers
 };
 
+// The key of a knob that is no setting: which effect is left out. Its base leaves out none.
+inline constexpr char kWithout[] = "without";
+inline constexpr char kNothing[] = "nothing";
+
 // One setting to run: a value for each knob.
 struct Point {
   std::vector<std::string> values;  // by the knobs

@@ -10,7 +10,8 @@ namespace caustics::study {
 Settings settings_at(const Settings& base, const std::vector<Knob>& knobs, const Point& point) {
   Settings settings = base;
   for (std::size_t k = 0; k < knobs.size(); ++k)
-    if (point.values[k] != knobs[k].base) set_option(settings, knobs[k].key, point.values[k]);
+    if (knobs[k].key != kWithout && point.values[k] != knobs[k].base)
+      set_option(settings, knobs[k].key, point.values[k]);
   check(settings);
   return settings;
 }
@@ -19,7 +20,7 @@ Settings finest_settings(const Settings& base, const std::vector<Knob>& knobs) {
   Settings settings = base;
   for (const Knob& knob : knobs) {
     // More of what is counted is finer.
-    if (setting(knob.key).kind != Setting::Kind::Count) continue;
+    if (knob.key == kWithout || setting(knob.key).kind != Setting::Kind::Count) continue;
     std::string most = knob.base;
     for (const std::string& value : knob.values)
       if (std::stod(value) > std::stod(most)) most = value;

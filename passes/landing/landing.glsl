@@ -151,7 +151,8 @@ FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
   first.direction = sel(entry.material.mirror, mirrored, bent.direction);
   first.flux = light.flux;
   first.blocked = !entry.material.mirror && bent.total;
-  first.reflectance = sel(first.blocked || entry.material.mirror, Float(0.0f), bent.reflectance);
+  Float reflectance = bent.reflectance * entry.material.fresnel;
+  first.reflectance = sel(first.blocked || entry.material.mirror, Float(0.0f), reflectance);
   if (u.is_reflection != 0) {
     first.direction = mirrored;
     first.flux = light.flux * first.reflectance;
@@ -254,7 +255,7 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
     Refraction bent = refraction_at(first.direction, normal, first.ior);
     exit.blocked = first.blocked || (solid && bent.total);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
-    exit.reflectance = sel(solid && !bent.total, bent.reflectance, Float(0.0f));
+    exit.reflectance = sel(solid && !bent.total, bent.reflectance * entry.material.fresnel, Float(0.0f));
     TRACE(exit_point, exit.ray.start);
     TRACE(exit_residual, hit.residual);
     TRACE(exit_normal, normal);

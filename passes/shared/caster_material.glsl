@@ -3,6 +3,7 @@
 struct Material {
   Float ior;         // n_d
   Float dispersion;  // n_F - n_C
+  Float fresnel;     // factor of what Fresnel's equations mirror
   Bool mirror;       // metal, which lets nothing in
   Bool solid;        // closed: what enters leaves by a second surface
   Vec3 absorption;   // per metre
@@ -17,6 +18,7 @@ Material fetch_material(Texture materials, Int row) {
   Material material;
   material.ior = interface_texel.x;
   material.dispersion = interface_texel.y;
+  material.fresnel = 1.0f - interface_texel.z;
   material.mirror = interface_texel.w > 0.5f;
   material.solid = inside_texel.w > 0.5f;
   material.absorption = Vec3(inside_texel);

@@ -7,6 +7,7 @@
 #include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/plan/light_order.hpp"
 #include "pipeline/plan/needed_passes.hpp"
 #include "pipeline/plan/texture_memory.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -265,8 +266,11 @@ class Planner {
     const int found = plan_.find(full);
     planned.keep.push_back(found >= 0);
     if (found < 0) {
-      plan_.textures.push_back(
-          {.name = full, .format = format, .width = planned.width, .height = planned.height});
+      plan_.textures.push_back({.name = full,
+                                .format = format,
+                                .width = planned.width,
+                                .height = planned.height,
+                                .light = owner.light});
       return static_cast<int>(plan_.textures.size()) - 1;
     }
     const PlannedTexture& texture = plan_.textures[static_cast<std::size_t>(found)];
@@ -290,6 +294,11 @@ FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& 
                     const Registry& registry, const PlanGoal& goal) {
   FramePlan plan = Planner(scene, effects, settings, registry).plan();
   if (!goal.textures.empty()) plan = needed_for(goal, std::move(plan));
+  for (PlannedTexture& texture : plan.textures) {
+    texture.kept_for_light = goal.light_by_light && texture.light >= 0 && texture.kept;
+    texture.kept = texture.kept && !texture.kept_for_light;
+  }
+  order_by_light(plan);
   share_memory(plan);
   return plan;
 }

@@ -15,8 +15,12 @@ struct PlannedTexture {
   int width = 0, height = 0;
   bool external = false;  // uploaded with the scene, not written by a pass
   bool kept = true;       // holds its contents until the next frame; else only until its last reader has run
-  int memory = -1;        // index into FramePlan::memory; of an external texture none
-  std::string unread{};   // why a pass that could read it does not: the reason of an effect
+  int light = -1;         // index into Scene::lights of whom it belongs to, -1: to the frame or a water
+  bool kept_for_light = false;  // holds its contents until that light's last pass has run
+  // The last pass at whose end it holds its contents, an index into FramePlan::passes.
+  int until = -1;
+  int memory = -1;       // index into FramePlan::memory; of an external texture none
+  std::string unread{};  // why a pass that could read it does not: the reason of an effect
   bool operator==(const PlannedTexture&) const = default;
 };
 
@@ -46,6 +50,7 @@ struct PlannedPass {
   int width = 0, height = 0;
   bool counts_samples = false;  // whether the light reaches its casters, for the passes that follow
   bool if_casters_lit = false;  // draws nothing where that count is 0 (PassRun::only_if)
+  bool ends_light = false;      // no pass of its light follows
 
   // The textures that it writes: colours in turn, depth last.
   std::vector<int> attachments() const;
@@ -80,9 +85,12 @@ struct FramePlan {
 struct PlanGoal {
   // Only the passes that these depend on are planned. Empty: everything that the effects call for, and every
   // texture is kept.
-  std::vector<std::string> textures;
+  std::vector<std::string> textures{};
   // Kept too, where a pass that writes them runs anyway.
   std::vector<std::string> beside{};
+  // A light's own textures are kept until its last pass has run and no longer, for those who look at them
+  // while the frame is drawn: memory does not depend on how many lights there are.
+  bool light_by_light = false;
 };
 
 // Throws Error (InternalError) when a pass reads what nothing writes.

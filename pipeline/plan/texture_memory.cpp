@@ -1,28 +1,34 @@
 #include "pipeline/plan/texture_memory.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace caustics {
 
 namespace {
 
-// By texture: the last pass that uses it, or -1.
-std::vector<int> last_uses(const FramePlan& plan) {
-  std::vector<int> last(plan.textures.size(), -1);
+// Of each texture: the last pass that uses it, or for which it is kept.
+void find_ends(FramePlan& plan) {
+  std::map<int, int> light_ends;
+  for (PlannedTexture& texture : plan.textures) texture.until = -1;
   for (std::size_t i = 0; i < plan.passes.size(); ++i) {
     const auto use = [&](int texture) {
-      if (texture >= 0) last[static_cast<std::size_t>(texture)] = static_cast<int>(i);
+      if (texture >= 0) plan.textures[static_cast<std::size_t>(texture)].until = static_cast<int>(i);
     };
+    light_ends[plan.passes[i].light] = static_cast<int>(i);
     for (const int texture : plan.passes[i].reads) use(texture);
     for (const int texture : plan.passes[i].writes) use(texture);
     use(plan.passes[i].depth);
   }
-  return last;
+  for (PlannedTexture& texture : plan.textures) {
+    if (texture.kept) texture.until = static_cast<int>(plan.passes.size()) - 1;
+    if (texture.kept_for_light) texture.until = std::max(texture.until, light_ends[texture.light]);
+  }
 }
 
 class Memory {
  public:
-  explicit Memory(FramePlan& plan) : plan_(plan), last_(last_uses(plan)) {}
+  explicit Memory(FramePlan& plan) : plan_(plan) {}
 
   void share() {
     plan_.memory.clear();
@@ -50,17 +56,18 @@ class Memory {
       taken_until_.push_back(-1);
     }
     texture.memory = static_cast<int>(m);
-    taken_until_[m] =
-        texture.kept ? static_cast<int>(plan_.passes.size()) : last_[static_cast<std::size_t>(index)];
+    taken_until_[m] = texture.until;
   }
 
   FramePlan& plan_;
-  std::vector<int> last_;
   std::vector<int> taken_until_;  // by memory: the last pass that its texture is used in
 };
 
 }  // namespace
 
-void share_memory(FramePlan& plan) { Memory(plan).share(); }
+void share_memory(FramePlan& plan) {
+  find_ends(plan);
+  Memory(plan).share();
+}
 
 }  // namespace caustics

@@ -62,6 +62,16 @@ TEST_CASE("texture memory: a texture that several passes draw into is held from 
   CHECK(memory_of(plan) == std::vector<int>{0, 1, 1});
 }
 
+TEST_CASE("texture memory: what is kept for a light is held to that light's last pass") {
+  FramePlan plan = plan_of(5, {pass({}, {0}), pass({0}, {1}), pass({1}, {2}), pass({}, {3}), pass({3}, {4})});
+  for (std::size_t i = 0; i < 5; ++i) plan.passes[i].light = i < 3 ? 0 : 1;
+  plan.textures[0].light = 0;
+  plan.textures[0].kept_for_light = true;
+  share_memory(plan);
+  CHECK(plan.textures[0].until == 2);
+  CHECK(memory_of(plan) == std::vector<int>{0, 1, 2, 0, 1});
+}
+
 TEST_CASE("texture memory: attachments that nobody needs and uploaded textures take none") {
   FramePlan plan = plan_of(2, {pass({0}, {PlannedPass::kNothing, 1})});
   plan.textures[0].external = true;

@@ -15,9 +15,11 @@ namespace {
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
 // moving water hold whatever the waves do, so that maps and shadows do not crawl.
 PlannedFrame planned(Scene& scene, const Settings& settings, const Registry& registry, LightPilot& pilot,
-                     const View* camera, const PlanGoal& goal, const Breath& breath) {
+                     const View* camera, const PlanGoal& goal, const Breath& breath,
+                     Effect Effects::*without = nullptr) {
   PlannedFrame frame;
   Effects effects = effects_of(scene, settings, camera);
+  if (without) effects.*without = {false, "left out on request"};
   frame.views = effects.water_waves.active
                     ? fit_moving_views(scene, pilot.device(), effects, settings, registry, breath)
                     : pilot.fit(effects);
@@ -71,7 +73,8 @@ void FrameRenderer::judge_and_plan() {
   if (options_.breath) options_.breath();
   const std::optional<View> camera = camera_view(scene_, options_.camera, *settings_);
   frame_ = planned(scene_, *settings_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
-                   options_.breath);
+                   options_.breath, options_.without);
+  done_ = 0;
   inputs_.camera = camera.value_or(View{});
   if (options_.breath) options_.breath();
 }
@@ -104,16 +107,21 @@ void FrameRenderer::show_waters(double seconds) {
 
 std::vector<PassReport> FrameRenderer::run(const AfterPass& after) {
   std::vector<PassReport> reports = water_report_;
-  for (PassReport& report : run_plan(frame_.plan, registry_, *on_device_, *targets_, inputs_, after))
+  const AfterPass watched = [&](const PlannedPass& pass, const PassResult& result, std::size_t done,
+                                std::size_t total) {
+    done_ = static_cast<int>(done) - 1;
+    return !after || after(pass, result, done, total);
+  };
+  for (PassReport& report : run_plan(frame_.plan, registry_, *on_device_, *targets_, inputs_, watched))
     reports.push_back(std::move(report));
   return reports;
 }
 
 Image FrameRenderer::read(int texture) const {
   const PlannedTexture& planned = frame_.plan.textures[static_cast<std::size_t>(texture)];
-  if (!planned.external && !planned.kept)
+  if (!planned.external && planned.until < done_)
     throw Error(ExitCode::InternalError,
-                "texture '" + planned.name + "' is not kept until the frame is over; name it in the goal");
+                "texture '" + planned.name + "' is not kept for so long; name it in the goal");
   return device_.read_back(planned.external ? on_device_->external(planned.name) : (*targets_)[texture]);
 }
 

@@ -28,6 +28,7 @@ struct FrameOptions {
   const Camera* camera = nullptr;   // null: the scene's first; a scene without cameras has no picture
   std::optional<float> exposure{};  // factor from nit to display white; none: the scene's own (exposure_of)
   double seconds = 0.0;             // the moment that the scene's waters are shown at
+  Effect Effects::*without = nullptr;  // left out although the scene calls for it
   // The device on which the lights' views are fitted where `device` is not the software device, so that every
   // device draws the same frames; null: the same device.
   Device* pilot = nullptr;
@@ -56,8 +57,8 @@ class FrameRenderer {
   void show_waters(double seconds);
 
   bool has(const std::string& texture) const { return frame_.plan.find(texture) >= 0; }
-  // The texels of a texture of the plan, by its full name or its index. Throws Error (InternalError) for
-  // other names, and where the goal did not say that it is to be kept.
+  // The texels of a texture of the plan, by its full name or its index; from the callback of run() too.
+  // Throws Error (InternalError) for other names, and where it no longer is to hold its contents.
   Image read(const std::string& texture) const;
   Image read(int texture) const;
   // A pass of the plan with everything bound to it, as run() hands it to the device. What it reads is there
@@ -92,6 +93,7 @@ class FrameRenderer {
   std::optional<double> shown_;         // the moment of the waters
   std::unique_ptr<FrameTargets> targets_;
   FrameInputs inputs_;
+  int done_ = 0;  // the pass of the plan that ran last
 };
 
 }  // namespace caustics

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -219,8 +220,8 @@ class LandingScout {
   // Plans for what the scene calls for now. Earlier textures are used again where they fit.
   void plan(const Effects& effects) {
     effects_ = &effects;
-    FramePlan plan =
-        make_plan(scene_.scene(), effects, settings_, registry_, {.textures = {kLanding, kLandingFlux}});
+    FramePlan plan = make_plan(scene_.scene(), effects, settings_, registry_,
+                               {.textures = {kLanding, kLandingFlux}, .light_by_light = true});
     if (plan.textures != plan_.textures) targets_.reset();
     plan_ = std::move(plan);
   }
@@ -229,12 +230,18 @@ class LandingScout {
     return plan_.find(branch_texture(kLanding, light, effects_->branches.front())) >= 0;
   }
 
-  void run(const std::vector<LightViews>& views) {
+  // `done` hears of each light when its passes have run, and may change its views then.
+  void run(const std::vector<LightViews>& views, const std::function<void(int light)>& done) {
     if (!targets_) targets_ = std::make_unique<FrameTargets>(plan_, scene_.device());
     run_plan(plan_, registry_, scene_, *targets_,
-             {.settings = &settings_, .effects = effects_, .views = &views, .camera = {}});
+             {.settings = &settings_, .effects = effects_, .views = &views, .camera = {}},
+             [&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
+               if (pass.ends_light) done(pass.light);
+               return true;
+             });
   }
 
+  // Of a light that is just done.
   std::vector<WeightedPoint> found(int light, const View& view) const {
     std::vector<WeightedPoint> points;
     for (const Branch& branch : effects_->branches) {
@@ -290,12 +297,11 @@ std::vector<LightViews> LightPilot::fit(const Effects& effects) {
     bool any = false;
     for (int i = 0; i < static_cast<int>(views.size()); ++i) any |= fitted(i);
     if (!any) break;
-    scout.run(views);
-    for (int i = 0; i < static_cast<int>(views.size()); ++i) {
-      if (!fitted(i)) continue;
+    scout.run(views, [&](int i) {
+      if (!fitted(i)) return;
       LightViews& f = views[static_cast<std::size_t>(i)];
       fit_to_landings(f, scout.found(i, f.caustic), settings_, margin, flat);
-    }
+    });
   }
   return views;
 }

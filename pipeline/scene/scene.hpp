@@ -52,6 +52,8 @@ struct Material {
   glm::vec3 attenuation_color{1.0f};
   float attenuation_distance = std::numeric_limits<float>::infinity();  // metres
   float dispersion = 0.0f;  // KHR_materials_dispersion: 20 / Abbe number
+  // Of what Fresnel's equations mirror off glass on the light's way: 1, or 0 to tell what they bring.
+  float fresnel_factor = 1.0f;
 };
 
 struct Vertex {

@@ -41,10 +41,10 @@ struct Box {
   }
 };
 
-struct Part {
+struct Bin {
   Box box;
   std::size_t count = 0;
-  void add(const Part& other) {
+  void add(const Bin& other) {
     box.add(other.box);
     count += other.count;
   }
@@ -95,14 +95,14 @@ struct TriangleTree::Builder {
       if (!(extent > 0.0f)) continue;
       Split split{.axis = axis, .bin = 0, .lower = middles.lower[axis], .scale = kBins / extent};
       if (!std::isfinite(split.scale)) continue;
-      std::array<Part, kBins> bins, right;
+      std::array<Bin, kBins> bins, right;
       for (Items i = begin; i != end; ++i) bins[static_cast<std::size_t>(split.bin_of(*i))].add({i->box, 1});
       right.back() = bins.back();
       for (std::size_t b = kBins - 1; b-- > 0;) {
         right[b] = bins[b];
         right[b].add(right[b + 1]);
       }
-      Part left;
+      Bin left;
       for (int b = 0; b + 1 < kBins; ++b) {
         left.add(bins[static_cast<std::size_t>(b)]);
         const double cost = left.cost() + right[static_cast<std::size_t>(b) + 1].cost();

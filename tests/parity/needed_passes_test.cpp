@@ -177,6 +177,28 @@ TEST_CASE("needed passes: what is wanted beside the images is kept where it is d
   CHECK_FALSE(renderer_for("aov_direct").has("landing_fresnel[0]"));
 }
 
+TEST_CASE("needed passes: light by light, a light's textures can be read until its last pass has run") {
+  const auto device = make_software_device({.threads = 1});
+  Scene scene = shadowed_sphere();
+  scene.lights.push_back(sun({0.3, -1.0, 0.2}, 1.0f));
+  FrameRenderer whole(scene, small_settings(16, 16, 16), pass_registry(), *device);
+  whole.run();
+  FrameRenderer renderer(scene, small_settings(16, 16, 16), pass_registry(), *device,
+                         {.goal = {.textures = {"picture", kLanding}, .light_by_light = true}});
+  std::size_t ended = 0;
+  renderer.run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
+    if (!pass.ends_light) return true;
+    ++ended;
+    const std::string name = light_texture(kLanding, pass.light);
+    CHECK(renderer.read(name).values == whole.read(name).values);
+    return true;
+  });
+  CHECK(ended == 2);
+  CHECK(renderer.read("picture").values == whole.read("picture").values);
+  CHECK_THROWS_AS(renderer.read("landing[0]"), Error);
+  CHECK_THROWS_AS(renderer.read("landing[1]"), Error);
+}
+
 TEST_CASE("needed passes: a texture that the goal does not name cannot be read") {
   const auto device = make_software_device({.threads = 1});
   Scene scene = shadowed_sphere();

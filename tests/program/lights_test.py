@@ -47,6 +47,25 @@ class AreaLights(ProgramTest):
         # A silhouette on a grid of 32 x 32 is good to a percent.
         self.assertAlmostEqual(entered[1] / entered[0], 1.0, delta=0.01)
 
+    def test_textures_take_no_more_memory_with_more_samples(self):
+        def textures(command, samples):
+            if command == "plan":
+                plan = self.succeeds("plan", "sun.glb", "--json", *SMALL, "-D", f"light.samples={samples}")
+                return json.loads(plan.stdout)["texture_bytes"]
+            return self.stats("-D", f"light.samples={samples}")["texture_bytes"]
+
+        for command in ("plan", "render"):
+            self.assertEqual(textures(command, 4), textures(command, 12))
+
+    def test_a_dump_has_the_textures_of_each_sample(self):
+        self.succeeds("sun.glb", *SMALL, "-D", "light.samples=3", "--dump", "d")
+        manifest = json.loads((self.folder / "d/manifest.json").read_text())
+        hashes = {a["attachment"]: a["sha256"] for a in manifest["attachments"]}
+        self.assertEqual(len({hashes[f"landing[{k}]"] for k in range(3)}), 3)
+        digest = self.succeeds("digest", "sun.glb", *SMALL, "-D", "light.samples=3").stdout
+        for k in range(3):
+            self.assertIn(f" landing[{k}] {hashes[f'landing[{k}]']}", digest)
+
     def test_the_summary_has_a_line_a_light(self):
         result = self.succeeds("sun.glb", *SMALL, "-D", "light.samples=4")
         lines = [line for line in result.stderr.splitlines() if line.startswith("light ")]

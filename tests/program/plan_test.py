@@ -92,19 +92,21 @@ def bytes_of(texture):
 
 def least_bytes(passes):
     """Of textures that share memory with others of their kind: as many as live at one time. A texture lives
-    from the first pass that writes it to the last that uses it, or to the end."""
+    from the first pass that writes it to the one that it is there until."""
     first, last, textures = {}, {}, {}
+    numbers = {planned["pass"]: number for number, planned in enumerate(passes)}
     for number, planned in enumerate(passes):
         for texture in planned["writes"]:
             textures[texture["name"]] = texture
             first.setdefault(texture["name"], number)
-        for name in planned["reads"] + [texture["name"] for texture in planned["writes"]]:
-            last[name] = number
+            last[texture["name"]] = numbers[texture["until"]] if texture["until"] else len(passes)
+        for name in planned["reads"]:
+            assert last[name] >= number, f"{name} is gone before {planned['pass']} reads it"
     most = collections.Counter()
     for number in range(len(passes)):
         alive = collections.Counter()
         for name, texture in textures.items():
-            if first[name] <= number and (texture["kept"] or number <= last[name]):
+            if first[name] <= number <= last[name]:
                 alive[texture["format"], texture["width"], texture["height"], bytes_of(texture)] += 1
         most |= alive
     return sum(kind[3] * times for kind, times in most.items())

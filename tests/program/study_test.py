@@ -142,6 +142,42 @@ class Rows(StudyTest):
         self.assertEqual([k for k in keys if k not in self.rows()[0]["settings"]], [])
 
 
+class Effects(StudyTest):
+    def test_each_effect_that_the_scene_calls_for_is_left_out_once(self):
+        self.study("--effects", "--grid", "32", "--map", "32", "-o", "out")
+        document, (_, page) = self.document("out"), self.page("out")
+        effects = {e["effect"]: e for e in document["effects"]}
+        self.assertLessEqual({"fresnel", "second surface", "cells", "pixel means"}, set(effects))
+        self.assertFalse({"absorption", "dispersion", "medium", "normal maps"} & set(effects))
+        self.assertEqual(document["planned"], 1 + len(effects))
+        for name, effect in effects.items():
+            row = next(r for r in document["rows"] if r["values"] == {"without": name})
+            self.assertEqual(effect["error_without"], row["figures"]["relative_l1"])
+            self.assertEqual(effect["error_with"], document["rows"][0]["figures"]["relative_l1"])
+            self.assertIn(f"<td class=\"left\">{name}</td>", page)
+        # Through one surface the ball's light lands elsewhere; without Fresnel's losses there is more of it:
+        # a ball of index 1.5 mirrors 16 % (docs/accuracy.md).
+        self.assertGreater(effects["second surface"]["error_without"], 0.5)
+        flux = {r["values"]["without"]: r["figures"]["flux_ratio"] for r in document["rows"]}
+        self.assertAlmostEqual(flux["nothing"] / flux["fresnel"], 0.84, delta=0.02)
+        table = list(csv.DictReader((self.folder / "out/effects.csv").read_text().splitlines()))
+        self.assertEqual([r["effect"] for r in table], [e["effect"] for e in document["effects"]])
+        errors = [float(r["error_without"]) for r in table]
+        self.assertEqual(errors, sorted(errors, reverse=True))
+
+    def test_rows_without_an_effect_are_kept_by_resume(self):
+        options = ["--effects", "--grid", "16", "--map", "16"]
+        self.study(*options)
+        before = self.rows()
+        result = self.study(*options, "--resume")
+        self.assertIn(f"{len(before)} of them from before", result.stderr)
+        self.assertEqual(self.rows(), before)
+
+    def test_it_varies_no_settings(self):
+        for other in (["--vary", "grid=16,32"], ["--cross"]):
+            self.fails(2, "study", "ball.glb", *SMALL, "--effects", *other, saying="--effects excludes")
+
+
 class Truth(StudyTest):
     def write(self, error=None):
         channels = {f"caustic.{c}": [1.0] * (64 * 48) for c in "RGB"}

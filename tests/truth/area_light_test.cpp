@@ -181,3 +181,31 @@ TEST_CASE("area light: a ball that shines lights the floor as a disk of its size
   const Rendering r = render(scene, settings, {"aov_direct"});
   CHECK(double(r["aov_direct"].at(1, 1, 0)) == Approx(1000.0 * kPi / 81.0).epsilon(0.015));
 }
+
+TEST_CASE("area light: the light that the camera sees is the sum of each sample drawn alone, to the bit") {
+  constexpr int kSamples = 3;
+  const Settings settings = small_settings(32, 32, 24);
+  Scene scene = sphere_scene(1.5f, 4);
+  scene.lights[0].shape = LightShape::Disk;
+  scene.lights[0].angular_radius = 0.05;
+  sample_lights(scene, kSamples);
+  const Rendering all = render(scene, settings, {"direct", "caustic"});
+  for (const char* name : {"direct", "caustic"}) {
+    std::vector<float> sum(all[name].values.size(), 0.0f);
+    for (int k = 0; k < kSamples; ++k) {
+      Scene alone = scene;
+      alone.lights = {scene.lights[static_cast<std::size_t>(k)]};
+      const Image one = render(alone, settings, {name})[name];
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += one.values[i];
+    }
+    CHECK(std::any_of(sum.begin(), sum.end(), [](float value) { return value > 0.0f; }));
+    double worst = 0.0;
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      worst = std::max(worst, std::fabs(static_cast<double>(all[name].values[i] - sum[i])));
+      differing += all[name].values[i] != sum[i];
+    }
+    INFO(name << ": " << worst << ", " << differing << " of " << sum.size());
+    CHECK(differing == 0);
+  }
+}

@@ -101,6 +101,19 @@ TEST_CASE("ledger: the paper's weights add up to two thirds on a sphere") {
   CHECK(l.entered[0] == Approx(2.0 / 3.0 * kPi * 0.25).epsilon(3e-3));
 }
 
+TEST_CASE("ledger: where Fresnel is left out nothing is booked as mirrored, and more lands") {
+  const auto booked = [](float factor) {
+    Scene scene = sphere_scene(1.5f, 4);
+    for (Material& material : scene.materials) material.fresnel_factor = factor;
+    return ledger(scene, small_settings(64, 64, 16));
+  };
+  const Ledger with = booked(1.0f), without = booked(0.0f);
+  CHECK(without.fresnel[0] == 0.0);
+  CHECK(with.fresnel[0] > 0.15 * with.entered[0]);
+  CHECK(without.in_map[0] > 1.15 * with.in_map[0]);
+  CHECK(without.entered[0] == with.entered[0]);
+}
+
 TEST_CASE("ledger: absorption takes what Beer and Lambert say of a sphere") {
   // <exp(-a 2R cos b)> over the disc for n = 1.5, a R = 0.8, without Fresnel: 0.246768 (n^2 / 2 (F(L0) -
   // F(Lm)), verified numerically); the paper's weights leave Fresnel out but weigh with N.L, so the

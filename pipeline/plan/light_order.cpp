@@ -1,0 +1,86 @@
+#include "pipeline/plan/light_order.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace caustics {
+
+namespace {
+
+// How a pass uses a texture. An addition comes to the same before and after another light's.
+enum class Use : std::uint8_t { Read, Addition, Write };
+
+struct Access {
+  int light = -1, phase = 0;
+  Use use = Use::Read;
+};
+
+// Passes are sorted by phase; in a phase those of the frame come first, then light by light.
+class Phases {
+ public:
+  explicit Phases(const FramePlan& plan) : accesses_(plan.textures.size()) {}
+
+  // The phase of the plan's next pass.
+  int of(const PlannedPass& pass) {
+    int phase = 0;
+    // A light's passes keep their order among each other.
+    if (pass.light >= 0) phase = light_phases_[pass.light];
+    for_each_use(pass, [&](std::size_t texture, Use use) {
+      for (const Access& before : accesses_[texture]) phase = std::max(phase, earliest(before, pass, use));
+    });
+    for_each_use(pass, [&](std::size_t texture, Use use) {
+      accesses_[texture].push_back({pass.light, phase, use});
+    });
+    if (pass.light >= 0) light_phases_[pass.light] = phase;
+    return phase;
+  }
+
+ private:
+  static int earliest(const Access& before, const PlannedPass& pass, Use use) {
+    if (before.use == Use::Read && use == Use::Read) return 0;
+    const bool in_turn = pass.light >= 0 && before.light <= pass.light;
+    if (before.light < 0 || in_turn) return before.phase;
+    const bool additions = before.use == Use::Addition && use == Use::Addition;
+    return pass.light >= 0 && additions ? 0 : before.phase + 1;
+  }
+
+  static void for_each_use(const PlannedPass& pass, const auto& visit) {
+    for (const int texture : pass.reads)
+      if (texture >= 0) visit(static_cast<std::size_t>(texture), Use::Read);
+    for (std::size_t a = 0; a < pass.writes.size(); ++a) {
+      if (pass.writes[a] < 0) continue;
+      const bool adds = pass.keep[a] && pass.definition.writes[a].blend == kAccumulate;
+      visit(static_cast<std::size_t>(pass.writes[a]), adds ? Use::Addition : Use::Write);
+    }
+    if (pass.depth >= 0) visit(static_cast<std::size_t>(pass.depth), Use::Write);
+  }
+
+  std::vector<std::vector<Access>> accesses_;  // by texture
+  std::map<int, int> light_phases_;            // by light: of its latest pass
+};
+
+}  // namespace
+
+void order_by_light(FramePlan& plan) {
+  Phases phases(plan);
+  struct Place {
+    int phase, light;
+    std::size_t pass;
+  };
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < plan.passes.size(); ++i)
+    places.push_back({phases.of(plan.passes[i]), plan.passes[i].light, i});
+  std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.phase != b.phase ? a.phase < b.phase : a.light < b.light;
+  });
+  std::vector<PlannedPass> ordered;
+  std::map<int, std::size_t> last;
+  for (const Place& place : places) {
+    last[place.light] = ordered.size();
+    ordered.push_back(std::move(plan.passes[place.pass]));
+  }
+  plan.passes = std::move(ordered);
+  for (const auto& [light, pass] : last) plan.passes[pass].ends_light = light >= 0;
+}
+
+}  // namespace caustics
