@@ -3,7 +3,6 @@
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/gpu/device.hpp"
-#include "pipeline/measure/model_error.hpp"
 #include "pipeline/measure/pixel_side.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -146,7 +145,9 @@ std::vector<LightLedger> LedgerReader::ledgers() const {
   std::vector<LightLedger> all;
   for (const auto& [source, ledger] : by_source_) {
     all.push_back(ledger);
-    if (judge_ && judge_->models.contains(source)) judge_->models.at(source).complete(all.back().error);
+    if (!judge_ || !judge_->models.contains(source)) continue;
+    judge_->models.at(source).complete(all.back().error);
+    all.back().surplus = judge_->models.at(source).surplus();
   }
   return all;
 }

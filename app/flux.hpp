@@ -7,12 +7,8 @@
 #include <vector>
 
 #include "app/frame.hpp"
-#include "pipeline/measure/error_estimate.hpp"
+#include "pipeline/measure/model_error.hpp"
 #include "pipeline/measure/outcome.hpp"
-
-namespace caustics {
-class ModelError;
-}
 
 namespace caustics::app {
 
@@ -21,6 +17,7 @@ struct LightLedger {
   Ledger ledger;
   std::vector<Outcome> outcomes{};  // by caster; `light` as above
   ErrorEstimate error{};
+  Surplus surplus{};  // where the model errs; empty where it is not judged
 
   // The share of the flux onto the casters that leaves the light's maps.
   double leaves() const;

@@ -309,8 +309,10 @@ class Renderer {
       frame_->move_to(request_.seconds(n));
       timing_.prepare += watch.milliseconds();
     }
-    // Of a row of frames the last one's.
-    const bool booked = n == todo_.back() && (!request_.quiet || !request_.stats.empty());
+    // Of a row of frames the last one's, but for layers that are made from them.
+    const bool layered = wants_ledgers(request_.outputs);
+    const bool booked = layered || (n == todo_.back() && (!request_.quiet || !request_.stats.empty()));
+    if (layered) books_ = {};
     const Stopwatch watch;
     reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
       if (booked) books_.look(*frame_, pass);
@@ -329,7 +331,7 @@ class Renderer {
   void write(int n) {
     progress_.show(frame_text(n) + "writing");
     const Stopwatch watch;
-    write_outputs(outputs_of(request_, n), *frame_);
+    write_outputs(outputs_of(request_, n), *frame_, books_.ledgers());
     if (!films_.empty()) {
       const Image picture = frame_->read("picture");
       for (const auto& film : films_) film->add(picture);

@@ -394,8 +394,8 @@ def bottle_of_liquid():
 
 
 def hollow_ball():
-    shell = icosphere((0.0, 0.55, 0.0), 0.45, 5)
-    p, n, i = icosphere((0.0, 0.55, 0.0), 0.38, 5)
+    shell = icosphere((0.0, 0.55, 0.0), 0.45, 4)
+    p, n, i = icosphere((0.0, 0.55, 0.0), 0.38, 4)
     first = len(shell[0])
     inside = [first + i[k + o] for k in range(0, len(i), 3) for o in (0, 2, 1)]
     return real_glass(('shell', (shell[0] + p, shell[1] + [mul(v, -1.0) for v in n], shell[2] + inside), GLASS),
@@ -404,15 +404,15 @@ def hollow_ball():
 
 def bubbles():
     """Gas in glass: indices below 1 are relative to what is around."""
-    return real_glass(('ball', icosphere((0.0, 0.55, 0.0), 0.45, 5), GLASS),
+    return real_glass(('ball', icosphere((0.0, 0.55, 0.0), 0.45, 4), GLASS),
                       ('bubble', icosphere((0.12, 0.62, 0.05), 0.12, 4), glass('gas', 1.0 / 1.5)),
                       ('small bubble', icosphere((-0.15, 0.45, -0.08), 0.07, 4), glass('gas', 1.0 / 1.5)),
                       sun=steep(20))
 
 
 def two_balls():
-    return real_glass(('upper ball', icosphere((0.25, 0.95, 0.0), 0.28, 5), GLASS),
-                      ('lower ball', icosphere((0.0, 0.35, 0.1), 0.30, 5), GLASS), sun=steep(20))
+    return real_glass(('upper ball', icosphere((0.25, 0.95, 0.0), 0.28, 4), GLASS),
+                      ('lower ball', icosphere((0.0, 0.35, 0.1), 0.30, 4), GLASS), sun=steep(20))
 
 
 def glass_bowl():
@@ -428,7 +428,8 @@ def main():
               **{make.__name__ + '.glb': make for make in (
                   glass_sphere, glass_figure, water_patch, water_sine, prism, spectrum, metal_ring,
                   thin_panes, two_lights, receivers, sun_disk, water_normal_map, stained_glass, moving_lens,
-                  water_plops, hazy_lens, closed_room, *REAL_GLASS)}}
+                  water_plops, hazy_lens, closed_room)},
+              **{'glass/' + make.__name__ + '.glb': make for make in REAL_GLASS}}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:
             continue
@@ -438,7 +439,7 @@ def main():
         triangles = sum(a['count'] // 3 for a in scene.gltf['accessors']
                         if a['type'] == 'SCALAR' and a['componentType'] != 5126)
         size = os.path.getsize(path) // 1024
-        print(f'{name:20} {triangles:6} triangles {size:5} KB')
+        print(f'{name:34} {triangles:6} triangles {size:5} KB')
 
 
 if __name__ == '__main__':

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/output/image_file.hpp"
+#include "app/output/stated_error.hpp"
 #include "app/output/video_file.hpp"
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/parser.hpp"
@@ -24,6 +25,10 @@ struct Layer {
   bool in_world = false;  // scene space, written in the glTF world's coordinates
 };
 
+// Not a texture: made from the ledgers and these.
+constexpr char kStatedError[] = "stated error";
+constexpr const char* kForStatedError[] = {"aov_caustic", "aov_position", "view_position"};
+
 constexpr Layer kLayers[] = {
     {"beauty", "what the camera sees, nit; the channels R, G, B, A", "beauty", 0, 4},
     {"caustic", "illuminance by caustics, lux; 0 on casters", "aov_caustic"},
@@ -32,7 +37,10 @@ constexpr Layer kLayers[] = {
     {"normal", "unit, world axes", "aov_normal"},
     {"depth", "metres along the view axis", "aov_normal", 3, 1},
     {"coverage", "1 where there is a surface, else 0", "aov_position", 3, 1},
+    {"error", "stated error of caustic, lux: of means over blocks of pixels", kStatedError},
 };
+
+bool is_stated_error(const Layer& layer) { return std::string_view(layer.texture) == kStatedError; }
 
 const Layer& find_layer(const std::string& name) {
   const auto found = std::find_if(std::begin(kLayers), std::end(kLayers),
@@ -55,13 +63,15 @@ std::vector<std::string> layers_of(const OutputRequest& request) {
   return request.layers.empty() ? std::vector<std::string>{"beauty"} : request.layers;
 }
 
-void write_layers(const std::filesystem::path& path, const OutputRequest& request,
-                  const RenderedFrame& frame) {
+void write_layers(const std::filesystem::path& path, const OutputRequest& request, const RenderedFrame& frame,
+                  const std::vector<LightLedger>& ledgers) {
   std::map<std::string, Image> images;
   std::vector<ExrChannel> channels;
   for (const std::string& name : layers_of(request)) {
     const Layer& layer = find_layer(name);
-    if (!images.count(layer.texture)) images[layer.texture] = frame.read(layer.texture);
+    if (!images.count(layer.texture))
+      images[layer.texture] =
+          is_stated_error(layer) ? stated_error(frame, ledgers) : frame.read(layer.texture);
     const Image& image = images[layer.texture];
     // Beauty is what a viewer shows, so its channels carry no prefix.
     const std::string prefix = name == "beauty" ? "" : name + ".";
@@ -119,21 +129,31 @@ std::vector<std::string> textures_for(const OutputRequest& request) {
       textures.emplace_back("picture");
     } else {
       for (const std::string& name : layers_of(request)) {
-        textures.emplace_back(find_layer(name).texture);
+        const Layer& layer = find_layer(name);
+        if (is_stated_error(layer)) {
+          textures.insert(textures.end(), std::begin(kForStatedError), std::end(kForStatedError));
+        } else {
+          textures.emplace_back(layer.texture);
+        }
       }
     }
   }
   return textures;
 }
 
-void write_outputs(const OutputRequest& request, const RenderedFrame& frame) {
+void write_outputs(const OutputRequest& request, const RenderedFrame& frame,
+                   const std::vector<LightLedger>& ledgers) {
   for (const std::filesystem::path& file : request.files) {
     if (lower_extension(file) == ".png") {
       write_png(file, frame.read("picture"));
     } else if (!is_video(file)) {
-      write_layers(file, request, frame);
+      write_layers(file, request, frame, ledgers);
     }
   }
+}
+
+bool wants_ledgers(const OutputRequest& request) {
+  return std::find(request.layers.begin(), request.layers.end(), "error") != request.layers.end();
 }
 
 }  // namespace caustics::app

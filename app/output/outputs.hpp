@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/frame.hpp"
+#include "app/flux.hpp"
 #include "app/shell/parser.hpp"
 
 namespace caustics::app {
@@ -25,6 +25,9 @@ void check_outputs(const OutputRequest& request);
 std::vector<std::string> textures_for(const OutputRequest& request);
 
 // Those that are one file a frame; films are left to their writers (app/output/video_file.hpp).
-void write_outputs(const OutputRequest& request, const RenderedFrame& frame);
+// `ledgers`: for the layer `error`; needed where wants_ledgers.
+void write_outputs(const OutputRequest& request, const RenderedFrame& frame,
+                   const std::vector<LightLedger>& ledgers);
+bool wants_ledgers(const OutputRequest& request);
 
 }  // namespace caustics::app

@@ -156,6 +156,12 @@ std::vector<double> ModelError::signs(const std::vector<double>& surplus) const 
   return signs;
 }
 
+Surplus ModelError::surplus() const {
+  Surplus sum{blocks_.side(), blocks_.across(), surplus_[0]};
+  for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += surplus_[1][i];
+  return sum;
+}
+
 void ModelError::complete(ErrorEstimate& estimate) const {
   estimate.judged = true;
   if (!(landed_ > 0.0)) return;

@@ -12,6 +12,14 @@
 
 namespace caustics {
 
+// What a frame has more of than light, summed over the pixels of each of a picture's blocks: irradiance over
+// the light's intensity, three channels a block, row by row from the bottom.
+struct Surplus {
+  int side = 1;            // of a block, pixels
+  std::size_t across = 0;  // blocks
+  std::vector<double> values;
+};
+
 // One light's rays, its samples' together, and what both have put into the picture's blocks.
 class ModelError {
  public:
@@ -30,6 +38,7 @@ class ModelError {
   // Puts into the estimate what the frame alone does not know: `model`, `sampling`, `not_followed`; `missing`
   // where that light would land in the picture; and takes all light that lands for the whole.
   void complete(ErrorEstimate& estimate) const;
+  Surplus surplus() const;
 
  private:
   struct Vertex;

@@ -18,7 +18,7 @@ constexpr double kWorthTrying = 0.1;
 // far from what it was measured at.
 constexpr double kFarther = 8.0;
 // Of the model's error: less of the sizes' would not show beside it.
-constexpr double kBesideModel = 0.1;
+constexpr double kBesideModel = 0.25;
 
 }  // namespace
 
@@ -88,9 +88,10 @@ std::optional<Trial> SizeSearch::next() const {
   const std::optional<Trial> best = chosen();
   if (is_met(*best)) return better_than(*best);
   const std::optional<Trial> trial = first_to_meet(kFarther * trials_.back().milliseconds);
-  // Not worth its time where hardly anything is gained by it.
-  if (!trial || candidate(*trial).demanded > (1.0 - kWorthTrying) * candidate(*best).demanded) return {};
-  return trial;
+  if (!trial) return {};
+  // Not worth its time where hardly anything is gained by it, of the whole error.
+  const auto missed_by = [&](const Trial& t) { return demand_.error ? t.error() : t.milliseconds; };
+  return missed_by(*trial) <= (1.0 - kWorthTrying) * missed_by(*best) ? trial : std::nullopt;
 }
 
 void SizeSearch::learn(const Trial& found) {

@@ -21,7 +21,7 @@ class SizeSearch {
   // Of the trials the best that meets the demand, or else the one that comes closest. None before the first.
   std::optional<Trial> chosen() const;
   // Does the model's error alone exceed the demand, so that no size meets it? The sizes' own error is then
-  // brought down to what was asked for, or to a tenth of the model's: less would not show beside it.
+  // brought down to what was asked for, or to a quarter of the model's: less would not show beside it.
   bool only_model() const;
 
  private:

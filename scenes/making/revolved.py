@@ -7,7 +7,8 @@ from making.vectors import unit
 def arc(centre, radius, start, end, steps):
     """Points of a circle in the plane of (radius, y), angles in degrees from the radius axis."""
     angles = [math.radians(start + (end - start) * i / steps) for i in range(steps + 1)]
-    return [(max(centre[0] + radius * math.cos(a), 0.0), centre[1] + radius * math.sin(a)) for a in angles]
+    points = [(centre[0] + radius * math.cos(a), centre[1] + radius * math.sin(a)) for a in angles]
+    return [(0.0 if abs(r) < 1e-9 else r, y) for r, y in points]
 
 
 def line(start, end, steps=1):

@@ -3,6 +3,7 @@
 import json
 import re
 
+from pictures import exr
 from program import ProgramTest, main
 
 VIEW = ["-r", "64x48"]
@@ -24,6 +25,31 @@ class OnDemand(ProgramTest):
         self.assertLess(error["total"], 0.5)
         said = float(result.stderr.split("estimated error ")[1].split("%")[0])
         self.assertAlmostEqual(said, 100 * error["total"], delta=0.11)  # cut after one digit
+
+    def mean_of(self, layer, width=64, height=48):
+        zeros = [0.0] * (width * height)
+        (self.folder / "zero.exr").write_bytes(exr({f"{layer}.{c}": zeros for c in "RGB"}, width, height))
+        result = self.run_program("compare", "e.exr", "zero.exr", "--layer", layer, "--json")
+        channels = json.loads(result.stdout)["channels"]
+        return sum(channel["absolute"]["mean"] for channel in channels) / 3
+
+    def test_the_layer_error_is_what_is_stated_pixel_by_pixel(self):
+        self.succeeds("ball.glb", *VIEW, "-o", "e.exr", "--aov", "caustic,error", "--stats", "s.json")
+        stated = json.loads((self.folder / "s.json").read_text())["lights"][0]["estimated_error"]
+        # The layer's sum is over the frame's light, the statement's over true light, and has less of the noise.
+        share = self.mean_of("error") / self.mean_of("caustic")
+        self.assertGreater(share, 0.5 * stated["total"])
+        self.assertLess(share, 2.0 * stated["total"])
+        quiet = self.succeeds("ball.glb", *VIEW, "-o", "q.exr", "--aov", "caustic,error", "--quiet")
+        self.assertEqual(quiet.stderr, "")
+        self.succeeds("compare", "e.exr", "q.exr")
+
+    def test_what_the_model_leaves_out_is_not_bought_with_finer_maps(self):
+        result = self.run_program("render", "ball.glb", *VIEW, "--target-error", "0.5%", "-o", "m.png")
+        self.assertEqual(result.returncode, 6, result.stderr)
+        self.assertIn("is light that takes ways which are not followed", result.stderr)
+        grid, map_, _ = self.chosen(result.stderr)
+        self.assertLess(max(grid, map_), 1024)
 
     def test_a_target_error_that_can_be_reached_is_reached(self):
         result = self.succeeds("render", "ball.glb", *VIEW, "--target-error", "15%", "--stats", "s.json")
