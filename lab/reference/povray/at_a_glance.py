@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""What accuracy costs in time, at one glance: the paper's own frame, the defaults, errors that were asked for,
+traced light in the defaults' time, and POV-Ray, all against full light transport.
+
+    lab/reference/povray/at_a_glance.py [--scene NAME ...] [-o DIR]
+
+Error: relative L1 of the caustic by means of 4 x 4 pixels, 256 x 256 pixels of floor. Time: wall milliseconds
+of whole processes, the least of three. Writes DIR/at_a_glance.md and .svg, which README shows."""
+import argparse
+import math
+import pathlib
+import re
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True
+import bench as benches  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+BOX, TARGETS = 4, ('5%', '2%', '1%')
+PHOTONS = ((30000, 20, 100), (300000, 20, 100))
+COLORS = ('#1b6ca8', '#c2571a', '#4a8f3c')
+
+
+def least_wall(run, repeat=3):
+    return min(run()['wall'] for _ in range(repeat)) * 1000
+
+
+def chosen_sizes(bench, target):
+    """The options that `--target-error` chooses."""
+    command = [bench.arguments.program, bench.file, '--camera', 'floor', '-r', '256x256', '--target-error',
+               target, '-o', bench.path('chosen.exr'), '--aov', 'caustic']
+    said = subprocess.run([str(word) for word in command], text=True, capture_output=True).stderr
+    grid, map_ = re.search(r'chose --grid (\d+) --map (\d+)', said).groups()
+    return ['--grid', grid, '--map', map_]
+
+
+def frames(bench):
+    """(name, milliseconds, error) of every way to the picture."""
+    def error(picture):
+        return bench.truth.errors(picture)['raw'][BOX]
+
+    def rendered(name, *options):
+        run = lambda: bench.caustics('render', 'frame', '--aov', 'caustic', *options)  # noqa: E731
+        milliseconds = least_wall(run)
+        return name, milliseconds, error(bench.read('frame', 'caustic'))
+
+    yield rendered('`--preset paper`', '--preset', 'paper')
+    defaults = rendered('defaults')
+    yield defaults
+    for target in TARGETS:
+        yield rendered(f'`--target-error {target}`', *chosen_sizes(bench, target))
+    # Traced light starts and stops by batches: as near to the defaults' time as its rays allow.
+    rays, spent = 64, 0.0
+    while rays < 4096 and spent < defaults[1]:
+        rays *= 2
+        spent = least_wall(lambda: bench.caustics('reference', 'equal', '--rays', rays, '--batches', '1',
+                                                  '--aov', 'caustic'), 1)
+    yield f'traced light, {rays} x {rays} rays', spent, error(bench.read('equal', 'caustic'))
+    for photons in PHOTONS:
+        setting = benches.Setting('POV-Ray', photons)
+        yield (f'POV-Ray, {photons[0]} photons', least_wall(lambda s=setting: s.run(bench)),
+               error(bench.caustic(setting)))
+
+
+def table(results):
+    lines = ['| | ' + ' | '.join(f'`{name}`: error, ms' for name in results) + ' |',
+             '|---|' + '---|' * len(results)]
+    for row in zip(*results.values()):
+        name = re.sub(r'\d+ x \d+ rays', 'in about that time', row[0][0])
+        lines.append(f'| {name} | ' + ' | '.join(f'{100 * e:.1f} %, {t:.0f}' for _, t, e in row) + ' |')
+    return '\n'.join(lines) + '\n'
+
+
+def plot(results):
+    """Error over milliseconds, both by powers of ten."""
+    points = [(t, e) for rows in results.values() for _, t, e in rows]
+    low = [math.floor(math.log10(min(p[k] for p in points))) for k in (0, 1)]
+    high = [math.ceil(math.log10(max(p[k] for p in points))) for k in (0, 1)]
+    width, height, edge = 760, 420, 56
+
+    def place(t, e):
+        x = edge + (width - 2 * edge) * (math.log10(t) - low[0]) / (high[0] - low[0])
+        return x, height - edge - (height - 2 * edge) * (math.log10(e) - low[1]) / (high[1] - low[1])
+
+    text = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" '
+            'font-size="12">', f'<rect width="{width}" height="{height}" fill="white"/>']
+    for k in range(low[0], high[0] + 1):
+        x = place(10.0 ** k, 10.0 ** low[1])[0]
+        text += [f'<path d="M{x:.1f} {edge}V{height - edge}" stroke="#ddd"/>',
+                 f'<text x="{x:.1f}" y="{height - edge + 18}" text-anchor="middle">{10.0 ** k:g} ms</text>']
+    for k in range(low[1], high[1] + 1):
+        y = place(10.0 ** low[0], 10.0 ** k)[1]
+        text += [f'<path d="M{edge} {y:.1f}H{width - edge}" stroke="#ddd"/>',
+                 f'<text x="{edge - 6}" y="{y + 4:.1f}" text-anchor="end">{100 * 10.0 ** k:g} %</text>']
+    for color, (scene, rows) in zip(COLORS, results.items()):
+        for name, t, e in rows:
+            x, y = place(t, e)
+            label = re.sub('[`-]|, .*', '', name).strip()
+            text += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{color}"/>',
+                     f'<text x="{x + 7:.1f}" y="{y + 4:.1f}" fill="{color}">{label}</text>']
+    for i, (color, scene) in enumerate(zip(COLORS, results)):
+        text.append(f'<text x="{width - edge}" y="{edge - 24 + 15 * i}" text-anchor="end" fill="{color}">'
+                    f'{scene}</text>')
+    return '\n'.join(text + ['</svg>', ''])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
+    parser.add_argument('--scene', action='append')
+    parser.add_argument('-o', '--output', type=pathlib.Path, default=pathlib.Path('at_a_glance'))
+    parser.add_argument('--program', default=ROOT / 'build/release/caustics')
+    parser.add_argument('--povray', default='povray')
+    arguments = parser.parse_args()
+    arguments.camera, arguments.exact, arguments.resolution, arguments.boxes = 'floor', None, 256, [BOX]
+    arguments.physics, arguments.threads = 'full', 2
+    arguments.truth_rays, arguments.truth_batches = 1024, 16
+    results = {}
+    for name in arguments.scene or ('glass_sphere', 'water_sine', 'glass/drinking_glass'):
+        bench = benches.Bench(arguments, ROOT / 'scenes' / f'{name}.glb')
+        bench.folder.mkdir(parents=True, exist_ok=True)
+        results[bench.name] = list(frames(bench))
+        print(f'{bench.name}: noise of the truth {bench.truth.noise[BOX]:.4f}', file=sys.stderr, flush=True)
+    (arguments.output / 'at_a_glance.md').write_text(table(results))
+    (arguments.output / 'at_a_glance.svg').write_text(plot(results))
+    print(table(results), end='')
+
+
+if __name__ == '__main__':
+    main()
