@@ -20,7 +20,8 @@ class OnDemand(ProgramTest):
         result = self.succeeds("render", "ball.glb", *VIEW, "--grid", "128", "--map", "128", "--stats",
                                "s.json")
         error = json.loads((self.folder / "s.json").read_text())["lights"][0]["estimated_error"]
-        self.assertAlmostEqual(error["total"], error["map"] + error["grid"] + error["missing"] + error["model"])
+        parts = ("map", "grid", "missing", "model")
+        self.assertAlmostEqual(error["total"], sum(error[part] for part in parts))
         self.assertGreater(error["total"], 0.001)
         self.assertLess(error["total"], 0.5)
         said = float(result.stderr.split("estimated error ")[1].split("%")[0])
@@ -36,7 +37,7 @@ class OnDemand(ProgramTest):
     def test_the_layer_error_is_what_is_stated_pixel_by_pixel(self):
         self.succeeds("ball.glb", *VIEW, "-o", "e.exr", "--aov", "caustic,error", "--stats", "s.json")
         stated = json.loads((self.folder / "s.json").read_text())["lights"][0]["estimated_error"]
-        # The layer's sum is over the frame's light, the statement's over true light, and has less of the noise.
+        # The layer's sum is over the frame's light, the statement's over true light, with less noise.
         share = self.mean_of("error") / self.mean_of("caustic")
         self.assertGreater(share, 0.5 * stated["total"])
         self.assertLess(share, 2.0 * stated["total"])
