@@ -84,7 +84,8 @@ void ModelError::compare(const Sample& sample, const Vertex& vertex) {
   bool lost = false;
   for (const BranchImages& images : sample.branches) {
     const auto status = static_cast<LandingStatus>(images.landing.at(vertex.x, vertex.y, 3));
-    lost = lost || status == LandingStatus::NotConverged || status == LandingStatus::Outside;
+    lost = lost || status == LandingStatus::NotConverged || status == LandingStatus::Outside ||
+           status == LandingStatus::ExitNotFound;
     if (status != LandingStatus::Landed) continue;
     const glm::dvec3 p = texel_rgb(images.landing, vertex.x, vertex.y);
     const auto place = blocks_.find(p);
