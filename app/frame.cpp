@@ -55,9 +55,8 @@ void check_memory(std::uint64_t needed, const std::string& advice) {
                   bytes_text(static_cast<double>(allowed)) + " that this machine can spare; lower " + advice);
 }
 
-void check_memory(const FramePlan& plan, const Effects& effects) {
-  check_memory(memory_needed(plan), std::string("-r, --grid, --map, -D shadow") +
-                                        (effects.area_lights.active ? " or -D light.samples" : ""));
+void check_memory(const FramePlan& plan) {
+  check_memory(memory_needed(plan), "-r, --grid, --map or -D shadow");
 }
 
 std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
@@ -77,7 +76,7 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<Loaded
                    .without = without,
                    .pilot = pilot_device_.get(),
                    .breath = stop_if_interrupted,
-                   .accept = [](const PlannedFrame& frame) { check_memory(frame.plan, frame.effects); }});
+                   .accept = [](const PlannedFrame& frame) { check_memory(frame.plan); }});
 }
 
 RenderedFrame::~RenderedFrame() = default;

@@ -14,7 +14,7 @@ struct FrameRequest;
 // them, and one more of the largest, read back.
 std::uint64_t memory_needed(const FramePlan& plan);
 // Throws Error (WrongUsage) when the frame needs more than three quarters of this machine's memory.
-void check_memory(const FramePlan& plan, const Effects& effects);
+void check_memory(const FramePlan& plan);
 // The same of so many bytes; `advice`: what to lower.
 void check_memory(std::uint64_t needed, const std::string& advice);
 

@@ -90,10 +90,6 @@ class AreaLights(ProgramTest):
             self.scene("bad.glb", extras)
             self.fails(3, "bad.glb", *SMALL, saying="extras.angular_diameter")
 
-    def test_too_many_samples_for_the_memory_name_the_setting(self):
-        self.fails(2, "sun.glb", "-D", "light.samples=256", "--grid", "8192", "--map", "8192",
-                   saying="-D light.samples")
-
 
 class EmissiveMeshes(ProgramTest):
     def setUp(self):

@@ -101,7 +101,7 @@ def least_bytes(passes):
             first.setdefault(texture["name"], number)
             last[texture["name"]] = numbers[texture["until"]] if texture["until"] else len(passes)
         for name in planned["reads"]:
-            assert last[name] >= number, f"{name} is gone before {planned['pass']} reads it"
+            assert last.get(name, number) >= number, f"{name} is gone before {planned['pass']} reads it"
     most = collections.Counter()
     for number in range(len(passes)):
         alive = collections.Counter()
