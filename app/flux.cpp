@@ -106,6 +106,7 @@ std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger) {
           {"missed", ledger.missed},
           {"outside", ledger.outside},
           {"not_converged", ledger.not_converged},
+          {"exit_not_found", ledger.exit_not_found},
           {"kernel_edge", ledger.kernel_edge}};
 }
 

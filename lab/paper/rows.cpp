@@ -311,7 +311,9 @@ Row estimators_row() {
     };
     for (const char* e : {"paper", "newton", "impostor", "secant"})
       text += std::string(" ") + e + " " + percent(error(e)) + ", " +
-              percent(s.share(std::string("estimator_") + e, "not_converged")) + ";";
+              percent(s.share(std::string("estimator_") + e, "not_converged") +
+                      s.share(std::string("estimator_") + e, "exit_not_found")) +
+              ";";
     text.pop_back();
     s.draw_side_by_side({"estimator_impostor", "estimator_paper", "estimator_newton", "estimator_secant"},
                         "sphere_traced", "caustic", "estimators_side_by_side");

@@ -167,8 +167,7 @@ FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
 // Cross the caster: the way inside, the second surface.
 
 // Where the ray meets the surface, by the estimator that was asked for.
-Hit find_surface(Texture positions, IN(View) view, IN(Ray) ray, bool beyond_is_behind) {
-  Search search = search_along(view, ray, u.iterations, beyond_is_behind);
+Hit find_surface(Texture positions, IN(View) view, IN(Search) search) {
   Hit hit;
   if (u.estimator == ESTIMATOR_PAPER) {
     hit = intersect_paper(positions, view, search);
@@ -180,6 +179,10 @@ Hit find_surface(Texture positions, IN(View) view, IN(Ray) ray, bool beyond_is_b
   return hit;
 }
 
+Hit find_exit(IN(Ray) ray) {
+  return find_surface(caster_exit_position, u.caster, search_along(u.caster, ray, u.iterations, true));
+}
+
 Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot3(a, b)); }
 
 // The way inside that Wyman (2005) takes: between the thickness along the light, d_V, and that along the
@@ -188,7 +191,7 @@ Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot
 Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
   Vec2 uv = view_uv(u.caster, view_coordinates(u.caster, p));
   Vec4 behind = fetch_nearest(caster_exit_position, uv.x, uv.y);
-  Hit hit = find_surface(caster_exit_position, u.caster, ray_from(p, -first.normal), true);
+  Hit hit = find_exit(ray_from(p, -first.normal));
   Float incidence = angle_between(light_direction, -first.normal);
   Float refraction = angle_between(first.direction, -first.normal);
   Bool slanted = incidence > 1.0e-3f;
@@ -242,17 +245,20 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
     if (u.wyman_thickness != 0) {
       hit = thickness_of_wyman(entry.point, light_direction, first);
     } else {
-      hit = find_surface(caster_exit_position, u.caster, exit.ray, true);
+      hit = find_exit(exit.ray);
     }
     Float length = max_of(hit.distance, 0.0f);
     exit.inside_length = sel(solid, length, Float(0.0f));
     exit.ray.start = sel(solid, point_along(exit.ray, length), entry.point);
-    Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.point);
-    exit.unknown = solid && !(hit.residual <= tolerance);
     Vec3 outward = exit_normal_at(exit.ray.start, -first.direction);
+    Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.point);
+    // Along the light a gap is longer than across the surface. What leans by more than 83 degrees may be the
+    // edge of a layer that hides the exit.
+    Float leaning = max_of(abs(dot3(outward, light_direction)), 0.125f);
+    exit.unknown = solid && !(hit.residual * leaning <= tolerance);
     Vec3 normal = facing_normal(outward, first.direction, Bool(true));
     Refraction bent = refraction_at(first.direction, normal, first.ior);
-    exit.blocked = first.blocked || (solid && bent.total);
+    exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
     exit.reflectance = sel(solid && !bent.total, bent.reflectance, Float(0.0f));
     TRACE(exit_point, exit.ray.start);
@@ -267,13 +273,48 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
 
 // Fly to the receiver.
 
+Float inverse(Float x) {
+  return sel(abs(x) > 1.0e-20f, 1.0f / sel(x != 0.0f, x, Float(1.0f)), Float(1.0e20f));
+}
+
+// Where a ray, from its start on, crosses the box around all receivers: distances along it, metres.
+struct Crossing {
+  Bool meets;
+  Float enters;
+  Float leaves;
+};
+
+// Slabs: Kay and Kajiya 1986.
+Crossing cross_receivers(IN(Ray) ray) {
+  Vec3 per = Vec3(inverse(ray.direction.x), inverse(ray.direction.y), inverse(ray.direction.z));
+  Vec3 a = (Vec3(u.receivers_lower) - ray.start) * per;
+  Vec3 b = (Vec3(u.receivers_upper) - ray.start) * per;
+  Crossing box;
+  box.enters = max_of(max_of(min_of(a.x, b.x), min_of(a.y, b.y)), max_of(min_of(a.z, b.z), Float(0.0f)));
+  box.leaves = min_of(min_of(max_of(a.x, b.x), max_of(a.y, b.y)), max_of(a.z, b.z));
+  box.meets = box.leaves >= box.enters;
+  return box;
+}
+
+// Where a ray starts over a hole, or flies far over a floor's edge, only the box tells where steps have to
+// look: from a little before it, by what texels may be off their surfaces, to a little behind it. The last of
+// 20 steps, each half as far again as the one before, ends there: 1.5^19 = 2216.8 times the first.
+Search search_in_box(IN(Ray) ray, IN(Crossing) box) {
+  Search search = search_along(u.receiver, ray, u.iterations, false);
+  Float margin = 8.0f * texel_extent_at(receiver_position, u.receiver, point_along(ray, box.enters));
+  Float first = max_of(box.enters - margin, Float(0.0f));
+  search.first = sel(box.meets, first, Float(0.0f));
+  search.reach = sel(box.meets, (box.leaves + margin - first) * (1024.0f / 2216.8378f), Float(0.0f));
+  return search;
+}
+
 // Impostors are for the landing only: what a ray leaves a solid through is found by the secant.
-Hit find_receiver(IN(Ray) ray) {
+Hit find_receiver(IN(Ray) ray, IN(Crossing) box) {
   Hit hit;
   if (u.estimator == ESTIMATOR_IMPOSTOR) {
     hit = intersect_impostor(impostor_position, u.impostor, Vec3(u.impostor_centre), ray, u.iterations);
   } else {
-    hit = find_surface(receiver_position, u.receiver, ray, false);
+    hit = find_surface(receiver_position, u.receiver, search_in_box(ray, box));
   }
   return hit;
 }
@@ -283,11 +324,14 @@ struct Landing {
   Float flight;    // from the caster, metres
   Hit hit;
   Bool converged;  // the search ended on a surface
+  Bool possible;   // the ray meets the box around all receivers
 };
 
 Landing fly_to_receiver(IN(Ray) ray) {
   Landing end;
-  end.hit = find_receiver(ray);
+  Crossing box = cross_receivers(ray);
+  end.possible = box.meets;
+  end.hit = find_receiver(ray, box);
   end.flight = max_of(end.hit.distance, 0.0f);
   end.point = point_along(ray, end.flight);
   Float tolerance = u.landing_tolerance * texel_extent_at(receiver_position, u.receiver, end.point);
@@ -389,20 +433,6 @@ void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing)
 
 // Decide the status.
 
-Float inverse(Float x) {
-  return sel(abs(x) > 1.0e-20f, 1.0f / sel(x != 0.0f, x, Float(1.0f)), Float(1.0e20f));
-}
-
-// Does the ray, from its start on, meet the box around all receivers? (Slabs: Kay and Kajiya 1986.)
-Bool meets_receivers(IN(Ray) ray) {
-  Vec3 per = Vec3(inverse(ray.direction.x), inverse(ray.direction.y), inverse(ray.direction.z));
-  Vec3 a = (Vec3(u.receivers_lower) - ray.start) * per;
-  Vec3 b = (Vec3(u.receivers_upper) - ray.start) * per;
-  Float enters = max_of(max_of(min_of(a.x, b.x), min_of(a.y, b.y)), min_of(a.z, b.z));
-  Float leaves = min_of(min_of(max_of(a.x, b.x), max_of(a.y, b.y)), max_of(a.z, b.z));
-  return leaves >= max_of(enters, Float(0.0f));
-}
-
 Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 
 // From the last step of the way to the first: what ends the light earlier overrides what would have happened
@@ -415,13 +445,10 @@ Float status_of(IN(Entry) entry, IN(Exit) exit, IN(Landing) end, IN(Account) acc
   status = sel(exhausted, Float(STATUS_ABSORBED), status);
   status = sel(!end.converged, Float(STATUS_NOT_CONVERGED), status);
   status = sel(!end.hit.covered, Float(STATUS_MISSED), status);
-  // What leaves the window where no receiver could be has missed them all.
   Bool strays = !end.hit.inside || (end.hit.left && !end.converged);
-  if (any_lane(entry.covered && strays)) {
-    Float strayed = sel(meets_receivers(exit.ray), Float(STATUS_OUTSIDE), Float(STATUS_MISSED));
-    status = sel(strays, strayed, status);
-  }
-  status = sel(exit.unknown, Float(STATUS_NOT_CONVERGED), status);
+  status = sel(strays, Float(STATUS_OUTSIDE), status);
+  status = sel(!end.possible && (strays || !end.converged), Float(STATUS_MISSED), status);
+  status = sel(exit.unknown, Float(STATUS_EXIT_NOT_FOUND), status);
   status = sel(exit.blocked, Float(STATUS_TOTAL_REFLECTION), status);
   status = sel(entry.covered, status, Float(STATUS_EMPTY));
   TRACE(status, status);

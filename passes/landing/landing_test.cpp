@@ -84,6 +84,28 @@ TEST_CASE("landing: beyond the critical angle nothing leaves and the flux is boo
   CHECK(landing_status(bench.run()) == LandingStatus::Landed);
 }
 
+TEST_CASE("landing: where no exit is met nothing is totally reflected, nor does anything land") {
+  LandingBench bench;
+  bench.solid = true;
+  bench.exit_seen = false;
+  CHECK(landing_status(bench.run()) == LandingStatus::ExitNotFound);
+  bench.exit_normal = -tilted(45.0);
+  CHECK(landing_status(bench.run()) == LandingStatus::ExitNotFound);
+}
+
+TEST_CASE("landing: over a hole light flies on to a floor that begins just before its landing") {
+  // It leans away by 10.5288 degrees, as above, and lands at x = -0.18585; the floor begins at -11 / 64 m.
+  LandingBench bench;
+  bench.normal = tilted(30.0);
+  bench.receiver = bench.floor_map(512, 0.0, 0.0);
+  for (int y = 0; y < 512; ++y)
+    for (int x = 256 - 11; x < 512; ++x)
+      for (int c = 0; c < 4; ++c) bench.receiver.at(x, y, c) = 0.0f;
+  const PassImages out = bench.run();
+  REQUIRE(landing_status(out) == LandingStatus::Landed);
+  CHECK(out["landing"].at(0, 0, 0) == Approx(-std::tan(0.183762)).epsilon(1e-4));
+}
+
 TEST_CASE("landing: at a crease light leaves by one of its faces, not by what lies between") {
   // A roof's two faces lean by 30 degrees; the vertex lies above the ridge. Snell: asin(1.5 sin 30) = 48.59,
   // so light leaves 18.59 degrees off the vertical, half a metre above the floor, and by no means straight

@@ -9,6 +9,10 @@ struct Search {
   // Whether a point without a surface counts as behind it (a ray leaves a closed body through its silhouette)
   // or as before it (a ray over a hole in the floor flies on).
   bool beyond_is_behind;
+  // Where on the ray surfaces can be, metres: steps along it begin at `first`, and the longest reach 2.17
+  // times `reach` from there. Nowhere, if that is 0.
+  Float first;
+  Float reach;
 };
 
 Search search_along(IN(View) view, IN(Ray) ray, int iterations, bool beyond_is_behind) {
@@ -17,6 +21,8 @@ Search search_along(IN(View) view, IN(Ray) ray, int iterations, bool beyond_is_b
   search.scale = view_w(view, view_coordinates(view, ray.start));
   search.iterations = iterations;
   search.beyond_is_behind = beyond_is_behind;
+  search.first = Float(0.0f);
+  search.reach = Float(view.far - view.near);
   return search;
 }
 
@@ -288,18 +294,19 @@ Bracket bracket_at_start(Texture positions, IN(View) view, IN(Search) search) {
   return from;
 }
 
-// Steps along the ray, each half as far again as the last, to where it passes from before a surface to behind
-// one. Behind a surface without having been before it, a ray may be passing under an edge: such a place is
-// taken only where there is no other.
+// Steps along the ray, each half as far again from the first place where a surface can be, to where it passes
+// from before a surface to behind one. Behind a surface without having been before it, a ray may be passing
+// under an edge: such a place is taken only where there is no other.
 Bracket bracket_by_steps(Texture positions, IN(View) view, IN(Search) search, IN(Bracket) from) {
   Bracket found = from;
   Bool passed = Bool(false);
   Bool was_before = Bool(false);
-  Float last = Float(0.0f);
+  Float last = search.first;
   Float last_gap = from.gap_low;
-  Float t = Float(view.far - view.near) * (1.0f / 1024.0f);
+  Float step = search.reach * (1.0f / 1024.0f);
   for (int k = 0; k < 20; k++) {
-    Gap gap = gap_at(positions, view, point_along(search.ray, t), search.scale, false);
+    Float t = search.first + step;
+    Gap gap = gap_at(positions, view, point_along(search.ray, t), search.scale, true);
     Bool before = gap.covered && gap.value < 0.0f;
     Bool behind = gap.covered && gap.value >= 0.0f;
     Bool passes = behind && was_before && !passed;
@@ -313,7 +320,7 @@ Bracket bracket_by_steps(Texture positions, IN(View) view, IN(Search) search, IN
     was_before = before;
     last_gap = sel(before, gap.value, from.gap_low);
     last = t;
-    t = t * 1.5f;
+    step = step * 1.5f;
   }
   found.guess = regula_falsi(found);
   return found;
@@ -321,13 +328,13 @@ Bracket bracket_by_steps(Texture positions, IN(View) view, IN(Search) search, IN
 
 // The secant from the surface under the start. Where that has not ended on a surface, it goes on; where it
 // has lost the surface (which is seen as a narrow strip, and guesses leap over it), from a bracket found by
-// steps.
+// steps, if there can be one.
 Hit intersect_secant(Texture positions, IN(View) view, IN(Search) search) {
   Bracket first = bracket_at_start(positions, view, search);
   Bracket from = first;
   Hit hit = close_in(positions, view, search, from);
   if (!search.beyond_is_behind) {
-    Bool lost = !is_met(hit, positions, view, point_along(search.ray, hit.distance));
+    Bool lost = search.reach > 0.0f && !is_met(hit, positions, view, point_along(search.ray, hit.distance));
     if (any_lane(lost)) {
       Bracket found = bracket_by_steps(positions, view, search, first);
       Bool near = hit.inside && hit.covered && from.bracketed;

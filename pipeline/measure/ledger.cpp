@@ -25,6 +25,8 @@ std::string_view name_of(LandingStatus status) {
       return "absorbed";
     case LandingStatus::NotConverged:
       return "not_converged";
+    case LandingStatus::ExitNotFound:
+      return "exit_not_found";
   }
   return "?";
 }
@@ -61,6 +63,8 @@ FluxRgb* account_of(Ledger& ledger, LandingStatus status) {
       return &ledger.absorbed;
     case LandingStatus::NotConverged:
       return &ledger.not_converged;
+    case LandingStatus::ExitNotFound:
+      return &ledger.exit_not_found;
     case LandingStatus::Empty:
     case LandingStatus::Landed:
       return nullptr;
@@ -75,7 +79,7 @@ double Ledger::residual() const {
   for (std::size_t c = 0; c < 3; ++c) {
     if (entered[c] <= 0.0) continue;
     const double booked = fresnel[c] + absorbed[c] + total_reflection[c] + missed[c] + outside[c] +
-                          not_converged[c] + kernel_edge[c] + medium[c] + in_map[c] +
+                          not_converged[c] + exit_not_found[c] + kernel_edge[c] + medium[c] + in_map[c] +
                           std::clamp(rounding[c], -rounding_bound[c], rounding_bound[c]);
     worst = std::max(worst, std::fabs(entered[c] - booked) / entered[c]);
   }
@@ -85,8 +89,8 @@ double Ledger::residual() const {
 void add(Ledger& sum, const Ledger& other, double share) {
   for (FluxRgb Ledger::*account :
        {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection, &Ledger::missed,
-        &Ledger::outside, &Ledger::not_converged, &Ledger::kernel_edge, &Ledger::medium, &Ledger::in_map,
-        &Ledger::rounding, &Ledger::rounding_bound})
+        &Ledger::outside, &Ledger::not_converged, &Ledger::exit_not_found, &Ledger::kernel_edge,
+        &Ledger::medium, &Ledger::in_map, &Ledger::rounding, &Ledger::rounding_bound})
     add(sum.*account, other.*account, share);
   for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
 }

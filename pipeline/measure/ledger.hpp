@@ -23,8 +23,9 @@ enum class LandingStatus : std::uint8_t {
   TotalReflection = STATUS_TOTAL_REFLECTION,  // cannot leave the caster at its second surface
   Absorbed = STATUS_ABSORBED,                 // less than a millionth is left
   NotConverged = STATUS_NOT_CONVERGED,        // the estimator did not close in on a receiver
+  ExitNotFound = STATUS_EXIT_NOT_FOUND,       // nor on the caster's second surface: it may lie behind another
 };
-inline constexpr int kLandingStatuses = 7;
+inline constexpr int kLandingStatuses = 8;
 std::string_view name_of(LandingStatus status);
 
 using FluxRgb = std::array<double, 3>;
@@ -40,6 +41,7 @@ struct Ledger {
   FluxRgb missed{};
   FluxRgb outside{};
   FluxRgb not_converged{};
+  FluxRgb exit_not_found{};
   FluxRgb kernel_edge{};  // parts of splats beyond the map's edge
   FluxRgb in_map{};       // the sum over the caustic map
   FluxRgb rounding{};  // splatted less in_map: what the map's single-precision sums lost (gained: negative)

@@ -25,6 +25,8 @@ std::string reason_of(LandingStatus status) {
       return "its material absorbs all of the light";
     case LandingStatus::NotConverged:
       return "none of its light could be followed to the end";
+    case LandingStatus::ExitNotFound:
+      return "where its light leaves it was not found: behind a nearer second surface, perhaps";
     case LandingStatus::Empty:
     case LandingStatus::Landed:
       break;

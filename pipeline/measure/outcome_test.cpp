@@ -25,6 +25,8 @@ TEST_CASE("outcome: the reason why there is no caustic is what became of most of
   CHECK(reason(LandingStatus::TotalReflection) == "all of its light is totally reflected inside");
   CHECK(reason(LandingStatus::Absorbed) == "its material absorbs all of the light");
   CHECK(reason(LandingStatus::NotConverged) == "none of its light could be followed to the end");
+  CHECK(reason(LandingStatus::ExitNotFound) ==
+        "where its light leaves it was not found: behind a nearer second surface, perhaps");
   CHECK(why_no_caustic({.entered = 1.0}) == "hardly any of its light is left");
   CHECK(why_no_caustic({}) == "no light reaches it: something stands before it");
 }

@@ -7,7 +7,8 @@ namespace caustics::test {
 
 double DrawnCase::leaves() const {
   return share(&Ledger::in_map) + share(&Ledger::missed) + share(&Ledger::outside) +
-         share(&Ledger::not_converged) + share(&Ledger::kernel_edge) + share(&Ledger::rounding);
+         share(&Ledger::not_converged) + share(&Ledger::exit_not_found) + share(&Ledger::kernel_edge) +
+         share(&Ledger::rounding);
 }
 
 DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& pilot) {

@@ -72,6 +72,7 @@ std::string books(const DrawnCase& drawn) {
       {"missed", &Ledger::missed},
       {"outside", &Ledger::outside},
       {"not converged", &Ledger::not_converged},
+      {"exit not found", &Ledger::exit_not_found},
       {"map's edge", &Ledger::kernel_edge}};
   std::string text;
   for (const auto& [name, account] : accounts)

@@ -132,6 +132,7 @@ std::string description(const HardCase& c, const DrawnCase& drawn) {
                                                       {"missed", l.missed},
                                                       {"outside", l.outside},
                                                       {"not converged", l.not_converged},
+                                                      {"exit not found", l.exit_not_found},
                                                       {"kernel edge", l.kernel_edge},
                                                       {"rounding", l.rounding},
                                                       {"rounding bound", l.rounding_bound}};

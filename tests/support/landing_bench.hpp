@@ -61,6 +61,7 @@ struct LandingBench {
   std::optional<glm::vec3> tint;  // the grid vertices' own colour, in place of `color`
   bool wyman = false;
   bool solid = false;
+  bool exit_seen = true;  // by the exit map
   float exit_height = 0.5f;
   glm::vec3 exit_normal{0.0f, -1.0f, 0.0f};
   std::optional<glm::vec3> exit_normal_left;  // of the exit surface's half at x < 0, if it is another
@@ -124,7 +125,8 @@ struct LandingBench {
     u.has_caster_tint = tint.has_value();
     return run_landing(u, {.position = filled(2, 2, {0.0f, 1.0f, 0.0f, facing}),
                            .normal = filled(2, 2, glm::vec4(normal, 0.0f)),
-                           .exit_position = floor_map(64, static_cast<double>(exit_height), 0.0),
+                           .exit_position = exit_seen ? floor_map(64, static_cast<double>(exit_height), 0.0)
+                                                      : Image(Format::RGBA32F, 64, 64),
                            .exit_normal = exit_normals(),
                            .receiver = receiver,
                            .materials = materials(),

@@ -271,3 +271,16 @@ TEST_CASE("truth: a prism's deviation at four angles, and its colours, on both d
 TEST_CASE("truth: reflectance to grazing angles, and where total reflection ends") {
   caustics::test::check_rows(caustics::test::interface_rows);
 }
+
+TEST_CASE("truth: a prism's light lands on a floor that begins beside it") {
+  // Straight on, beneath the prism, there is none. The ray at its left edge lands nearest, at x = 0.2157 m.
+  using namespace caustics;
+  using namespace caustics::test;
+  Prism prism(glass(1.5f));
+  for (Vertex& v : prism.scene.meshes[0].vertices) v.position.x = std::max(v.position.x, 0.2f);
+  finish(prism.scene.meshes[0], 0.0f);
+  const Rendering r = render(prism.scene, small_settings(128, 256, 8), {kLanding, kCausticMap});
+  int compared = 0;
+  CHECK(worst_landing(prism, r, light_texture(kLanding, 0), 1.5, compared) < 1e-5);
+  CHECK(compared > 50);
+}

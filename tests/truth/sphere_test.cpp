@@ -90,7 +90,7 @@ Rows sphere_rows(const Bench& bench) {
   const SphereFigures figures = compare(r, scene, settings, 1.5, 0.5);
   const Ledger l = ledger_of(r, settings);
   const double share = GlassSphere{.radius = 0.5, .index = 1.5}.transmitted_share();
-  const double lost = (l.fresnel[0] + l.total_reflection[0] + l.not_converged[0]) / l.entered[0];
+  const double lost = (l.fresnel[0] + l.total_reflection[0] + l.exit_not_found[0]) / l.entered[0];
   const double counted = counted_area_error(r, settings.grid, 0.5);
   const std::string text = text_of(settings) + ", 81 920 triangles";
   return {{"glass sphere", "irradiance in the shadow, relative L1", figures.error, figures.by_a_texel, text},
@@ -162,4 +162,31 @@ TEST_CASE("truth: the estimated error of a sphere's caustic is honest") {
 
 TEST_CASE("truth: a gas bubble reflects all light beyond n R and spreads the rest") {
   caustics::test::check_rows(caustics::test::bubble_rows);
+}
+
+TEST_CASE("truth: light whose exit a bubble hides is not booked as total reflection") {
+  // A ball of radius R, in its middle a bubble of radius b = R / 2, n = 1.5. By Bouguer's law a ray that
+  // comes at p from the axis meets the bubble where p < n b, and is totally reflected there where p > b:
+  // (n^2 - 1) b^2 / R^2 = 0.3125 of the light, less Fresnel's share. What passes beside the bubble,
+  // 1 - n^2 b^2 / R^2 = 0.4375, leaves behind it.
+  using namespace caustics;
+  using namespace caustics::test;
+  Scene scene = sphere_scene(1.5f);
+  const Mesh bubble = sphere({0.0, 0.8, 0.0}, 0.25, 5, 1);
+  Mesh& ball = scene.meshes[1];
+  const auto first = static_cast<std::uint32_t>(ball.vertices.size());
+  for (Vertex v : bubble.vertices) {
+    v.normal = -v.normal;
+    ball.vertices.push_back(v);
+  }
+  for (std::size_t i = 0; i < bubble.indices.size(); i += 3)
+    for (const std::size_t j : {i, i + 2, i + 1}) ball.indices.push_back(first + bubble.indices[j]);
+  finish(ball, 1.0f);
+  const Settings settings = small_settings(256, 256, 16);
+  const Ledger l = ledger_of(render(scene, settings, kTextures), settings);
+  CHECK(l.total_reflection[0] / l.entered[0] < 0.3125);
+  CHECK(l.total_reflection[0] / l.entered[0] > 0.15);
+  CHECK(l.exit_not_found[0] / l.entered[0] > 0.9 * 0.4375);
+  CHECK(l.not_converged[0] == 0.0);
+  CHECK(l.residual() < 1e-5);
 }
