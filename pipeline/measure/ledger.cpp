@@ -25,6 +25,8 @@ std::string_view name_of(LandingStatus status) {
       return "absorbed";
     case LandingStatus::NotConverged:
       return "not_converged";
+    case LandingStatus::Stopped:
+      return "stopped";
   }
   return "?";
 }
@@ -63,6 +65,7 @@ FluxRgb* account_of(Ledger& ledger, LandingStatus status) {
       return &ledger.not_converged;
     case LandingStatus::Empty:
     case LandingStatus::Landed:
+    case LandingStatus::Stopped:
       return nullptr;
   }
   return nullptr;

@@ -23,8 +23,13 @@ enum class LandingStatus : std::uint8_t {
   TotalReflection = STATUS_TOTAL_REFLECTION,  // cannot leave the caster at its second surface
   Absorbed = STATUS_ABSORBED,                 // less than a millionth is left
   NotConverged = STATUS_NOT_CONVERGED,        // the estimator did not close in on a receiver
+  Stopped = STATUS_STOPPED,  // nor here; drawn where it stopped all the same, as was asked for
 };
-inline constexpr int kLandingStatuses = 7;
+inline constexpr int kLandingStatuses = 8;
+// Is its light drawn into the caustic map?
+constexpr bool is_drawn(LandingStatus status) {
+  return status == LandingStatus::Landed || status == LandingStatus::Stopped;
+}
 std::string_view name_of(LandingStatus status);
 
 using FluxRgb = std::array<double, 3>;

@@ -27,6 +27,7 @@ std::string reason_of(LandingStatus status) {
       return "none of its light could be followed to the end";
     case LandingStatus::Empty:
     case LandingStatus::Landed:
+    case LandingStatus::Stopped:
       break;
   }
   return "hardly any of its light is left";
