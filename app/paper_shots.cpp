@@ -136,7 +136,8 @@ paper::Texels RenderedShots::attachment(const std::string& name, const std::stri
   const fs::path folder = folder_ / name;
   std::string found;
   // The last pass that wrote it.
-  for (const auto& each : json_of(folder / "manifest.json").at("attachments"))
+  const Json manifest = json_of(folder / "manifest.json");
+  for (const auto& each : manifest.at("attachments"))
     if (each.at("attachment") == wanted) found = each.at("file");
   if (found.empty()) lacks_layer(name, wanted);
   const ImagePlanes planes = read_planes(folder / found);

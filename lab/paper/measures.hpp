@@ -15,10 +15,11 @@ bool has_landed(const std::array<double, 4>& landing);
 
 // A slab that parallel light enters by its upper face, at `incidence` radians from the normal, and leaves by
 // its lower, travelling along +x in plan view: how far landings lie from where Snell's law has them. Vertices
-// whose light leaves by a side are left out.
+// whose light leaves by a side, or within `margin` of an edge, where texels of the exit map hold two faces,
+// are left out.
 struct Slab {
   double half = 0.5, thickness = 0.3, height = 0.5;  // of its lower face above the floor
-  double index = 1.5, incidence = 0.0;
+  double index = 1.5, incidence = 0.0, margin = 0.0;
 };
 std::vector<double> slab_errors(const Slab& slab, const Texels& entry, const Texels& landing);
 
