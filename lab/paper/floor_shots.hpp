@@ -10,8 +10,12 @@ namespace caustics::paper {
 inline constexpr GlassSphere kSphere{.radius = 0.5, .index = 1.5, .distance = 0.8};
 
 // slab_glass.glb: light 40 degrees from the vertical.
-inline constexpr Slab kSlab{
-    .half = 0.5, .thickness = 0.3, .height = 0.5, .index = 1.5, .incidence = 0.6981317007977318, .margin = 0.08};
+inline constexpr Slab kSlab{.half = 0.5,
+                            .thickness = 0.3,
+                            .height = 0.5,
+                            .index = 1.5,
+                            .incidence = 0.6981317007977318,
+                            .margin = 0.08};
 
 // The floor of a scene whose camera `floor` sees 2 x 2 m of it.
 Shot floor_shot(const std::string& name, const std::string& scene, Options options = {});

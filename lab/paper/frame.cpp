@@ -50,14 +50,14 @@ Row composition_row() {
   return {"12",
           "fits any renderer, and restricts no shadow",
           {{"layers", "glass_sphere.glb", {"-r", "512x512", "--camera", "floor"}, "beauty,direct,caustic"},
-           floor_shot("preset", "glass_sphere.glb", {"--preset", "paper"})},
+           floor_shot("preset_512", "glass_sphere.glb", {"--preset", "paper", "--grid", "512"})},
           "layers",
           "the picture is albedo / pi times direct light and caustic, and an even sky: 1e-5; the direct "
           "light is the "
           "same to the bit whatever the caustic",
           [](const Shots& s) -> Finding {
             const FloorLayer beauty = s.layer("layers", "beauty"), direct = s.layer("layers", "direct");
-            const FloorLayer caustic = s.layer("layers", "caustic"), other = s.layer("preset", "direct");
+            const FloorLayer caustic = s.layer("layers", "caustic"), other = s.layer("preset_512", "direct");
             const std::array<double, 3> albedo{0.80, 0.72, 0.62};
             double largest = 0.0, least = 1e30, most = -1e30;
             for (std::size_t i = 0; i < beauty.pixels.size(); ++i)
