@@ -29,12 +29,13 @@ bool has_landed(const std::array<double, 4>& landing) {
 std::vector<double> slab_errors(const Slab& slab, const Texels& entry, const Texels& landing) {
   const double refracted = *refraction_angle(slab.incidence, 1.0, slab.index);
   const double inside = slab.thickness * std::tan(refracted), edge = slab.half - slab.margin;
+  double top = -1e30;
+  for (const auto& p : entry.values)
+    if (p[3] != 0.0) top = std::max(top, p[1]);
   std::vector<double> errors;
   for (std::size_t i = 0; i < landing.values.size(); ++i) {
     const auto &p = entry.values[i], &q = landing.values[i];
-    const double top = slab.height + slab.thickness;
-    // By a side, light comes to the floor from another height.
-    if (!has_landed(q) || p[1] - q[1] < top - 1e-3) continue;
+    if (!has_landed(q) || p[1] < top - 1e-3 || p[3] == 0.0) continue;
     if (p[0] < -edge || p[0] + inside > edge || std::fabs(p[2]) > edge) continue;
     const double expected = p[0] + inside + slab.height * std::tan(slab.incidence);
     errors.push_back(std::hypot(q[0] - expected, q[2] - p[2]));
