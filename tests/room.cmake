@@ -22,7 +22,8 @@ target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster cau
   caustics_reference caustics_metrics
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
-  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study caustics_paper nlohmann_json::nlohmann_json)
+  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study caustics_paper
+    nlohmann_json::nlohmann_json)
 endif()
 
 # caustics_skip_tests(SOURCE CAUSE): leaves a test's source out, and tells CTest of each of its tests that it

@@ -1,5 +1,5 @@
-// Adds every grid vertex that landed, or stopped on its way and is drawn there, to the caustic map: one texel, or a Gaussian integrated over texels. Where
-// cells are drawn, only what they leave.
+// Adds every grid vertex that landed, or stopped on its way and is drawn there, to the caustic map: one
+// texel, or a Gaussian integrated over texels. Where cells are drawn, only what they leave.
 UNIFORMS_BEGIN
 #include "passes/caustic_map/caustic_map_uniforms.glsl"
 UNIFORMS_END

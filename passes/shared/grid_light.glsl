@@ -1,5 +1,5 @@
-// The light that falls on a grid vertex's cell. Needs view_space.glsl, cube_atlas.glsl, cone_falloff.glsl, and
-// of the uniforms caster, cone, light, cell_area and a cube's tiles.
+// The light that falls on a grid vertex's cell. Needs view_space.glsl, cube_atlas.glsl, cone_falloff.glsl,
+// and of the uniforms caster, cone, light, cell_area and a cube's tiles.
 
 struct GridCell {
   Bool covered;  // there is a caster
@@ -55,8 +55,8 @@ Incident light_onto(IN(GridCell) cell, Vec3 p) {
   light.flux = Float(u.cell_area);
   if (u.caster.kind != VIEW_PARALLEL) {
     light.direction = normalize_or(p - Vec3(u.light), Vec3(u.cone.axis));
-    light.flux =
-        solid_angle(view_coordinates(u.caster, p), cell.face, cell.covered) * cone_falloff(u.cone, light.direction);
+    light.flux = solid_angle(view_coordinates(u.caster, p), cell.face, cell.covered) *
+                 cone_falloff(u.cone, light.direction);
   }
   light.flux = sel(cell.covered && !cell.guard, light.flux, Float(0.0f));
   TRACE(light_direction, light.direction);

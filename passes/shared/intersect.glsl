@@ -164,8 +164,8 @@ Vec4 surface_point(Texture positions, IN(View) view, Vec3 p) {
 }
 
 // Newton-Raphson on f(x) = |P(x) - p(x)|, the distance between the ray's point at x and the surface point
-// under it, with a forward difference for f' (Shah et al. 2007, appendix). Guarded: where f' is less than 1e-3
-// (the difference straddles f's kink at the root, or the surface is lost) the derivative-free step
+// under it, with a forward difference for f' (Shah et al. 2007, appendix). Guarded: where f' is less than
+// 1e-3 (the difference straddles f's kink at the root, or the surface is lost) the derivative-free step
 // |P(x) - start| is taken, and no step leaves the range of depths. Unguarded, as the listing has it: it may
 // jump to where no number is, and is lost there.
 Hit intersect_newton(Texture positions, IN(View) view, IN(Search) search) {
