@@ -26,6 +26,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
                 [&](const std::string& value) { request.environment = value; });
   add_moment_options(parser, request);
   parser.group("Method");
+  options.add_preset();
   for (const char* name : {"grid", "map", "iterations", "estimator", "splat", "interfaces", "wavelengths",
                            "weights", "assume_solid"})
     options.add(name);

@@ -26,13 +26,18 @@ namespace {
 
 struct PaperRequest {
   std::string folder = "paper";
-  std::vector<std::string> rows;  // ids; empty: all
+  std::vector<std::string> rows;  // ids, or one of the numbers in them; empty: all
 };
 
 struct Done {
   Row row;
   paper::Finding finding;
 };
+
+// Does a row's id, "5, 31, 32", hold this number?
+bool is_called(const std::string& id, const std::string& wanted) {
+  return id == wanted || (", " + id + ", ").find(", " + wanted + ", ") != std::string::npos;
+}
 
 bool parse(const Arguments& arguments, PaperRequest& request) {
   Parser parser("paper",
@@ -54,12 +59,13 @@ std::vector<Row> wanted_rows(const PaperRequest& request) {
   ids.reserve(rows.size());
   for (const Row& row : rows) ids.push_back(row.id);
   for (const std::string& id : request.rows)
-    if (std::find(ids.begin(), ids.end(), id) == ids.end())
+    if (std::none_of(ids.begin(), ids.end(), [&](const std::string& each) { return is_called(each, id); }))
       throw Error(ExitCode::WrongUsage, "there is no row '" + one_line(id).substr(0, 60) +
                                             "'; the nearest is '" + nearest_name(id, ids) + "'");
   if (!request.rows.empty())
     std::erase_if(rows, [&](const Row& row) {
-      return std::find(request.rows.begin(), request.rows.end(), row.id) == request.rows.end();
+      return std::none_of(request.rows.begin(), request.rows.end(),
+                          [&](const std::string& wanted) { return is_called(row.id, wanted); });
     });
   return rows;
 }

@@ -17,11 +17,14 @@ class RenderedShots : public paper::Shots {
   std::string command(const std::string& name) const { return commands_.at(name); }
 
   const nlohmann::ordered_json& stats(const std::string& name) const override { return stats_.at(name); }
+  bool taken(const std::string& name) const override { return !stats_.at(name).is_null(); }
+  paper::Texels attachment(const std::string& name, const std::string& attachment) const override;
   paper::FloorLayer layer(const std::string& name, const std::string& layer) const override;
   void draw_side_by_side(const std::vector<std::string>& tested, const std::string& truth,
                          const std::string& layer, const std::string& name) const override;
 
  private:
+  void render(const paper::Shot& shot);
   void trace(const paper::Shot& shot);
   std::filesystem::path file(const std::string& name, const std::string& extension) const;
 

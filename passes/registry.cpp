@@ -3,6 +3,7 @@
 #include "passes/beams/beams.hpp"
 #include "passes/cascade_cells/cascade_cells.hpp"
 #include "passes/caster_exit_map/caster_exit_map.hpp"
+#include "passes/caster_flux/caster_flux.hpp"
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/caustic_cells/caustic_cells.hpp"
 #include "passes/caustic_map/caustic_map.hpp"
@@ -39,6 +40,7 @@ Registry registered() {
       // Of each light: what its casters do.
       occluder_depth_pass(),
       caster_map_pass(),
+      caster_flux_pass(),
       caster_exit_map_pass(),
       receiver_map_pass(),
       landing_pass(),

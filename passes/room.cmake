@@ -11,6 +11,7 @@ caustics_add_shader(caustics_passes caster_exit_map_detailed TEXT passes/caster_
   DEFINES DETAILED=1)
 caustics_add_shader(caustics_passes receiver_map TEXT passes/receiver_map/receiver_map.glsl)
 caustics_add_shader(caustics_passes impostor_map TEXT passes/impostor_map/impostor_map.glsl)
+caustics_add_shader(caustics_passes caster_flux TEXT passes/caster_flux/caster_flux.glsl)
 caustics_add_shader(caustics_passes landing TEXT passes/landing/landing.glsl)
 caustics_add_shader(caustics_passes cells TEXT passes/cells/cells.glsl)
 caustics_add_shader(caustics_passes caustic_cells TEXT passes/caustic_cells/caustic_cells.glsl)

@@ -21,10 +21,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 FLOOR = diffuse('floor', (0.80, 0.72, 0.62))
 
 
-def glass_sphere():
+def sphere_scene(levels, exact):
     s = Scene()
-    s.mesh('sphere', icosphere((0.0, 0.8, 0.0), 0.5, 5), glass('glass', 1.5))
-    s.states('sphere')
+    s.mesh('sphere', icosphere((0.0, 0.8, 0.0), 0.5, levels), glass('glass', 1.5))
+    if exact:
+        s.states('sphere')
     s.mesh('floor', square(8.0), FLOOR)
     s.sun((0.0, -1.0, 0.0), 1.0)
     s.camera('view', (1.55, 1.75, 2.35), (0.0, 0.42, 0.0), 38)
@@ -32,16 +33,32 @@ def glass_sphere():
     return s
 
 
-def glass_figure():
+def glass_sphere():
+    return sphere_scene(5, True)
+
+
+def glass_sphere_coarse():
+    return sphere_scene(3, False)
+
+
+def figure(cells, material):
     s = Scene()
-    shape = surface_of(sitting_cat, (-0.62, -0.08, -0.44), (0.48, 1.10, 0.62), 84)
+    shape = surface_of(sitting_cat, (-0.62, -0.08, -0.44), (0.48, 1.10, 0.62), cells)
     lowest = min(p[1] for p in shape[0])
     shape = ([(x, y - lowest + 0.002, z) for x, y, z in shape[0]], shape[1], shape[2])
-    s.mesh('cat', shape, glass('amber glass', 1.5, ((0.98, 0.60, 0.16), 0.6)))
+    s.mesh('cat', shape, material)
     s.mesh('floor', square(8.0), FLOOR)
     s.sun((-0.62, -0.70, 0.38), 10.0)
     s.camera('view', (0.75, 1.25, 2.35), (-0.26, 0.40, 0.08), 33)
     return s
+
+
+def glass_figure():
+    return figure(84, glass('amber glass', 1.5, ((0.98, 0.60, 0.16), 0.6)))
+
+
+def flint_figure():
+    return figure(64, glass('flint', 1.7283, dispersion=20 / 28.4))
 
 
 WAVES = ((0.012, (5.1, 1.3), 0.4), (0.009, (-2.7, 6.2), 1.9), (0.007, (8.3, -4.1), 3.3),
@@ -426,9 +443,9 @@ REAL_GLASS = (drinking_glass, drinking_glass_high_sun, glass_of_wine, bottle_of_
 def main():
     scenes = {'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               **{make.__name__ + '.glb': make for make in (
-                  glass_sphere, glass_figure, water_patch, water_sine, prism, spectrum, metal_ring,
-                  thin_panes, two_lights, receivers, sun_disk, water_normal_map, stained_glass, moving_lens,
-                  water_plops, hazy_lens, closed_room)},
+                  glass_sphere, glass_sphere_coarse, glass_figure, flint_figure, water_patch, water_sine,
+                  prism, spectrum, metal_ring, thin_panes, two_lights, receivers, sun_disk,
+                  water_normal_map, stained_glass, moving_lens, water_plops, hazy_lens, closed_room)},
               **{'glass/' + make.__name__ + '.glb': make for make in REAL_GLASS}}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:

@@ -8,7 +8,7 @@ file(GLOB_RECURSE caustics_test_sources CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/lab/*_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT CAUSTICS_BUILD_APP)
-  list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/|/lab/study/")
+  list(FILTER caustics_test_sources EXCLUDE REGEX "/tests/scene/|/lab/study/|/lab/paper/")
 endif()
 add_executable(caustics_tests ${caustics_test_sources})
 target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/failing_new.cpp)
@@ -22,7 +22,8 @@ target_link_libraries(caustics_tests PRIVATE caustics_passes caustics_raster cau
   caustics_reference caustics_metrics
   caustics_pipeline)
 if(CAUSTICS_BUILD_APP)
-  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study nlohmann_json::nlohmann_json)
+  target_link_libraries(caustics_tests PRIVATE caustics_gltf caustics_study caustics_paper
+    nlohmann_json::nlohmann_json)
 endif()
 
 # caustics_skip_tests(SOURCE CAUSE): leaves a test's source out, and tells CTest of each of its tests that it

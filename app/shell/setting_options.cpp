@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/settings/presets.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
@@ -52,6 +53,24 @@ void SettingOptions::add_resolution() {
   });
   own_.push_back(width.name);
   own_.push_back(height.name);
+}
+
+void SettingOptions::add_preset() {
+  std::string names;
+  std::string meaning;
+  for (const Preset& preset : all_presets()) {
+    names += (names.empty() ? "" : "|") + std::string(preset.name);
+    meaning += (meaning.empty() ? "" : "; ") + std::string(preset.name) + ": " + std::string(preset.meaning);
+    for (const PresetValue& each : preset.values)
+      meaning.append(&each == preset.values.data() ? ", " : " ")
+          .append(each.setting)
+          .append("=")
+          .append(each.value);
+  }
+  parser_.option(
+      "--preset", "NAME",
+      {"values of settings under one name, which other options override. " + meaning, names, "none"},
+      [&settings = settings_](const std::string& name) { apply_preset(settings, name); });
 }
 
 void SettingOptions::add(std::string_view name) {

@@ -14,6 +14,8 @@ class SettingOptions {
 
   // -r: width and height.
   void add_resolution();
+  // --preset NAME: before all others, which override it.
+  void add_preset();
   // The setting's name as an option: --grid N; a flag where it is yes or no.
   void add(std::string_view name);
   // -D KEY=VALUE, after the others, with a list of the keys. It refuses those that have no part here, for

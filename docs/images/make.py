@@ -25,8 +25,9 @@ def floor_views(scene, *variants):
 PICTURES = {  # name: (frames in a row, [(scene, options), ...])
     'overview': (2, [(scene, '-r 480x270')
                      for scene in ('glass_sphere', 'metal_ring', 'water_plops', 'stained_glass')]),
-    'estimators': (4, floor_views('receivers', *(f'--iterations 3 --estimator {name}'
-                                                 for name in ('paper', 'newton', 'impostor', 'secant')))),
+    'estimators': (4, floor_views('receivers', *(
+        f'--preset paper --grid 512 --splat cell --weights physical --estimator {name}'
+        for name in ('paper', 'newton', 'impostor')), '--iterations 3')),
     'grids': (4, floor_views('glass_sphere', *(f'--map 256 --splat {splat} --grid {grid}'
                                                for splat in ('point', 'cell') for grid in (64, 128)))),
     'spectrum': (2, [('spectrum', f'-r 400x225 --camera close --exposure 0.5 --grid 256 --wavelengths {n}')

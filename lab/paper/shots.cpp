@@ -51,4 +51,13 @@ double Shots::milliseconds(const std::string& name, const std::vector<std::strin
   return sum;
 }
 
+double Shots::samples_passed(const std::string& name, const std::string& wanted) const {
+  double sum = 0.0;
+  for (const auto& pass : stats(name).at("passes")) {
+    const std::string label = pass.at("pass");
+    if (label.starts_with(wanted + "[")) sum += pass.at("samples_passed").get<double>();
+  }
+  return sum;
+}
+
 }  // namespace caustics::paper

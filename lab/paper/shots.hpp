@@ -15,7 +15,9 @@ struct Shot {
   std::string scene;     // "glass_sphere.glb"
   Options options;       // without outputs
   std::string layers{};  // of an EXR file beside the picture; empty: none
-  bool traced = false;   // by `caustics reference`: an EXR file alone, without statistics
+  bool traced = false;   // by `caustics reference`, of the same two surfaces: an EXR file and statistics
+  bool dumped = false;   // with every attachment of every pass
+  bool on_gl = false;    // by OpenGL; left out where there is none
 };
 
 // The floor seen by an orthographic camera: RGB of a layer, row 0 at the top.
@@ -28,6 +30,12 @@ struct FloorLayer {
   }
 };
 
+// An attachment of a pass, a texel a grid vertex or a texel of a map.
+struct Texels {
+  int width = 0, height = 0;
+  std::vector<std::array<double, 4>> values;
+};
+
 // Shots that were taken. Who takes them, and where they lie, is the program's (app/paper_shots.hpp).
 class Shots {
  public:
@@ -35,7 +43,12 @@ class Shots {
 
   // The statistics of a shot (docs/command_line.md, "--stats").
   virtual const nlohmann::ordered_json& stats(const std::string& name) const = 0;
+  // `beauty` is the plain picture, in nit.
   virtual FloorLayer layer(const std::string& name, const std::string& layer) const = 0;
+  // Of a shot that was dumped; `attachment` as the dump's manifest has it: "landing[0]".
+  virtual Texels attachment(const std::string& name, const std::string& attachment) const = 0;
+  // False of a shot on OpenGL where there is none.
+  virtual bool taken(const std::string& name) const = 0;
   // NAME.png: a layer of shots of one view beside that of `truth`, and their differences below.
   virtual void draw_side_by_side(const std::vector<std::string>& tested, const std::string& truth,
                                  const std::string& layer, const std::string& name) const = 0;
@@ -46,6 +59,8 @@ class Shots {
   double residual(const std::string& name) const;  // the largest of the lights
   // What these passes took together, whatever light they ran for.
   double milliseconds(const std::string& name, const std::vector<std::string>& passes) const;
+  // What a pass' occlusion query counted, whatever light it ran for.
+  double samples_passed(const std::string& name, const std::string& pass) const;
   // Sum of |a - b| over the sum of b, of all channels of a layer.
   double relative_l1(const std::string& a, const std::string& b, const std::string& layer) const;
 };

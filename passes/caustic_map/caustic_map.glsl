@@ -1,5 +1,5 @@
-// Adds every landed grid vertex to the caustic map: one texel, or a Gaussian integrated over texels. Where
-// cells are drawn, only what they leave.
+// Adds every grid vertex that landed, or stopped on its way and is drawn there, to the caustic map: one
+// texel, or a Gaussian integrated over texels. Where cells are drawn, only what they leave.
 UNIFORMS_BEGIN
 #include "passes/caustic_map/caustic_map_uniforms.glsl"
 UNIFORMS_END
@@ -34,7 +34,7 @@ void main() {
   Int column = id - row * Int(u.grid_side);
   Vec4 place = texel_fetch(landing, column, row);
   Vec4 carried = texel_fetch(landing_flux, column, row);
-  Bool drawn = has_status(place, STATUS_LANDED);
+  Bool drawn = has_status(place, STATUS_LANDED) || has_status(place, STATUS_STOPPED);
   Float part = Float(1.0f);
   if (u.has_cells != 0) part = quarters_left(column, row) * 0.25f;
   drawn = drawn && part > 0.0f;

@@ -89,7 +89,8 @@ Corner corner_at(Place where, Int face) {
   Corner corner;
   corner.point = Vec3(place);
   corner.texel = Vec2(uv.x * float(u.map_side), uv.y * float(u.map_side));
-  corner.landed = where.exists && has_status(place, STATUS_LANDED);
+  Bool drawn = has_status(place, STATUS_LANDED) || has_status(place, STATUS_STOPPED);
+  corner.landed = where.exists && drawn;
   // Behind a face there is no place in its tile.
   if (u.caustic.kind == VIEW_CUBE) corner.landed = corner.landed && in_face(u.caustic, q, face).z > 0.0f;
   return corner;

@@ -51,6 +51,8 @@ std140::Landing landing_uniforms(const PassContext& context) {
       .tile_height = static_cast<float>(tiles.tile_height()),
       .tile_guard = static_cast<float>(tiles.guard),
       .iterations = settings.iterations,
+      .search_start = settings.search_start.value_or(settings.estimator == Estimator::Newton ? 0.1f : 0.0f),
+      .newton_epsilon = settings.newton_epsilon.value_or(0.0f),
       .impostor =
           impostors ? shader_view(with_atlas(context.effects->impostors, settings.map)) : std140::View{},
   };
@@ -84,7 +86,11 @@ Pass landing_pass() {
                 {.name = "landed_before",
                  .meaning = "what has landed on the nearest receivers already, and is not followed again",
                  .texture = kLanding,
-                 .only_for = kBranchFar.label}},
+                 .only_for = kBranchFar.label},
+                {.name = "caster_flux",
+                 .meaning = "how much light all grid vertices have, and how many they are, for weights of "
+                            "equal parts",
+                 .optional = true}},
       .writes = {{.name = kLanding,
                   .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
                  {.name = kLandingFlux,
@@ -112,6 +118,9 @@ Pass landing_pass() {
       .choices = {{"estimator", [](const PassContext& c) { return static_cast<int>(c.settings->estimator); }},
                   {"paper_weights",
                    [](const PassContext& c) { return c.settings->weights == Weights::Paper ? 1 : 0; }},
+                  {"newton_guard", [](const PassContext& c) { return c.settings->newton_guard ? 1 : 0; }},
+                  {"draws_unconverged",
+                   [](const PassContext& c) { return c.settings->draw_unconverged ? 1 : 0; }},
                   {"is_reflection", [](const PassContext& c) { return c.branch->reflected ? 1 : 0; }},
                   {"has_mirrors", chosen_by<&Effects::mirrors>},
                   {"has_exit_maps", chosen_by<&Effects::exit_surface>},

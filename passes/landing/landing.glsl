@@ -17,6 +17,7 @@ TEXTURE(5, caster_materials)
 TEXTURE(6, caster_tint)
 TEXTURE(7, impostor_position)
 TEXTURE(8, landed_before)
+TEXTURE(9, caster_flux)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -40,6 +41,7 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/ray.glsl"
 #include "passes/shared/refraction.glsl"
 #include "passes/shared/view_space.glsl"
+#include "passes/shared/grid_light.glsl"
 #include "passes/shared/intersect.glsl"
 #ifdef HAZE
 #include "passes/shared/medium_optics.glsl"
@@ -53,22 +55,8 @@ struct Entry {
   Vec3 point;
   Vec3 outward;      // the surface's normal
   Material material;
-  Int face;          // of a cube's caster map: whose tile the vertex is in, and whether beyond
-  Bool guard;        // that face, where it belongs to another and carries no flux
+  GridCell cell;
 };
-
-// In which tile of a cube's caster map does the grid vertex lie, and where in it?
-void find_tile(Int column, Int row, INOUT(Entry) entry) {
-  Float tile_column = floor((Float(column) + 0.5f) / u.tile_width);
-  Float tile_row = floor((Float(row) + 0.5f) / u.tile_height);
-  Float x = Float(column) - tile_column * u.tile_width;
-  Float y = Float(row) - tile_row * u.tile_height;
-  float guard = u.tile_guard;
-  entry.face = floor_to_int(tile_row * 3.0f + tile_column);
-  entry.guard = x < guard || x >= u.tile_width - guard || y < guard || y >= u.tile_height - guard;
-  // What is left over at the texture's edge is no tile.
-  entry.covered = entry.covered && tile_column < 2.5f && tile_row < 1.5f;
-}
 
 Entry entry_at(Int column, Int row) {
   Vec4 position = texel_fetch(caster_position, column, row);
@@ -76,13 +64,12 @@ Entry entry_at(Int column, Int row) {
   entry.covered = is_covered(position);
   entry.from_inside = is_back_face(position);
   entry.point = Vec3(position);
-  entry.face = Int(FACE_FORWARD);
-  entry.guard = Bool(false);
+  entry.cell = cell_of(column, row, entry.covered);
+  entry.covered = entry.cell.covered;
   if (u.only_unconverged != 0) {
     Vec4 before = texel_fetch(landed_before, column, row);
     entry.covered = entry.covered && has_status(before, STATUS_NOT_CONVERGED);
   }
-  if (u.caster.kind == VIEW_CUBE) find_tile(column, row, entry);
   return entry;
 }
 
@@ -97,39 +84,6 @@ void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
   entry.material.mirror = entry.material.mirror && u.has_mirrors != 0;
 }
 
-// The light that falls on a grid vertex's cell.
-struct Incident {
-  Vec3 direction;
-  Float flux;  // relative to the light's intensity
-};
-
-// The solid angle of a grid vertex's cell from a point light, by the midpoint form. q: the vertex, in view
-// coordinates.
-Float solid_angle(Vec3 q, Int face, Bool covered) {
-  Vec3 t = in_face(u.caster, q, face);
-  Float w = sel(covered, t.z, Float(1.0f));
-  Float x = t.x / w;
-  Float y = t.y / w;
-  Float squared = 1.0f + x * x + y * y;
-  return u.cell_area / (squared * sqrt(squared));
-}
-
-// The flux onto the cell is its area across parallel light; its solid angle from a point, times the cone's
-// falloff.
-Incident light_onto(IN(Entry) entry) {
-  Incident light;
-  light.direction = Vec3(u.light);
-  light.flux = Float(u.cell_area);
-  if (u.caster.kind != VIEW_PARALLEL) {
-    light.direction = normalize_or(entry.point - Vec3(u.light), Vec3(u.cone.axis));
-    light.flux = solid_angle(view_coordinates(u.caster, entry.point), entry.face, entry.covered) *
-                 cone_falloff(u.cone, light.direction);
-  }
-  light.flux = sel(entry.covered && !entry.guard, light.flux, Float(0.0f));
-  TRACE(light_direction, light.direction);
-  return light;
-}
-
 struct FirstSurface {
   Vec3 normal;        // against the light
   Float ior;          // of the material, for this branch's light
@@ -139,6 +93,13 @@ struct FirstSurface {
   Float reflectance;  // and how much of it the surface keeps off
   Bool blocked;       // total internal reflection
 };
+
+// Shah et al. 2007, eq. 6: (1/V) of the light onto all V grid vertices, whatever falls on this one.
+Float equal_part(IN(Entry) entry) {
+  Vec4 onto_casters = texel_fetch(caster_flux, Int(0), Int(0));
+  Float mean = u.cell_area * (onto_casters.x / max_of(onto_casters.y, Float(1.0f)));
+  return sel(entry.covered && !entry.cell.guard, mean, Float(0.0f));
+}
 
 FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
   FirstSurface first;
@@ -168,7 +129,11 @@ FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
 // Cross the caster: the way inside, the second surface.
 
 // Where the ray meets the surface, by the estimator that was asked for.
-Hit find_surface(Texture positions, IN(View) view, IN(Search) search) {
+Hit find_surface(Texture positions, IN(View) view, IN(Search) along) {
+  Search search = along;
+  search.start = u.search_start;
+  search.epsilon = u.newton_epsilon;
+  search.guarded = u.newton_guard != 0;
   Hit hit;
   if (u.estimator == ESTIMATOR_PAPER) {
     hit = intersect_paper(positions, view, search);
@@ -187,12 +152,13 @@ Hit find_exit(IN(Ray) ray) {
 Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot3(a, b)); }
 
 // The way inside that Wyman (2005) takes: between the thickness along the light, d_V, and that along the
-// normal, d_N, in the ratio of the angles of refraction and incidence. He finds d_N beforehand; here it is
-// met in the exit map.
+// normal, d_N, in the ratio of the angles of refraction and incidence. He finds d_N beforehand, exactly; here
+// the secant finds it in the exit map, whatever estimator lands the light.
 Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
   Vec2 uv = view_uv(u.caster, view_coordinates(u.caster, p));
   Vec4 behind = fetch_nearest(caster_exit_position, uv.x, uv.y);
-  Hit hit = find_exit(ray_from(p, -first.normal));
+  Search search = search_along(u.caster, ray_from(p, -first.normal), u.iterations, true);
+  Hit hit = intersect_secant(caster_exit_position, u.caster, search);
   Float incidence = angle_between(light_direction, -first.normal);
   Float refraction = angle_between(first.direction, -first.normal);
   Bool slanted = incidence > 1.0e-3f;
@@ -200,7 +166,7 @@ Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
   Float along_light = max_of(dot3(Vec3(behind) - p, light_direction), 0.0f);
   hit.distance = along_light * ratio + max_of(hit.distance, 0.0f) * (1.0f - ratio);
   // An estimate, not a search: nothing to converge.
-  hit.residual = sel(is_covered(behind), Float(0.0f), Float(1.0e30f));
+  hit.residual = sel(is_covered(behind), Float(0.0f), lost_residual());
   return hit;
 }
 
@@ -223,6 +189,7 @@ struct Exit {
   Float reflectance;    // of the second surface
   Bool blocked;         // total internal reflection, at either surface
   Bool unknown;         // no second surface was met
+  Bool stopped;         // nor was it, but the light goes on from where the search stopped
   Bool sent;            // light leaves, and it is known where
 };
 
@@ -234,6 +201,7 @@ Exit straight_exit(IN(Entry) entry, IN(FirstSurface) first) {
   exit.reflectance = Float(0.0f);
   exit.blocked = first.blocked;
   exit.unknown = Bool(false);
+  exit.stopped = Bool(false);
   return exit;
 }
 
@@ -257,6 +225,10 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
     // edge of a layer that hides the exit.
     Float leaning = max_of(abs(dot3(outward, light_direction)), 0.125f);
     exit.unknown = solid && !(hit.residual * leaning <= tolerance);
+    if (u.draws_unconverged != 0) {
+      exit.stopped = exit.unknown && is_found(hit);
+      exit.unknown = exit.unknown && !exit.stopped;
+    }
     Vec3 normal = facing_normal(outward, first.direction, Bool(true));
     Refraction bent = refraction_at(first.direction, normal, first.ior);
     exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
@@ -325,6 +297,7 @@ struct Landing {
   Float flight;    // from the caster, metres
   Hit hit;
   Bool converged;  // the search ended on a surface
+  Bool lands;      // it did, or its light is drawn where it stopped
   Bool possible;   // the ray meets the box around all receivers
 };
 
@@ -339,6 +312,8 @@ Landing fly_to_receiver(IN(Ray) ray) {
   if (u.estimator == ESTIMATOR_IMPOSTOR)
     tolerance = u.landing_tolerance * texel_extent_at(impostor_position, u.impostor, end.point);
   end.converged = end.hit.residual <= tolerance;
+  end.lands = end.converged;
+  if (u.draws_unconverged != 0) end.lands = is_found(end.hit);
   TRACE(landing_point, end.point);
   TRACE(landing_residual, end.hit.residual);
   return end;
@@ -371,11 +346,11 @@ Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, Float absorbing_length
 
 Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(Landing) end) {
   // Through one interface only, the material reaches down to the receiver (water on its bed).
-  Bool lands = exit.sent && end.hit.covered && end.converged;
+  Bool lands = exit.sent && end.hit.covered && end.lands;
   Bool open = !entry.material.solid && !entry.from_inside && !entry.material.mirror && u.is_reflection == 0;
   Float absorbing_length = sel(open, sel(lands, end.flight, Float(0.0f)), exit.inside_length);
   Vec3 passed = let_through(entry, first, absorbing_length);
-  // Shah et al. 2007, eq. 6 with (1/V) of the flux onto all V texels: N.L of the cell's own flux.
+  // Shah et al. 2007, eq. 6 and 7: N.L of it, and no Fresnel.
   Float weight = Float(1.0f);
   Float reflectance1 = first.reflectance;
   Float reflectance2 = exit.reflectance;
@@ -425,7 +400,7 @@ void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing)
   }
   account.leaving = account.leaving * arriving;
   Float way_out = medium_exit(u.medium, exit.ray);
-  Bool meets = end.hit.inside && end.hit.covered && end.converged;
+  Bool meets = end.hit.inside && end.hit.covered && end.lands;
   account.air_way = sel(exit.sent, sel(meets, min_of(end.flight, way_out), way_out), Float(0.0f));
   account.carried = account.leaving * transmittance(Vec3(u.medium.extinction), account.air_way);
   account.taken = taken + (account.leaving - account.carried);
@@ -440,15 +415,18 @@ Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 // later.
 Float status_of(IN(Entry) entry, IN(Exit) exit, IN(Landing) end, IN(Account) account) {
   Vec2 uv = view_uv(u.caustic, view_coordinates(u.caustic, end.point));
-  Bool exhausted = !entry.guard && largest(account.carried) <= account.entered * 1.0e-6f;
+  Bool exhausted = !entry.cell.guard && largest(account.carried) <= account.entered * 1.0e-6f;
+  Bool on_map = inside_unit(uv.x, uv.y);
   Float status = Float(STATUS_LANDED);
-  status = sel(!inside_unit(uv.x, uv.y), Float(STATUS_OUTSIDE), status);
+  status = sel(!on_map, Float(STATUS_OUTSIDE), status);
   status = sel(exhausted, Float(STATUS_ABSORBED), status);
-  status = sel(!end.converged, Float(STATUS_NOT_CONVERGED), status);
+  Float unconverged = Float(STATUS_NOT_CONVERGED);
+  if (u.draws_unconverged != 0) unconverged = sel(end.lands && on_map, Float(STATUS_STOPPED), unconverged);
+  status = sel(!end.converged || (exit.stopped && on_map), unconverged, status);
   status = sel(!end.hit.covered, Float(STATUS_MISSED), status);
   Bool strays = !end.hit.inside || (end.hit.left && !end.converged);
   status = sel(strays, Float(STATUS_OUTSIDE), status);
-  status = sel(!end.possible && (strays || !end.converged), Float(STATUS_MISSED), status);
+  status = sel(!end.possible && (strays || !end.lands), Float(STATUS_MISSED), status);
   status = sel(exit.unknown, Float(STATUS_EXIT_NOT_FOUND), status);
   status = sel(exit.blocked, Float(STATUS_TOTAL_REFLECTION), status);
   status = sel(entry.covered, status, Float(STATUS_EMPTY));
@@ -472,7 +450,8 @@ void clear_outputs() {
 // Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros.
 void follow(IN(Entry) entry) {
   TRACE(entry_point, entry.point);
-  Incident light = light_onto(entry);
+  Incident light = light_onto(entry.cell, entry.point);
+  if (u.paper_weights != 0) light.flux = equal_part(entry);
   FirstSurface first = enter_caster(entry, light);
   Exit exit = cross_caster(entry, light.direction, first);
   Landing end = fly_to_receiver(exit.ray);

@@ -69,3 +69,52 @@ TEST_CASE("landing: Newton's method is held where its slope is none") {
     }
   }
 }
+
+TEST_CASE("landing: the paper's estimator and Newton's begin where they are told") {
+  // One step of the paper's from x0 looks up the floor below x0: sqrt(h^2 + (x0 sin)^2).
+  LandingBench bench;
+  bench.normal = tilted(30.0);
+  bench.estimator = ESTIMATOR_PAPER;
+  bench.receiver = bench.floor_map(1024, 0.0, 0.0);
+  bench.iterations = 1;
+  for (const float start : {0.0f, 1.0f, 3.0f}) {
+    bench.search_start = start;
+    const glm::vec4 p = texel(bench.run()["landing"], 0, 0);
+    const double aside = double(start) * std::sin(0.183762);
+    CHECK(std::hypot(double(p.x), 1.0 - double(p.y)) ==
+          Approx(std::sqrt(1.0 + aside * aside)).margin(8.0 / 1024));
+  }
+}
+
+TEST_CASE("landing: unguarded Newton jumps off where its difference straddles the root") {
+  // Straight down onto a floor 1 m below: f = |x - 1|. With a difference of 1 m begun at 0.5 m, f(0.5) =
+  // f(1.5), so the slope is 0 and there is no next place. Begun at 0 it is -1 and one step is exact.
+  LandingBench bench;
+  bench.estimator = ESTIMATOR_NEWTON;
+  bench.newton_guard = false;
+  bench.newton_epsilon = 1.0f;
+  bench.iterations = 1;
+  bench.draws_unconverged = true;
+  CHECK(landing_status(bench.run()) == LandingStatus::Landed);
+  bench.search_start = 0.5f;
+  const PassImages out = bench.run();
+  CHECK(landing_status(out) == LandingStatus::NotConverged);
+  for (int c = 0; c < 3; ++c) CHECK(std::isfinite(out["landing"].at(0, 0, c)));
+  bench.newton_guard = true;
+  CHECK(landing_status(bench.run()) == LandingStatus::Landed);
+}
+
+TEST_CASE("landing: what has not converged is booked, or drawn where the search stopped") {
+  // Bent by 45 degrees' tilt, one step from 0 ends at 1 m along the ray, more than two texels of 8 mm above
+  // the floor: the ray leans 16.9 degrees, so 1 - cos = 0.043 m.
+  LandingBench bench;
+  bench.normal = tilted(45.0);
+  bench.estimator = ESTIMATOR_PAPER;
+  bench.receiver = bench.floor_map(1024, 0.0, 0.0);
+  bench.iterations = 1;
+  CHECK(landing_status(bench.run()) == LandingStatus::NotConverged);
+  bench.draws_unconverged = true;
+  const PassImages out = bench.run();
+  CHECK(landing_status(out) == LandingStatus::Stopped);
+  CHECK(texel(out["landing"], 0, 0).y == Approx(0.043).margin(2e-3));
+}

@@ -171,6 +171,15 @@ TEST_CASE("landing: the paper's weight is N.L and ignores Fresnel") {
   CHECK(out["landing_fresnel"].at(0, 0, 0) == 0.0f);
 }
 
+TEST_CASE("landing: the paper's weight is an equal part of the light, whatever falls on the cell") {
+  // 10 vertices have the light of 6 cells of 0.25 square metres: 0.15 each, times the cosine of 30 degrees.
+  LandingBench bench;
+  bench.normal = tilted(30.0);
+  bench.paper_weights = true;
+  bench.caster_flux = {6.0f, 10.0f};
+  CHECK(bench.run()["landing_fresnel"].at(0, 0, 3) == Approx(0.15 * std::sqrt(0.75)).epsilon(1e-5));
+}
+
 TEST_CASE("landing: a texel without a caster writes zeros") {
   LandingBench bench;
   bench.facing = 0.0f;

@@ -15,6 +15,10 @@ float tile_width;         // of a cube's caster map, texels
 float tile_height;
 float tile_guard;
 int iterations;
+float search_start;       // of the estimators paper and newton, metres
+float newton_epsilon;     // metres; 0: a texel's extent
+CHOICE(newton_guard)      // 1: no step where the slope is lost, nor beyond the view's depth
+CHOICE(draws_unconverged) // 1: what has not converged is drawn where its search stopped
 CHOICE(estimator)         // ESTIMATOR_PAPER ...
 CHOICE(paper_weights)     // 1: the flux of Shah et al. 2007, eq. 6 and 7
 CHOICE(is_reflection)     // 1: follows what dielectrics mirror, not what they let in

@@ -6,6 +6,9 @@ struct Search {
   Ray ray;
   Float scale;            // what a perspective view's gaps are measured by: view_w of the ray's start
   int iterations;
+  float start;            // where intersect_paper and intersect_newton begin, metres
+  float epsilon;          // Newton's forward difference, metres; 0: a texel's extent
+  bool guarded;           // intersect_newton
   // Whether a point without a surface counts as behind it (a ray leaves a closed body through its silhouette)
   // or as before it (a ray over a hole in the floor flies on).
   bool beyond_is_behind;
@@ -20,6 +23,9 @@ Search search_along(IN(View) view, IN(Ray) ray, int iterations, bool beyond_is_b
   search.ray = ray;
   search.scale = view_w(view, view_coordinates(view, ray.start));
   search.iterations = iterations;
+  search.start = 0.0f;
+  search.epsilon = 0.0f;
+  search.guarded = true;
   search.beyond_is_behind = beyond_is_behind;
   search.first = Float(0.0f);
   search.reach = Float(view.far - view.near);
@@ -121,6 +127,10 @@ Hit hit_at(Float distance, Gap gap) {
   return hit;
 }
 
+// The residual of a search that has come to no place at all, on a surface or off it.
+Float lost_residual() { return Float(1.0e30f); }
+Bool is_found(IN(Hit) hit) { return hit.residual < 1.0e29f; }
+
 Hit chosen(Bool condition, IN(Hit) a, IN(Hit) b) {
   Hit hit;
   hit.distance = sel(condition, a.distance, b.distance);
@@ -139,7 +149,7 @@ Bool is_met(IN(Hit) hit, Texture positions, IN(View) view, Vec3 p) {
 // The paper's derivative-free estimator (Shah et al. 2007, appendix's modified Newton): the distance
 // from the ray's start to the surface point under the current guess is the next guess.
 Hit intersect_paper(Texture positions, IN(View) view, IN(Search) search) {
-  Float t = Float(0.0f);
+  Float t = Float(search.start);
   for (int k = 0; k < search.iterations; k++) {
     Vec2 uv = view_uv(view, view_coordinates(view, point_along(search.ray, t)));
     Vec4 under = fetch_nearest(positions, uv.x, uv.y);
@@ -160,14 +170,16 @@ Vec4 surface_point(Texture positions, IN(View) view, Vec3 p) {
 }
 
 // Newton-Raphson on f(x) = |P(x) - p(x)|, the distance between the ray's point at x and the surface point
-// under it, with a forward difference for f' (Shah et al. 2007, appendix), from x = 0.10 m as there. Guarded:
-// where f' is less than 1e-3 (the difference straddles f's kink at the root, or the surface is lost) the
-// derivative-free step
-// |P(x) - start| is taken, and no step leaves the range of depths.
+// under it, with a forward difference for f' (Shah et al. 2007, appendix). Guarded: where f' is less than
+// 1e-3 (the difference straddles f's kink at the root, or the surface is lost) the derivative-free step
+// |P(x) - start| is taken, and no step leaves the range of depths. Unguarded, as the listing has it: it may
+// jump to where no number is, and is lost there.
 Hit intersect_newton(Texture positions, IN(View) view, IN(Search) search) {
   Float reach = Float(view.far - view.near);
   Float stencil = search.scale * texel_extent(positions, view);
-  Float x = Float(0.1f);
+  if (search.epsilon > 0.0f) stencil = Float(search.epsilon);
+  Float x = Float(search.start);
+  Bool finite = Bool(true);
   for (int k = 0; k < search.iterations; k++) {
     Vec3 p = point_along(search.ray, x);
     Vec4 under = surface_point(positions, view, p);
@@ -175,13 +187,25 @@ Hit intersect_newton(Texture positions, IN(View) view, IN(Search) search) {
     Vec4 under_ahead = surface_point(positions, view, ahead);
     Float f = length3(Vec3(under) - p);
     Float slope = (length3(Vec3(under_ahead) - ahead) - f) / stencil;
-    Bool steep = abs(slope) > 1.0e-3f && is_covered(under) && is_covered(under_ahead);
-    Float newton = x - f / sel(steep, slope, Float(1.0f));
-    Float derivative_free = sel(is_covered(under), length3(Vec3(under) - search.ray.start), x * 0.5f);
-    x = clamp_to(sel(steep, newton, derivative_free), 0.0f, reach);
+    if (search.guarded) {
+      Bool steep = abs(slope) > 1.0e-3f && is_covered(under) && is_covered(under_ahead);
+      Float newton = x - f / sel(steep, slope, Float(1.0f));
+      Float derivative_free = sel(is_covered(under), length3(Vec3(under) - search.ray.start), x * 0.5f);
+      x = clamp_to(sel(steep, newton, derivative_free), 0.0f, reach);
+    } else {
+      // Places so far off are none that single precision can tell apart in the view.
+      Bool level = slope == 0.0f;
+      Float next = x - f / sel(level, Float(1.0f), slope);
+      finite = finite && !level && abs(next) < 1.0e6f * reach;
+      x = sel(finite, next, Float(0.0f));
+    }
     TRACE(distance, x);
   }
-  return hit_at(x, gap_at(positions, view, point_along(search.ray, x), search.scale, true));
+  Hit hit = hit_at(x, gap_at(positions, view, point_along(search.ray, x), search.scale, true));
+  hit.residual = sel(finite, hit.residual, lost_residual());
+  hit.inside = hit.inside || !finite;
+  hit.covered = hit.covered || !finite;
+  return hit;
 }
 
 // Between which distances a ray comes behind a surface, and where to look first.

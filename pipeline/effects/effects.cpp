@@ -141,16 +141,25 @@ void add_hidden_receivers(const Scene& scene, const Settings& settings, Effects&
   const bool window = std::any_of(effects.lights.begin(), effects.lights.end(),
                                   [](const LightEffects& light) { return light.all_around.empty(); });
   const bool plane = receivers_are_one_plane(scene, effects);
-  const bool active = effects.caustics.active && settings.hidden_receivers && !plane && window &&
-                      !effects.medium.active && settings.estimator != Estimator::Impostor;
-  effects.hidden_receivers = {active, active                       ? "receivers can hide others from a light"
-                                      : !effects.caustics.active   ? "there is no caustic"
-                                      : plane                      ? "all receivers lie in one plane"
-                                      : !settings.hidden_receivers ? "not asked for"
-                                      : settings.estimator == Estimator::Impostor
-                                          ? "impostors see around the casters"
-                                      : !window ? "the lights see all around"
-                                                : "not simulated in a medium"};
+  const bool active = effects.caustics.active && settings.hidden_receivers && !settings.draw_unconverged &&
+                      !plane && window && !effects.medium.active && settings.estimator != Estimator::Impostor;
+  effects.hidden_receivers = {
+      active, active                       ? "receivers can hide others from a light"
+              : !effects.caustics.active   ? "there is no caustic"
+              : plane                      ? "all receivers lie in one plane"
+              : !settings.hidden_receivers ? "not asked for"
+              : settings.draw_unconverged  ? "what has not converged is drawn where its search stopped"
+              : settings.estimator == Estimator::Impostor ? "impostors see around the casters"
+              : !window                                   ? "the lights see all around"
+                                                          : "not simulated in a medium"};
+}
+
+void add_paper_weights(const Settings& settings, Effects& effects) {
+  const bool asked = settings.weights == Weights::Paper;
+  effects.paper_weights = {asked && effects.caustics.active, !asked ? "not asked for"
+                                                             : effects.caustics.active
+                                                                 ? "equation 6 was asked for"
+                                                                 : "there is no caustic"};
 }
 
 // What is found in the scene but not simulated yet: never active, and the reason says so.
@@ -217,6 +226,7 @@ std::span<const NamedEffect> named_effects() {
       {"all around", &Effects::all_around},
       {"cascades", &Effects::cascades},
       {"hidden receivers", &Effects::hidden_receivers},
+      {"paper weights", &Effects::paper_weights},
       {"rough glass", &Effects::rough_glass},
   };
   return kNames;
@@ -241,6 +251,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_all_around(scene, settings, effects);
   effects.cascades = {false, why_no_cascades(settings)};
   add_hidden_receivers(scene, settings, effects);
+  add_paper_weights(settings, effects);
   add_missing_effects(judgements, effects);
   add_camera(scene, camera, effects);
   return effects;

@@ -27,6 +27,8 @@ std::string_view name_of(LandingStatus status) {
       return "not_converged";
     case LandingStatus::ExitNotFound:
       return "exit_not_found";
+    case LandingStatus::Stopped:
+      return "stopped";
   }
   return "?";
 }
@@ -67,6 +69,7 @@ FluxRgb* account_of(Ledger& ledger, LandingStatus status) {
       return &ledger.exit_not_found;
     case LandingStatus::Empty:
     case LandingStatus::Landed:
+    case LandingStatus::Stopped:
       return nullptr;
   }
   return nullptr;

@@ -24,8 +24,13 @@ enum class LandingStatus : std::uint8_t {
   Absorbed = STATUS_ABSORBED,                 // less than a millionth is left
   NotConverged = STATUS_NOT_CONVERGED,        // the estimator did not close in on a receiver
   ExitNotFound = STATUS_EXIT_NOT_FOUND,       // nor on the caster's second surface: it may lie behind another
+  Stopped = STATUS_STOPPED,  // not converged; drawn where it stopped all the same, as was asked for
 };
-inline constexpr int kLandingStatuses = 8;
+inline constexpr int kLandingStatuses = 9;
+// Is its light drawn into the caustic map?
+constexpr bool is_drawn(LandingStatus status) {
+  return status == LandingStatus::Landed || status == LandingStatus::Stopped;
+}
 std::string_view name_of(LandingStatus status);
 
 using FluxRgb = std::array<double, 3>;

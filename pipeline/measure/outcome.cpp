@@ -29,6 +29,7 @@ std::string reason_of(LandingStatus status) {
       return "where its light leaves it was not found: behind a nearer second surface, perhaps";
     case LandingStatus::Empty:
     case LandingStatus::Landed:
+    case LandingStatus::Stopped:
       break;
   }
   return "hardly any of its light is left";

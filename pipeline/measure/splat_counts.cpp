@@ -57,7 +57,7 @@ void add_landings(const BranchImages& images, const SplatKernel& kernel, const V
   const std140::View uniforms = shader_view(view);
   for (int y = 0; y < images.landing.height(); ++y)
     for (int x = 0; x < images.landing.width(); ++x) {
-      if (images.landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
+      if (!is_drawn(static_cast<LandingStatus>(static_cast<int>(images.landing.at(x, y, 3))))) continue;
       if (share_of_points(images.cell_flux, x, y) <= 0.0) continue;
       const glm::dvec2 texel = texel_of(images, x, y, uniforms, map);
       counts.add(texel - kernel.radius, texel + kernel.radius);

@@ -103,6 +103,7 @@ enum class DrawSet : std::uint8_t {
   SolidCasters,   // every Refractor with two interfaces
   ThinPanes,      // every ThinPane
   GridVertices,   // grid * grid points
+  GridColumns,    // grid points
   GridCells,      // (grid - 1) * (grid - 1) points
   GridCellQuads,  // (grid - 1) * (grid - 1) quadrilaterals of two triangles
   Beams,          // beams * beams quadrilaterals of two triangles

@@ -174,7 +174,7 @@ void add_landings(const Image& landing, const Image& flux, const View& view,
                                                     std::fabs(exact::dot(view.up, view.origin)));
   for (int y = 0; y < landing.height(); ++y)
     for (int x = 0; x < landing.width(); ++x) {
-      if (landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
+      if (!is_drawn(static_cast<LandingStatus>(static_cast<int>(landing.at(x, y, 3))))) continue;
       const glm::dvec3 p{landing.at(x, y, 0), landing.at(x, y, 1), landing.at(x, y, 2)};
       const glm::dvec3 q = view.coordinates(p);
       const double w = view.perspective ? q.z : 1.0;

@@ -34,6 +34,7 @@ bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
       return role.role == Role::ThinPane;
     case DrawSet::FullScreen:
     case DrawSet::GridVertices:
+    case DrawSet::GridColumns:
     case DrawSet::GridCells:
     case DrawSet::GridCellQuads:
     case DrawSet::Beams:
@@ -70,6 +71,9 @@ class PassRunner {
       case DrawSet::GridVertices:
         run.draws.push_back(
             draw(pass, planned, context, MeshId::None, inputs_.settings->grid * inputs_.settings->grid));
+        break;
+      case DrawSet::GridColumns:
+        run.draws.push_back(draw(pass, planned, context, MeshId::None, inputs_.settings->grid));
         break;
       case DrawSet::GridCells:
         if (const int cells = inputs_.settings->grid - 1; cells > 0)

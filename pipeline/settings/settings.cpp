@@ -35,6 +35,7 @@ constexpr Named<bool> kViews[] = {{"fitted", false}, {"shared", true}};
 constexpr Named<Cube> kCubes[] = {{"auto", Cube::Auto}, {"on", Cube::On}, {"off", Cube::Off}};
 constexpr Named<bool> kNoYes[] = {{"no", false}, {"yes", true}};
 constexpr Named<bool> kOffOn[] = {{"off", false}, {"on", true}};
+constexpr Named<bool> kDropDraw[] = {{"drop", false}, {"draw", true}};
 constexpr Named<bool> kAutoOff[] = {{"auto", true}, {"off", false}};
 
 // Empty where the value has no name.
@@ -150,6 +151,18 @@ constexpr Setting kTable[] = {
                              "steps of each camera ray through a medium"),
     number<&S::iterations>("iterations", Part::Maps, {1, 1000}, "steps of the estimator at each surface"),
     choice<&S::estimator, kEstimators>("estimator", Part::Maps, "what finds where a ray lands"),
+    optional_number<&S::search_start>(
+        "search.start", Part::Maps, {0, 1e6, "metres"},
+        "where on the ray the estimators paper and newton begin; auto: 0 and 0.10"),
+    optional_number<&S::newton_epsilon>(
+        "newton.epsilon", Part::Maps, {1e-6, 1e3, "metres"},
+        "step of the estimator newton's forward difference; auto: a texel's extent"),
+    choice<&S::newton_guard, kOffOn>("newton.guard", Part::Maps,
+                                     "the estimator newton takes no step where its slope is lost, nor beyond "
+                                     "the light's view"),
+    choice<&S::draw_unconverged, kDropDraw>(
+        "unconverged", Part::Maps,
+        "light whose search has not ended on a surface: booked as lost, or drawn where the search stopped"),
     choice<&S::thickness, kThicknesses>(
         "thickness", Part::Maps,
         "what tells a ray's way inside a solid caster: the map of its back, or "

@@ -34,6 +34,10 @@ struct Settings {
   int medium_steps = 32;
   int iterations = 5;
   Estimator estimator = Estimator::Secant;
+  std::optional<float> search_start;    // none: 0.10 m for Newton, 0 for the paper's
+  std::optional<float> newton_epsilon;  // none: a texel's extent
+  bool newton_guard = true;
+  bool draw_unconverged = false;
   Thickness thickness = Thickness::Map;
   Splat splat = Splat::Cell;
   float gaussian_sigma = 0.7f;

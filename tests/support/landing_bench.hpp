@@ -16,7 +16,7 @@ struct LandingTextures {
   Image position, normal;  // of the caster map
   Image exit_position{}, exit_normal{};
   Image receiver, materials;
-  Image tint{}, impostor{};
+  Image tint{}, impostor{}, caster_flux{};
 };
 
 inline PassImages run_landing(const std140::Landing& uniforms, const LandingTextures& t) {
@@ -25,7 +25,7 @@ inline PassImages run_landing(const std140::Landing& uniforms, const LandingText
                    .height = t.position.height(),
                    .uniforms = uniform_bytes(uniforms),
                    .textures = {t.position, t.normal, t.exit_position, t.exit_normal, t.receiver, t.materials,
-                                t.tint, t.impostor, Image{}}});
+                                t.tint, t.impostor, Image{}, t.caster_flux}});
 }
 
 // Of a light straight down whose maps all have one view; whatever is not named is off.
@@ -41,6 +41,7 @@ inline std140::Landing bench_uniforms(const View& view, const View& impostors, i
   u.impostor = shader_view(impostors);
   u.estimator = estimator;
   u.iterations = iterations;
+  u.newton_guard = 1;
   return u;
 }
 
@@ -69,6 +70,11 @@ struct LandingBench {
   int iterations = 5;
   int estimator = ESTIMATOR_SECANT;
   bool paper_weights = false;
+  glm::vec2 caster_flux{4.0f, 4.0f};  // flux on all grid vertices in cells, and how many they are
+  float search_start = 0.0f;
+  float newton_epsilon = 0.0f;
+  bool newton_guard = true;
+  bool draws_unconverged = false;
   Image receiver = floor_map(64, 0.0, 0.0);
   View impostors = with_atlas(cube_view({0.0, 2.0, 0.0}, {1.0, 20.0}), 300);
   Image impostor;  // positions around impostors.origin
@@ -118,6 +124,10 @@ struct LandingBench {
     u.receivers_lower = receivers_lower;
     u.receivers_upper = receivers_upper;
     u.paper_weights = paper_weights;
+    u.search_start = search_start;
+    u.newton_epsilon = newton_epsilon;
+    u.newton_guard = newton_guard;
+    u.draws_unconverged = draws_unconverged;
     u.is_reflection = reflected;
     u.has_mirrors = mirror;
     u.has_exit_maps = solid;
@@ -131,7 +141,8 @@ struct LandingBench {
                            .receiver = receiver,
                            .materials = materials(),
                            .tint = tint ? filled(2, 2, glm::vec4(*tint, 1.0f)) : Image{},
-                           .impostor = impostor});
+                           .impostor = impostor,
+                           .caster_flux = filled(1, 1, {caster_flux.x, caster_flux.y, 0.0f, 0.0f})});
   }
 };
 

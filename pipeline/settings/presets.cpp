@@ -1,0 +1,38 @@
+#include "pipeline/settings/presets.hpp"
+
+#include <string>
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+namespace {
+
+// The grid and the iterations are those of its figures, the start that of its appendix.
+constexpr PresetValue kPaper[] = {
+    {"grid", "128"},        {"iterations", "3"}, {"estimator", "paper"},      {"search.start", "0.1"},
+    {"thickness", "wyman"}, {"splat", "point"},  {"unconverged", "draw"},     {"weights", "paper"},
+    {"pixel_means", "off"}, {"cascades", "off"}, {"hidden_receivers", "off"},
+};
+
+constexpr Preset kPresets[] = {{"paper", "the frame of Shah, Konttinen and Pattanaik (2007)", kPaper}};
+
+}  // namespace
+
+std::span<const Preset> all_presets() { return kPresets; }
+
+void apply_preset(Settings& settings, std::string_view name) {
+  std::string names;
+  for (const Preset& preset : kPresets) {
+    names += (names.empty() ? "'" : ", '") + std::string(preset.name) + "'";
+    if (preset.name != name) continue;
+    for (const PresetValue& each : preset.values) set_option(settings, each.setting, each.value);
+    return;
+  }
+  throw Error(ExitCode::WrongUsage,
+              "there is no preset '" + one_line(std::string(name)).substr(0, 60) + "'; there is " + names);
+}
+
+}  // namespace caustics
