@@ -129,11 +129,11 @@ std::vector<std::string> textures_for(const OutputRequest& request) {
       textures.emplace_back("picture");
     } else {
       for (const std::string& name : layers_of(request)) {
-        const Layer& layer = find_layer(name);
-        if (is_stated_error(layer)) {
+        const Layer& wanted = find_layer(name);
+        if (is_stated_error(wanted)) {
           textures.insert(textures.end(), std::begin(kForStatedError), std::end(kForStatedError));
         } else {
-          textures.emplace_back(layer.texture);
+          textures.emplace_back(wanted.texture);
         }
       }
     }

@@ -214,7 +214,7 @@ double flux_of_points(const BranchImages& images) {
   double sum = 0.0;
   for (int y = 0; y < images.landing.height(); ++y)
     for (int x = 0; x < images.landing.width(); ++x)
-      if (images.landing.at(x, y, 3) == static_cast<float>(LandingStatus::Landed))
+      if (is_drawn(static_cast<LandingStatus>(images.landing.at(x, y, 3))))
         sum += share_of_points(images.cell_flux, x, y) * sum_rgb(images.flux, x, y);
   return sum;
 }
@@ -223,7 +223,7 @@ double flux_of_points(const BranchImages& images) {
 void compare_splats(const BranchImages& images, const View& view, int map, Moved& moved) {
   for (int y = 0; y < images.landing.height(); ++y)
     for (int x = 0; x < images.landing.width(); ++x) {
-      if (images.landing.at(x, y, 3) != static_cast<float>(LandingStatus::Landed)) continue;
+      if (!is_drawn(static_cast<LandingStatus>(images.landing.at(x, y, 3)))) continue;
       const glm::dvec3 p{images.landing.at(x, y, 0), images.landing.at(x, y, 1), images.landing.at(x, y, 2)};
       const glm::dvec2 texel = (view.window(view.coordinates(p)) - view.window_lower) /
                                (view.window_upper - view.window_lower) * static_cast<double>(map);

@@ -86,7 +86,7 @@ void ModelError::compare(const Sample& sample, const Vertex& vertex) {
     const auto status = static_cast<LandingStatus>(images.landing.at(vertex.x, vertex.y, 3));
     lost = lost || status == LandingStatus::NotConverged || status == LandingStatus::Outside ||
            status == LandingStatus::ExitNotFound;
-    if (status != LandingStatus::Landed) continue;
+    if (!is_drawn(status)) continue;
     const glm::dvec3 p = texel_rgb(images.landing, vertex.x, vertex.y);
     const auto place = blocks_.find(p);
     if (!place || !sees(p)) continue;

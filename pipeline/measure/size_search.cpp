@@ -9,9 +9,8 @@ namespace {
 // Sizes of grid and maps that are chosen from.
 constexpr int kSides[] = {64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
 constexpr std::size_t kMostTrials = 8;
-// Room for what a cost model gets wrong: before anything has met the demand, and when stepping down from
-// that.
-constexpr double kMargin = 0.85, kNextMargin = 0.97;
+// Room for what a cost model gets wrong, until something has met the demand.
+constexpr double kMargin = 0.85;
 // What is gained must be more than this share to be worth a trial.
 constexpr double kWorthTrying = 0.1;
 // How many times longer than the last one a trial may be expected to take: a cost model is not to be trusted
@@ -88,7 +87,7 @@ std::optional<Trial> SizeSearch::next() const {
   const std::optional<Trial> best = chosen();
   if (is_met(*best)) return better_than(*best);
   const std::optional<Trial> trial = first_to_meet(kFarther * trials_.back().milliseconds);
-  if (!trial) return {};
+  if (!trial || candidate(*trial).demanded <= bound()) return trial;
   // Not worth its time where hardly anything is gained by it, of the whole error.
   const auto missed_by = [&](const Trial& t) { return demand_.error ? t.error() : t.milliseconds; };
   return missed_by(*trial) <= (1.0 - kWorthTrying) * missed_by(*best) ? trial : std::nullopt;
