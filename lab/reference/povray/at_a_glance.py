@@ -54,7 +54,7 @@ def frames(bench):
     rays, spent = 64, 0.0
     while rays < 4096 and spent < defaults[1]:
         rays *= 2
-        spent = least_wall(lambda: bench.caustics('reference', 'equal', '--rays', rays, '--batches', '1',
+        spent = least_wall(lambda: bench.caustics('reference', 'equal', '--rays', rays, '--batches', '2',
                                                   '--aov', 'caustic'), 1)
     yield f'traced light, {rays} x {rays} rays', spent, error(bench.read('equal', 'caustic'))
     for photons in PHOTONS:
