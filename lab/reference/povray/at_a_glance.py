@@ -72,36 +72,42 @@ def table(results):
     return '\n'.join(lines) + '\n'
 
 
+def mark(kind, x, y, color):
+    """A sign for one way to the picture."""
+    shapes = {'paper': 'M-5 -5H5V5H-5Z', 'defaults': 'M-6 0L0 -6L6 0L0 6Z', 'traced': 'M0 -6L6 5H-6Z',
+              'target': 'M-4 0A4 4 0 1 1 4 0A4 4 0 1 1 -4 0', 'POV-Ray': 'M-5 -5L5 5M5 -5L-5 5'}
+    shape = next(shapes[word] for word in shapes if word in kind)
+    return f'<path transform="translate({x:.1f} {y:.1f})" d="{shape}" fill="{color}" stroke="{color}"/>'
+
+
 def plot(results):
-    """Error over milliseconds, both by powers of ten."""
+    """Error over milliseconds, both logarithmic."""
     points = [(t, e) for rows in results.values() for _, t, e in rows]
-    low = [math.floor(math.log10(min(p[k] for p in points))) for k in (0, 1)]
-    high = [math.ceil(math.log10(max(p[k] for p in points))) for k in (0, 1)]
-    width, height, edge = 760, 420, 56
+    low, high = ([pick(p[k] for p in points) * by for k in (0, 1)] for pick, by in ((min, 0.8), (max, 1.25)))
+    width, height, edge = 760, 460, 60
 
     def place(t, e):
-        x = edge + (width - 2 * edge) * (math.log10(t) - low[0]) / (high[0] - low[0])
-        return x, height - edge - (height - 2 * edge) * (math.log10(e) - low[1]) / (high[1] - low[1])
+        along = [math.log(v / a) / math.log(b / a) for v, a, b in zip((t, e), low, high)]
+        return edge + (width - 2 * edge) * along[0], height - edge - (height - 2 * edge) * along[1]
 
     text = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" '
-            'font-size="12">', f'<rect width="{width}" height="{height}" fill="white"/>']
-    for k in range(low[0], high[0] + 1):
-        x = place(10.0 ** k, 10.0 ** low[1])[0]
+            'font-size="13">', f'<rect width="{width}" height="{height}" fill="white"/>']
+    steps = [digit * 10.0 ** power for power in range(-5, 6) for digit in (1, 2, 5)]
+    for t in (t for t in steps if low[0] <= t <= high[0]):
+        x = place(t, low[1])[0]
         text += [f'<path d="M{x:.1f} {edge}V{height - edge}" stroke="#ddd"/>',
-                 f'<text x="{x:.1f}" y="{height - edge + 18}" text-anchor="middle">{10.0 ** k:g} ms</text>']
-    for k in range(low[1], high[1] + 1):
-        y = place(10.0 ** low[0], 10.0 ** k)[1]
+                 f'<text x="{x:.1f}" y="{height - edge + 18}" text-anchor="middle">{t:g} ms</text>']
+    for e in (e for e in steps if low[1] <= e <= high[1]):
+        y = place(low[0], e)[1]
         text += [f'<path d="M{edge} {y:.1f}H{width - edge}" stroke="#ddd"/>',
-                 f'<text x="{edge - 6}" y="{y + 4:.1f}" text-anchor="end">{100 * 10.0 ** k:g} %</text>']
-    for color, (scene, rows) in zip(COLORS, results.items()):
-        for name, t, e in rows:
-            x, y = place(t, e)
-            label = re.sub('[`-]|, .*', '', name).strip()
-            text += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{color}"/>',
-                     f'<text x="{x + 7:.1f}" y="{y + 4:.1f}" fill="{color}">{label}</text>']
+                 f'<text x="{edge - 6}" y="{y + 4:.1f}" text-anchor="end">{100 * e:g} %</text>']
+    for color, rows in zip(COLORS, results.values()):
+        text += [mark(name, *place(t, e), color) for name, t, e in rows]
     for i, (color, scene) in enumerate(zip(COLORS, results)):
-        text.append(f'<text x="{width - edge}" y="{edge - 24 + 15 * i}" text-anchor="end" fill="{color}">'
-                    f'{scene}</text>')
+        text.append(f'<text x="{edge + 150 * i}" y="30" fill="{color}">{scene}</text>')
+    for i, kind in enumerate(('--preset paper', 'defaults', '--target-error', 'traced light', 'POV-Ray')):
+        text += [mark(kind, edge + 135 * i, height - 18, '#444'),
+                 f'<text x="{edge + 135 * i + 10}" y="{height - 14}">{kind}</text>']
     return '\n'.join(text + ['</svg>', ''])
 
 
