@@ -36,7 +36,8 @@ def bottle(foot, wall=0.025, level=0.62):
     radius, shoulder, neck, top = 0.22, foot + 0.62, 0.08, foot + 1.0
     inside = radius - wall
     outer = (line((radius, foot), (radius, shoulder), 8) +
-             line((radius, shoulder), (neck, foot + 0.80), 8)[1:] + line((neck, foot + 0.80), (neck, top), 3)[1:])
+             line((radius, shoulder), (neck, foot + 0.80), 8)[1:] +
+             line((neck, foot + 0.80), (neck, top), 3)[1:])
     inner = (line((neck - wall, top), (neck - wall, foot + 0.80), 3) +
              line((neck - wall, foot + 0.80), (inside, shoulder), 8)[1:] +
              line((inside, shoulder), (inside, foot + 0.06), 8)[1:])
