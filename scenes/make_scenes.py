@@ -415,8 +415,8 @@ def hollow_ball():
     p, n, i = icosphere((0.0, 0.55, 0.0), 0.38, 4)
     first = len(shell[0])
     inside = [first + i[k + o] for k in range(0, len(i), 3) for o in (0, 2, 1)]
-    return real_glass(('shell', (shell[0] + p, shell[1] + [mul(v, -1.0) for v in n], shell[2] + inside), GLASS),
-                      sun=steep(20))
+    inward = [mul(v, -1.0) for v in n]
+    return real_glass(('shell', (shell[0] + p, shell[1] + inward, shell[2] + inside), GLASS), sun=steep(20))
 
 
 def bubbles():

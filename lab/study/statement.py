@@ -47,7 +47,8 @@ def traced(program, scene, folder):
 def judged(program, scene, truth, options, folder):
     """True and stated error of one frame."""
     picture, stats = folder / 'frame.exr', folder / 'frame.json'
-    done = run(program, scene, *VIEW, '-o', picture, '--aov', 'caustic', '--stats', stats, '--quiet', *options)
+    done = run(program, scene, *VIEW, '-o', picture, '--aov', 'caustic', '--stats', stats, '--quiet',
+               *options)
     if done.returncode:
         sys.exit(f'{scene} {options}: {done.stderr.strip()}')
     lights = [light for light in json.loads(stats.read_text())['lights'] if light['estimated_error']]
@@ -79,8 +80,8 @@ def main():
         fits = stated is not None and (max(true, stated) <= equal or 0.5 <= stated / max(true, 1e-9) <= 2.0)
         right += fits
         rows.append([scene.stem, ' '.join(chosen[1::2]), f'{true:.4f}', f'{stated or 0:.4f}', str(int(fits))])
-        print(f'{k + 1:4} {"  " if fits else "NO"} {scene.stem:24} true {true:7.4f} stated {stated or 0:7.4f} '
-              f'noise {noise:.4f}  {" ".join(chosen[1::2])}', flush=True)
+        print(f'{k + 1:4} {"  " if fits else "NO"} {scene.stem:24} true {true:7.4f} '
+              f'stated {stated or 0:7.4f} noise {noise:.4f}  {" ".join(chosen[1::2])}', flush=True)
     (options.output / 'statement.csv').write_text(
         '\n'.join(['scene,settings,true,stated,fits'] + [','.join(row) for row in rows]) + os.linesep)
     print(f'{right} of {options.settings} within a factor of two: {100 * right / options.settings:.0f} %')

@@ -17,7 +17,8 @@ def wine_glass(foot, wall=0.022):
     outer = arc((0.0, bowl), radius, -84, 50, 28)
     inner = arc((0.0, bowl), radius - wall, 50, -90, 28)
     return [line((0.0, foot), (0.22, foot), 4),
-            line((0.22, foot), (0.22, foot + 0.012)) + line((0.22, foot + 0.012), (0.03, foot + 0.06), 6)[1:] +
+            line((0.22, foot), (0.22, foot + 0.012)) +
+            line((0.22, foot + 0.012), (0.03, foot + 0.06), 6)[1:] +
             line((0.03, foot + 0.06), (0.03, foot + 0.40), 6)[1:] + outer,
             line(outer[-1], inner[0]),
             inner]
