@@ -83,15 +83,16 @@ def mark(kind, x, y, color):
 def plot(results):
     """Error over milliseconds, both logarithmic."""
     points = [(t, e) for rows in results.values() for _, t, e in rows]
-    low, high = ([pick(p[k] for p in points) * by for k in (0, 1)] for pick, by in ((min, 0.8), (max, 1.25)))
+    low, high = ([pick(p[k] for p in points) * by for k in (0, 1)]
+                 for pick, by in ((min, 0.8), (max, 1.25)))
     width, height, edge = 760, 460, 60
 
     def place(t, e):
         along = [math.log(v / a) / math.log(b / a) for v, a, b in zip((t, e), low, high)]
         return edge + (width - 2 * edge) * along[0], height - edge - (height - 2 * edge) * along[1]
 
-    text = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" '
-            'font-size="13">', f'<rect width="{width}" height="{height}" fill="white"/>']
+    text = ['<svg xmlns="http://www.w3.org/2000/svg" font-family="sans-serif" font-size="13" '
+            f'viewBox="0 0 {width} {height}">', f'<rect width="{width}" height="{height}" fill="white"/>']
     steps = [digit * 10.0 ** power for power in range(-5, 6) for digit in (1, 2, 5)]
     for t in (t for t in steps if low[0] <= t <= high[0]):
         x = place(t, low[1])[0]
