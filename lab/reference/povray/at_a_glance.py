@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What accuracy costs in time, at one glance: the paper's own frame, the defaults, errors that were asked for,
-traced light in the defaults' time, and POV-Ray, all against full light transport.
+"""What accuracy costs in time, at one glance: the paper's own frame, the defaults, errors that were asked
+for, traced light in the defaults' time, and POV-Ray, all against full light transport.
 
     lab/reference/povray/at_a_glance.py [--scene NAME ...] [-o DIR]
 
