@@ -125,6 +125,7 @@ std::string plan_json(const PlanReport& report) {
                    {"lights", lights_json(scene)},
                    {"expectations", Json::array()},
                    {"leaves_share", Json::array()},
+                   {"model_error", Json::array()},
                    {"effects", Json::array()},
                    {"passes", passes_json(report)},
                    {"skipped", Json::array()},
@@ -140,6 +141,10 @@ std::string plan_json(const PlanReport& report) {
   }
   for (const LightLedger& ledger : report.ledgers) {
     document["leaves_share"].push_back({{"light", ledger.light}, {"share", ledger.leaves()}});
+    if (ledger.error.judged)
+      document["model_error"].push_back({{"light", ledger.light},
+                                         {"error", ledger.error.relative(ledger.error.model)},
+                                         {"not_followed", ledger.error.relative(ledger.error.not_followed)}});
   }
   for (const NamedEffect& named : named_effects()) {
     const Effect& e = effects.*named.effect;

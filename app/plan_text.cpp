@@ -135,6 +135,11 @@ class TextReport {
     }
     text_ += table.text();
     for (const LightLedger& ledger : report_.ledgers) {
+      if (ledger.error.judged && ledger.error.landed > 0.0)
+        text_ += "  light " + light_label(of(), ledger.light) + ": whatever the sizes, the picture errs by " +
+                 percent(ledger.error.relative(ledger.error.model)) + "; " +
+                 percent(ledger.error.relative(ledger.error.not_followed)) +
+                 " of its light lands by ways that are not followed\n";
       const std::string warning = leaving_sentence(of(), ledger);
       if (!warning.empty()) text_ += "  warning: " + warning + "\n";
     }

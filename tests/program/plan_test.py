@@ -195,6 +195,16 @@ class WhatBecomesOfTheLight(PlanTest):
         landed = float(said["reason"].split("; ")[1].split("%")[0])
         self.assertAlmostEqual(landed, 83.6, delta=4)
 
+    def test_what_the_passes_do_not_follow_is_told(self):
+        scene = str(SCENES / "glass_sphere.glb")
+        told = json.loads(self.succeeds("plan", scene, "--json", "--camera", "floor").stdout)["model_error"]
+        # A sphere mirrors 0.0918 of its disc's light, and 0.0727 is still inside after one pass (closed form);
+        # half of either goes down.
+        self.assertLess(told[0]["not_followed"], (0.0918 + 0.0727) / 0.8355)
+        self.assertGreater(told[0]["not_followed"], 0.25 * (0.0918 + 0.0727))
+        self.assertGreater(told[0]["error"], 0.005)
+        self.assertIn("ways that are not followed", self.succeeds("plan", scene).stdout)
+
     def test_a_prism_that_reflects_everything_throws_none(self):
         # 45 degrees are beyond the critical angle of 41.8.
         said = self.expectation(caster=glb.roof())
