@@ -128,7 +128,8 @@ LightPaths::LightPaths(const Scene& scene, const Effects& effects)
     : scene_(scene),
       optics_(optics_of(scene, effects)),
       casters_(scene, meshes_of(optics_, true)),
-      receivers_(scene, meshes_of(optics_, false)) {
+      receivers_(scene, meshes_of(optics_, false)),
+      reflections_(effects.reflections.active) {
   const Bounds bounds = bounds_of(scene);
   if (!bounds.empty()) nearest_ = 4e-6 * std::max(bounds.radius(), 1e-6);
 }
@@ -196,7 +197,7 @@ void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend,
   const auto send = [&](Moving onward, const glm::dvec3& direction, bool crosses) {
     onward.direction = direction;
     onward.crossed = crosses;
-    const bool in = next.surfaces == 1 && crosses != mirror;
+    const bool in = next.surfaces == 1 && (crosses != mirror || reflections_);
     const bool out = next.surfaces == 2 && o.solid && crosses && !met.front;
     onward.followed = moving.followed && (in || out);
     if ((exact::dot(direction, plane) < 0.0) == crosses) pending.push_back(onward);

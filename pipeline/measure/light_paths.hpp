@@ -58,7 +58,8 @@ class LightPaths {
   const Scene& scene_;
   std::vector<Optics> optics_;
   TriangleTree casters_, receivers_;
-  double nearest_ = 1e-6;  // metres: surfaces as near to one another touch
+  bool reflections_ = false;  // what glass mirrors at its first surface is followed by the passes too
+  double nearest_ = 1e-6;     // metres: surfaces as near to one another touch
 };
 
 }  // namespace caustics

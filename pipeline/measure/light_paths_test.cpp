@@ -58,6 +58,19 @@ TEST_CASE(
   CHECK(all == Approx(0.96 / 1.04).margin(4e-4));
 }
 
+TEST_CASE("light paths: what the first surface mirrors is followed where the passes follow it") {
+  Bench bench({box({-1, 0.5, -1}, {1, 0.8, 1}, 1), floor(10.0, 3.0, 0)});
+  Settings settings;
+  for (const bool reflections : {false, true}) {
+    settings.reflections = reflections;
+    const LightPaths paths(bench.scene, effects_of(bench.scene, settings));
+    std::vector<LightLanding> landings;
+    paths.follow({.origin = {0.3, 2.0, 0.2}, .direction = {0, -1, 0}}, landings);
+    // Up to the ceiling: R = 0.04.
+    CHECK(followed_flux(landings, true) == Approx(0.9216 + (reflections ? 0.04 : 0.0)).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("light paths: Snell's law bends the way through a slab, Beer and Lambert's takes its share") {
   Material tinted = glass(1.5f);
   tinted.attenuation_color = {0.5f, 1.0f, 1.0f};
