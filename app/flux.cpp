@@ -1,5 +1,6 @@
 #include "app/flux.hpp"
 
+#include "app/output/light_groups.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/gpu/device.hpp"

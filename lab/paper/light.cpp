@@ -44,7 +44,9 @@ Row mirror_row() {
           for (int x = 0; x < pixels; ++x) {
             const double r = std::hypot((x + 0.5) / pixels * 2.0 - 1.0, (y + 0.5) / pixels * 2.0 - 1.0);
             if (r > ring.inner - 0.004 && r < ring.outer + 0.004) continue;  // the ring stands there
-            const double expected = 10.0 * truth[static_cast<std::size_t>(y * pixels + x)];
+            const double expected =
+                10.0 * truth[static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) +
+                             static_cast<std::size_t>(x)];
             difference += std::fabs(caustic.at(x, y)[1] - expected);
             sum += expected;
           }

@@ -17,7 +17,7 @@ double distance(const std::array<double, 4>& a, const std::array<double, 4>& b) 
 
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
-  const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  const auto place = static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
   return values[place];
 }
