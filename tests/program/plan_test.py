@@ -198,8 +198,8 @@ class WhatBecomesOfTheLight(PlanTest):
     def test_what_the_passes_do_not_follow_is_told(self):
         scene = str(SCENES / "glass_sphere.glb")
         told = json.loads(self.succeeds("plan", scene, "--json", "--camera", "floor").stdout)["model_error"]
-        # A sphere mirrors 0.0918 of its disc's light, and 0.0727 is still inside after one pass (closed form);
-        # half of either goes down.
+        # A sphere mirrors 0.0918 of its disc's light, and 0.0727 is still inside after one pass (closed
+        # form); half of either goes down.
         self.assertLess(told[0]["not_followed"], (0.0918 + 0.0727) / 0.8355)
         self.assertGreater(told[0]["not_followed"], 0.25 * (0.0918 + 0.0727))
         self.assertGreater(told[0]["error"], 0.005)
