@@ -18,8 +18,8 @@ namespace {
 
 // Enough to tell where a light goes, in a moment.
 FrameRequest coarse_request(FrameRequest request) {
-  request.settings.grid = std::min(request.settings.grid, 128);
-  request.settings.map = std::min(request.settings.map, 256);
+  request.settings.grid = std::min<int>(request.settings.grid, 128);
+  request.settings.map = std::min<int>(request.settings.map, 256);
   request.settings.shadow = std::min(request.settings.shadow, 512);
   request.backend = {};
   return request;
@@ -58,7 +58,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
                    PlanGoal{.textures = ledger_textures(), .light_by_light = true});
     coarse->run(reader.watch(*coarse));
   }
-  const PlanReport report{*shown, frame.effects, request.settings, frame.plan, reader.ledgers()};
+  const PlanReport report{*shown, frame.effects, frame.settings, frame.plan, reader.ledgers()};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));
   std::fputs(text.c_str(), stdout);
   return ExitCode::Done;

@@ -7,6 +7,7 @@
 #include "app/shell/terminal.hpp"
 #include "app/study_effects.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/renderer/picture_sides.hpp"
 #include "pipeline/settings/nearest.hpp"
 #include "pipeline/settings/setting.hpp"
 
@@ -132,6 +133,9 @@ Knob knob_of(const Settings& base, const Varied& varied) {
       knob.values.push_back(text);
   }
   refuse_fixed(key);
+  // "auto" is no number to sort by.
+  for (const std::string& value : knob.values) knob.ordered &= value != row.unset;
+  knob.ordered &= knob.base != row.unset;
   return knob;
 }
 
@@ -152,6 +156,8 @@ bool parse_study(const Arguments& arguments, StudyRequest& request) {
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "study");
+  // What is compared has given sides.
+  request.frame.settings = with_least_sides(request.frame.settings);
   if (request.says_how_long && !request.traced.wanted)
     throw Error(ExitCode::WrongUsage,
                 "--truth-error and --truth-seconds are for --truth traced and --truth exact");

@@ -20,14 +20,13 @@ Settings finest_settings(const Settings& base, const std::vector<Knob>& knobs) {
   Settings settings = base;
   for (const Knob& knob : knobs) {
     // More of what is counted is finer.
-    if (knob.key == kWithout || setting(knob.key).kind != Setting::Kind::Count) continue;
+    if (!knob.ordered || setting(knob.key).kind != Setting::Kind::Count) continue;
     std::string most = knob.base;
     for (const std::string& value : knob.values)
       if (std::stod(value) > std::stod(most)) most = value;
     set_option(settings, knob.key, most);
   }
-  settings.grid = std::min(2 * settings.grid, setting("grid").most());
-  settings.map = std::min(2 * settings.map, setting("map").most());
+  for (Side* side : {&settings.grid, &settings.map}) *side = std::min(2 * side->count, setting("map").most());
   return settings;
 }
 

@@ -385,11 +385,11 @@ PassImages run_wide_pixels(Bench bench, int bright_x, int bright_y, bool level =
 }  // namespace
 
 TEST_CASE("light_shading: a pixel wider than texels shows the mean of the caustic over itself") {
-  // 4 texels: a spread of sqrt(16 - 3) = 3.606 texels, by 5 samples at 0, 0.721 and 1.442 texels to either
-  // side. A texel 1.5 from the middle has a share of 1 - (1.5 - 1.442) = 0.942 in one and of 1 - (1.5 -
-  // 0.721) = 0.221 in another: (0.942 + 0.221) / 5 along each axis. The view's y runs against the picture's
-  // here or along it, so all four pixels are added up: one of them has the texel.
-  const double share = (2.0 - (1.5 - 0.4 * std::sqrt(13.0)) - (1.5 - 0.2 * std::sqrt(13.0))) / 5.0;
+  // 4 texels: a spread of sqrt(16 - 1) = 3.873 texels, by 4 samples at 0.484 and 1.452 texels to either side.
+  // A texel 1.5 from the middle has a share of 1 - (1.5 - 1.452) = 0.952 in one of them along each axis, and
+  // none in the others. The view's y runs against the picture's here or along it, so all four pixels are
+  // added up: one of them has the texel.
+  const double share = (1.0 - (1.5 - 0.375 * std::sqrt(15.0))) / 4.0;
   const PassImages out = run_wide_pixels(with_caustic(), 0, 0);
   double sum = 0.0;
   for (int y = 0; y < 2; ++y)

@@ -36,17 +36,17 @@ Float texels_along(Texture map, IN(View) view, Vec3 at, Vec3 step) {
   return min_of(texels * float(texture_width(map)), Float(16384.0f));
 }
 
-// How much of a pixel's side of so many texels is left to average over. A texel is the mean over itself, and
-// interpolation spreads it over two: together the variance of a box of sqrt 3 texels.
+// How much of a pixel's side of so many texels is averaged over: a texel is already the mean over itself, and
+// one interpolated value is spread as widely as a pixel of sqrt 3 texels.
 Float spread_of(Float texels) {
-  return sqrt(max_of(texels * texels - 3.0f, 0.0f));
+  return sel(texels * texels > 3.0f, sqrt(max_of(texels * texels - 1.0f, 0.0f)), Float(0.0f));
 }
 
-// A sample more than the texels that the spread spans.
-Float samples_over(Float spread) {
-  Float whole = Float(floor_to_int(spread));
-  Float count = sel(whole < spread, whole + 2.0f, whole + 1.0f);
-  return clamp_to(count, 1.0f, float(u.samples_across));
+// A sample for each texel of the side.
+Float samples_over(Float spread, Float texels) {
+  Float whole = Float(floor_to_int(texels));
+  Float count = sel(whole < texels, whole + 1.0f, whole);
+  return clamp_to(sel(spread > 0.0f, count, Float(1.0f)), 1.0f, float(u.samples_across));
 }
 
 // Of a point that `receives`; the others, and those whose pixel lies beside the map, count once.
@@ -68,7 +68,7 @@ Footprint footprint_at(IN(SurfacePoint) surface, Vec3 at, Bool receives) {
   Float high = sel(counts, spread_of(rows), Float(0.0f));
   f.across = f.across * (wide / max_of(columns, 1.0f));
   f.upward = f.upward * (high / max_of(rows, 1.0f));
-  f.columns = samples_over(wide);
-  f.rows = samples_over(high);
+  f.columns = samples_over(wide, columns);
+  f.rows = samples_over(high, rows);
   return f;
 }

@@ -137,10 +137,10 @@ void add_emitters(const Scene& scene, Effects& effects) {
 }
 
 // Receivers that are one plane hide nothing from any light.
-void add_hidden_receivers(const Scene& scene, const Settings& settings, Effects& effects) {
+void add_hidden_receivers(const Settings& settings, Effects& effects) {
   const bool window = std::any_of(effects.lights.begin(), effects.lights.end(),
                                   [](const LightEffects& light) { return light.all_around.empty(); });
-  const bool plane = receivers_are_one_plane(scene, effects);
+  const bool plane = effects.receivers_are_one_plane;
   const bool active = effects.caustics.active && settings.hidden_receivers && !settings.draw_unconverged &&
                       !plane && window && !effects.medium.active && settings.estimator != Estimator::Impostor;
   effects.hidden_receivers = {
@@ -250,7 +250,8 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_medium(scene, effects);
   add_all_around(scene, settings, effects);
   effects.cascades = {false, why_no_cascades(settings)};
-  add_hidden_receivers(scene, settings, effects);
+  effects.receivers_are_one_plane = receivers_are_one_plane(scene, effects);
+  add_hidden_receivers(settings, effects);
   add_paper_weights(settings, effects);
   add_missing_effects(judgements, effects);
   add_camera(scene, camera, effects);

@@ -68,6 +68,7 @@ struct Effects {
   std::vector<Expectation> expectations;
   std::vector<Branch> branches{Branch{}};  // at least one
   std::vector<LightEffects> lights;        // by Scene::lights
+  bool receivers_are_one_plane = false;    // or there is none
   View impostors;  // where distance_impostors is active: the cube around the casters, without an atlas yet
 
   Effect light;                  // any light

@@ -11,6 +11,10 @@ namespace caustics {
 
 namespace {
 
+// Texels by which a plane is known well enough: between them its points are interpolated without error, and
+// only its edges are as wide as a texel.
+constexpr int kSideOfPlane = 512;
+
 bool wanted(Condition condition, const Effects& effects) { return !condition || condition(effects); }
 
 Permutation permutation_of(const Pass& pass, const Effects& effects) {
@@ -149,8 +153,9 @@ TargetSize shadow_size(const Settings& settings, const Effects&, const LightEffe
 
 TargetSize receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light) {
   const bool hides = effects.hidden_receivers.active && light && sees_through_window(*light);
-  const int side = hides ? 2 * settings.map : settings.map;
-  return {side, side};
+  const int side =
+      effects.receivers_are_one_plane ? std::min<int>(settings.map, kSideOfPlane) : int{settings.map};
+  return hides ? TargetSize{2 * side, 2 * side} : TargetSize{side, side};
 }
 
 TargetSize beams_size(const Settings& settings, const Effects&, const LightEffects*) {

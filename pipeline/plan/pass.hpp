@@ -266,8 +266,8 @@ void validate(const Registry& registry);
 TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*);
 TargetSize map_size(const Settings& settings, const Effects&, const LightEffects*);
 TargetSize shadow_size(const Settings& settings, const Effects&, const LightEffects*);
-// Twice the map's where receivers can hide others from the light: then its texels, not planes, tell where
-// light lands.
+// The map's, for one plane no more than 512; twice the map's where receivers can hide others from the light:
+// then its texels, not planes, tell where light lands.
 TargetSize receiver_size(const Settings& settings, const Effects& effects, const LightEffects* light);
 // The grid's, coarser where one beam stands for several grid vertices.
 TargetSize beams_size(const Settings& settings, const Effects&, const LightEffects*);

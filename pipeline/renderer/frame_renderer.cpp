@@ -5,7 +5,7 @@
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/settings/settings.hpp"
+#include "pipeline/renderer/picture_sides.hpp"
 #include "pipeline/views/cascades.hpp"
 
 namespace caustics {
@@ -14,18 +14,28 @@ namespace {
 
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
 // moving water hold whatever the waves do, so that maps and shadows do not crawl.
-PlannedFrame planned(Scene& scene, const Settings& settings, const Registry& registry, LightPilot& pilot,
+PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& registry, LightPilot& pilot,
                      const View* camera, const PlanGoal& goal, const Breath& breath,
                      Effect Effects::*without = nullptr) {
   PlannedFrame frame;
-  Effects effects = effects_of(scene, settings, camera);
-  if (without) effects.*without = {false, "left out on request"};
-  frame.views = effects.water_waves.active
-                    ? fit_moving_views(scene, pilot.device(), effects, settings, registry, breath)
-                    : pilot.fit(effects);
-  const std::vector<PilotFinding> findings = findings_of(frame.views, effects, camera);
-  frame.effects = with_findings(std::move(effects), settings, findings);
-  frame.plan = make_plan(scene, frame.effects, settings, registry, goal);
+  const auto fit = [&](const Settings& settings, std::vector<CausticEdges>* edges) {
+    frame.settings = settings;
+    frame.effects = effects_of(scene, settings, camera);
+    if (without) frame.effects.*without = {false, "left out on request"};
+    frame.views = frame.effects.water_waves.active
+                      ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry, breath)
+                      : pilot.fit(frame.effects, settings, edges);
+  };
+  const bool chooses = camera && chooses_sides(scene, asked);
+  std::vector<CausticEdges> edges;
+  fit(with_least_sides(asked), chooses ? &edges : nullptr);
+  if (chooses) {
+    const Settings chosen = with_sides_for_picture(frame.settings, scene, edges, frame.views, *camera);
+    if (chosen.map != frame.settings.map) fit(chosen, nullptr);
+  }
+  const std::vector<PilotFinding> findings = findings_of(frame.views, frame.effects, camera);
+  frame.effects = with_findings(std::move(frame.effects), frame.settings, findings);
+  frame.plan = make_plan(scene, frame.effects, frame.settings, registry, goal);
   return frame;
 }
 
@@ -41,7 +51,7 @@ std::optional<View> camera_view(const Scene& scene, const Camera* camera, const 
 PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
                         const PlanGoal& goal, const Camera* camera, const Breath& breath) {
   const SceneOnDevice on_device(scene, effects_of(scene, settings), device);
-  LightPilot pilot(on_device, settings, registry);
+  LightPilot pilot(on_device, registry);
   const std::optional<View> view = camera_view(scene, camera, settings);
   return planned(scene, settings, registry, pilot, view ? &*view : nullptr, goal, breath);
 }
@@ -49,18 +59,18 @@ PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& 
 FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
                              FrameOptions options)
     : scene_(scene),
-      settings_(std::make_unique<Settings>(settings)),
+      asked_(std::make_unique<Settings>(settings)),
       registry_(registry),
       device_(device),
       options_(std::move(options)) {
-  const Effects effects = effects_of(scene_, *settings_);
+  const Effects effects = effects_of(scene_, *asked_);
   on_device_ = std::make_unique<SceneOnDevice>(scene_, effects, device_);
   if (options_.pilot) on_pilot_ = std::make_unique<SceneOnDevice>(scene_, effects, *options_.pilot);
-  pilot_ = std::make_unique<LightPilot>(on_pilot_ ? *on_pilot_ : *on_device_, *settings_, registry_);
-  inputs_.settings = settings_.get();
+  pilot_ = std::make_unique<LightPilot>(on_pilot_ ? *on_pilot_ : *on_device_, registry_);
+  inputs_.settings = &frame_.settings;
   inputs_.effects = &frame_.effects;
   inputs_.views = &frame_.views;
-  inputs_.exposure = options_.exposure.value_or(exposure_of(scene_, *settings_));
+  inputs_.exposure = options_.exposure.value_or(exposure_of(scene_, *asked_));
   judge_and_plan();
   if (effects.water_waves.active) water_ = std::make_unique<MovingWater>(scene_, device_, registry_);
   make_targets();
@@ -71,8 +81,8 @@ FrameRenderer::~FrameRenderer() = default;
 
 void FrameRenderer::judge_and_plan() {
   if (options_.breath) options_.breath();
-  const std::optional<View> camera = camera_view(scene_, options_.camera, *settings_);
-  frame_ = planned(scene_, *settings_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
+  const std::optional<View> camera = camera_view(scene_, options_.camera, *asked_);
+  frame_ = planned(scene_, *asked_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
                    options_.breath, options_.without);
   done_ = 0;
   inputs_.camera = camera.value_or(View{});

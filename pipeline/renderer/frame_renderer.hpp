@@ -8,11 +8,13 @@
 #include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/renderer/moving_water.hpp"
 #include "pipeline/renderer/run_plan.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
 // What a frame is before any of its textures exist.
 struct PlannedFrame {
+  Settings settings;  // as asked for, and with sides that were left to the frame
   Effects effects;
   std::vector<LightViews> views;  // by Scene::lights
   FramePlan plan;
@@ -66,7 +68,8 @@ class FrameRenderer {
   PassRun prepare(const PlannedPass& pass) const;
 
   const Scene& scene() const { return scene_; }
-  const Settings& settings() const { return *settings_; }
+  // With the sides that were chosen.
+  const Settings& settings() const { return frame_.settings; }
   const Effects& effects() const { return frame_.effects; }
   const FramePlan& plan() const { return frame_.plan; }
   const std::vector<LightViews>& views() const { return frame_.views; }
@@ -80,7 +83,7 @@ class FrameRenderer {
   void make_targets();
 
   Scene& scene_;
-  std::unique_ptr<const Settings> settings_;
+  std::unique_ptr<const Settings> asked_;
   const Registry& registry_;
   Device& device_;
   FrameOptions options_;

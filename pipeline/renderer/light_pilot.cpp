@@ -211,8 +211,8 @@ class LandingScout {
  public:
   LandingScout(const SceneOnDevice& scene, const Settings& settings, const Registry& registry)
       : scene_(scene), registry_(registry), settings_(settings) {
-    settings_.grid = std::min(settings.grid, kCoarseGrid);
-    settings_.map = std::min(settings.map, kCoarseMap);
+    settings_.grid = std::min<int>(settings.grid, kCoarseGrid);
+    settings_.map = std::min<int>(settings.map, kCoarseMap);
     settings_.iterations = std::max(settings.iterations, kCoarseIterations);
     settings_.estimator = Estimator::Secant;
   }
@@ -241,16 +241,14 @@ class LandingScout {
              });
   }
 
-  // Of a light that is just done.
-  std::vector<WeightedPoint> found(int light, const View& view) const {
-    std::vector<WeightedPoint> points;
+  // Of a light that is just done: each branch's landings and their flux.
+  void show(int light, const std::function<void(const Image& landing, const Image& flux)>& to) const {
     for (const Branch& branch : effects_->branches) {
       const auto image = [&](const char* name) {
         return scene_.device().read_back((*targets_)[plan_.find(branch_texture(name, light, branch))]);
       };
-      add_landings(image(kLanding), image(kLandingFlux), view, points);
+      to(image(kLanding), image(kLandingFlux));
     }
-    return points;
   }
 
  private:
@@ -262,53 +260,65 @@ class LandingScout {
   std::unique_ptr<FrameTargets> targets_;
 };
 
-LightPilot::LightPilot(const SceneOnDevice& scene, const Settings& settings, const Registry& registry)
-    : scene_(scene), settings_(settings), registry_(registry) {}
+LightPilot::LightPilot(const SceneOnDevice& scene, const Registry& registry)
+    : scene_(scene), registry_(registry) {}
 
 LightPilot::~LightPilot() = default;
 
-std::vector<LightViews> LightPilot::fit(const Effects& effects) {
-  std::vector<LightViews> views;
-  const auto all_around = [&](std::size_t light) { return !effects.lights[light].all_around.empty(); };
-  for (const Light& light : scene_.scene().lights) {
-    if (all_around(views.size())) {
-      views.push_back(views_all_around(scene_.scene(), effects, settings_, light));
-      continue;
-    }
-    views.push_back(widest_views(measure(scene_.scene(), effects, light), effects, settings_.grid));
-  }
-  if (settings_.shared_views) {
-    for (LightViews& f : views) {
-      f.caustic.window_lower = f.receiver.window_lower = f.caster.window_lower;
-      f.caustic.window_upper = f.receiver.window_upper = f.caster.window_upper;
-    }
-    return views;
-  }
-  if (!scout_) scout_ = std::make_unique<LandingScout>(scene_, settings_, registry_);
+// Runs the scout twice: first with everything in view, then again with the maps drawn in, for finer
+// receivers.
+void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings,
+                                std::vector<LightViews>& views, std::vector<CausticEdges>* edges) {
+  if (!scout_) scout_ = std::make_unique<LandingScout>(scene_, settings, registry_);
   LandingScout& scout = *scout_;
   scout.plan(effects);
-  const bool flat = receivers_are_one_plane(scene_.scene(), effects);
-  const double kernel_texels = splat_kernel(settings_).radius + 2.0;
-  // First with everything in view, then again with the maps drawn in, for finer receivers.
-  for (const double margin : {0.5, std::min(0.03 + 2.0 * kernel_texels / settings_.map, kWidestMargin)}) {
-    const auto fitted = [&](int i) {
-      return scout.finds_anything(i) && !all_around(static_cast<std::size_t>(i));
-    };
-    bool any = false;
-    for (int i = 0; i < static_cast<int>(views.size()); ++i) any |= fitted(i);
-    if (!any) break;
+  const auto fitted = [&](int i) {
+    return scout.finds_anything(i) && effects.lights[static_cast<std::size_t>(i)].all_around.empty();
+  };
+  bool any = false;
+  for (int i = 0; i < static_cast<int>(views.size()); ++i) any |= fitted(i);
+  if (!any) return;
+  const double kernel_texels = splat_kernel(settings).radius + 2.0;
+  for (const double margin : {0.5, std::min(0.03 + 2.0 * kernel_texels / settings.map, kWidestMargin)})
     scout.run(views, [&](int i) {
       if (!fitted(i)) return;
-      LightViews& f = views[static_cast<std::size_t>(i)];
-      fit_to_landings(f, scout.found(i, f.caustic), settings_, margin, flat);
+      const auto light = static_cast<std::size_t>(i);
+      std::vector<WeightedPoint> points;
+      CausticEdges found;
+      scout.show(i, [&](const Image& landing, const Image& flux) {
+        add_landings(landing, flux, views[light].caustic, points);
+        if (edges) found.add(caustic_edges(landing, flux, views[light].caustic));
+      });
+      fit_to_landings(views[light], points, settings, margin, effects.receivers_are_one_plane);
+      if (edges) (*edges)[light] = std::move(found);
     });
+}
+
+std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& settings,
+                                        std::vector<CausticEdges>* edges) {
+  std::vector<LightViews> views;
+  for (const Light& light : scene_.scene().lights) {
+    if (!effects.lights[views.size()].all_around.empty()) {
+      views.push_back(views_all_around(scene_.scene(), effects, settings, light));
+      continue;
+    }
+    views.push_back(widest_views(measure(scene_.scene(), effects, light), effects, settings.grid));
+  }
+  if (edges) edges->assign(views.size(), {});
+  if (!settings.shared_views) {
+    fit_to_scouted(effects, settings, views, edges);
+    return views;
+  }
+  for (LightViews& f : views) {
+    f.caustic.window_lower = f.receiver.window_lower = f.caster.window_lower;
+    f.caustic.window_upper = f.receiver.window_upper = f.caster.window_upper;
   }
   return views;
 }
 
 std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,
                                         const Settings& settings, const Registry& registry) {
-  return LightPilot(scene, settings, registry).fit(effects);
+  return LightPilot(scene, registry).fit(effects, settings);
 }
 
 float exposure_of(const Scene& scene, const Settings& settings) {

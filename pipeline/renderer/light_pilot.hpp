@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/measure/caustic_edges.hpp"
 #include "pipeline/renderer/scene_on_device.hpp"
 
 namespace caustics {
@@ -14,17 +15,21 @@ namespace caustics {
 // does not depend on earlier ones. All that it is made from must outlive it.
 class LightPilot {
  public:
-  LightPilot(const SceneOnDevice& scene, const Settings& settings, const Registry& registry);
+  LightPilot(const SceneOnDevice& scene, const Registry& registry);
   ~LightPilot();
   LightPilot(const LightPilot&) = delete;
   LightPilot& operator=(const LightPilot&) = delete;
   Device& device() const { return scene_.device(); }
-  // Of the scene as it is now.
-  std::vector<LightViews> fit(const Effects& effects);
+  // Of the scene as it is now. `edges`: takes each light's caustic edges; those of lights that are not fitted
+  // to landings are empty.
+  std::vector<LightViews> fit(const Effects& effects, const Settings& settings,
+                              std::vector<CausticEdges>* edges = nullptr);
 
  private:
+  void fit_to_scouted(const Effects& effects, const Settings& settings, std::vector<LightViews>& views,
+                      std::vector<CausticEdges>* edges);
+
   const SceneOnDevice& scene_;
-  const Settings& settings_;
   const Registry& registry_;
   std::unique_ptr<class LandingScout> scout_;
 };

@@ -23,7 +23,7 @@ TEST_CASE("check of settings: the defaults hold, one out of range is named") {
   CHECK(refusal({}).empty());
   Settings settings;
   settings.grid = 0;
-  CHECK(refusal(settings) == "grid is 0, must be 1..8192");
+  CHECK(refusal(settings) == "grid is 0, must be auto or 1..8192");
 }
 
 TEST_CASE("check of settings: maps too small for six faces are refused where faces are asked for") {

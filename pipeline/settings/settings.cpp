@@ -117,6 +117,28 @@ constexpr Setting optional_number(std::string_view name, Part part, Range range,
   return row;
 }
 
+template <auto member>
+std::string get_side(const Settings& settings) {
+  const Side& side = settings.*member;
+  return side.automatic ? std::string(kNone) : number_text(side.count);
+}
+
+template <auto member>
+bool set_side(const Setting& row, Settings& settings, std::string_view text) {
+  if (text == kNone) return settings.*member = Side{}, true;
+  int count = 0;
+  if (!read_number(row.numbers, text, count)) return false;
+  return settings.*member = count, true;
+}
+
+template <auto member>
+constexpr Setting side(std::string_view name, Part part, Range range, std::string_view meaning) {
+  Setting row{name, Setting::Kind::Count, part, meaning, get_side<member>, set_side<member>};
+  row.numbers = range;
+  row.unset = kNone;
+  return row;
+}
+
 template <auto member, const auto& named>
 constexpr Setting choice(std::string_view name, Part part, std::string_view meaning) {
   const bool yes_no = static_cast<const void*>(&named) == static_cast<const void*>(&kNoYes);
@@ -138,9 +160,11 @@ constexpr Setting text(std::string_view name, Part part, std::string_view takes,
 constexpr Setting kTable[] = {
     number<&S::width>("width", Part::View, {1, 16384, "pixels"}, "width of the picture"),
     number<&S::height>("height", Part::View, {1, 16384, "pixels"}, "height of the picture"),
-    number<&S::grid>("grid", Part::Maps, {1, 8192}, "grid vertices a side: rays from the light"),
-    number<&S::map>("map", Part::Maps, {1, 8192, "texels"},
-                    "side of the caustic map and of the receiver map"),
+    side<&S::grid>("grid", Part::Maps, {1, 8192},
+                   "grid vertices a side: rays from the light; auto: 512, up to 704 as the map grows"),
+    side<&S::map>("map", Part::Maps, {1, 8192, "texels"},
+                  "side of the caustic map and of the receiver map; auto: 512, up to 1280 where the picture "
+                  "shows sharp edges of a caustic finer"),
     number<&S::shadow>("shadow", Part::Maps, {1, 8192, "texels"}, "side of the shadow map"),
     number<&S::light_samples>("light.samples", Part::Maps, {1, 256},
                               "points by which a light with a size is drawn"),

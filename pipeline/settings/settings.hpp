@@ -22,11 +22,20 @@ enum class Thickness : std::uint8_t { Map, Wyman };
 enum class Cube : std::uint8_t { Auto, On, Off };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
+// A side in grid vertices or texels: of so many, or chosen for what a picture shows
+// (pipeline/renderer/picture_sides.hpp), and then the count is where the choice starts.
+struct Side {
+  int count = 512;
+  bool automatic = true;
+  Side() = default;
+  Side(int given) : count(given), automatic(false) {}
+  operator int() const { return count; }
+};
+
 // The defaults are the values here, and are written nowhere else.
 struct Settings {
   int width = 1280, height = 720;
-  int grid = 512;
-  int map = 512;
+  Side grid, map;
   int shadow = 2048;
   int light_samples = 16;
   bool emissive_lights = false;
