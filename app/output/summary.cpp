@@ -5,6 +5,7 @@
 #include "app/expectations.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/gpu/device.hpp"
+#include "pipeline/settings/setting.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
@@ -116,8 +117,12 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
     files += (files.empty() ? "" : ", ") + one_line(file.string());
   }
   const std::string frames = drawn > 0 ? ", " + std::to_string(drawn) + " frames" : "";
-  std::fprintf(stderr, "%s: %dx%d%s in %s (load %s, prepare %s, passes %s, write %s) on %s\n", files.c_str(),
-               frame.settings().width, frame.settings().height, frames.c_str(),
+  const Settings& settings = frame.settings();
+  const std::string sides = frame.effects().caustics.active ? ", grid " + number_text(settings.grid) +
+                                                                  ", map " + number_text(settings.map)
+                                                            : "";
+  std::fprintf(stderr, "%s: %dx%d%s%s in %s (load %s, prepare %s, passes %s, write %s) on %s\n",
+               files.c_str(), settings.width, settings.height, sides.c_str(), frames.c_str(),
                duration_text(timing.total).c_str(), duration_text(timing.load).c_str(),
                duration_text(timing.prepare).c_str(), duration_text(timing.passes).c_str(),
                duration_text(timing.write).c_str(), one_line(frame.device().description()).c_str());

@@ -18,19 +18,19 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
                      const View* camera, const PlanGoal& goal, const Breath& breath,
                      Effect Effects::*without = nullptr) {
   PlannedFrame frame;
-  const auto fit = [&](const Settings& settings, std::vector<CausticEdges>* edges) {
+  const auto fit = [&](const Settings& settings, std::vector<LandingSurvey>* surveys) {
     frame.settings = settings;
     frame.effects = effects_of(scene, settings, camera);
     if (without) frame.effects.*without = {false, "left out on request"};
     frame.views = frame.effects.water_waves.active
                       ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry, breath)
-                      : pilot.fit(frame.effects, settings, edges);
+                      : pilot.fit(frame.effects, settings, surveys);
   };
   const bool chooses = camera && chooses_sides(scene, asked);
-  std::vector<CausticEdges> edges;
-  fit(with_least_sides(asked), chooses ? &edges : nullptr);
+  std::vector<LandingSurvey> surveys;
+  fit(with_least_sides(asked), chooses ? &surveys : nullptr);
   if (chooses) {
-    const Settings chosen = with_sides_for_picture(frame.settings, scene, edges, frame.views, *camera);
+    const Settings chosen = with_sides_for_picture(frame.settings, scene, surveys, frame.views, *camera);
     if (chosen.map != frame.settings.map) fit(chosen, nullptr);
   }
   const std::vector<PilotFinding> findings = findings_of(frame.views, frame.effects, camera);

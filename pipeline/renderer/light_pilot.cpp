@@ -268,7 +268,7 @@ LightPilot::~LightPilot() = default;
 // Runs the scout twice: first with everything in view, then again with the maps drawn in, for finer
 // receivers.
 void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings,
-                                std::vector<LightViews>& views, std::vector<CausticEdges>* edges) {
+                                std::vector<LightViews>& views, std::vector<LandingSurvey>* surveys) {
   if (!scout_) scout_ = std::make_unique<LandingScout>(scene_, settings, registry_);
   LandingScout& scout = *scout_;
   scout.plan(effects);
@@ -284,18 +284,18 @@ void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings
       if (!fitted(i)) return;
       const auto light = static_cast<std::size_t>(i);
       std::vector<WeightedPoint> points;
-      CausticEdges found;
+      LandingSurvey found;
       scout.show(i, [&](const Image& landing, const Image& flux) {
         add_landings(landing, flux, views[light].caustic, points);
-        if (edges) found.add(caustic_edges(landing, flux, views[light].caustic));
+        if (surveys) found.add(survey_landings(landing, flux, views[light].caustic));
       });
       fit_to_landings(views[light], points, settings, margin, effects.receivers_are_one_plane);
-      if (edges) (*edges)[light] = std::move(found);
+      if (surveys) (*surveys)[light] = std::move(found);
     });
 }
 
 std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& settings,
-                                        std::vector<CausticEdges>* edges) {
+                                        std::vector<LandingSurvey>* surveys) {
   std::vector<LightViews> views;
   for (const Light& light : scene_.scene().lights) {
     if (!effects.lights[views.size()].all_around.empty()) {
@@ -304,9 +304,9 @@ std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& 
     }
     views.push_back(widest_views(measure(scene_.scene(), effects, light), effects, settings.grid));
   }
-  if (edges) edges->assign(views.size(), {});
+  if (surveys) surveys->assign(views.size(), {});
   if (!settings.shared_views) {
-    fit_to_scouted(effects, settings, views, edges);
+    fit_to_scouted(effects, settings, views, surveys);
     return views;
   }
   for (LightViews& f : views) {

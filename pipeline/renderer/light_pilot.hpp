@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/measure/caustic_edges.hpp"
+#include "pipeline/measure/landing_survey.hpp"
 #include "pipeline/renderer/scene_on_device.hpp"
 
 namespace caustics {
@@ -20,14 +20,14 @@ class LightPilot {
   LightPilot(const LightPilot&) = delete;
   LightPilot& operator=(const LightPilot&) = delete;
   Device& device() const { return scene_.device(); }
-  // Of the scene as it is now. `edges`: takes each light's caustic edges; those of lights that are not fitted
-  // to landings are empty.
+  // Of the scene as it is now. `surveys`: takes what was found of each light's landings; nothing for
+  // lights that are not fitted to them.
   std::vector<LightViews> fit(const Effects& effects, const Settings& settings,
-                              std::vector<CausticEdges>* edges = nullptr);
+                              std::vector<LandingSurvey>* surveys = nullptr);
 
  private:
   void fit_to_scouted(const Effects& effects, const Settings& settings, std::vector<LightViews>& views,
-                      std::vector<CausticEdges>* edges);
+                      std::vector<LandingSurvey>* surveys);
 
   const SceneOnDevice& scene_;
   const Registry& registry_;

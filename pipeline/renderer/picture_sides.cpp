@@ -1,15 +1,39 @@
 #include "pipeline/renderer/picture_sides.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace caustics {
 
 namespace {
 
-// Map and grid. The last take about twice the time of the first in a picture of 512 x 512 pixels; the grid
-// need not grow as fast as the map (docs/accuracy.md has the figures).
-constexpr int kSides[][2] = {{512, 512}, {768, 576}, {1024, 640}, {1280, 704}};
+struct Sides {
+  int map, grid;
+};
+// The grid need not grow as fast as the map (docs/accuracy.md has figures).
+constexpr Sides kSides[] = {{512, 512}, {768, 576}, {1024, 640}, {1280, 704}};
 constexpr double kMostBlurred = 0.004;
+
+// What passes take of a pixel, of a vertex, of a cell in a cascade and of a texel that a cell's square
+// covers, relative to each other: nanoseconds of the software device on two cores.
+constexpr double kPerPixel = 1200.0, kPerVertex = 1100.0, kPerCascadeCell = 600.0, kPerTexel = 21.0;
+// Times the least sides' time; twice is the bound, and what is expected can be wrong.
+constexpr double kLongest = 1.85;
+
+double expected_time(const Settings& settings, const Sides& sides, const std::vector<LandingSurvey>& surveys,
+                     const std::vector<LightViews>& views) {
+  double sum = kPerPixel * settings.width * settings.height;
+  const double vertices = static_cast<double>(sides.grid) * sides.grid;
+  for (std::size_t i = 0; i < surveys.size(); ++i) {
+    const double branches = surveys[i].branches;
+    sum += branches * vertices * kPerVertex;
+    sum += kPerTexel * covered_texels(surveys[i], views[i].caustic, sides.grid, sides.map);
+    if (!views[i].cascade) continue;
+    sum += branches * vertices * kPerCascadeCell;
+    sum += kPerTexel * covered_texels(surveys[i], *views[i].cascade, sides.grid, sides.map);
+  }
+  return sum;
+}
 
 double brightness(const Light& light) {
   return static_cast<double>(light.intensity * std::max({light.color.x, light.color.y, light.color.z}));
@@ -33,20 +57,27 @@ Settings with_least_sides(Settings settings) {
   return settings;
 }
 
-Settings with_sides_for_picture(Settings settings, const Scene& scene, const std::vector<CausticEdges>& edges,
+Settings with_sides_for_picture(Settings settings, const Scene& scene,
+                                const std::vector<LandingSurvey>& surveys,
                                 const std::vector<LightViews>& views, const View& camera) {
-  for (const auto& [map, grid] : kSides) {
-    settings.map = map;
-    settings.grid = grid;
+  const auto blurs = [&](int map) {
     double blurred = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t i = 0; i < surveys.size(); ++i) {
       if (has_soft_edges(scene, i)) continue;
-      const double light = brightness(scene.lights[i]) * edges[i].flux;
+      const double light = brightness(scene.lights[i]) * surveys[i].flux;
       all += light;
-      blurred += light * blurred_share(edges[i], views[i], camera, settings.width, map);
+      blurred += light * blurred_share(surveys[i], views[i], camera, settings.width, map);
     }
-    if (blurred <= kMostBlurred * all) break;
+    return blurred > kMostBlurred * all;
+  };
+  const Sides* chosen = std::begin(kSides);
+  const double least = expected_time(settings, *chosen, surveys, views);
+  for (const Sides* finer = chosen + 1; finer != std::end(kSides) && blurs(chosen->map); ++finer) {
+    if (expected_time(settings, *finer, surveys, views) > kLongest * least) break;
+    chosen = finer;
   }
+  settings.map = chosen->map;
+  settings.grid = chosen->grid;
   return settings;
 }
 

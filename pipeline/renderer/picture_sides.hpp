@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/measure/caustic_edges.hpp"
+#include "pipeline/measure/landing_survey.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
@@ -15,9 +15,11 @@ bool chooses_sides(const Scene& scene, const Settings& settings);
 Settings with_least_sides(Settings settings);
 
 // The same, with the least sides for which maps blur no more of the caustics' light over their edges, as the
-// camera sees them, than 0.4 %, or the largest. `edges` and `views` by Scene::lights. Lights that are drawn
-// by several samples do not count: their edges are soft.
-Settings with_sides_for_picture(Settings settings, const Scene& scene, const std::vector<CausticEdges>& edges,
+// camera sees them, than 0.4 %, or the largest that may be expected to take at most twice the time of the
+// least. `surveys` and `views` by Scene::lights. Lights that are drawn by several samples do not count: their
+// edges are soft.
+Settings with_sides_for_picture(Settings settings, const Scene& scene,
+                                const std::vector<LandingSurvey>& surveys,
                                 const std::vector<LightViews>& views, const View& camera);
 
 }  // namespace caustics

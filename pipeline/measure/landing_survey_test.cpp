@@ -1,4 +1,4 @@
-#include "pipeline/measure/caustic_edges.hpp"
+#include "pipeline/measure/landing_survey.hpp"
 
 #include "pipeline/measure/ledger.hpp"
 #include "tests/support/catch.hpp"
@@ -46,21 +46,21 @@ LightViews views() {
   return all;
 }
 
-CausticEdges edges_of(const Landings& of) { return caustic_edges(of.landing, of.flux, square()); }
+LandingSurvey survey_of(const Landings& of) { return survey_landings(of.landing, of.flux, square()); }
 
 const auto kEven = [](int column) { return static_cast<float>(column); };
 
 }  // namespace
 
-TEST_CASE("caustic edges: even light has none") {
-  const CausticEdges found = edges_of(landings(kEven));
+TEST_CASE("landing survey: even light has none") {
+  const LandingSurvey found = survey_of(landings(kEven));
   CHECK(found.edges.empty());
   CHECK(found.flux == 16.0);  // cells
   CHECK(blurred_share(found, views(), square(), 8, 8) == 0.0);
 }
 
-TEST_CASE("caustic edges: where light ends there is a step in each row") {
-  const CausticEdges found = edges_of(landings(kEven, 1));
+TEST_CASE("landing survey: where light ends there is a step in each row") {
+  const LandingSurvey found = survey_of(landings(kEven, 1));
   REQUIRE(found.edges.size() == 4);
   for (const CausticEdge& edge : found.edges) {
     CHECK_FALSE(edge.fold);
@@ -70,8 +70,8 @@ TEST_CASE("caustic edges: where light ends there is a step in each row") {
   }
 }
 
-TEST_CASE("caustic edges: light that turns back on itself has a fold in each row") {
-  const CausticEdges found = edges_of(landings([](int column) {
+TEST_CASE("landing survey: light that turns back on itself has a fold in each row") {
+  const LandingSurvey found = survey_of(landings([](int column) {
     return static_cast<float>((column - 2) * (column - 2));  // 4 1 0 1 4
   }));
   REQUIRE(found.edges.size() == 4);
@@ -83,10 +83,10 @@ TEST_CASE("caustic edges: light that turns back on itself has a fold in each row
   }
 }
 
-// caustic_edges.cpp's fit: of the light within a pixel of a step, at one texel a pixel 0.165, at two 0.165
+// landing_survey.cpp's fit: of the light within a pixel of a step, at one texel a pixel 0.165, at two 0.165
 // / 4.
-TEST_CASE("caustic edges: what a map blurs falls with its texels") {
-  const CausticEdges found = edges_of(landings(kEven, 1));  // 12 whole cells, 4 in part with half the flux
+TEST_CASE("landing survey: what a map blurs falls with its texels") {
+  const LandingSurvey found = survey_of(landings(kEven, 1));  // 12 whole cells, 4 in part with half the flux
   CHECK(found.flux == 14.0);
   // 32 pixels a row: a quarter of a window unit each, so that an edge has a quarter of its cell's light.
   const double at_one = blurred_share(found, views(), square(), 32, 32);
@@ -94,17 +94,31 @@ TEST_CASE("caustic edges: what a map blurs falls with its texels") {
   CHECK(blurred_share(found, views(), square(), 32, 64) == Approx(at_one / 4.0));
 }
 
-TEST_CASE("caustic edges: of what the camera does not see nothing is blurred") {
+TEST_CASE("landing survey: of what the camera does not see nothing is blurred") {
   View elsewhere = square();
   elsewhere.window_lower.x = 4.0;
-  CHECK(blurred_share(edges_of(landings(kEven, 1)), views(), elsewhere, 32, 32) == 0.0);
+  CHECK(blurred_share(survey_of(landings(kEven, 1)), views(), elsewhere, 32, 32) == 0.0);
 }
 
-TEST_CASE("caustic edges: in a cascade's window its texels count") {
+TEST_CASE("landing survey: in a cascade's window its texels count") {
   LightViews with_cascade = views();
   with_cascade.cascade = square();
   with_cascade.cascade->window_upper = {4.0, 4.0};
-  const CausticEdges found = edges_of(landings(kEven, 1));
+  const LandingSurvey found = survey_of(landings(kEven, 1));
   CHECK(blurred_share(found, with_cascade, square(), 32, 32) ==
         Approx(blurred_share(found, views(), square(), 32, 64)));
+}
+
+TEST_CASE("landing survey: a cell covers the square around it, a texel longer than it is") {
+  const LandingSurvey found = survey_of(landings(kEven));  // 16 cells of 1 x 1 in a window of 8 x 8
+  CHECK(covered_texels(found, square(), kSide, 8) == 16 * 4);
+  CHECK(covered_texels(found, square(), kSide, 16) == 16 * 9);
+  // Twice as many vertices: four cells of half a unit for one.
+  CHECK(covered_texels(found, square(), 2 * kSide, 8) == 16 * 4 * 2.25);
+}
+
+TEST_CASE("landing survey: cells beside a window cover nothing of it") {
+  View elsewhere = square();
+  elsewhere.window_lower = {5.0, 5.0};
+  CHECK(covered_texels(survey_of(landings(kEven)), elsewhere, kSide, 8) == 0.0);
 }
