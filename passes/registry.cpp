@@ -24,6 +24,7 @@
 #include "passes/tone_map/tone_map.hpp"
 #include "passes/view_medium/view_medium.hpp"
 #include "passes/view_panes/view_panes.hpp"
+#include "passes/view_range/view_range.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
 #include "passes/water_step/water_step.hpp"
 
@@ -53,6 +54,7 @@ Registry registered() {
       pane_light_pass(),
       // Of the camera: the scene without glass, in the picture and around it.
       view_surfaces_pass(),
+      view_range_pass(),
       light_shading_pass(),
       compose_pass(),
       // And with it.

@@ -21,13 +21,16 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 FLOOR = diffuse('floor', (0.80, 0.72, 0.62))
 
 
-def sphere_scene(levels, exact):
+def sphere_scene(levels, exact, lamp=False):
     s = Scene()
     s.mesh('sphere', icosphere((0.0, 0.8, 0.0), 0.5, levels), glass('glass', 1.5))
     if exact:
         s.states('sphere')
     s.mesh('floor', square(8.0), FLOOR)
-    s.sun((0.0, -1.0, 0.0), 1.0)
+    if lamp:
+        s.light((0.0, -1.0, 0.0), (0.0, 1.8, 0.0), name='lamp', type='point', intensity=3.0)
+    else:
+        s.sun((0.0, -1.0, 0.0), 1.0)
     s.camera('view', (1.55, 1.75, 2.35), (0.0, 0.42, 0.0), 38)
     s.camera_down('floor', (0.0, 0.2, 0.0), 1.0)
     return s
@@ -39,6 +42,10 @@ def glass_sphere():
 
 def glass_sphere_coarse():
     return sphere_scene(3, False)
+
+
+def glass_sphere_lamp():
+    return sphere_scene(3, False, lamp=True)
 
 
 def figure(cells, material):
@@ -443,9 +450,10 @@ REAL_GLASS = (drinking_glass, drinking_glass_high_sun, glass_of_wine, bottle_of_
 def main():
     scenes = {'slab.glb': lambda: slab(1.0), 'slab_glass.glb': lambda: slab(1.5),
               **{make.__name__ + '.glb': make for make in (
-                  glass_sphere, glass_sphere_coarse, glass_figure, flint_figure, water_patch, water_sine,
-                  prism, spectrum, metal_ring, thin_panes, two_lights, receivers, sun_disk,
-                  water_normal_map, stained_glass, moving_lens, water_plops, hazy_lens, closed_room)},
+                  glass_sphere, glass_sphere_coarse, glass_sphere_lamp, glass_figure, flint_figure,
+                  water_patch, water_sine, prism, spectrum, metal_ring, thin_panes, two_lights, receivers,
+                  sun_disk, water_normal_map, stained_glass, moving_lens, water_plops, hazy_lens,
+                  closed_room)},
               **{'glass/' + make.__name__ + '.glb': make for make in REAL_GLASS}}
     for name, make in scenes.items():
         if len(sys.argv) > 1 and name not in sys.argv[1:]:

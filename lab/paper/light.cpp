@@ -76,42 +76,74 @@ Row area_row() {
   return row;
 }
 
+namespace {
+
+// V, on both devices, and what the occlusion query says.
+Finding judge_count(const Shots& s) {
+  const auto v = [&](const char* name) { return s.attachment(name, "caster_flux[0]").values[0][1]; };
+  const auto query = [&](const char* name) { return s.samples_passed(name, "caster_map"); };
+  double covered = 0.0;
+  for (const auto& p : s.attachment("query", "caster_position[0]").values) covered += p[3] != 0.0 ? 1.0 : 0.0;
+  bool same = v("query") == covered && query("query") >= covered;
+  std::string text = "V " + significant(covered, 8) +
+                     ", the query, which counts texels again that a nearer facet covers later, " +
+                     significant(query("query"), 8);
+  if (s.taken("query_gl")) {
+    same = same && v("query_gl") == v("query") && query("query_gl") == query("query");
+    text += std::string("; OpenGL counts ") + (same ? "the same" : "otherwise");
+  } else {
+    text += "; OpenGL is not there";
+  }
+  return {same, text};
+}
+
+// Each vertex's physical and paper's weights under the lamp of glass_sphere_lamp.glb, two radii from the
+// sphere's middle, before the glass takes its part.
+Finding judge_lamp(const Shots& s) {
+  VertexWeights found;
+  for (const auto& texel : s.attachment("lamp_physical", "landing_fresnel[0]").values)
+    found.flux.push_back(texel[3]);
+  for (const auto& texel : s.attachment("lamp_paper", "landing_fresnel[0]").values)
+    found.literal.push_back(texel[3]);
+  const VertexWeights exact = weights_under_lamp(2.0);
+  const WeightErrors errors = weight_errors(found), expected = weight_errors(exact);
+  const double part = sum_of(found.literal) / sum_of(found.flux);
+  const double exact_part = sum_of(exact.literal) / sum_of(exact.flux);
+  const bool holds = std::fabs(part - exact_part) < 2e-3 &&
+                     std::fabs(errors.equal_parts - expected.equal_parts) < 2e-3 &&
+                     std::fabs(errors.literal - expected.literal) < 2e-3;
+  const auto error = [](double found_error, double exact_error) {
+    return significant(1e2 * found_error, 3) + " % (" + significant(1e2 * exact_error, 3) + " %)";
+  };
+  return {holds, "under a lamp two radii from the middle " + significant(part, 4) + " (exact " +
+                     significant(exact_part, 4) + "), equal parts " +
+                     error(errors.equal_parts, expected.equal_parts) +
+                     " off each vertex's own flux times N.L, " + error(errors.literal, expected.literal) +
+                     " off that flux"};
+}
+
+}  // namespace
+
 Row weights_row() {
-  return {"21",
-          "eq. 6: the light onto V grid vertices, an equal part of it each, times N.L; V by occlusion query",
-          {floor_shot("paper_weights", "glass_sphere.glb", {"-D", "weights=paper"}),
-           dumped_shot("query", "glass_sphere.glb", 128, {"--preset", "paper"}),
-           [] {
-             Shot shot =
-                 dumped_shot("query_gl", "glass_sphere.glb", 128, {"--preset", "paper", "--backend", "gl"});
-             shot.on_gl = true;
-             return shot;
-           }()},
-          "",
-          "weights add up to 2/3 of the light onto a sphere's disc; V is the number of covered texels, on "
-          "both devices",
-          [](const Shots& s) -> Finding {
-            const double disc = 3.14159265358979 * 0.25;
-            const double sum = s.flux("paper_weights", "entered", 0) / disc;
-            const auto v = [&](const char* name) {
-              return s.attachment(name, "caster_flux[0]").values[0][1];
-            };
-            const auto query = [&](const char* name) { return s.samples_passed(name, "caster_map"); };
-            double covered = 0.0;
-            for (const auto& p : s.attachment("query", "caster_position[0]").values)
-              covered += p[3] != 0.0 ? 1.0 : 0.0;
-            bool same = v("query") == covered && query("query") >= covered;
-            std::string text = significant(sum, 5) + "; V " + significant(covered, 8) +
-                               ", the query, which counts texels again that a nearer facet covers later, " +
-                               significant(query("query"), 8);
-            if (s.taken("query_gl")) {
-              same = same && v("query_gl") == v("query") && query("query_gl") == query("query");
-              text += std::string("; OpenGL counts ") + (same ? "the same" : "otherwise");
-            } else {
-              text += "; OpenGL is not there";
-            }
-            return {std::fabs(sum - 2.0 / 3.0) < 2e-3 && same, text};
-          }};
+  Shot on_gl = dumped_shot("query_gl", "glass_sphere.glb", 128, {"--preset", "paper", "--backend", "gl"});
+  on_gl.on_gl = true;
+  return {
+      "21",
+      "eq. 6: the light onto V grid vertices, an equal part of it each, times N.L; V by occlusion query",
+      {floor_shot("paper_weights", "glass_sphere.glb", {"-D", "weights=paper"}),
+       dumped_shot("query", "glass_sphere.glb", 128, {"--preset", "paper"}), on_gl,
+       dumped_shot("lamp_physical", "glass_sphere_lamp.glb", 128),
+       dumped_shot("lamp_paper", "glass_sphere_lamp.glb", 128, {"--weights", "paper"})},
+      "",
+      "weights add up to 2/3 of the light onto a sphere's disc; V is the number of covered texels, on "
+      "both devices; under a lamp, sum and distance from physical weights within 0.002 of the closed form",
+      [](const Shots& s) -> Finding {
+        const double disc = 3.14159265358979 * 0.25;
+        const double sum = s.flux("paper_weights", "entered", 0) / disc;
+        const Finding count = judge_count(s), lamp = judge_lamp(s);
+        return {std::fabs(sum - 2.0 / 3.0) < 2e-3 && count.holds && lamp.holds,
+                significant(sum, 5) + "; " + count.figure + "; " + lamp.figure};
+      }};
 }
 
 Row absorption_row() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "pipeline/shader/constants.hpp"
 
@@ -74,6 +75,37 @@ double worst_tint(const Texels& flux, const std::vector<double>& way,
           std::max(worst, std::fabs(f[c] / f[0] / std::exp(-(absorption[c] - absorption[0]) * way[i]) - 1.0));
   }
   return worst;
+}
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+VertexWeights weights_under_lamp(double distance) {
+  constexpr int kVertices = 20'000;
+  const double sine = 1.0 / (distance * distance), tangent = sine / (1.0 - sine);  // of the rim, squared
+  VertexWeights weights;
+  for (int i = 0; i < kVertices; ++i) {
+    const double t = (i + 0.5) / kVertices * tangent;
+    weights.flux.push_back(1.0 / ((1.0 + t) * std::sqrt(1.0 + t)));
+    weights.literal.push_back(std::sqrt(std::max(0.0, 1.0 - t / ((1.0 + t) * sine))));
+  }
+  const double mean = sum_of(weights.flux) / kVertices;
+  for (double& literal : weights.literal) literal *= mean;
+  return weights;
+}
+
+WeightErrors weight_errors(const VertexWeights& weights) {
+  const auto apart = [](const std::vector<double>& a, const std::vector<double>& b) {
+    const double all_a = sum_of(a), all_b = sum_of(b);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::fabs(a[i] / all_a - b[i] / all_b);
+    return sum;
+  };
+  std::vector<double> with_cosine;
+  for (std::size_t i = 0; i < weights.flux.size(); ++i)
+    with_cosine.push_back(weights.flux[i] * weights.literal[i]);
+  return {apart(weights.literal, with_cosine), apart(weights.literal, weights.flux)};
 }
 
 double worst_of_lattice(const Texels& t) {

@@ -36,6 +36,25 @@ std::vector<double> distances(const Texels& a, const Texels& b);
 double worst_tint(const Texels& flux, const std::vector<double>& way,
                   const std::array<double, 3>& absorption);
 
+// Of grid vertices: the flux onto each, and what the paper's equation 6 gives it, (1/V) N.L of all flux.
+struct VertexWeights {
+  std::vector<double> flux, literal;
+};
+
+// Those of a sphere under a point light `distance` radii from its middle, without a picture. The light's view
+// spreads vertices evenly over the disc of t < tan a, sin a = 1 / distance, t the tangent of the angle to its
+// axis. Flux goes with a texel's solid angle, (1 + t^2)^-1.5, and N.L is sqrt(1 - (distance sin)^2).
+VertexWeights weights_under_lamp(double distance);
+
+// Relative L1 of the weights once both add up to the same.
+struct WeightErrors {
+  double equal_parts = 0.0;  // of literal ones against flux times N.L: what 1/V does; none in parallel light
+  double literal = 0.0;      // against the flux
+};
+WeightErrors weight_errors(const VertexWeights& weights);
+
+double sum_of(const std::vector<double>& values);
+
 // The largest distance of a texel's x and z from an even lattice through all texels, and of its height from
 // the mean one: a level floor seen straight from above.
 double worst_of_lattice(const Texels& positions);

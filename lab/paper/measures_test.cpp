@@ -79,3 +79,30 @@ TEST_CASE("paper rows: a level floor's positions lie on a lattice") {
   floor.values[2][0] = 0.25;
   CHECK(worst_of_lattice(floor) == 0.25);
 }
+
+TEST_CASE("paper rows: weights are compared as shares of their sums") {
+  // Shares 2/3, 1/3 against 1/4, 3/4: 5/6. Flux times literal weights is 2, 3: shares 2/5, 3/5, so 0.3.
+  const WeightErrors errors = weight_errors({.flux = {2.0, 1.0}, .literal = {10.0, 30.0}});
+  CHECK(errors.literal == Approx(5.0 / 6.0));
+  CHECK(errors.equal_parts == Approx(0.3));
+}
+
+TEST_CASE("paper rows: a sphere under a lamp two radii away has the flux and cosines of the closed forms") {
+  // Half angle 30 degrees, so t^2 < 1/3: the mean of (1 + t^2)^-1.5 over the disc is 6 (1 - cos 30). The mean
+  // of N.L is 2 pi / sqrt(3) - 3 there: 3 times the integral of sqrt(4 u - 3) / u^2 from 3/4 to 1, u = cos^2.
+  const VertexWeights weights = weights_under_lamp(2.0);
+  const auto count = static_cast<double>(weights.flux.size());
+  CHECK(sum_of(weights.flux) / count == Approx(6.0 * (1.0 - std::sqrt(0.75))).epsilon(1e-6));
+  CHECK(sum_of(weights.literal) / sum_of(weights.flux) ==
+        Approx(2.0 * 3.14159265358979 / std::sqrt(3.0) - 3.0).epsilon(1e-5));
+}
+
+TEST_CASE(
+    "paper rows: V in equal parts is right in parallel light, and 9.6 % off under a lamp at two radii") {
+  // A far lamp: N.L alone is left. Its square is even from 0 to 1, so its mean is 2/3, and 1.5 N.L is 8/27
+  // away from 1 in the mean.
+  const WeightErrors far = weight_errors(weights_under_lamp(1e4));
+  CHECK(far.equal_parts == Approx(0.0).margin(1e-6));
+  CHECK(far.literal == Approx(8.0 / 27.0).epsilon(1e-5));
+  CHECK(weight_errors(weights_under_lamp(2.0)).equal_parts == Approx(0.096).margin(5e-4));
+}

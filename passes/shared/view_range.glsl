@@ -1,4 +1,4 @@
-// What view_medium writes into view_range.
+// What the pass view_range writes.
 struct ViewRange {
   Float surface_z;  // of the first surface along the camera's axis, metres, 1e30 where there is none
   Float entry;      // distances from the ray's start at which it enters the medium, metres,

@@ -1,6 +1,5 @@
 #include "passes/view_medium/view_medium.hpp"
 
-#include "passes/shared/camera_rays.hpp"
 #include "passes/shared/medium_uniforms.hpp"
 
 namespace caustics::std140 {
@@ -17,10 +16,8 @@ extern const Shader view_medium_shader;
 
 namespace {
 
-std140::ViewMedium view_uniforms(const PassContext& context) {
-  return {.camera = shader_camera_rays(*context.camera, context.width, context.height),
-          .view = shader_view(*context.camera),
-          .medium = shader_medium(*context.scene)};
+std140::ViewMedium medium_uniforms(const PassContext& context) {
+  return {.medium = shader_medium(*context.scene)};
 }
 
 }  // namespace
@@ -31,21 +28,12 @@ Pass view_medium_pass() {
       .purpose = "takes from the picture what the medium takes on the way to the camera",
       .reason = "a medium lies between the camera and what it sees",
       .when = {&Effects::medium},
-      .reads = {{.name = "view_position", .meaning = "opaque surfaces"},
-                {.name = "view_normal", .meaning = "their depth"},
-                {.name = "view_caster_position",
-                 .meaning = "glass and mirrors",
-                 .texture = "caster_position.camera",
-                 .optional = true}},
+      .reads = {{.name = "view_range", .meaning = "how far each ray goes through the medium"}},
       .writes = {{.name = "beauty",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .blend = kMultiply,
-                  .mask = kColorWithoutAlpha},
-                 {.name = "view_range",
-                  .meaning = "x: depth of the first surface along the camera's axis, metres, 1e30 where "
-                             "there is none; y, z: distances from the camera at which its ray enters "
-                             "the medium and leaves it or ends"}},
-      .shaders = {{&view_medium_shader, block_of<view_uniforms>}},
+                  .mask = kColorWithoutAlpha}},
+      .shaders = {{&view_medium_shader, block_of<medium_uniforms>}},
   };
 }
 

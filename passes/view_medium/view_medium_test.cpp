@@ -10,29 +10,25 @@ using namespace caustics::test;
 
 namespace {
 
-// A camera 10 m up looks straight down, at the floor or at nothing, through the haze below 4 m.
-PassImages look(const glm::vec4& surface, float depth) {
+// What is left of a white picture where the camera's ray is in the haze from `entry` to `exit`.
+float left_of_white(float entry, float exit) {
   const Scene scene = hazy_room();
-  const View view = down(1.0, 10.0, 20.0);
   const Pass pass = view_medium_pass();
   PassDefinition definition = definition_of(pass);
   definition.writes[0].clear = {1.0f, 1.0f, 1.0f, 1.0f};
-  return run_pass(definition,
-                  {.uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = 1, .height = 1}),
-                   .textures = {filled(1, 1, surface), filled(1, 1, {0.0f, 1.0f, 0.0f, depth}), Image{}}});
+  const PassImages out =
+      run_pass(definition, {.uniforms = pass.uniforms({.scene = &scene, .width = 1, .height = 1}),
+                            .textures = {filled(1, 1, {exit, entry, exit, 0.0f})}});
+  for (int c = 1; c < 3; ++c) CHECK(out["beauty"].at(0, 0, c) == out["beauty"].at(0, 0, 0));
+  return out["beauty"].at(0, 0, 0);
 }
 
 }  // namespace
 
 TEST_CASE("view_medium: the picture loses what the haze takes on the way through it (Beer and Lambert)") {
-  const PassImages out = look({0.0f, 0.0f, 0.0f, 1.0f}, 10.0f);
-  for (int c = 0; c < 3; ++c)
-    CHECK(out["beauty"].at(0, 0, c) == Approx(std::exp(-kHaze * kHeight)).epsilon(1e-6));
-  CHECK(texel(out["view_range"], 0, 0) == glm::vec4(10.0f, 6.0f, 10.0f, 0.0f));
+  CHECK(left_of_white(6.0f, 10.0f) == Approx(std::exp(-kHaze * 4.0)).epsilon(1e-6));
 }
 
-TEST_CASE("view_medium: a surface before the haze loses nothing") {
-  const PassImages out = look({0.0f, 5.0f, 0.0f, 1.0f}, 5.0f);
-  CHECK(out["beauty"].at(0, 0, 0) == 1.0f);
-  CHECK(texel(out["view_range"], 0, 0) == glm::vec4(5.0f, 0.0f, 0.0f, 0.0f));
+TEST_CASE("view_medium: where a ray passes by the haze the picture loses nothing") {
+  CHECK(left_of_white(0.0f, 0.0f) == 1.0f);
 }

@@ -1,3 +1,1 @@
-CameraRays camera;
-View view;      // the camera's
 Medium medium;

@@ -47,7 +47,7 @@ class AreaLights(ProgramTest):
         # A silhouette on a grid of 32 x 32 is good to a percent.
         self.assertAlmostEqual(entered[1] / entered[0], 1.0, delta=0.01)
 
-    def test_textures_take_no_more_memory_with_more_samples(self):
+    def check_textures_take_no_more_memory_with_more_samples(self):
         def textures(command, samples):
             if command == "plan":
                 plan = self.succeeds("plan", "sun.glb", "--json", *SMALL, "-D", f"light.samples={samples}")
@@ -55,7 +55,18 @@ class AreaLights(ProgramTest):
             return self.stats("-D", f"light.samples={samples}")["texture_bytes"]
 
         for command in ("plan", "render"):
-            self.assertEqual(textures(command, 4), textures(command, 12))
+            self.assertEqual(textures(command, 4), textures(command, 16))
+
+    def test_textures_take_no_more_memory_with_more_samples(self):
+        self.check_textures_take_no_more_memory_with_more_samples()
+
+    def test_textures_take_no_more_memory_with_more_samples_in_haze(self):
+        document, blob = glb.unpack((self.folder / "sun.glb").read_bytes())
+        document["scenes"][0]["extras"] = {"medium": {"scattering": 0.5}}
+        (self.folder / "sun.glb").write_bytes(glb.pack(document, blob))
+        passes = [p["pass"] for p in json.loads(self.succeeds("plan", "sun.glb", "--json").stdout)["passes"]]
+        self.assertIn("light_shafts[sun.15]", passes)
+        self.check_textures_take_no_more_memory_with_more_samples()
 
     def test_a_dump_has_the_textures_of_each_sample(self):
         self.succeeds("sun.glb", *SMALL, "-D", "light.samples=3", "--dump", "d")

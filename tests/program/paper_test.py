@@ -30,6 +30,7 @@ class Paper(ProgramTest):
                 node["scale"] = [0.5, 0.5, 0.5]
         (self.folder / "scenes").mkdir()
         (self.folder / "scenes/glass_sphere.glb").write_bytes(glb.pack(document, blob))
+        shutil.copy(SCENES / "glass_sphere_lamp.glb", self.folder / "scenes")
         program = shutil.copy(PROGRAM, self.folder / "caustics")
         result = subprocess.run([program, "paper", "-o", "out", "--row", "21"], cwd=self.folder, text=True,
                                 capture_output=True, timeout=300)

@@ -1,0 +1,3 @@
+CameraRays camera;
+View view;      // the camera's
+Medium medium;
