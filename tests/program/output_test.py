@@ -17,7 +17,7 @@ class Outputs(ProgramTest):
         result = self.succeeds("ball.glb", *SMALL)
         self.assertEqual(self.files(), ["ball.glb", "ball.png"])
         self.assertEqual(result.stdout, "")
-        self.assertIn("ball.png: 64x48 in ", result.stderr)
+        self.assertIn("ball.png: 64x48, grid 32, map 32 in ", result.stderr)
         self.assertNotIn("\033", result.stderr)
 
     def test_quiet_says_nothing(self):
