@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Holds the sizes that --target-error and --time-budget choose against all sizes, tried by force: eight scenes,
-a 256 x 256 floor view of each.
+"""Holds the sizes that --target-error and --time-budget choose against all sizes, tried by force, by a
+256 x 256 floor view of each of eight scenes.
 
     lab/study/demands.py -o DIR [SCENE ...]        without scenes: all eight
 
-Sizes that take more than three times the fastest that does are not tried. Traced scenes are kept in DIR.
+Sizes of more than four times the vertices and texels of the best so far are not tried. Traced scenes are kept in DIR.
 docs/accuracy.md has the outcome."""
 import argparse
 import json
@@ -49,7 +49,8 @@ class Bench:
     def by_force(self, meets, better):
         best = None
         for grid, side in sorted(((g, m) for g in SIDES for m in SIDES), key=lambda s: s[0]**2 + s[1]**2):
-            if best and (grid, side) not in self.tried and grid**2 + side**2 > 4 * (best[0]**2 + best[1]**2):
+            far = best and grid**2 + side**2 > 4 * (best[0]**2 + best[1]**2)
+            if far and (grid, side) not in self.tried:
                 continue
             frame = self.frame(grid, side)
             if meets(frame) and (not best or better(frame, self.frame(*best))):
@@ -68,7 +69,7 @@ def told(name, demand, bench, chosen, code, best):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
-    parser.add_argument('scenes', nargs='*', choices=[*DEMANDS, []])
+    parser.add_argument('scenes', nargs='*', choices=[*DEMANDS, []], metavar='SCENE')
     parser.add_argument('-o', '--output', type=pathlib.Path, required=True)
     parser.add_argument('--program', default=str(ROOT / 'build/release/caustics'))
     options = parser.parse_args()

@@ -14,7 +14,10 @@ double order(double error, int side, double other_error, int other_side, double 
                     2.0);
 }
 
-double squared(int side) { return static_cast<double>(side) * static_cast<double>(side); }
+double squared(double side) { return side * side; }
+
+constexpr int kRounds = 2000;
+constexpr double kShortest = 1e-6;  // milliseconds
 
 }  // namespace
 
@@ -22,13 +25,31 @@ CostModel::CostModel(const Trial& base, const Trial& finer_grid, const Trial& fi
     : base_(base),
       grid_order_(order(base.grid_error, base.grid, finer_grid.grid_error, finer_grid.grid)),
       map_order_(order(base.map_error, base.map, finer_map.map_error, finer_map.map)),
-      missing_order_(order(base.missing, base.grid, finer_grid.missing, finer_grid.grid, 0.0)) {
-  per_vertex_ = std::max(
-      0.0, (finer_grid.milliseconds - base.milliseconds) / (squared(finer_grid.grid) - squared(base.grid)));
-  per_texel_ = std::max(
-      0.0, (finer_map.milliseconds - base.milliseconds) / (squared(finer_map.map) - squared(base.map)));
-  fixed_ =
-      std::max(0.0, base.milliseconds - per_vertex_ * squared(base.grid) - per_texel_ * squared(base.map));
+      missing_order_(order(base.missing, base.grid, finer_grid.missing, finer_grid.grid, 0.0)),
+      trials_{base, finer_grid, finer_map} {
+  fit_costs();
+}
+
+CostModel::Amounts CostModel::amounts(int grid, int map) { return {1.0, squared(grid), squared(map)}; }
+
+double CostModel::time(const Amounts& amounts) const {
+  return costs_[0] * amounts[0] + costs_[1] * amounts[1] + costs_[2] * amounts[2];
+}
+
+// Least squares of relative errors, by one cost after the other: times that are measured with noise, and
+// costs that cannot be negative.
+void CostModel::fit_costs() {
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t k = 0; k < costs_.size(); ++k) {
+      double along = 0.0, across = 0.0;
+      for (const Trial& trial : trials_) {
+        const Amounts row = amounts(trial.grid, trial.map);
+        const double weight = 1.0 / squared(std::max(trial.milliseconds, kShortest));
+        along += weight * row[k] * (trial.milliseconds - time(row) + costs_[k] * row[k]);
+        across += weight * row[k] * row[k];
+      }
+      costs_[k] = std::max(0.0, along / across);
+    }
 }
 
 Trial CostModel::expect(int grid, int map) const {
@@ -40,15 +61,14 @@ Trial CostModel::expect(int grid, int map) const {
           .grid_error = base_.grid_error / std::pow(finer_grid, grid_order_),
           .missing = base_.missing / std::pow(finer_grid, missing_order_),
           .model = base_.model,
-          .milliseconds = fixed_ + per_vertex_ * squared(grid) + per_texel_ * squared(map)};
+          .milliseconds = time(amounts(grid, map))};
 }
 
 void CostModel::learn(const Trial& trial) {
-  const Trial expected = expect(trial.grid, trial.map);
-  const double slower = expected.milliseconds > 0.0 ? trial.milliseconds / expected.milliseconds : 1.0;
-  fixed_ *= slower;
-  per_vertex_ *= slower;
-  per_texel_ *= slower;
+  trials_.push_back(trial);
+  fit_costs();
+  const double expected = time(amounts(trial.grid, trial.map));
+  for (double& cost : costs_) cost *= expected > 0.0 ? trial.milliseconds / expected : 1.0;
   if (trial.grid != base_.grid) {
     grid_order_ = order(base_.grid_error, base_.grid, trial.grid_error, trial.grid);
     missing_order_ = order(base_.missing, base_.grid, trial.missing, trial.grid, 0.0);

@@ -1,6 +1,8 @@
 // What sizes of grid and maps cost in time and leave in error: a model of three frames that were measured.
 #pragma once
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace caustics {
 
@@ -27,13 +29,21 @@ class CostModel {
  public:
   CostModel(const Trial& base, const Trial& finer_grid, const Trial& finer_map);
   Trial expect(int grid, int map) const;
-  // Makes the model true for this trial, and the orders those between it and the one before.
+  // Makes the model true for this trial, its costs those that fit all trials best, and the orders those
+  // between it and the one before.
   void learn(const Trial& trial);
 
  private:
+  // What a frame of a trial's sides has of each cost: itself, vertices, texels.
+  using Amounts = std::array<double, 3>;
+  static Amounts amounts(int grid, int map);
+  double time(const Amounts& amounts) const;
+  void fit_costs();
+
   Trial base_;
   double grid_order_ = 1.0, map_order_ = 1.0, missing_order_ = 0.0;  // what is missing falls with the grid
-  double fixed_ = 0.0, per_vertex_ = 0.0, per_texel_ = 0.0;          // milliseconds
+  Amounts costs_{};                                                  // milliseconds, none negative
+  std::vector<Trial> trials_;
 };
 
 bool meets(const Trial& trial, const Demand& demand);

@@ -39,6 +39,18 @@ TEST_CASE("cost model: a trial corrects it") {
   CHECK(corrected.expect(2048, 512).grid_error == Approx(0.01));
 }
 
+TEST_CASE("cost model: maps that seemed to cost nothing cost what a larger one shows") {
+  // Noise has hidden the map's 98 ms: 59 ms for the base too.
+  Trial base = exact(128, 128), finer_map = exact(128, 256);
+  finer_map.milliseconds = base.milliseconds;
+  CostModel corrected(base, exact(256, 128), finer_map);
+  CHECK(corrected.expect(128, 1024).milliseconds < 80.0);
+  corrected.learn(exact(128, 1024));
+  CHECK(corrected.expect(128, 1024).milliseconds == Approx(exact(128, 1024).milliseconds));
+  CHECK(corrected.expect(128, 512).milliseconds == Approx(exact(128, 512).milliseconds).epsilon(0.1));
+  CHECK(corrected.expect(128, 64).milliseconds < 1.3 * base.milliseconds);  // not 30 times, all costs alike
+}
+
 TEST_CASE("cost model: errors that do not fall, and times that do not rise, are survived") {
   const Trial same{
       .grid = 128, .map = 128, .map_error = 0.0, .grid_error = 0.1, .missing = 0.0, .milliseconds = 5.0};

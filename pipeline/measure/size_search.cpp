@@ -16,6 +16,9 @@ constexpr double kWorthTrying = 0.1;
 // How many times longer than the last one a trial may be expected to take: a cost model is not to be trusted
 // far from what it was measured at.
 constexpr double kFarther = 8.0;
+// And how many times larger either side may be than the largest that was tried, or than what a cost model has
+// seen of it: noise can hide what a side costs.
+constexpr int kLarger = 4, kSeen = 256;
 // Of the model's error: less of the sizes' would not show beside it.
 constexpr double kBesideModel = 0.25;
 
@@ -41,6 +44,12 @@ SizeSearch::Candidate SizeSearch::candidate(const Trial& trial) const {
 // Finer sizes err less and take longer: what is coarser than sizes that err too much, or finer than sizes
 // that take too long, need not be tried.
 bool SizeSearch::is_ruled_out(int grid, int map) const {
+  int largest_grid = kSeen, largest_map = kSeen;
+  for (const Trial& trial : trials_) {
+    largest_grid = std::max(largest_grid, trial.grid);
+    largest_map = std::max(largest_map, trial.map);
+  }
+  if (grid > kLarger * largest_grid || map > kLarger * largest_map) return true;
   return std::any_of(trials_.begin(), trials_.end(), [&](const Trial& trial) {
     if (trial.grid == grid && trial.map == map) return true;
     if (is_met(trial)) return false;
