@@ -4,8 +4,8 @@
 
     lab/study/demands.py -o DIR [SCENE ...]        without scenes: all eight
 
-Sizes of more than four times the vertices and texels of the best so far are not tried. Traced scenes are kept in DIR.
-docs/accuracy.md has the outcome."""
+Sizes of more than four times the vertices and texels of the best so far are not tried. Traced scenes are kept
+in DIR. docs/accuracy.md has the outcome."""
 import argparse
 import json
 import pathlib
@@ -64,7 +64,8 @@ def told(name, demand, bench, chosen, code, best):
             return 'none'
         true, stated, time = bench.frame(*sides)
         return f'{sides[0]} {sides[1]}, {100 * true:.1f} ({100 * stated:.1f}) %, {time:.0f} ms'
-    print(f'| {name} | {demand} | {text(chosen)}{" (missed)" if code else ""} | {text(best)} |', flush=True)
+    missed = ', missed' if code else ''
+    print(f'| {name} | {demand} | {text(chosen)}{missed} | {text(best)} |', flush=True)
 
 
 def main():
@@ -74,7 +75,7 @@ def main():
     parser.add_argument('--program', default=str(ROOT / 'build/release/caustics'))
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
-    print('| scene | asked for | chosen: grid, map, true (stated) error, time | by force |\n|---|---|---|---|')
+    print('| scene | asked for | grid, map, true (stated) error, time | by force |\n|---|---|---|---|')
     for name in options.scenes or DEMANDS:
         bench = Bench(options.program, ROOT / 'scenes' / f'{name}.glb', options.output)
         error, budget = DEMANDS[name]

@@ -161,10 +161,9 @@ constexpr Setting kTable[] = {
     number<&S::width>("width", Part::View, {1, 16384, "pixels"}, "width of the picture"),
     number<&S::height>("height", Part::View, {1, 16384, "pixels"}, "height of the picture"),
     side<&S::grid>("grid", Part::Maps, {1, 8192},
-                   "grid vertices a side: rays from the light; auto: 512, up to 704 as the map grows"),
+                   "grid vertices a side: rays from the light; auto: 512 to 704, with the map"),
     side<&S::map>("map", Part::Maps, {1, 8192, "texels"},
-                  "side of the caustic map and of the receiver map; auto: 512, up to 1280 where the picture "
-                  "shows sharp edges of a caustic finer"),
+                  "side of caustic and receiver map; auto: 512 to 1280, as the picture shows sharp edges"),
     number<&S::shadow>("shadow", Part::Maps, {1, 8192, "texels"}, "side of the shadow map"),
     number<&S::light_samples>("light.samples", Part::Maps, {1, 256},
                               "points by which a light with a size is drawn"),
