@@ -65,6 +65,8 @@ def complaints(faults):
             complain(f'its text occurs {source.count(fault.text)} times in {fault.file}; choose it anew')
             continue
         begin = source.index(fault.text)
+        if fault.choice().startswith('if') and re.search(r'(\breturn|[=(,?])\s*$', source[:begin]):
+            complain('a statement cannot stand here')
         for other, first, last in spans.setdefault(fault.file, []):
             if begin < last and first < begin + len(fault.text):
                 complain(f'overlaps {other}')
