@@ -48,13 +48,15 @@ bool parse(const Arguments& arguments, ProbeRequest& request) {
   if (request.x < 0) {
     throw Error(ExitCode::WrongUsage, "no grid vertex given; add --texel X,Y");
   }
-  const int grid = request.frame.settings.grid;
-  if (request.x >= grid || request.y >= grid) {
-    throw Error(ExitCode::WrongUsage, "--texel must be 0.." + std::to_string(grid - 1) +
-                                          " in both: the grid has " + std::to_string(grid) +
-                                          " vertices a side");
-  }
   return true;
+}
+
+// Against the grid that was chosen, where it was.
+void check_texel(const ProbeRequest& request, int grid) {
+  if (request.x < grid && request.y < grid) return;
+  throw Error(ExitCode::WrongUsage, "--texel must be 0.." + std::to_string(grid - 1) +
+                                        " in both: the grid has " + std::to_string(grid) +
+                                        " vertices a side");
 }
 
 const PlannedPass& find_landing(const RenderedFrame& frame, const ProbeRequest& request) {
@@ -93,9 +95,9 @@ void print_values(const std::string& label, const float* values, int count) {
 }
 
 void print_probe(const RenderedFrame& frame, const ProbeRequest& request, const ProbedTexel& probed) {
+  const int grid = frame.settings().grid;
   std::printf("grid vertex %d,%d of light %s, grid %dx%d; metres, scene space\n", request.x, request.y,
-              light_label(frame.scene(), request.light).c_str(), frame.settings().grid,
-              frame.settings().grid);
+              light_label(frame.scene(), request.light).c_str(), grid, grid);
   std::printf("\nthis texel of what the pass reads\n");
   for (const NamedValues& v : probed.inputs) print_values(v.name, v.values.data(), v.count);
   std::printf("\nwhat it computes, in order\n");
@@ -115,6 +117,7 @@ ExitCode run_probe(const Arguments& arguments) {
   std::unique_ptr<LoadedScene> loaded = load_scene(request.frame);
   check_light(loaded->scene(), request);
   RenderedFrame frame(request.frame, std::move(loaded), {{kLanding}});
+  check_texel(request, frame.settings().grid);
   const PlannedPass& landing = find_landing(frame, request);
   ProbedTexel probed;
   // As soon as it is drawn: later passes may take the memory of what it read.

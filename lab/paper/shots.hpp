@@ -13,7 +13,7 @@ using Options = std::vector<std::string>;
 struct Shot {
   std::string name;      // of its files, without extension
   std::string scene;     // "glass_sphere.glb"
-  Options options;       // without outputs
+  Options options = {};  // without outputs
   std::string layers{};  // of an EXR file beside the picture; empty: none
   bool traced = false;   // by `caustics reference`, of the same two surfaces: an EXR file and statistics
   bool dumped = false;   // with every attachment of every pass

@@ -19,8 +19,8 @@ struct MeshData {
     int components = 0;
   };
   std::vector<Attribute> layout;
-  std::vector<float> vertices;         // vertex after vertex, attributes in layout order
-  std::vector<std::uint32_t> indices;  // empty: the vertices in order
+  std::vector<float> vertices;              // vertex after vertex, attributes in layout order
+  std::vector<std::uint32_t> indices = {};  // empty: the vertices in order
   int floats_per_vertex() const;
   std::size_t vertex_count() const;
 };

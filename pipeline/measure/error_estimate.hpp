@@ -13,10 +13,10 @@ namespace caustics {
 // what receives it, in the ledger's unit of flux and summed over the three channels. Each part compares the
 // frame with a coarser one made from its own textures.
 struct ErrorEstimate {
-  double landed = 0.0;   // all flux in the map; once `judged`, all that light itself lands
-  double map = 0.0;      // by the size of the maps' texels: against texels of twice the side
-  double grid = 0.0;     // by the grid's spacing: against cells of twice the side, or half of the splats; and
-                         // light in spots
+  double landed = 0.0;  // all flux in the map; once `judged`, all that light itself lands
+  double map = 0.0;     // by the size of the maps' texels: against texels of twice the side
+  double grid = 0.0;  // by the grid's spacing: against cells of twice the side; splats, and light that cells
+                      // have left in spots, against even light
   double missing = 0.0;  // landed beyond the map, or not followed to its landing
   // What rays through the scene's triangles have shown (model_error.hpp), where they were asked for.
   bool judged = false;

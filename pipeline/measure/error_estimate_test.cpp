@@ -86,6 +86,32 @@ TEST_CASE("error estimate: half of the light that cells leave to points counts")
   CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(0.125));
 }
 
+TEST_CASE("error estimate: points against their light spread evenly between them") {
+  // Four landings, two texels from each other, of 0.25 in each channel, in a map of 8 x 8 texels of 0.25:
+  // each has all of its light in one texel instead of a quarter in each of four. 2 x 3/4 of all the light is
+  // moved.
+  Bench bench;
+  bench.settings.splat = Splat::Point;
+  bench.branch.cell_flux = Image{};
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 2; ++x) {
+      Bench::set(bench.branch.landing, x, y,
+                 {-0.25f + 0.5f * float(x), -0.25f + 0.5f * float(y), 0.0f, 1.0f});
+      Bench::set(bench.branch.flux, x, y, {0.25f, 0.25f, 0.25f, 0.0f});
+    }
+  CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(1.5));
+  // A third of the way apart, as three to a row: the middle's neighbours lie two steps apart, not one.
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) {
+      Bench::set(bench.branch.landing, x, y, {-0.5f + 0.5f * float(x), -0.5f + 0.5f * float(y), 0.0f, 1.0f});
+      Bench::set(bench.branch.flux, x, y, {1.0f / 9.0f, 1.0f / 9.0f, 1.0f / 9.0f, 0.0f});
+    }
+  CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(1.5));
+  // Over a pixel of two texels a quarter of each point's light lies as it would.
+  bench.pixel = 2.0;
+  CHECK(bench.estimate().relative(bench.estimate().grid) < 1.0);
+}
+
 TEST_CASE("error estimate: what differs within a texel is not seen") {
   Bench bench;
   bench.put(0, 0, 2.0f, 2.0f, 0.25f, 0.4f);

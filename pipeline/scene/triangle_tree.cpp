@@ -22,40 +22,39 @@ const Vertex& vertex_of(const Scene& scene, const TriangleId& id, int k) {
   return mesh.vertices[mesh.indices[3 * static_cast<std::size_t>(id.triangle) + static_cast<std::size_t>(k)]];
 }
 
-struct Box {
-  glm::vec3 lower{std::numeric_limits<float>::infinity()};
-  glm::vec3 upper{-std::numeric_limits<float>::infinity()};
-  void add(const glm::vec3& p) {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  }
-  void add(const Box& other) {
-    lower = glm::min(lower, other.lower);
-    upper = glm::max(upper, other.upper);
-  }
-  // Half of its surface.
-  double area() const {
-    if (lower.x > upper.x) return 0.0;
-    const glm::dvec3 side = glm::dvec3(upper) - glm::dvec3(lower);
-    return (side.x * side.y + side.y * side.z) + side.z * side.x;
-  }
-};
-
-struct Bin {
-  Box box;
-  std::size_t count = 0;
-  void add(const Bin& other) {
-    box.add(other.box);
-    count += other.count;
-  }
-  // What a ray that meets the box around all pays for it, up to a factor.
-  double cost() const { return box.area() * static_cast<double>(count); }
-};
-
 }  // namespace
 
 // Binned surface-area heuristic (Wald 2007) over the triangles' middles.
 struct TriangleTree::Builder {
+  struct Box {
+    glm::vec3 lower{std::numeric_limits<float>::infinity()};
+    glm::vec3 upper{-std::numeric_limits<float>::infinity()};
+    void add(const glm::vec3& p) {
+      lower = glm::min(lower, p);
+      upper = glm::max(upper, p);
+    }
+    void add(const Box& other) {
+      lower = glm::min(lower, other.lower);
+      upper = glm::max(upper, other.upper);
+    }
+    // Half of its surface.
+    double area() const {
+      if (lower.x > upper.x) return 0.0;
+      const glm::dvec3 side = glm::dvec3(upper) - glm::dvec3(lower);
+      return (side.x * side.y + side.y * side.z) + side.z * side.x;
+    }
+  };
+
+  struct Bin {
+    Box box;
+    std::size_t count = 0;
+    void add(const Bin& other) {
+      box.add(other.box);
+      count += other.count;
+    }
+    // What a ray that meets the box around all pays for it, up to a factor.
+    double cost() const { return box.area() * static_cast<double>(count); }
+  };
   struct Item {
     TriangleId id;
     Box box;

@@ -17,8 +17,8 @@ struct TraceSettings {
   int width = 1280, height = 720;  // picture
   int side = 512;                  // side^2 rays for each light and batch; 1..16384
   Physics physics = Physics::Single;
-  int threads = 0;                // 0: one a core; changes no bit
-  std::vector<ExactShape> exact;  // traced in place of their meshes
+  int threads = 0;                     // 0: one a core; changes no bit
+  std::vector<ExactShape> exact = {};  // traced in place of their meshes
 };
 
 // Everything that batches add up to; what a state file keeps.
