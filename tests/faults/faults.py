@@ -65,8 +65,12 @@ def complaints(faults):
             complain(f'its text occurs {source.count(fault.text)} times in {fault.file}; choose it anew')
             continue
         begin = source.index(fault.text)
-        if fault.choice().startswith('if') and re.search(r'(\breturn|[=(,?])\s*$', source[:begin]):
+        is_statement = fault.choice().startswith('if')
+        is_operand = re.search(r'(\breturn|[=,?({])\s*$', source[:begin])
+        if is_statement and is_operand and not source[:begin].rstrip().endswith('{'):
             complain('a statement cannot stand here')
+        if not is_statement and not is_operand and re.match(r'[^(]* \? ', fault.text):
+            complain('in parentheses its ? binds otherwise than without')
         for other, first, last in spans.setdefault(fault.file, []):
             if begin < last and first < begin + len(fault.text):
                 complain(f'overlaps {other}')
