@@ -27,6 +27,7 @@ CostModel::CostModel(const Trial& base, const Trial& finer_grid, const Trial& fi
       map_order_(order(base.map_error, base.map, finer_map.map_error, finer_map.map)),
       missing_order_(order(base.missing, base.grid, finer_grid.missing, finer_grid.grid, 0.0)),
       trials_{base, finer_grid, finer_map} {
+  base_.model = std::min({base.model, finer_grid.model, finer_map.model});
   fit_costs();
 }
 
@@ -74,7 +75,9 @@ void CostModel::learn(const Trial& trial) {
     missing_order_ = order(base_.missing, base_.grid, trial.missing, trial.grid, 0.0);
   }
   if (trial.map != base_.map) map_order_ = order(base_.map_error, base_.map, trial.map_error, trial.map);
+  const double least = std::min(base_.model, trial.model);
   base_ = trial;
+  base_.model = least;
 }
 
 bool meets(const Trial& trial, const Demand& demand) {

@@ -24,7 +24,7 @@ struct Trial {
 };
 
 // Error and time as powers and squares of the sizes, from three trials: a base, one with a larger grid, one
-// with larger maps.
+// with larger maps. The model's error is the least that a trial has shown: few rays show too much.
 class CostModel {
  public:
   CostModel(const Trial& base, const Trial& finer_grid, const Trial& finer_map);

@@ -15,9 +15,9 @@ namespace {
 // Of the difference from texels of twice the side: bilinear interpolation errs by the square of the side
 // (Richardson: 1 in 2^2 - 1).
 constexpr double kOfTexels = 1.0 / 3.0;
-// Of the difference from cells of half the number. A half would be of the first order, and a
-// third of the second; texels even out most of what differs from cell to cell. This is what glass spheres
-// measure (docs/accuracy.md).
+// Of the difference from cells of half the number. A half would be of the first order, and a third of the
+// second; texels even out most of what differs from cell to cell. This is what glass spheres measure
+// (docs/accuracy.md).
 constexpr double kOfGrid = 1.0 / 6.0;
 
 // Of the light that cells have left to points, which lies in spots instead of between them. Metal rings

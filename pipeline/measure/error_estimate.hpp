@@ -11,7 +11,7 @@ namespace caustics {
 
 // Light in wrong places: the integral of |irradiance - truth|, both averaged over a picture's pixels, over
 // what receives it, in the ledger's unit of flux and summed over the three channels. Each part compares the
-// frame with a coarser one made from its own textures.
+// frame with a coarser one, or with even light, made from its own textures.
 struct ErrorEstimate {
   double landed = 0.0;  // all flux in the map; once `judged`, all that light itself lands
   double map = 0.0;     // by the size of the maps' texels: against texels of twice the side

@@ -36,9 +36,12 @@ double SizeSearch::bound() const {
   return only_model() ? std::max(*demand_.error, kBesideModel * of_model) : *demand_.error - of_model;
 }
 
+// What the model errs more in a trial than at the least, which the bound leaves out, counts as of its sizes.
 SizeSearch::Candidate SizeSearch::candidate(const Trial& trial) const {
-  return demand_.error ? Candidate{trial, trial.of_sizes(), trial.milliseconds}
-                       : Candidate{trial, trial.milliseconds, trial.of_sizes()};
+  const double of_model = trial.model - model_.expect(trial.grid, trial.map).model;
+  return demand_.error
+             ? Candidate{trial, trial.of_sizes() + (only_model() ? 0.0 : of_model), trial.milliseconds}
+             : Candidate{trial, trial.milliseconds, trial.of_sizes()};
 }
 
 // Finer sizes err less and take longer: what is coarser than sizes that err too much, or finer than sizes
