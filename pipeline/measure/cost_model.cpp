@@ -27,7 +27,8 @@ CostModel::CostModel(const Trial& base, const Trial& finer_grid, const Trial& fi
       map_order_(order(base.map_error, base.map, finer_map.map_error, finer_map.map)),
       missing_order_(order(base.missing, base.grid, finer_grid.missing, finer_grid.grid, 0.0)),
       trials_{base, finer_grid, finer_map} {
-  base_.model = std::min({base.model, finer_grid.model, finer_map.model});
+  base_.model = finer_grid.model;
+  finest_ = finer_grid.grid;
   fit_costs();
 }
 
@@ -75,9 +76,10 @@ void CostModel::learn(const Trial& trial) {
     missing_order_ = order(base_.missing, base_.grid, trial.missing, trial.grid, 0.0);
   }
   if (trial.map != base_.map) map_order_ = order(base_.map_error, base_.map, trial.map_error, trial.map);
-  const double least = std::min(base_.model, trial.model);
+  const double model = trial.grid >= finest_ ? trial.model : base_.model;
+  finest_ = std::max(finest_, trial.grid);
   base_ = trial;
-  base_.model = least;
+  base_.model = model;
 }
 
 bool meets(const Trial& trial, const Demand& demand) {

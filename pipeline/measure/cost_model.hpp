@@ -24,7 +24,7 @@ struct Trial {
 };
 
 // Error and time as powers and squares of the sizes, from three trials: a base, one with a larger grid, one
-// with larger maps. The model's error is the least that a trial has shown: few rays show too much.
+// with larger maps. The model's error is that of the finest grid: few rays show too much.
 class CostModel {
  public:
   CostModel(const Trial& base, const Trial& finer_grid, const Trial& finer_map);
@@ -44,6 +44,7 @@ class CostModel {
   double grid_order_ = 1.0, map_order_ = 1.0, missing_order_ = 0.0;  // what is missing falls with the grid
   Amounts costs_{};                                                  // milliseconds, none negative
   std::vector<Trial> trials_;
+  int finest_ = 0;  // of the grids
 };
 
 bool meets(const Trial& trial, const Demand& demand);

@@ -36,7 +36,8 @@ double SizeSearch::bound() const {
   return only_model() ? std::max(*demand_.error, kBesideModel * of_model) : *demand_.error - of_model;
 }
 
-// What the model errs more in a trial than at the least, which the bound leaves out, counts as of its sizes.
+// What the model errs more in a trial than with the finest grid, which the bound leaves out, counts as of its
+// sizes.
 SizeSearch::Candidate SizeSearch::candidate(const Trial& trial) const {
   const double of_model = trial.model - model_.expect(trial.grid, trial.map).model;
   return demand_.error
