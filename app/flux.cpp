@@ -164,6 +164,7 @@ std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger) {
           {"outside", ledger.outside},
           {"not_converged", ledger.not_converged},
           {"exit_not_found", ledger.exit_not_found},
+          {"given_up", ledger.given_up},
           {"kernel_edge", ledger.kernel_edge}};
 }
 

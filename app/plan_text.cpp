@@ -24,7 +24,7 @@ const char* name_of(LightType type) {
 }
 
 bool PlanReport::draws_nothing(const PlannedPass& pass) const {
-  if (!pass.if_casters_lit) return false;
+  if (pass.only_if == 0) return false;
   const int source = loaded.scene().lights[static_cast<std::size_t>(pass.light)].source;
   return std::any_of(ledgers.begin(), ledgers.end(), [&](const LightLedger& ledger) {
     return ledger.light == source && !(sum(ledger.ledger.entered) > 0.0);

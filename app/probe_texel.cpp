@@ -46,7 +46,7 @@ std::vector<LaneRow> run_kernel(const PassRun& run, const std::vector<TextureVie
   LaneRow frag_x, frag_y;
   frag_x.fill(static_cast<float>(x) + 0.5f);
   frag_y.fill(static_cast<float>(y) + 0.5f);
-  std::array<std::int32_t, kBlock> front_facing, discarded{};
+  std::array<std::int32_t, kBlock> front_facing, primitive_id{}, discarded{};
   front_facing.fill(-1);
   Recorder recorder;
   const FragmentBlock block{
@@ -55,6 +55,7 @@ std::vector<LaneRow> run_kernel(const PassRun& run, const std::vector<TextureVie
       .frag_x = frag_x.data(),
       .frag_y = frag_y.data(),
       .front_facing = front_facing.data(),
+      .primitive_id = primitive_id.data(),
       .varyings = reinterpret_cast<const float(*)[kBlock]>(varyings.data()),
       .outputs = reinterpret_cast<float(*)[kBlock]>(output_rows.data()),
       .discarded = discarded.data(),

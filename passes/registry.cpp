@@ -1,22 +1,27 @@
 #include "passes/registry.hpp"
 
 #include "passes/beams/beams.hpp"
+#include "passes/bend/bend.hpp"
 #include "passes/cascade_cells/cascade_cells.hpp"
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_flux/caster_flux.hpp"
 #include "passes/caster_map/caster_map.hpp"
 #include "passes/caustic_cells/caustic_cells.hpp"
+#include "passes/caustic_footprints/caustic_footprints.hpp"
 #include "passes/caustic_map/caustic_map.hpp"
 #include "passes/cells/cells.hpp"
 #include "passes/compose/compose.hpp"
+#include "passes/enter/enter.hpp"
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
 #include "passes/haze/haze.hpp"
 #include "passes/impostor_map/impostor_map.hpp"
+#include "passes/land/land.hpp"
 #include "passes/landing/landing.hpp"
 #include "passes/light_haze/light_haze.hpp"
 #include "passes/light_shading/light_shading.hpp"
 #include "passes/light_shafts/light_shafts.hpp"
+#include "passes/next_surface/next_surface.hpp"
 #include "passes/occluder_depth/occluder_depth.hpp"
 #include "passes/pane_light/pane_light.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
@@ -45,11 +50,16 @@ Registry registered() {
       caster_exit_map_pass(),
       receiver_map_pass(),
       landing_pass(),
+      enter_pass(),
+      next_surface_pass(),
+      land_pass(),
+      bend_pass(),
       beams_pass(),
       cells_pass(),
       caustic_cells_pass(),
       cascade_cells_pass(),
       caustic_map_pass(),
+      caustic_footprints_pass(),
       shadow_map_pass(),
       pane_light_pass(),
       // Of the camera: the scene without glass, in the picture and around it.

@@ -52,7 +52,7 @@ class ChunkBuilder {
     if (is_inside(corner[0]) && is_inside(corner[1]) && is_inside(corner[2])) {
       set_up({to_window(corner[0], false, viewport_), to_window(corner[1], false, viewport_),
               to_window(corner[2], false, viewport_)},
-             provoking);
+             provoking, i);
       return;
     }
     std::vector<float> storage;
@@ -61,11 +61,12 @@ class ChunkBuilder {
     if (polygon.count < 3) return;
     WindowVertex v[ClippedPolygon::kMaxVertices];
     for (int k = 0; k < polygon.count; ++k) v[k] = to_window(polygon.vertices[k], polygon.made[k], viewport_);
-    for (int k = 2; k < polygon.count; ++k) set_up({v[k - 1], v[k], v[0]}, provoking);
+    for (int k = 2; k < polygon.count; ++k) set_up({v[k - 1], v[k], v[0]}, provoking, i);
   }
 
-  void set_up(const WindowVertex (&v)[3], const float* provoking) {
+  void set_up(const WindowVertex (&v)[3], const float* provoking, std::size_t primitive) {
     TriangleRecord record;
+    record.primitive = static_cast<std::int32_t>(primitive);
     if (set_up_triangle(v, provoking, viewport_, stage_.options, record, chunk_.planes))
       chunk_.triangles.push_back(record);
   }

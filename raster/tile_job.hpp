@@ -29,6 +29,7 @@ struct TriangleRecord {
   const Plane* planes;                            // z, 1/w, then each varying component
   const float* provoking;                         // varyings of the provoking vertex
   std::int32_t front_facing;                      // 0 or -1
+  std::int32_t primitive;                         // its place in the draw
 };
 
 // A point ready to be rasterized.

@@ -1,8 +1,6 @@
 #include "passes/caster_flux/caster_flux.hpp"
 
-#include "passes/shared/light_uniforms.hpp"
-#include "pipeline/scene/cube_view.hpp"
-#include "pipeline/settings/settings.hpp"
+#include "passes/shared/grid_light_uniforms.hpp"
 
 namespace caustics {
 
@@ -10,19 +8,12 @@ extern const Shader caster_flux_shader;
 
 namespace {
 
+// Flux is counted in that of a cell in the view's middle.
 std140::CasterFlux caster_flux_uniforms(const PassContext& context) {
-  const View& caster = context.views->caster;
-  const CubeAtlas tiles = caster.cube.value_or(CubeAtlas{});
-  return {
-      .caster = shader_view(caster),
-      .cone = shader_cone(*context.light),
-      .light = glm::vec3(caster.perspective ? context.light->position : caster.forward),
-      .cell_area = 1.0f,
-      .tile_width = static_cast<float>(tiles.tile_width()),
-      .tile_height = static_cast<float>(tiles.tile_height()),
-      .tile_guard = static_cast<float>(tiles.guard),
-      .grid_side = context.settings->grid,
-  };
+  std140::CasterFlux block{};
+  set_grid_light(block, context);
+  block.cell_area = 1.0f;
+  return block;
 }
 
 }  // namespace

@@ -9,13 +9,15 @@ extern const Shader caster_map_shader;
 extern const Shader caster_map_detailed_shader;
 extern const Shader caster_map_tinted_shader;
 
-std140::CasterMap caster_map_uniforms(const View& view, int material_row) {
-  return {
-      .view = shader_view(view), .material_row = material_row, .map_side = view.cube ? view.cube->side : 0};
+std140::CasterMap caster_map_uniforms(const View& view, int material_row, int first_triangle) {
+  return {.view = shader_view(view),
+          .material_row = material_row,
+          .map_side = view.cube ? view.cube->side : 0,
+          .first_triangle = first_triangle};
 }
 
 std140::CasterMap plain_casters(const PassContext& context) {
-  return caster_map_uniforms(context.sees_casters(), context.material_row);
+  return caster_map_uniforms(context.sees_casters(), context.material_row, context.first_triangle);
 }
 
 namespace {
@@ -54,6 +56,10 @@ Pass caster_map_pass() {
                   .meaning =
                       "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: row of "
                       "the material in caster_materials"},
+                 {.name = kCasterTriangle,
+                  .format = Format::R32F,
+                  .meaning = "number of the triangle in the hierarchy plus 1, 0 no caster",
+                  .needed_with = &Effects::further_surfaces},
                  {.name = "caster_tint",
                   .meaning =
                       "rgb: what glass lets through, or metal mirrors at normal incidence, 0..1; w: 1 where "

@@ -13,7 +13,7 @@ struct alignas(16) CasterMap {
 
 namespace caustics {
 
-std140::CasterMap caster_map_uniforms(const View& view, int material_row);
+std140::CasterMap caster_map_uniforms(const View& view, int material_row, int first_triangle = 0);
 // Of the mesh that is drawn.
 std140::CasterMap plain_casters(const PassContext& context);
 

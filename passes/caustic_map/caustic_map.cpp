@@ -32,6 +32,7 @@ Pass caustic_map_pass() {
       .purpose = "adds up the light that landed, texel by texel",
       .reason = "the landings' flux is gathered for the camera",
       .when = {&Effects::caustics},
+      .unless = {&Effects::cells, &Effects::further_surfaces},
       .drawn_for = {kBranch, kBranchFar, kBranchCascade},
       .only_lights_with_caustics = true,
       .draws = DrawSet::GridVertices,

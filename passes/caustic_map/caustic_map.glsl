@@ -12,21 +12,9 @@ VARYING_FLAT(3, Vec2, centre)
 #ifdef VERTEX_STAGE
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/landing_status.glsl"
+#include "passes/shared/quarters_left.glsl"
 #include "passes/shared/splat.glsl"
 #include "passes/shared/view_space.glsl"
-
-// Quarters of a grid vertex's flux that the cells around it have not taken.
-Float quarters_left(Int column, Int row) {
-  Float quarters = Float(4.0f);
-  for (int dy = 0; dy < 2; dy++) {
-    for (int dx = 0; dx < 2; dx++) {
-      Bool in_grid = column >= dx && row >= dy;
-      Float whole = fetch_clamped(cell_flux, column - dx, row - dy).w;
-      quarters = sel(in_grid, quarters - whole, quarters);
-    }
-  }
-  return quarters;
-}
 
 void main() {
   Int id = vertex_id();

@@ -7,6 +7,7 @@
 namespace caustics {
 
 extern const Shader cells_shader;
+extern const Shader cells_walked_shader;
 
 namespace {
 
@@ -20,6 +21,7 @@ std140::Cells cells_uniforms(const PassContext& context) {
       .caustic = shader_view(context.views->caustic),
       .jump = limits.jump,
       .smallest_jump = limits.smallest_jump,
+      .expected = limits.expected,
       .largest = std::min(limits.largest_share * static_cast<float>(map), limits.largest),
       .gap = limits.gap,
       .tile_width = static_cast<float>(tiles.tile_width()),
@@ -45,7 +47,13 @@ Pass cells_pass() {
       .reads = {{.name = "landing", .meaning = "where each grid vertex's light lands"},
                 {.name = "landing_flux", .meaning = "how much of it is left"},
                 {.name = "caster_normal", .meaning = "which caster each grid vertex lies on"},
-                {.name = "receiver_position", .meaning = "what lies between the landings"}},
+                {.name = "receiver_position", .meaning = "what lies between the landings"},
+                {.name = kLandingPath,
+                 .meaning = "what each vertex's light has met",
+                 .only_with = with<&Effects::further_surfaces>},
+                {.name = kLandingFootprint,
+                 .meaning = "where its neighbours are to be expected",
+                 .only_with = with<&Effects::further_surfaces>}},
       .writes = {{.name = kCellNear,
                   .meaning = "places in the caustic map, texels, of the landings of grid vertices "
                              "(x, y) in xy and (x + 1, y) in zw"},
@@ -53,7 +61,8 @@ Pass cells_pass() {
                  {.name = kCellFlux,
                   .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
                              "cell, else 0"}},
-      .shaders = {{&cells_shader, block_of<cells_uniforms>}},
+      .shaders = {{&cells_shader, block_of<cells_uniforms>},
+                  {&cells_walked_shader, block_of<cells_uniforms>, with<&Effects::further_surfaces>}},
   };
 }
 

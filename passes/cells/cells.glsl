@@ -1,5 +1,5 @@
 // Joins the landings of four neighbouring grid vertices to a cell, where one sheet of light reaches from
-// each to each. cells.md explains.
+// each to each. WALKED: light that was followed from surface to surface. cells.md explains.
 UNIFORMS_BEGIN
 #include "passes/cells/cells_uniforms.glsl"
 UNIFORMS_END
@@ -7,6 +7,10 @@ TEXTURE(0, landing)
 TEXTURE(1, landing_flux)
 TEXTURE(2, caster_normal)
 TEXTURE(3, receiver_position)
+#ifdef WALKED
+TEXTURE(4, landing_path)
+TEXTURE(5, landing_footprint)
+#endif
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -161,8 +165,43 @@ Bool one_surface(Vec3 a, Vec3 b, Int face) {
 // The row of a vertex's material.
 Float material_at(Place where) { return fetch_clamped(caster_normal, where.x, where.y).w; }
 
-// Are the four landings of one sheet of light, on one surface?
-Bool one_sheet(IN(Square) at, IN(Cell) cell, Int face) {
+#ifdef WALKED
+// What a vertex's light has met.
+Float path_at(Place where) { return fetch_clamped(landing_path, where.x, where.y).x; }
+
+// Does b lie where the differentials of both expect it: a mean step away from a?
+Bool is_expected(Vec2 a, Vec2 b, Vec2 step_a, Vec2 step_b) {
+  float side = float(u.map_side);
+  Vec2 step = (step_a + step_b) * (0.5f * side);
+  Vec2 off = (b - a) - step;
+  Float longest_a = max_of(abs(step_a.x), abs(step_a.y)) * side;
+  Float longest_b = max_of(abs(step_b.x), abs(step_b.y)) * side;
+  Float allowed = u.expected * max_of(longest_a, longest_b) + u.smallest_jump;
+  return max_of(abs(off.x), abs(off.y)) <= allowed;
+}
+
+Bool goes_on_across(Place a, Place b, IN(Corner) from, IN(Corner) to) {
+  Vec4 step_a = fetch_clamped(landing_footprint, a.x, a.y);
+  Vec4 step_b = fetch_clamped(landing_footprint, b.x, b.y);
+  return is_expected(from.texel, to.texel, Vec2(step_a.x, step_a.y), Vec2(step_b.x, step_b.y));
+}
+
+Bool goes_on_upward(Place a, Place b, IN(Corner) from, IN(Corner) to) {
+  Vec4 step_a = fetch_clamped(landing_footprint, a.x, a.y);
+  Vec4 step_b = fetch_clamped(landing_footprint, b.x, b.y);
+  return is_expected(from.texel, to.texel, Vec2(step_a.z, step_a.w), Vec2(step_b.z, step_b.w));
+}
+
+// Did all four meet the same surfaces in the same way, and are their landings neighbours?
+Bool goes_on_around(IN(Square) at, IN(Cell) cell) {
+  Float path = path_at(at.a);
+  Bool same = path_at(at.b) == path && path_at(at.c) == path && path_at(at.d) == path;
+  return same && goes_on_across(at.a, at.b, cell.a, cell.b) && goes_on_across(at.c, at.d, cell.c, cell.d) &&
+         goes_on_upward(at.a, at.c, cell.a, cell.c) && goes_on_upward(at.b, at.d, cell.b, cell.d);
+}
+#else
+// Are the four on one caster, and does no edge leap?
+Bool goes_on_around(IN(Square) at, IN(Cell) cell, Int face) {
   Float material = material_at(at.a);
   Bool whole = material_at(at.b) == material && material_at(at.c) == material &&
                material_at(at.d) == material;
@@ -170,6 +209,17 @@ Bool one_sheet(IN(Square) at, IN(Cell) cell, Int face) {
   whole = whole && goes_on(corner_from(at, -1, 1, face), cell.c, cell.d, corner_from(at, 2, 1, face));
   whole = whole && goes_on(corner_from(at, 0, -1, face), cell.a, cell.c, corner_from(at, 0, 2, face));
   whole = whole && goes_on(corner_from(at, 1, -1, face), cell.b, cell.d, corner_from(at, 1, 2, face));
+  return whole;
+}
+#endif
+
+// Are the four landings of one sheet of light, on one surface?
+Bool one_sheet(IN(Square) at, IN(Cell) cell, Int face) {
+#ifdef WALKED
+  Bool whole = goes_on_around(at, cell);
+#else
+  Bool whole = goes_on_around(at, cell, face);
+#endif
   Float largest = max_of(max_of(span(cell.a, cell.d), span(cell.b, cell.c)),
                          max_of(span(cell.a, cell.b), span(cell.c, cell.d)));
   return whole && largest <= u.largest && one_surface(cell.a.point, cell.d.point, face) &&

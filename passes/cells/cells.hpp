@@ -16,6 +16,8 @@ namespace caustics {
 struct CellLimits {
   float jump = 3.0f;           // times its neighbours' length an edge may be long ...
   float smallest_jump = 2.0f;  // ... or so many texels
+  // Of light that was followed: times a differential that a landing may be off the place which both expect.
+  float expected = 0.5f;
   // Of the map's side, that a cell may span; and texels: points are drawn up to this size everywhere.
   float largest_share = 0.25f;
   float largest = 254.0f;

@@ -2,6 +2,7 @@ View receiver;
 View caustic;         // the map that the cells are laid into
 float jump;           // CellLimits: times its neighbours' length that an edge may be long,
 float smallest_jump;  // or so many texels;
+float expected;       // times a differential that a landing may be off its expected place;
 float largest;        // texels that a cell may span;
 float gap;            // between the receiver and the cell's middle, texels' extents
 float tile_width;     // of a cube's caustic map, texels

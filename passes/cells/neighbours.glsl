@@ -7,15 +7,6 @@ struct Place {
   Bool exists;  // there is such a vertex; beyond two borders at once, at the cube's corners, there is none
 };
 
-// cube_turned back.
-Vec3 cube_unturned(Vec3 t, Int face) {
-  Vec3 q = sel(face == FACE_BACKWARD, Vec3(-t.x, t.y, -t.z), t);
-  q = sel(face == FACE_RIGHT, Vec3(t.z, t.y, -t.x), q);
-  q = sel(face == FACE_LEFT, Vec3(-t.z, t.y, t.x), q);
-  q = sel(face == FACE_UP, Vec3(t.x, t.z, -t.y), q);
-  return sel(face == FACE_DOWN, Vec3(t.x, -t.z, t.y), q);
-}
-
 // (x, y) counted on in the tile that (home_x, home_y) is in.
 Place place_at(Int x, Int y, Int home_x, Int home_y) {
   Place place;

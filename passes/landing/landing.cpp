@@ -1,9 +1,8 @@
 #include "passes/landing/landing.hpp"
 
-#include <algorithm>
-
+#include "passes/shared/grid_light_uniforms.hpp"
 #include "passes/shared/medium_uniforms.hpp"
-#include "pipeline/scene/cube_view.hpp"
+#include "passes/shared/receiver_search_uniforms.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
@@ -13,49 +12,15 @@ extern const Shader landing_in_medium_shader;
 
 namespace {
 
-// The box around all receivers, a little larger for the rounding of rays; a point where there are none.
-Bounds receivers_box(const PassContext& context) {
-  Bounds box;
-  const std::vector<SurfaceRole>& surfaces = context.effects->surfaces;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i].role == Role::Receiver) box.add(bounds_of(context.scene->meshes[i]));
-  if (box.empty()) return {glm::dvec3(0.0), glm::dvec3(0.0)};
-  const glm::dvec3 slack(1e-4 * std::max(box.radius(), 1e-9));
-  return {box.lower - slack, box.upper + slack};
-}
-
 std140::Landing landing_uniforms(const PassContext& context) {
-  const LightViews& views = *context.views;
-  const Settings& settings = *context.settings;
-  const Branch& branch = *context.branch;
-  const bool impostors =
-      settings.estimator == Estimator::Impostor && context.effects->distance_impostors.active;
-  const CubeAtlas tiles = views.caster.cube.value_or(CubeAtlas{});
-  const Bounds receivers = receivers_box(context);
-  const double cells = static_cast<double>(settings.grid) * static_cast<double>(settings.grid);
-  return {
-      .caster = shader_view(views.caster),
-      .receiver = shader_view(views.receiver),
-      .caustic = shader_view(views.caustic),
-      .cone = shader_cone(*context.light),
-      .light = glm::vec3(views.caster.perspective ? context.light->position : views.caster.forward),
-      .cell_area = static_cast<float>(views.caster.window_area() / cells),
-      .channel_share = branch.color,
-      .bend = static_cast<float>(branch.bend),
-      .receivers_lower = receivers.lower,
-      .exit_tolerance = kExitTolerance,
-      .receivers_upper = receivers.upper,
-      .landing_tolerance = kLandingTolerance,
-      .impostor_centre = context.effects->impostors.origin,
-      .tile_width = static_cast<float>(tiles.tile_width()),
-      .tile_height = static_cast<float>(tiles.tile_height()),
-      .tile_guard = static_cast<float>(tiles.guard),
-      .iterations = settings.iterations,
-      .search_start = settings.search_start.value_or(settings.estimator == Estimator::Newton ? 0.1f : 0.0f),
-      .newton_epsilon = settings.newton_epsilon.value_or(0.0f),
-      .impostor =
-          impostors ? shader_view(with_atlas(context.effects->impostors, settings.map)) : std140::View{},
-  };
+  std140::Landing block{};
+  set_grid_light(block, context);
+  set_receiver_search(block, context, kLandingTolerance);
+  block.caustic = shader_view(context.views->caustic);
+  block.channel_share = context.branch->color;
+  block.bend = static_cast<float>(context.branch->bend);
+  block.exit_tolerance = kExitTolerance;
+  return block;
 }
 
 }  // namespace
@@ -66,6 +31,7 @@ Pass landing_pass() {
       .purpose = "bends each grid vertex's light through the caster and finds where it lands",
       .reason = "each grid vertex's light is bent and followed to a receiver",
       .when = {&Effects::caustics},
+      .unless = {&Effects::further_surfaces},
       .drawn_for = {kBranch, kBranchFar},
       .only_lights_with_caustics = true,
       .size = grid_size,
@@ -115,12 +81,11 @@ Pass landing_pass() {
                   .only_with = with<&Effects::medium>}},
       .shaders = {{&landing_shader, block_of<landing_uniforms>},
                   {&landing_in_medium_shader, block_of<in_medium<landing_uniforms>>, with<&Effects::medium>}},
-      .choices = {{"estimator", [](const PassContext& c) { return static_cast<int>(c.settings->estimator); }},
+      .choices = {kNewtonGuard,
+                  kDrawsUnconverged,
+                  kEstimator,
                   {"paper_weights",
                    [](const PassContext& c) { return c.settings->weights == Weights::Paper ? 1 : 0; }},
-                  {"newton_guard", [](const PassContext& c) { return c.settings->newton_guard ? 1 : 0; }},
-                  {"draws_unconverged",
-                   [](const PassContext& c) { return c.settings->draw_unconverged ? 1 : 0; }},
                   {"is_reflection", [](const PassContext& c) { return c.branch->reflected ? 1 : 0; }},
                   {"has_mirrors", chosen_by<&Effects::mirrors>},
                   {"has_exit_maps", chosen_by<&Effects::exit_surface>},

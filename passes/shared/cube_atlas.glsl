@@ -25,6 +25,15 @@ Vec3 cube_turned(Vec3 q, Int face) {
   return sel(face == FACE_DOWN, Vec3(q.x, q.z, -q.y), turned);
 }
 
+// cube_turned back.
+Vec3 cube_unturned(Vec3 t, Int face) {
+  Vec3 q = sel(face == FACE_BACKWARD, Vec3(-t.x, t.y, -t.z), t);
+  q = sel(face == FACE_RIGHT, Vec3(t.z, t.y, -t.x), q);
+  q = sel(face == FACE_LEFT, Vec3(-t.z, t.y, t.x), q);
+  q = sel(face == FACE_UP, Vec3(t.x, t.z, -t.y), q);
+  return sel(face == FACE_DOWN, Vec3(t.x, -t.z, t.y), q);
+}
+
 // Twice the tile's column and row, plus 1: times half a tile this is the tile's middle.
 Vec2 cube_middle(Int face) {
   Int row = sel(face >= 3, Int(1), Int(0));

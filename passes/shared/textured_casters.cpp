@@ -6,7 +6,7 @@
 namespace caustics {
 
 std140::TexturedCasters textured_casters_uniforms(const View& view, const Material& material, Role role,
-                                                  int material_row) {
+                                                  int material_row, int first_triangle) {
   const bool mirror = role == Role::Mirror;
   // A metal's reflectance is linear in its base colour: nothing but the factor meets the texture.
   Material colorless = material;
@@ -24,12 +24,14 @@ std140::TexturedCasters textured_casters_uniforms(const View& view, const Materi
       .has_normal_texture = material.normal_texture.present(),
       .has_transmission = !mirror && material.transmission_texture.present(),
       .map_side = view.cube ? view.cube->side : 0,
+      .first_triangle = first_triangle,
   };
 }
 
 std140::TexturedCasters textured_casters(const PassContext& context) {
   const Role role = context.effects->surfaces[static_cast<std::size_t>(context.mesh_index)].role;
-  return textured_casters_uniforms(context.sees_casters(), *context.material, role, context.material_row);
+  return textured_casters_uniforms(context.sees_casters(), *context.material, role, context.material_row,
+                                   context.first_triangle);
 }
 
 }  // namespace caustics

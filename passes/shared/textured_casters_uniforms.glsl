@@ -10,3 +10,4 @@ int has_base_color;      // 1: there is such a texture
 int has_normal_texture;
 int has_transmission;
 int map_side;            // of a cube view's map, texels
+int first_triangle;      // of the mesh in the hierarchy

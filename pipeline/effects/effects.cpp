@@ -10,6 +10,7 @@
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/caustic_color.hpp"
 #include "pipeline/effects/expectations.hpp"
+#include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/effects/medium_effects.hpp"
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/effects/textured_casters.hpp"
@@ -217,6 +218,7 @@ std::span<const NamedEffect> named_effects() {
       {"emissive lights", &Effects::emissive_lights},
       {"dispersion", &Effects::dispersion},
       {"reflections", &Effects::reflections},
+      {"further surfaces", &Effects::further_surfaces},
       {"coloured caustics", &Effects::coloured_caustics},
       {"water waves", &Effects::water_waves},
       {"medium", &Effects::medium},
@@ -253,6 +255,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   effects.receivers_are_one_plane = receivers_are_one_plane(scene, effects);
   add_hidden_receivers(settings, effects);
   add_paper_weights(settings, effects);
+  effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
   add_missing_effects(judgements, effects);
   add_camera(scene, camera, effects);
   return effects;

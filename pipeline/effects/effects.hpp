@@ -48,6 +48,12 @@ struct Expectation {
 struct Branch {
   std::string name;        // "" where there is one branch only; "656nm", "reflected"
   bool reflected = false;  // what dielectrics mirror at their first surface, instead of what they let in
+  // Of light that is followed from surface to surface: at which surfaces it is mirrored, surface k as bit
+  // k - 1. Behind the last of them it takes the stronger way at each.
+  unsigned mirrored = 0;
+  bool is_mirrored_at(int surface) const { return surface > 0 && surface <= 8 && (mirrored >> (surface - 1) & 1u) != 0; }
+  // The surface where it parts from the branch that is mirrored as long as it, but not there; 0: no such.
+  int parts_at() const;
   // Index of refraction: n_d + bend * (n_F - n_C). 0 at the d line.
   double bend = 0.0;
   glm::vec3 color{
@@ -61,11 +67,20 @@ struct LightEffects {
   std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
 };
 
+// Of the light that lands through a caster: what share does not go in by one surface, out by a second, and on.
+struct FurtherShare {
+  int light = 0;
+  int mesh = 0;
+  double share = 0.0;   // 0..1
+  double of_light = 0.0;  // how much of the light's landed flux comes through this caster, 0..1
+};
+
 // Every effect is a member; named_effects() has their names for people. None depends on the order of the
 // others' rows.
 struct Effects {
   std::vector<SurfaceRole> surfaces;  // by Scene::meshes
   std::vector<Expectation> expectations;
+  std::vector<FurtherShare> further_shares;  // as a pilot has found
   std::vector<Branch> branches{Branch{}};  // at least one
   std::vector<LightEffects> lights;        // by Scene::lights
   bool receivers_are_one_plane = false;    // or there is none
@@ -89,6 +104,7 @@ struct Effects {
   Effect emissive_lights;        // a mesh that shines and lights the scene
   Effect dispersion;             // a refractor whose index depends on the wavelength
   Effect reflections;            // what refractors mirror, on request
+  Effect further_surfaces;       // light is followed from surface to surface, as a pilot has found
   Effect coloured_caustics;   // a caster that tints them: the caustic map has three channels instead of one
   Effect water_waves;         // a mesh that `extras` make water
   Effect medium;              // haze in the air, which takes light on its way

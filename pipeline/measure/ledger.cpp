@@ -29,6 +29,8 @@ std::string_view name_of(LandingStatus status) {
       return "exit_not_found";
     case LandingStatus::Stopped:
       return "stopped";
+    case LandingStatus::GivenUp:
+      return "given_up";
   }
   return "?";
 }
@@ -67,6 +69,8 @@ FluxRgb* account_of(Ledger& ledger, LandingStatus status) {
       return &ledger.not_converged;
     case LandingStatus::ExitNotFound:
       return &ledger.exit_not_found;
+    case LandingStatus::GivenUp:
+      return &ledger.given_up;
     case LandingStatus::Empty:
     case LandingStatus::Landed:
     case LandingStatus::Stopped:
@@ -82,7 +86,7 @@ double Ledger::residual() const {
   for (std::size_t c = 0; c < 3; ++c) {
     if (entered[c] <= 0.0) continue;
     const double booked = fresnel[c] + absorbed[c] + total_reflection[c] + missed[c] + outside[c] +
-                          not_converged[c] + exit_not_found[c] + kernel_edge[c] + medium[c] + in_map[c] +
+                          not_converged[c] + exit_not_found[c] + given_up[c] + kernel_edge[c] + medium[c] + in_map[c] +
                           std::clamp(rounding[c], -rounding_bound[c], rounding_bound[c]);
     worst = std::max(worst, std::fabs(entered[c] - booked) / entered[c]);
   }
@@ -92,7 +96,7 @@ double Ledger::residual() const {
 void add(Ledger& sum, const Ledger& other, double share) {
   for (FluxRgb Ledger::*account :
        {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection, &Ledger::missed,
-        &Ledger::outside, &Ledger::not_converged, &Ledger::exit_not_found, &Ledger::kernel_edge,
+        &Ledger::outside, &Ledger::not_converged, &Ledger::exit_not_found, &Ledger::given_up, &Ledger::kernel_edge,
         &Ledger::medium, &Ledger::in_map, &Ledger::rounding, &Ledger::rounding_bound})
     add(sum.*account, other.*account, share);
   for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
@@ -106,7 +110,7 @@ void add_vertex(const BranchImages& images, int x, int y, const std140::View& vi
   const double flux = images.fresnel.at(x, y, 3);
   // The guard vertices of a cube's grid belong to other faces: they carry nothing.
   const bool cube = view.kind == VIEW_CUBE;
-  const bool guard = cube && flux == 0.0;
+  const bool guard = cube && flux == 0.0 && images.branch.mirrored == 0;
   ++ledger.vertices[static_cast<std::size_t>(guard ? LandingStatus::Empty : status)];
   if (status == LandingStatus::Empty || guard) return;
   const glm::vec3& color = images.branch.color;

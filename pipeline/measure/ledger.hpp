@@ -24,9 +24,10 @@ enum class LandingStatus : std::uint8_t {
   Absorbed = STATUS_ABSORBED,                 // less than a millionth is left
   NotConverged = STATUS_NOT_CONVERGED,        // the estimator did not close in on a receiver
   ExitNotFound = STATUS_EXIT_NOT_FOUND,       // nor on the caster's second surface: it may lie behind another
+  GivenUp = STATUS_GIVEN_UP,  // too weak, through too many surfaces or bodies, or astray, to be followed on
   Stopped = STATUS_STOPPED,  // not converged; drawn where it stopped all the same, as was asked for
 };
-inline constexpr int kLandingStatuses = 9;
+inline constexpr int kLandingStatuses = 10;
 // Is its light drawn into the caustic map?
 constexpr bool is_drawn(LandingStatus status) {
   return status == LandingStatus::Landed || status == LandingStatus::Stopped;
@@ -47,6 +48,7 @@ struct Ledger {
   FluxRgb outside{};
   FluxRgb not_converged{};
   FluxRgb exit_not_found{};
+  FluxRgb given_up{};
   FluxRgb kernel_edge{};  // parts of splats beyond the map's edge
   FluxRgb in_map{};       // the sum over the caustic map
   FluxRgb rounding{};  // splatted less in_map: what the map's single-precision sums lost (gained: negative)

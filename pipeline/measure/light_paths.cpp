@@ -71,6 +71,30 @@ glm::dvec3 left_after(const glm::dvec3& absorption, double metres) {
 
 }  // namespace
 
+LightRay light_ray(const Light& light, const View& view, int side, int x, int y) {
+  LightRay ray{.origin = view.origin, .direction = view.forward, .emitter = light.emitter};
+  const glm::dvec2 middle(x + 0.5, y + 0.5);
+  if (view.cube) {
+    const int column = x / view.cube->tile_width(), row = y / view.cube->tile_height();
+    const int face = 3 * row + column;
+    const glm::dvec2 corner = view.cube->texel(glm::dvec2(-1.0), face);
+    const glm::dvec2 tangents =
+        (middle - corner) / glm::dvec2(view.cube->face_width(), view.cube->face_height()) * 2.0 - 1.0;
+    const glm::dvec3 q = turned_from_face({tangents.x, tangents.y, 1.0}, face);
+    ray.direction = exact::normalise((view.right * q.x + view.up * q.y) + view.forward * q.z, view.forward);
+    return ray;
+  }
+  const glm::dvec2 window =
+      view.window_lower + (view.window_upper - view.window_lower) * (middle / static_cast<double>(side));
+  const glm::dvec3 aside = view.right * window.x + view.up * window.y;
+  if (view.perspective) {
+    ray.direction = exact::normalise(view.forward + aside, view.forward);
+  } else {
+    ray.origin = view.origin + aside;
+  }
+  return ray;
+}
+
 // Random numbers by counter: SplitMix64 (Steele, Lea, Flood 2014) from the ray's own number.
 class LightPaths::Draws {
  public:
@@ -134,9 +158,9 @@ LightPaths::LightPaths(const Scene& scene, const Effects& effects)
   if (!bounds.empty()) nearest_ = 4e-6 * std::max(bounds.radius(), 1e-6);
 }
 
-bool LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landings) const {
+int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landings) const {
   const auto first = casters_.nearest(light.origin, light.direction, {}, light.emitter);
-  if (!first) return false;
+  if (!first) return -1;
   Draws draws(light.key);
   std::vector<Moving> pending;
   meet({.origin = light.origin,
@@ -150,7 +174,7 @@ bool LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landin
     TriangleHit met;
     if (advance(light, moving, met, landings)) meet(moving, met, light.bend, draws, pending);
   }
-  return true;
+  return first->id.mesh;
 }
 
 bool LightPaths::casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const {

@@ -6,6 +6,7 @@
 
 #include "pipeline/effects/optics.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
+#include "pipeline/scene/view.hpp"
 
 namespace caustics {
 
@@ -17,6 +18,9 @@ struct LightRay {
   int emitter = -1;       // Light::emitter, which its light passes
   std::uint64_t key = 0;  // the ray's number: what it draws depends on that alone
 };
+
+// The ray of light through the middle of a texel of the light's view, `side` texels a side. Without its flux.
+LightRay light_ray(const Light& light, const View& view, int side, int x, int y);
 
 // Where a part of it met a receiver.
 struct LightLanding {
@@ -37,8 +41,9 @@ class LightPaths {
   LightPaths(const LightPaths&) = delete;
   LightPaths& operator=(const LightPaths&) = delete;
 
-  // Adds where the light lands behind casters, by any number of surfaces. False where it meets no caster.
-  bool follow(const LightRay& light, std::vector<LightLanding>& landings) const;
+  // Adds where the light lands behind casters, by any number of surfaces. The first caster that it meets, an
+  // index into Scene::meshes; -1 where there is none.
+  int follow(const LightRay& light, std::vector<LightLanding>& landings) const;
   // Does a caster stand on the way from p in this direction, up to that distance?
   bool casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const;
 

@@ -26,31 +26,6 @@ glm::dvec3 texel_rgb(const Image& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
-// The ray of light through the middle of a texel.
-LightRay light_ray(const Light& light, const View& view, int side, int x, int y) {
-  LightRay ray{.origin = view.origin, .direction = view.forward, .emitter = light.emitter};
-  const glm::dvec2 middle(x + 0.5, y + 0.5);
-  if (view.cube) {
-    const int column = x / view.cube->tile_width(), row = y / view.cube->tile_height();
-    const int face = 3 * row + column;
-    const glm::dvec2 corner = view.cube->texel(glm::dvec2(-1.0), face);
-    const glm::dvec2 tangents =
-        (middle - corner) / glm::dvec2(view.cube->face_width(), view.cube->face_height()) * 2.0 - 1.0;
-    const glm::dvec3 q = turned_from_face({tangents.x, tangents.y, 1.0}, face);
-    ray.direction = exact::normalise((view.right * q.x + view.up * q.y) + view.forward * q.z, view.forward);
-    return ray;
-  }
-  const glm::dvec2 window =
-      view.window_lower + (view.window_upper - view.window_lower) * (middle / static_cast<double>(side));
-  const glm::dvec3 aside = view.right * window.x + view.up * window.y;
-  if (view.perspective) {
-    ray.direction = exact::normalise(view.forward + aside, view.forward);
-  } else {
-    ray.origin = view.origin + aside;
-  }
-  return ray;
-}
-
 }  // namespace
 
 ModelError::ModelError(const LightPaths& paths, const PictureBlocks& blocks, int rays)
@@ -112,7 +87,7 @@ void ModelError::follow(const Sample& sample, const Vertex& vertex, bool lost) {
     ray.key = ++key * 0x10001u;
     landings_.clear();
     entered_ += sum_of(ray.flux);
-    if (!(flux > 0.0) || !paths_.follow(ray, landings_)) continue;
+    if (!(flux > 0.0) || paths_.follow(ray, landings_) < 0) continue;
     for (const LightLanding& landing : landings_) {
       landed_ += sum_of(landing.flux);
       if (landing.followed) followed_ += sum_of(landing.flux);

@@ -27,6 +27,8 @@ std::string reason_of(LandingStatus status) {
       return "none of its light could be followed to the end";
     case LandingStatus::ExitNotFound:
       return "where its light leaves it was not found: behind a nearer second surface, perhaps";
+    case LandingStatus::GivenUp:
+      return "all of its light is given up on its way through the casters";
     case LandingStatus::Empty:
     case LandingStatus::Landed:
     case LandingStatus::Stopped:

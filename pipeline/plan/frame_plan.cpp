@@ -1,8 +1,9 @@
 #include "pipeline/plan/frame_plan.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/surface_role.hpp"
@@ -54,14 +55,19 @@ namespace {
 // Who a pass runs for, or a texture belongs to: the frame, a light, or a light's branch.
 struct Owner {
   int light = -1, branch = -1;
+  int surface = 0;  // of a pass: on the branch's way
 };
+
+std::string named_reason(Effect Effects::*effect, const Effects& effects) {
+  for (const NamedEffect& named : named_effects())
+    if (named.effect == effect) return std::string(named.name) + ": " + (effects.*effect).reason;
+  return (effects.*effect).reason;
+}
 
 // "cells: landings are splatted one by one", or nothing where the effect is active.
 std::optional<std::string> missing(Effect Effects::*wanted, const Effects& effects) {
   if (!wanted || (effects.*wanted).active) return {};
-  for (const NamedEffect& named : named_effects())
-    if (named.effect == wanted) return std::string(named.name) + ": " + (effects.*wanted).reason;
-  return (effects.*wanted).reason;
+  return named_reason(wanted, effects);
 }
 
 // Why the effects do not call for an instance of a pass, or nothing.
@@ -69,6 +75,9 @@ std::optional<std::string> not_called_for(const Pass& pass, const DrawnFor& draw
                                           const Effects& effects) {
   for (Effect Effects::*wanted : pass.when)
     if (auto reason = missing(wanted, effects)) return reason;
+  if (!pass.unless.empty() && std::all_of(pass.unless.begin(), pass.unless.end(),
+                                          [&](Effect Effects::*other) { return (effects.*other).active; }))
+    return named_reason(pass.unless.back(), effects);
   return missing(drawn_for.also, effects);
 }
 
@@ -82,15 +91,98 @@ class Planner {
       : scene_(scene), effects_(effects), settings_(settings), registry_(registry) {
     add_external(kCasterMaterials);
     if (scene.environment.image) add_external(kEnvironment);
+    if (effects.further_surfaces.active)
+      for (const char* name : {kHierarchyNodes, kHierarchyTriangles, kHierarchyNormals}) add_external(name);
   }
 
   FramePlan plan() {
-    for (std::size_t i = 0; i < registry_.size(); ++i) add_instances(static_cast<int>(i));
+    const int passes = static_cast<int>(registry_.size());
+    for (int i = 0; i < passes;) {
+      int end = i;
+      while (effects_.further_surfaces.active && end < passes && follows_branches(pass_of(end))) ++end;
+      const bool followed = std::any_of(registry_.begin() + i, registry_.begin() + end, has_rounds);
+      if (followed) {
+        add_followed(i, end);
+        i = end;
+      } else {
+        add_instances(i++);
+      }
+    }
     return std::move(plan_);
   }
 
  private:
-  void add_external(const char* name) { plan_.textures.push_back({.name = name, .external = true}); }
+  void add_external(const char* name) { add_texture({.name = name, .external = true}); }
+
+  int add_texture(PlannedTexture texture) {
+    const int index = static_cast<int>(plan_.textures.size());
+    index_.emplace(texture.name, index);
+    plan_.textures.push_back(std::move(texture));
+    return index;
+  }
+  int find(const std::string& name) const {
+    const auto found = index_.find(name);
+    return found == index_.end() ? -1 : found->second;
+  }
+
+  const Pass& pass_of(int index) const { return registry_[static_cast<std::size_t>(index)]; }
+  static bool has_rounds(const Pass& pass) { return pass.drawn_for.front().each == Each::Round; }
+  static bool follows_branches(const Pass& pass) {
+    return std::all_of(pass.drawn_for.begin(), pass.drawn_for.end(), [](const DrawnFor& drawn_for) {
+      return drawn_for.each == Each::Branch || drawn_for.each == Each::Round;
+    });
+  }
+
+  // Light that is followed from surface to surface: each branch all its way before the next begins, so that
+  // what is kept of it is the surfaces where another branch may part.
+  void add_followed(int first, int end) {
+    for (int i = first; i < end; ++i)
+      for (const DrawnFor& drawn_for : pass_of(i).drawn_for)
+        if (const auto reason = not_called_for(pass_of(i), drawn_for, effects_))
+          plan_.skipped.push_back({with_label(pass_of(i).name, drawn_for.label), *reason});
+    for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light)
+      for (int b = 0; b < static_cast<int>(effects_.branches.size()); ++b) {
+        for (int surface = 1; surface <= settings_.bounces + 1; ++surface)
+          for (int i = first; i < end; ++i) add_of_branch(i, {light, b, surface});
+        for (int i = first; i < end; ++i) add_of_branch(i, {light, b, 0});
+      }
+  }
+
+  void add_of_branch(int index, Owner user) {
+    const Pass& pass = pass_of(index);
+    for (const DrawnFor& drawn_for : pass.drawn_for) {
+      if ((drawn_for.each == Each::Round) != (user.surface > 0)) continue;
+      if (not_called_for(pass, drawn_for, effects_) || !light_needs(pass, drawn_for, user.light)) continue;
+      if (user.surface == 0 || is_drawn_at(drawn_for, branch_of(user), user.surface))
+        add(index, drawn_for, user);
+    }
+  }
+
+  // A branch begins at the surface where it parts from another, and ends at the last that it may be bent at.
+  bool is_drawn_at(const DrawnFor& drawn_for, const Branch& branch, int surface) const {
+    switch (drawn_for.surfaces) {
+      case Surfaces::First:
+        return surface == 1 && branch.parts_at() <= 1;
+      case Surfaces::Ahead:
+        return surface > std::max(branch.parts_at(), 1);
+      case Surfaces::Bent:
+        return surface >= std::max(branch.parts_at(), 2) && surface <= settings_.bounces;
+    }
+    return false;
+  }
+
+  // Whom a branch parts from: the branch that is mirrored as it is but at the last surface.
+  int parent_of(int branch) const {
+    const Branch& own = effects_.branches[static_cast<std::size_t>(branch)];
+    if (own.mirrored == 0) return -1;
+    const unsigned before = own.mirrored & ~(1u << (own.parts_at() - 1));
+    for (std::size_t b = 0; b < effects_.branches.size(); ++b) {
+      const Branch& other = effects_.branches[b];
+      if (other.mirrored == before && other.bend == own.bend && other.color == own.color)
+        return static_cast<int>(b);
+    }
+    return -1;
+  }
 
   void add_instances(int index) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
@@ -153,17 +245,18 @@ class Planner {
                         .definition = definition_of(pass, effects_, drawn_for),
                         .light = user.light,
                         .branch = user.branch,
-                        .label = with_label(std::string(pass.name) + label_of(user), drawn_for.label),
+                        .surface = user.surface,
+                        .label = with_label(std::string(pass.name) + label_of(user), label_in(drawn_for, user)),
                         .reason = std::string(drawn_for.reason.empty() ? pass.reason : drawn_for.reason),
                         .width = size.width,
                         .height = size.height};
-    decide_by_query(pass, planned);
     for (const Read& read : pass.reads)
       if (!read.only_with || read.only_with(effects_))
         planned.reads.push_back(resolve(pass, read, drawn_for, user));
     const Each owned_by = pass.owner.value_or(drawn_for.each);
-    const Owner owner{owned_by == Each::Frame ? -1 : user.light, owned_by == Each::Branch ? user.branch : -1};
-    const std::string_view own = drawn_for.own_textures ? drawn_for.label : std::string_view{};
+    const bool of_branch = owned_by == Each::Branch || owned_by == Each::Round;
+    const Owner owner{owned_by == Each::Frame ? -1 : user.light, of_branch ? user.branch : -1};
+    const std::string own = drawn_for.own_textures ? label_in(drawn_for, user) : std::string();
     std::size_t written = 0;
     for (const Write& write : pass.writes) {
       if (write.only_with && !write.only_with(effects_)) continue;
@@ -174,19 +267,43 @@ class Planner {
         continue;
       }
       const std::string_view name = write.texture_by ? write.texture_by(effects_) : write.name;
-      planned.writes.push_back(target(planned, with_label(name, own), format, owner));
+      planned.writes.push_back(target(planned, with_label(name, write.keeps ? "" : own), format, owner));
     }
     if (pass.depth)
       planned.depth = target(planned, with_label(pass.depth->name, own), Format::Depth32F, owner);
+    decide_by_query(pass, planned);
     plan_.passes.push_back(std::move(planned));
   }
 
-  // The pass that counts how much of its casters a light reaches comes before those that follow that light.
+  // The pass that counts how much of its casters a light reaches comes before those that follow that light;
+  // of light that is followed from surface to surface, the one that counts how much is under way.
   void decide_by_query(const Pass& pass, PlannedPass& planned) {
     if (planned.light < 0 || !pass.only_lights_with_caustics) return;
-    planned.if_casters_lit = counted_.count(planned.light) > 0;
-    planned.counts_samples = pass.count_samples;
-    if (planned.counts_samples) counted_.insert(planned.light);
+    planned.only_if = query_before(pass, planned);
+    if (!pass.count_samples) return;
+    planned.counts_into = ++queries_;
+    if (planned.surface > 0) {
+      for (const int texture : planned.writes) counted_in_.try_emplace(texture, queries_);
+      branch_queries_.try_emplace({planned.light, planned.branch}, queries_);
+    } else {
+      light_queries_.try_emplace(planned.light, queries_);
+    }
+  }
+
+  int query_before(const Pass& pass, const PlannedPass& planned) const {
+    const auto found_in = [](const auto& map, const auto& key) {
+      const auto found = map.find(key);
+      return found == map.end() ? 0 : found->second;
+    };
+    for (std::size_t r = 0; r < pass.reads.size() && r < planned.reads.size(); ++r)
+      if (pass.reads[r].surface == OfSurface::Before) return found_in(counted_in_, planned.reads[r]);
+    const int of_branch = found_in(branch_queries_, std::pair(planned.light, planned.branch));
+    return of_branch > 0 ? of_branch : found_in(light_queries_, planned.light);
+  }
+
+  // What an instance is called beside its owner: "far", or the number of its surface.
+  static std::string label_in(const DrawnFor& drawn_for, Owner user) {
+    return user.surface > 0 ? std::to_string(user.surface) : std::string(drawn_for.label);
   }
 
   // The steps of a water, and the last of them once more as a pass of the plan.
@@ -204,15 +321,13 @@ class Planner {
                         .width = water.columns,
                         .height = water.rows};
     for (const TextureRead& read : planned.definition.reads) {
-      plan_.textures.push_back({.name = water_texture(read.name, number), .external = true});
-      planned.reads.push_back(static_cast<int>(plan_.textures.size()) - 1);
+      planned.reads.push_back(add_texture({.name = water_texture(read.name, number), .external = true}));
     }
     for (const ColorWrite& write : planned.definition.writes) {
       plan_.before.push_back({planned.label,
                               reason + ": a step every " + rounded_text(1e3 * water.step) + " ms",
                               {water_texture(write.name, number), write.format, water.columns, water.rows}});
-      plan_.textures.push_back(plan_.before.back().writes);
-      planned.writes.push_back(static_cast<int>(plan_.textures.size()) - 1);
+      planned.writes.push_back(add_texture(plan_.before.back().writes));
       planned.keep.push_back(false);
     }
     plan_.passes.push_back(std::move(planned));
@@ -242,11 +357,26 @@ class Planner {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
     const std::string name(read.texture.empty() ? read.name : read.texture);
+    if (read.surface != OfSurface::None) return of_round(pass, name, read.surface, user);
     for (const std::string& wanted : {with_label(name, drawn_for.label), name})
       for (const Owner owner : {user, Owner{user.light, -1}, Owner{}})
-        if (const int found = plan_.find(full_name(wanted, owner)); found >= 0)
+        if (const int found = find(full_name(wanted, owner)); found >= 0)
           return called_for(read.needed_with) ? found : leave_unread(found, effects_.*read.needed_with);
     if (read.optional) return PlannedPass::kNothing;
+    fail_unwritten(pass, name);
+  }
+
+  // Where a branch begins it reads what the branch that it parts from has met.
+  int of_round(const Pass& pass, const std::string& name, OfSurface when, Owner user) {
+    const int surface = when == OfSurface::Here ? user.surface : user.surface - 1;
+    for (int branch = user.branch; branch >= 0; branch = parent_of(branch))
+      if (const int found = find(full_name(with_label(name, std::to_string(surface)), {user.light, branch}));
+          found >= 0)
+        return found;
+    fail_unwritten(pass, name);
+  }
+
+  [[noreturn]] static void fail_unwritten(const Pass& pass, const std::string& name) {
     throw Error(ExitCode::InternalError, "pass '" + std::string(pass.name) + "' reads '" + name +
                                              "', which no pass before it writes; register a "
                                              "writer first, name the effect that its writer waits for in "
@@ -263,16 +393,14 @@ class Planner {
   // The texture that an attachment is drawn into. What an earlier pass wrote is kept, not cleared.
   int target(PlannedPass& planned, const std::string& name, Format format, Owner owner) {
     const std::string full = full_name(name, owner);
-    const int found = plan_.find(full);
+    const int found = find(full);
     planned.keep.push_back(found >= 0);
-    if (found < 0) {
-      plan_.textures.push_back({.name = full,
-                                .format = format,
-                                .width = planned.width,
-                                .height = planned.height,
-                                .light = owner.light});
-      return static_cast<int>(plan_.textures.size()) - 1;
-    }
+    if (found < 0)
+      return add_texture({.name = full,
+                          .format = format,
+                          .width = planned.width,
+                          .height = planned.height,
+                          .light = owner.light});
     const PlannedTexture& texture = plan_.textures[static_cast<std::size_t>(found)];
     if (texture.width != planned.width || texture.height != planned.height || texture.format != format)
       throw Error(ExitCode::InternalError, "pass '" + planned.label + "' writes '" + full +
@@ -285,7 +413,12 @@ class Planner {
   const Settings& settings_;
   const Registry& registry_;
   FramePlan plan_;
-  std::set<int> counted_;  // lights whose casters' samples an earlier pass counts
+  std::map<std::string, int> index_;  // of the plan's textures, by name
+  // Queries that earlier passes count into: of a light's casters, of a branch's first rays, of the rays that a
+  // texture holds.
+  int queries_ = 0;
+  std::map<int, int> light_queries_, counted_in_;
+  std::map<std::pair<int, int>, int> branch_queries_;
 };
 
 }  // namespace

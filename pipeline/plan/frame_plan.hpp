@@ -41,6 +41,7 @@ struct PlannedPass {
   int light = -1;                       // index into Scene::lights, -1 for a pass of the frame
   int branch = -1;    // index into Effects::branches, -1 for a pass of the frame or of a light
   int water = -1;     // index into Scene::waters, -1 for all other passes
+  int surface = 0;    // on a branch's way, counted from 1; 0 for passes that follow no light
   std::string label;  // "caustic_map[sun]", "landing[sun].far"
   std::string reason;
   std::vector<int> reads{};  // indices into FramePlan::textures, or the constants above
@@ -48,8 +49,9 @@ struct PlannedPass {
   int depth = -1;
   std::vector<bool> keep{};  // as PassRun::keep
   int width = 0, height = 0;
-  bool counts_samples = false;  // whether the light reaches its casters, for the passes that follow
-  bool if_casters_lit = false;  // draws nothing where that count is 0 (PassRun::only_if)
+  // Queries, numbered from 1 on; 0: none. A pass that finds whether the light reaches its casters, or how many
+  // rays are under way, counts for those that follow, which draw nothing where the count is 0 (PassRun).
+  int counts_into = 0, only_if = 0;
   bool ends_light = false;      // no pass of its light follows
 
   // The textures that it writes: colours in turn, depth last.

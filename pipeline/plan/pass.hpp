@@ -21,7 +21,8 @@ namespace caustics {
 // How often a pass runs in a frame. What belongs to a Water runs before the frame's passes, as many times
 // as its waves need steps (pipeline/renderer/moving_water.hpp); a plan that is to be looked at in full has
 // the last step again.
-enum class Each : std::uint8_t { Frame, Light, Branch, Water };
+// A Round is one surface on a branch's way.
+enum class Each : std::uint8_t { Frame, Light, Branch, Round, Water };
 
 // Which of the receivers behind the casters, where one can hide another from the light.
 enum class ReceiverLayer : std::uint8_t { Nearest, Farthest };
@@ -30,6 +31,14 @@ enum class MapWindow : std::uint8_t { Whole, Cascade };
 // What the camera sees: the picture, or its surroundings, three times as wide and high, which glass in it can
 // show.
 enum class CameraView : std::uint8_t { Picture, Surroundings };
+
+// Of light that is followed from surface to surface: which of the surfaces on a branch's way a pass is drawn
+// for. They are counted from 1.
+enum class Surfaces : std::uint8_t {
+  First,  // where it enters the casters
+  Ahead,  // each that may follow: one more than it may be bent at
+  Bent    // each further one that it may be bent at
+};
 
 // For whom a pass is drawn: once for the frame, each light, branch or water, and for which part of what these
 // see.
@@ -43,6 +52,7 @@ struct DrawnFor {
   ReceiverLayer receivers = ReceiverLayer::Nearest;
   MapWindow window = MapWindow::Whole;
   CameraView camera = CameraView::Picture;
+  Surfaces surfaces = Surfaces::First;            // Each::Round only
   Effect Effects::*also = nullptr;                // needed beside the pass's own effects
   bool (*lights)(const LightEffects&) = nullptr;  // which of the lights need it; null: all
   std::string_view reason{};                      // why a frame needs it; empty: for the pass's reason
@@ -93,6 +103,9 @@ inline constexpr DrawnFor kBranchCascade{.each = Each::Branch,
                                          .also = &Effects::cascades,
                                          .lights = has_cascade,
                                          .reason = "most of the light falls on little of its map"};
+inline constexpr DrawnFor kFirstSurface{.each = Each::Round, .surfaces = Surfaces::First};
+inline constexpr DrawnFor kSurfaceAhead{.each = Each::Round, .surfaces = Surfaces::Ahead};
+inline constexpr DrawnFor kFurtherSurface{.each = Each::Round, .surfaces = Surfaces::Bent};
 inline constexpr DrawnFor kWater{.each = Each::Water};
 
 // What a pass draws.
@@ -128,6 +141,10 @@ struct PassContext {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   int material_row = 0;  // row of `caster_materials`: the mesh's material
+  int first_triangle = 0;  // of the mesh in the hierarchy (pipeline/scene/hierarchy_tables.hpp), -1: none
+  int surface = 0;         // Each::Round only: on the branch's way, counted from 1
+  int first_receiver = 0;  // the hierarchy's first triangle that is no caster's
+  float touch = 0.0f;      // metres: surfaces that are as near touch
   int mesh_index = 0;
   int width = 0, height = 0;            // of the pass's targets
   int face = 4;                         // of a cube view: the face that is drawn
@@ -177,11 +194,13 @@ int chosen_by(const PassContext& context) {
 int throws_caustic(const PassContext& context);
 
 // A texture that the shader reads: `name` is that of its TEXTURE line.
+enum class OfSurface : std::uint8_t { None, Before, Here };  // of the round before, or of the reader's own
 struct Read {
   std::string_view name;
   std::string_view meaning;
   std::string_view texture{};              // another name than the shader has for it
   bool of_material = false;                // the drawn surface's material's, instead of one of the frame
+  OfSurface surface = OfSurface::None;     // Each::Round only: whose round has written it
   bool optional = false;                   // the frame may lack it; one texel of zeros is bound then
   Condition only_with = nullptr;           // the shader declares it only then
   std::string_view only_for{};             // read only by the instance with this label; the others get zeros
@@ -197,6 +216,7 @@ struct Write {
   std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 0.0f};
   BlendState blend{};
   ColorMask mask = kAllChannels;
+  bool keeps = false;                                        // Each::Round only: all rounds draw into one
   Format (*format_by)(const Effects&) = nullptr;             // where effects choose the format
   std::string_view (*texture_by)(const Effects&) = nullptr;  // where effects choose the texture's name
   Condition only_with = nullptr;                             // the shader declares it only then
@@ -223,6 +243,7 @@ struct Pass {
   std::string_view purpose;
   std::string_view reason;                // why a frame that calls for it needs it
   std::vector<Effect Effects::*> when{};  // all must be active; none: always
+  std::vector<Effect Effects::*> unless{};  // where all of these are active too another pass takes its place
   std::vector<DrawnFor> drawn_for{kFrame};
   // Only for lights of whom a caustic is to be expected.
   bool only_lights_with_caustics = false;

@@ -8,7 +8,13 @@ namespace caustics {
 inline constexpr char kCasterMaterials[] = "caster_materials";
 inline constexpr char kEnvironment[] = "environment";
 
+// Of scenes whose light is followed from surface to surface (pipeline/scene/hierarchy_tables.hpp).
+inline constexpr char kHierarchyNodes[] = "hierarchy_nodes";
+inline constexpr char kHierarchyTriangles[] = "hierarchy_triangles";
+inline constexpr char kHierarchyNormals[] = "hierarchy_normals";
+
 inline constexpr char kCasterNormal[] = "caster_normal";
+inline constexpr char kCasterTriangle[] = "caster_triangle";
 inline constexpr char kWaterStep[] = "water_step";
 inline constexpr char kWaterBefore[] = "water_before";
 inline constexpr char kLanding[] = "landing";
@@ -17,6 +23,9 @@ inline constexpr char kLandingFresnel[] = "landing_fresnel";
 inline constexpr char kLandingAbsorbed[] = "landing_absorbed";
 // Of scenes with a medium only.
 inline constexpr char kLandingMedium[] = "landing_medium";
+// Of light that is followed from surface to surface only.
+inline constexpr char kLandingPath[] = "landing_path";
+inline constexpr char kLandingFootprint[] = "landing_footprint";
 inline constexpr char kCausticMap[] = "caustic_map";
 // A finer map of a part of it, for lights with a cascade.
 inline constexpr char kCascadeMap[] = "caustic_map.cascade";

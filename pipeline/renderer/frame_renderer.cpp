@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/effects/cascades.hpp"
+#include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/renderer/picture_sides.hpp"
@@ -18,10 +19,14 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
                      const View* camera, const PlanGoal& goal, const Breath& breath,
                      Effect Effects::*without = nullptr) {
   PlannedFrame frame;
+  std::vector<FurtherShare> shares;
   const auto fit = [&](const Settings& settings, std::vector<LandingSurvey>* surveys) {
     frame.settings = settings;
     frame.effects = effects_of(scene, settings, camera);
     if (without) frame.effects.*without = {false, "left out on request"};
+    if (shares.empty() && frame.effects.further_surfaces.reason.empty())
+      shares = pilot.further_shares(frame.effects, settings);
+    frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);
     frame.views = frame.effects.water_waves.active
                       ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry, breath)
                       : pilot.fit(frame.effects, settings, surveys);

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "pipeline/effects/backdrop.hpp"
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/ledger.hpp"
+#include "pipeline/measure/light_paths.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/renderer/run_plan.hpp"
 #include "pipeline/scene/defaults.hpp"
@@ -260,6 +263,40 @@ class LandingScout {
   std::unique_ptr<FrameTargets> targets_;
 };
 
+namespace {
+
+// Rays a side by which it is found how light goes on. A share of 5 % is known to 0.5 % by as many.
+constexpr int kRaysASide = 48;
+
+void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster,
+                std::vector<FurtherShare>& shares) {
+  struct Landed {
+    double all = 0.0, followed = 0.0;
+  };
+  std::map<int, Landed> landed;
+  double whole = 0.0;
+  std::vector<LightLanding> landings;
+  for (int y = 0; y < kRaysASide; ++y)
+    for (int x = 0; x < kRaysASide; ++x) {
+      LightRay ray = light_ray(light, caster, caster.cube ? caster.cube->side : kRaysASide,
+                               caster.cube ? (2 * x + 1) * caster.cube->side / (2 * kRaysASide) : x,
+                               caster.cube ? (2 * y + 1) * caster.cube->side / (2 * kRaysASide) : y);
+      ray.key = static_cast<std::uint64_t>(y * kRaysASide + x + 1);
+      landings.clear();
+      const int mesh = paths.follow(ray, landings);
+      for (const LightLanding& landing : landings) {
+        const double flux = (landing.flux.x + landing.flux.y) + landing.flux.z;
+        landed[mesh].all += flux;
+        if (landing.followed) landed[mesh].followed += flux;
+        whole += flux;
+      }
+    }
+  for (const auto& [mesh, sum] : landed)
+    shares.push_back({number, mesh, 1.0 - sum.followed / sum.all, sum.all / whole});
+}
+
+}  // namespace
+
 LightPilot::LightPilot(const SceneOnDevice& scene, const Registry& registry)
     : scene_(scene), registry_(registry) {}
 
@@ -314,6 +351,23 @@ std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& 
     f.caustic.window_upper = f.receiver.window_upper = f.caster.window_upper;
   }
   return views;
+}
+
+std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, const Settings& settings) const {
+  const Scene& scene = scene_.scene();
+  const LightPaths paths(scene, effects);
+  std::vector<FurtherShare> shares;
+  std::set<int> sources;
+  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
+    const Light& light = scene.lights[static_cast<std::size_t>(i)];
+    if (!throws_caustic(effects, i) || (light.source >= 0 && !sources.insert(light.source).second)) continue;
+    const bool all_around = !effects.lights[static_cast<std::size_t>(i)].all_around.empty();
+    const View caster = all_around
+                            ? views_all_around(scene, effects, settings, light).caster
+                            : widest_views(measure(scene, effects, light), effects, settings.grid).caster;
+    add_shares(paths, light, i, caster, shares);
+  }
+  return shares;
 }
 
 std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,

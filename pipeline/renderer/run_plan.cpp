@@ -60,9 +60,8 @@ class PassRunner {
     for (const int texture : planned.writes)
       run.colors.push_back(texture == PlannedPass::kNothing ? TextureId::None : targets_[texture]);
     if (planned.depth >= 0) run.depth = targets_[planned.depth];
-    const auto query = static_cast<OcclusionQuery>(planned.light + 1);
-    if (planned.counts_samples) run.counts_into = query;
-    if (planned.if_casters_lit) run.only_if = query;
+    run.counts_into = static_cast<OcclusionQuery>(planned.counts_into);
+    run.only_if = static_cast<OcclusionQuery>(planned.only_if);
     PassContext context = frame_context(planned);
     switch (pass.draws) {
       case DrawSet::FullScreen:
@@ -110,6 +109,9 @@ class PassRunner {
         .height = planned.height,
         .exposure = inputs_.exposure,
         .drawn_for = planned.drawn_for};
+    context.surface = planned.surface;
+    context.first_receiver = scene_.first_receiver();
+    context.touch = scene_.touch();
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);
       context.light = &scene_.scene().lights[light];
@@ -134,6 +136,7 @@ class PassRunner {
       context.mesh_index = static_cast<int>(i);
       context.material = &scene.materials[static_cast<std::size_t>(context.mesh->material)];
       context.material_row = scene_.material_row(context.mesh_index);
+      context.first_triangle = scene_.first_triangle(context.mesh_index);
       add_mesh_draw(pass, planned, context, run);
     }
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include "pipeline/effects/optics.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/exact.hpp"
@@ -40,6 +41,7 @@ SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device&
     meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(mesh))));
   for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.upload(image)));
   upload_caster_materials(effects);
+  number_triangles(effects);
   for (std::size_t i = 0; i < scene.waters.size(); ++i)
     externals_[water_texture(kWaterBefore, i)] = {device, device.upload(scene.waters[i].before)};
   if (scene.environment.image) externals_[kEnvironment] = {device, device.upload(*scene.environment.image)};
@@ -59,13 +61,39 @@ void SceneOnDevice::update(const std::vector<int>& meshes) {
     const auto i = static_cast<std::size_t>(mesh);
     device_.update(meshes_[i].id(), mesh_data(scene_.meshes[i]));
   }
+  if (!meshes.empty()) externals_.erase(kHierarchyNodes);
 }
 
 TextureId SceneOnDevice::image(int index) const {
   return index < 0 ? TextureId::None : images_[static_cast<std::size_t>(index)].id();
 }
 
+void SceneOnDevice::number_triangles(const Effects& effects) {
+  const std::vector<Optics> optics = optics_of(scene_, effects);
+  std::map<int, int> row_of_body;
+  for (int m = 0; m < static_cast<int>(optics.size()); ++m) {
+    const Optics& o = optics[static_cast<std::size_t>(m)];
+    if (is_caster(o.role)) hierarchy_.casters.push_back(m);
+    if (o.role == Role::Receiver) hierarchy_.receivers.push_back(m);
+    hierarchy_.bodies.push_back(row_of_body.try_emplace(o.body, material_row(m)).first->second);
+  }
+  first_triangles_ = first_triangles(scene_, hierarchy_);
+  first_receiver_ = static_cast<int>(caster_triangles(scene_, hierarchy_));
+  const Bounds bounds = bounds_of(scene_);
+  if (!bounds.empty()) touch_ = static_cast<float>(4e-6 * std::max(bounds.radius(), 1e-6));
+}
+
+void SceneOnDevice::upload_hierarchy() const {
+  const HierarchyTables tables = hierarchy_tables(scene_, hierarchy_, rows_, touch_);
+  externals_[kHierarchyTriangles] = {device_, device_.upload(tables.triangles)};
+  externals_[kHierarchyNormals] = {device_, device_.upload(tables.normals)};
+  externals_[kHierarchyNodes] = {device_, device_.upload(tables.nodes)};
+}
+
 TextureId SceneOnDevice::external(const std::string& name) const {
+  const bool of_hierarchy =
+      name == kHierarchyNodes || name == kHierarchyTriangles || name == kHierarchyNormals;
+  if (of_hierarchy && !externals_.contains(kHierarchyNodes)) upload_hierarchy();
   const auto found = externals_.find(name);
   return found == externals_.end() ? TextureId::None : found->second.id();
 }

@@ -6,6 +6,7 @@
 
 #include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/scene/hierarchy_tables.hpp"
 
 namespace caustics {
 
@@ -31,15 +32,28 @@ class SceneOnDevice {
   // The row of a caster's material in kCasterMaterials; 0 for meshes that are no casters.
   int material_row(int mesh) const { return rows_[static_cast<std::size_t>(mesh)]; }
 
+  // Of the hierarchy over all casters and receivers (pipeline/scene/hierarchy_tables.hpp): it is made when one
+  // of its textures is first asked for.
+  int first_triangle(int mesh) const { return static_cast<int>(first_triangles_[static_cast<std::size_t>(mesh)]); }
+  int first_receiver() const { return first_receiver_; }
+  // Metres: surfaces that are as near touch.
+  float touch() const { return touch_; }
+
  private:
   void upload_caster_materials(const Effects& effects);
+  void number_triangles(const Effects& effects);
+  void upload_hierarchy() const;
 
   const Scene& scene_;
   Device& device_;
   std::vector<OwnedMesh> meshes_;
   std::vector<OwnedTexture> images_;
   std::vector<int> rows_;
-  std::map<std::string, OwnedTexture> externals_;
+  HierarchyMeshes hierarchy_;
+  std::vector<std::int64_t> first_triangles_;
+  int first_receiver_ = 0;
+  float touch_ = 0.0f;
+  mutable std::map<std::string, OwnedTexture> externals_;
 };
 
 }  // namespace caustics

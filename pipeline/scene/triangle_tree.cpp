@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t kLeafSize = 4;
 constexpr int kBins = 16;
+// From here on triangles are halved by number: 2^24 of them take 22 more steps.
+constexpr int kDeepestSplit = TriangleTree::kDeepest - 24;
 
 const Mesh& mesh_of(const Scene& scene, const TriangleId& id) {
   return scene.meshes[static_cast<std::size_t>(id.mesh)];
@@ -115,16 +117,17 @@ struct TriangleTree::Builder {
   }
 
   // Where the right half begins.
-  Items divide(Items begin, Items end) const {
-    const Split split = best_split(begin, end);
+  Items divide(Items begin, Items end, int depth) const {
     const Items half = begin + (end - begin) / 2;
+    if (depth >= kDeepestSplit) return half;
+    const Split split = best_split(begin, end);
     if (split.axis < 0) return half;
     const Items middle =
         std::stable_partition(begin, end, [&](const Item& item) { return split.bin_of(item) <= split.bin; });
     return middle == begin || middle == end ? half : middle;
   }
 
-  void build(Items begin, Items end) {
+  void build(Items begin, Items end, int depth = 0) {
     const std::size_t at = tree.nodes_.size();
     Box box;
     for (Items i = begin; i != end; ++i) box.add(i->box);
@@ -136,10 +139,10 @@ struct TriangleTree::Builder {
       for (Items i = begin; i != end; ++i) tree.triangles_.push_back(i->id);
       return;
     }
-    const Items middle = divide(begin, end);
-    build(begin, middle);
+    const Items middle = divide(begin, end, depth);
+    build(begin, middle, depth + 1);
     tree.nodes_[at].first = static_cast<std::uint32_t>(tree.nodes_.size());
-    build(middle, end);
+    build(middle, end, depth + 1);
   }
 };
 

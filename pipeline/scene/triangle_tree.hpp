@@ -36,22 +36,27 @@ class TriangleTree {
                                      const TriangleId& own = {}, int without = -1) const;
 
   bool empty() const { return triangles_.empty(); }
-  std::size_t nodes() const { return nodes_.size(); }
 
- private:
   // Of an inner node the left child follows it, and `first` is the right one; of a leaf `first` is the first
   // of `count` triangles.
   struct Node {
     glm::vec3 lower{0.0f}, upper{0.0f};
     std::uint32_t first = 0, count = 0;
   };
+  // The first is the root. No leaf lies deeper than kDeepest nodes below it.
+  static constexpr int kDeepest = 60;
+  const std::vector<Node>& nodes() const { return nodes_; }
+  // In the order of the leaves.
+  const std::vector<TriangleId>& triangles() const { return triangles_; }
+
+ private:
   struct Builder;
   struct Sheared;  // a ray as triangles meet it
   std::optional<TriangleHit> meet(const Sheared& ray, const TriangleId& id) const;
   glm::dvec3 corner(const TriangleId& id, int k) const;
 
   const Scene& scene_;
-  std::vector<TriangleId> triangles_;  // in the order of the leaves
+  std::vector<TriangleId> triangles_;
   std::vector<Node> nodes_;
 };
 

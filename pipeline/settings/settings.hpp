@@ -54,6 +54,9 @@ struct Settings {
   Weights weights = Weights::Physical;
   int wavelengths = 3;
   bool reflections = false;
+  float further_share = 0.05f;
+  int bounces = 16, splits = 2;
+  float least_share = 1e-3f;
   bool shared_views = false;
   Cube cube = Cube::Auto;
   bool cascades = true;

@@ -24,6 +24,17 @@ CONSTANT(STATUS_ABSORBED, 5)
 CONSTANT(STATUS_NOT_CONVERGED, 6)
 CONSTANT(STATUS_EXIT_NOT_FOUND, 7)
 CONSTANT(STATUS_STOPPED, 8)
+CONSTANT(STATUS_GIVEN_UP, 9)
+
+// Light that is followed from surface to surface: w of ray_start where it has been given up, and of
+// surface_hit where the walk took too many steps.
+CONSTANT(RAY_ENDED, -1)
+CONSTANT(HIT_GIVEN_UP, -1)
+
+// What befalls light at a surface, in its path.
+CONSTANT(EVENT_CROSSES, 1)
+CONSTANT(EVENT_MIRRORED, 2)
+CONSTANT(EVENT_PASSES, 3)
 
 // What finds where a ray meets a surface that a view has seen.
 CONSTANT(ESTIMATOR_PAPER, 0)

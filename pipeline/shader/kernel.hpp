@@ -41,6 +41,7 @@ struct FragmentBlock {
   const float* frag_x;  // [lane], window coordinates of the pixel centre
   const float* frag_y;
   const std::int32_t* front_facing;  // [lane], 0 or -1
+  const std::int32_t* primitive_id;  // [lane], in the draw; 0 of points
   const float (*varyings)[kBlock];   // [component][lane]
   float (*outputs)[kBlock];          // [4 * location + channel][lane]
   std::int32_t* discarded;           // [lane], 0 or -1

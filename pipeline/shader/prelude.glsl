@@ -18,8 +18,12 @@
 #define UNIFORMS_BEGIN layout(std140, binding = 0) uniform UniformBlock {
 #define UNIFORMS_END } u;
 #define CHOICE(name) int name;
+#define STACK(name) int name[64];
+#define stack_put(stack, depth, value) stack[depth] = value
+#define stack_at(stack, depth) stack[depth]
 #define TEXTURE(unit, name) layout(binding = unit) uniform sampler2D name;
 #define texel_fetch(t, x, y) texelFetch(t, ivec2(x, y), 0)
+#define table_fetch(t, i) texelFetch(t, ivec2((i) & 4095, (i) >> 12), 0)
 #define texture_width(t) textureSize(t, 0).x
 #define texture_height(t) textureSize(t, 0).y
 
@@ -45,6 +49,7 @@ out gl_PerVertex { precise vec4 gl_Position; float gl_PointSize; };
 #define frag_x() gl_FragCoord.x
 #define frag_y() gl_FragCoord.y
 #define front_facing() gl_FrontFacing
+#define primitive_id() gl_PrimitiveID
 #define discard_if(condition) if (exact_condition = (condition)) discard
 #endif
 

@@ -19,13 +19,30 @@ inline void load_mask(const std::int32_t* p, bool& v) { v = *p != 0; }
 inline void store(float* p, float v) { *p = v; }
 inline void store_mask(std::int32_t* p, bool v) { *p = v ? -1 : 0; }
 
+inline int lane_of(int v, int) { return v; }
+
+// Of each lane a stack of 64 numbers. Its elements are not set before they are put.
+struct Stack {
+  int values[64];
+};
+inline void stack_put(Stack& stack, int depth, int value) { stack.values[depth] = value; }
+inline int stack_at(const Stack& stack, int depth) { return stack.values[depth]; }
+
 // The channels of one texel; missing ones read 0, 0, 1 as GL's swizzle has it.
-inline void gather_texel(const TextureView& t, int x, int y, float out[4]) {
-  const float* p = t.texels + (static_cast<std::size_t>(y) * static_cast<std::size_t>(t.width) +
-                               static_cast<std::size_t>(x)) *
-                                  static_cast<std::size_t>(t.channels);
+template <class TexelOf>
+void gather_texels(const TexelOf& texel_of, int channels, float out[4]) {
+  const float* p = texel_of(0);
   out[0] = p[0];
-  out[1] = t.channels > 1 ? p[1] : 0.0f;
-  out[2] = t.channels > 2 ? p[2] : 0.0f;
-  out[3] = t.channels > 3 ? p[3] : 1.0f;
+  out[1] = channels > 1 ? p[1] : 0.0f;
+  out[2] = channels > 2 ? p[2] : 0.0f;
+  out[3] = channels > 3 ? p[3] : 1.0f;
+}
+inline void gather_texel(const TextureView& t, int x, int y, float out[4]) {
+  gather_texels(
+      [&](int) {
+        return t.texels + (static_cast<std::size_t>(y) * static_cast<std::size_t>(t.width) +
+                           static_cast<std::size_t>(x)) *
+                              static_cast<std::size_t>(t.channels);
+      },
+      t.channels, out);
 }

@@ -37,6 +37,11 @@ inline Vec4 texel_fetch(const TextureView& t, Int x, Int y) {
   gather_texel(t, x, y, c);
   return Vec4(c[0], c[1], c[2], c[3]);
 }
+inline Vec4 table_fetch(const TextureView& t, Int index) {
+  Float c[4];
+  gather_texels([&](int lane) { return t.texels + 4 * static_cast<std::ptrdiff_t>(lane_of(index, lane)); }, 4, c);
+  return Vec4(c[0], c[1], c[2], c[3]);
+}
 inline int texture_width(const TextureView& t) { return t.width; }
 inline int texture_height(const TextureView& t) { return t.height; }
 
@@ -139,6 +144,11 @@ struct FragmentStage {
     load_mask(block.front_facing + lane, v);
     return v;
   }
+  Int primitive_id() const {
+    Int v;
+    load(block.primitive_id + lane, v);
+    return v;
+  }
   void discard_if(Bool condition) const {
     Bool before;
     load_mask(block.discarded + lane, before);
@@ -173,4 +183,5 @@ struct FragmentStage {
   ;                  \
   const UniformBlock& u = *static_cast<const UniformBlock*>(this->uniforms());
 #define CHOICE(name) int name = 0;
+#define STACK(name) Stack name;
 #define TEXTURE(unit, name) const TextureView& name = this->texture_of(unit);

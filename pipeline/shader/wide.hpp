@@ -72,11 +72,19 @@ inline void store(float* p, Float f) { __builtin_memcpy(p, &f.v, sizeof f.v); }
 inline void store_mask(std::int32_t* p, Bool b) { __builtin_memcpy(p, &b.v, sizeof b.v); }
 
 // Whether the condition holds on any lane; only for skipping work whose results no other lane uses.
+#if CAUSTICS_LANES == 16
+inline bool any_lane(Bool c) { return _mm512_test_epi32_mask((__m512i)c.v, (__m512i)c.v) != 0; }
+#elif CAUSTICS_LANES == 8
+inline bool any_lane(Bool c) { return _mm256_movemask_ps((__m256)c.v) != 0; }
+#elif defined(__SSE2__)
+inline bool any_lane(Bool c) { return _mm_movemask_ps((__m128)c.v) != 0; }
+#else
 inline bool any_lane(Bool c) {
   bool any = false;
   for (int i = 0; i < kLanes; ++i) any |= c.v[i] != 0;
   return any;
 }
+#endif
 
 inline Float abs(Float a) { return sel(a < 0.0f, -a, a.v + 0.0f); }
 
@@ -104,18 +112,26 @@ inline Float floor(Float a) {
 }
 #endif
 
+inline std::int32_t lane_of(Int v, int lane) { return v.v[lane]; }
+
+// Of each lane a stack of 64 numbers. Its elements are not set before they are put.
+struct Stack {
+  std::int32_t values[64][kLanes];
+};
+inline void stack_put(Stack& stack, Int depth, Int value) {
+  for (int lane = 0; lane < kLanes; ++lane) stack.values[depth.v[lane]][lane] = value.v[lane];
+}
+inline Int stack_at(const Stack& stack, Int depth) {
+  Int value;
+  for (int lane = 0; lane < kLanes; ++lane) value.v[lane] = stack.values[depth.v[lane]][lane];
+  return value;
+}
+
 // Fetches one texel a lane. Four-channel texels are loaded whole and transposed, which beats gathers.
-inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
-  alignas(64) std::int32_t column[kLanes], row[kLanes];
-  __builtin_memcpy(column, &x.v, sizeof column);
-  __builtin_memcpy(row, &y.v, sizeof row);
-  const auto texel = [&](int lane) {
-    return t.texels + (static_cast<std::size_t>(row[lane]) * static_cast<std::size_t>(t.width) +
-                       static_cast<std::size_t>(column[lane])) *
-                          static_cast<std::size_t>(t.channels);
-  };
+template <class TexelOf>
+void gather_texels(const TexelOf& texel, int channels, Float out[4]) {
 #if defined(__SSE2__)
-  if (t.channels == 4) {
+  if (channels == 4) {
     __m128 part[4][kLanes / 4];
     for (int group = 0; group < kLanes / 4; ++group) {
       __m128 a = _mm_loadu_ps(texel(4 * group)), b = _mm_loadu_ps(texel(4 * group + 1));
@@ -145,9 +161,22 @@ inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
   for (int lane = 0; lane < kLanes; ++lane) {
     const float* p = texel(lane);
     value[0][lane] = p[0];
-    value[1][lane] = t.channels > 1 ? p[1] : 0.0f;
-    value[2][lane] = t.channels > 2 ? p[2] : 0.0f;
-    value[3][lane] = t.channels > 3 ? p[3] : 1.0f;
+    value[1][lane] = channels > 1 ? p[1] : 0.0f;
+    value[2][lane] = channels > 2 ? p[2] : 0.0f;
+    value[3][lane] = channels > 3 ? p[3] : 1.0f;
   }
   for (int channel = 0; channel < 4; ++channel) load(value[channel], out[channel]);
+}
+
+inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
+  alignas(64) std::int32_t column[kLanes], row[kLanes];
+  __builtin_memcpy(column, &x.v, sizeof column);
+  __builtin_memcpy(row, &y.v, sizeof row);
+  gather_texels(
+      [&](int lane) {
+        return t.texels + (static_cast<std::size_t>(row[lane]) * static_cast<std::size_t>(t.width) +
+                           static_cast<std::size_t>(column[lane])) *
+                              static_cast<std::size_t>(t.channels);
+      },
+      t.channels, out);
 }

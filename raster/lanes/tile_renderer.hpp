@@ -122,7 +122,7 @@ class TileRenderer {
     const int y_last = smaller(point.y_last, job_.y + job_.height - 1);
     for (int y = larger(point.y_first, job_.y); y <= y_last; ++y)
       for (int x = larger(point.x_first, job_.x); x <= x_last; ++x)
-        add(x, y, point.z, nullptr, point.varyings, -1);
+        add(x, y, point.z, nullptr, point.varyings, -1, 0);
   }
 
   void draw_triangle(const TriangleRecord& t) {
@@ -169,7 +169,7 @@ class TileRenderer {
       z = evaluate(t.planes[0], static_cast<float>(x), static_cast<float>(y));
       z = z < 0.0f ? 0.0f : z > 1.0f ? 1.0f : z;
     }
-    add(x, y, z, t.planes, t.provoking, t.front_facing);
+    add(x, y, z, t.planes, t.provoking, t.front_facing, t.primitive);
   }
 
   bool depth_passes(int pixel, float z) {
@@ -179,7 +179,8 @@ class TileRenderer {
     return true;
   }
 
-  void add(int x, int y, float z, const Plane* planes, const float* constant, std::int32_t front) {
+  void add(int x, int y, float z, const Plane* planes, const float* constant, std::int32_t front,
+           std::int32_t primitive) {
     const int pixel = (y - job_.y) * kTile + (x - job_.x);
     if (!job_.test_depth_late && !depth_passes(pixel, z)) return;
     const int lane = count_++;
@@ -190,6 +191,7 @@ class TileRenderer {
     planes_[lane] = planes;
     constant_[lane] = constant;
     front_[lane] = front;
+    primitive_[lane] = primitive;
     if (count_ == kBlock) flush();
   }
 
@@ -201,6 +203,7 @@ class TileRenderer {
       planes_[lane] = planes_[0];
       constant_[lane] = constant_[0];
       front_[lane] = front_[0];
+      primitive_[lane] = primitive_[0];
     }
     interpolate();
     shade();
@@ -244,8 +247,8 @@ class TileRenderer {
       center_y[lane] = y_[lane] + 0.5f;
       discarded_[lane] = 0;
     }
-    job_.fragment(
-        {job_.uniforms, job_.textures, center_x, center_y, front_, varyings_, outputs_, discarded_, nullptr});
+    job_.fragment({job_.uniforms, job_.textures, center_x, center_y, front_, primitive_, varyings_, outputs_,
+                   discarded_, nullptr});
   }
 
   void merge() {
@@ -275,7 +278,7 @@ class TileRenderer {
   alignas(64) float x_[kBlock], y_[kBlock], z_[kBlock];
   const Plane* planes_[kBlock];
   const float* constant_[kBlock];
-  alignas(64) std::int32_t front_[kBlock], discarded_[kBlock];
+  alignas(64) std::int32_t front_[kBlock], primitive_[kBlock], discarded_[kBlock];
   alignas(64) float varyings_[64][kBlock];
   alignas(64) float outputs_[4 * kMaxColors][kBlock];
 };

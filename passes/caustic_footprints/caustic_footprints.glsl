@@ -1,0 +1,99 @@
+// Adds the light that no cell has taken: each landing as the parallelogram that its own differential gives it.
+// caustic_footprints.md explains.
+UNIFORMS_BEGIN
+#include "passes/caustic_footprints/caustic_footprints_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, landing)
+TEXTURE(1, landing_flux)
+TEXTURE(2, landing_footprint)
+TEXTURE(3, cell_flux)
+VARYING_FLAT(0, Vec4, near)
+VARYING_FLAT(4, Vec4, far)
+VARYING_FLAT(8, Vec3, flux)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/landing_status.glsl"
+#include "passes/shared/quarters_left.glsl"
+#include "passes/shared/splat.glsl"
+#include "passes/shared/view_space.glsl"
+
+// A footprint's half extents in texels, no larger than it may be, nor than the map has room around its
+// middle: no light is laid beyond it.
+Float fitted(Float half_extent, Float middle) {
+  Float side = Float(float(u.map_side));
+  Float inside = max_of(min_of(middle, side - middle), 0.0f);
+  Bool on_map = middle >= 0.0f && middle <= side;
+  Float most = min_of(Float(0.5f * u.largest), sel(on_map, inside, Float(0.5f * u.largest)));
+  Bool finite = half_extent < 1.0e9f;
+  return sel(finite, min_of(most / max_of(half_extent, most + 1.0e-6f), Float(1.0f)), Float(0.0f));
+}
+
+struct Footprint {
+  Vec2 middle;  // texels
+  Vec2 x;       // half a step along the grid's rows, and along its columns
+  Vec2 y;
+};
+
+Footprint footprint_of(Vec4 place, Vec4 steps) {
+  Vec2 uv = view_uv(u.map, view_coordinates(u.map, Vec3(place)));
+  Footprint print;
+  print.middle = Vec2(uv.x * u.scale.x + u.offset.x, uv.y * u.scale.y + u.offset.y);
+  Vec2 x = Vec2(steps.x * (0.5f * u.scale.x), steps.y * (0.5f * u.scale.y));
+  Vec2 y = Vec2(steps.z * (0.5f * u.scale.x), steps.w * (0.5f * u.scale.y));
+  Float fit = min_of(fitted(abs(x.x) + abs(y.x), print.middle.x), fitted(abs(x.y) + abs(y.y), print.middle.y));
+  Bool sized = fit > 0.0f;
+  Vec2 none = Vec2(Float(0.0f), Float(0.0f));
+  print.x = sel(sized, x * fit, none);
+  print.y = sel(sized, y * fit, none);
+  return print;
+}
+
+// The square of texels that a footprint touches, and whether there is one on the map.
+struct TexelSquare {
+  Vec2 corner;
+  Float size;
+  Bool touches;
+};
+
+TexelSquare square_around(IN(Footprint) print) {
+  Float side = Float(float(u.map_side));
+  Vec2 half_extent = Vec2(abs(print.x.x) + abs(print.y.x), abs(print.x.y) + abs(print.y.y));
+  Vec2 lower = print.middle - half_extent;
+  Vec2 upper = print.middle + half_extent;
+  Float left = clamp_to(floor(lower.x), Float(0.0f), side - 1.0f);
+  Float bottom = clamp_to(floor(lower.y), Float(0.0f), side - 1.0f);
+  Float right = clamp_to(floor(upper.x) + 1.0f, left + 1.0f, side);
+  Float top = clamp_to(floor(upper.y) + 1.0f, bottom + 1.0f, side);
+  TexelSquare square;
+  square.size = max_of(right - left, top - bottom);
+  square.corner = Vec2(min_of(left, side - square.size), min_of(bottom, side - square.size));
+  square.touches = upper.x >= 0.0f && upper.y >= 0.0f && lower.x <= side && lower.y <= side;
+  return square;
+}
+
+void main() {
+  Int id = vertex_id();
+  Int row = id / Int(u.grid_side);
+  Int column = id - row * Int(u.grid_side);
+  Vec4 place = texel_fetch(landing, column, row);
+  Vec4 carried = texel_fetch(landing_flux, column, row);
+  Float part = quarters_left(column, row) * 0.25f;
+  Footprint print = footprint_of(place, texel_fetch(landing_footprint, column, row));
+  Vec2 a = print.middle - print.x - print.y;
+  Vec2 b = print.middle + print.x - print.y;
+  Vec2 c = print.middle - print.x + print.y;
+  Vec2 d = print.middle + print.x + print.y;
+  near = Vec4(a.x, a.y, b.x, b.y);
+  far = Vec4(c.x, c.y, d.x, d.y);
+  flux = Vec3(carried) * part;
+  TexelSquare square = square_around(print);
+  float side = float(u.map_side);
+  Vec4 at = Vec4((square.corner.x * 2.0f + square.size) / side - 1.0f,
+                 (square.corner.y * 2.0f + square.size) / side - 1.0f, Float(0.5f), Float(1.0f));
+  set_position(splat_position(at, has_status(place, STATUS_LANDED) && part > 0.0f && square.touches));
+  set_point_size(square.size);
+}
+#else
+#include "passes/caustic_cells/overlap.glsl"
+#endif

@@ -1,0 +1,6 @@
+View map;
+vec2 scale;     // from parts of the caustic map to texels of the one that is drawn
+vec2 offset;
+float largest;  // texels that a footprint may span
+int grid_side;  // vertices
+int map_side;   // texels

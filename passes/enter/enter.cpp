@@ -1,0 +1,55 @@
+#include "passes/enter/enter.hpp"
+
+#include "passes/shared/bend_light_uniforms.hpp"
+#include "passes/shared/grid_light_uniforms.hpp"
+#include "passes/shared/hierarchy_reads.hpp"
+
+namespace caustics::std140 {
+
+struct alignas(16) Enter {
+#include "passes/enter/enter_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
+
+namespace caustics {
+
+extern const Shader enter_shader;
+
+namespace {
+
+std140::Enter enter_uniforms(const PassContext& context) {
+  std140::Enter block{};
+  set_grid_light(block, context);
+  set_bend_light(block, context);
+  return block;
+}
+
+}  // namespace
+
+Pass enter_pass() {
+  return {
+      .name = "enter",
+      .purpose = "sends each grid vertex's light through the first surface that it meets, or off it",
+      .reason = "light meets more than two surfaces",
+      .when = {&Effects::caustics, &Effects::further_surfaces},
+      .drawn_for = {kFirstSurface},
+      .only_lights_with_caustics = true,
+      .size = grid_size,
+      .reads = {{.name = "caster_position", .meaning = "grid vertices"},
+                {.name = "caster_normal", .meaning = "their normals and materials"},
+                {.name = kCasterTriangle, .meaning = "their triangles"},
+                {.name = "caster_tint",
+                 .meaning = "their colours, where textures give them",
+                 .optional = true},
+                {.name = kCasterMaterials, .meaning = "a row a material"},
+                kReadHierarchyTriangles,
+                kReadHierarchyNormals},
+      .writes = path_writes(),
+      .count_samples = true,
+      .shaders = {{&enter_shader, block_of<enter_uniforms>}},
+      .choices = {kBothWays, kFollowsMirrored, {"has_caster_tint", chosen_by<&Effects::textured_casters>}},
+  };
+}
+
+}  // namespace caustics

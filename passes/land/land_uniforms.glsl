@@ -1,0 +1,5 @@
+#include "passes/shared/receiver_search_uniforms.glsl"
+View caustic;             // the light's map that the landings are laid into
+vec3 channel_share;       // the branch's share of each channel's flux
+int first_receiver;       // number of the first triangle that is no caster's
+CHOICE(is_last_round)     // 1: light that meets a further caster is given up

@@ -1,0 +1,67 @@
+#include "pipeline/effects/further_surfaces.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "pipeline/effects/optics.hpp"
+#include "pipeline/effects/surface_role.hpp"
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+int Branch::parts_at() const { return std::bit_width(mirrored); }
+
+namespace {
+
+// Those that a branch parts into, the last surface first, each followed by its own.
+void add_parts(const Branch& branch, int splits, std::vector<Branch>& branches) {
+  branches.push_back(branch);
+  for (int surface = splits; surface > branch.parts_at(); --surface) {
+    Branch part = branch;
+    part.mirrored |= 1u << (surface - 1);
+    const std::string number = std::to_string(surface);
+    if (branch.mirrored != 0) {
+      part.name += "+" + number;
+    } else {
+      part.name += (branch.name.empty() ? "mirrored " : " mirrored ") + number;
+    }
+    add_parts(part, splits, branches);
+  }
+}
+
+std::string percent(double share) { return rounded_text(100.0 * share, 2) + " %"; }
+
+}  // namespace
+
+std::string why_not_followed(const Scene& scene, const Settings& settings, const Effects& effects) {
+  if (!effects.caustics.active) return "there is no caustic";
+  if (settings.interfaces != Interfaces::Auto) return "a number of interfaces was asked for";
+  if (settings.weights == Weights::Paper) return "the paper's weights know two surfaces";
+  if (settings.thickness == Thickness::Wyman) return "Wyman's thickness knows two surfaces";
+  if (settings.draw_unconverged) return "what has not converged is drawn where its search stopped";
+  if (settings.estimator == Estimator::Impostor) return "impostors were asked for";
+  return not_in_triangles(scene, effects);
+}
+
+Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares) {
+  const auto most = std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
+    return a.share * a.of_light < b.share * b.of_light;
+  });
+  effects.further_shares = shares;
+  if (most == shares.end()) return effects;
+  const double share = most->share * most->of_light;
+  const bool active = share > static_cast<double>(settings.further_share);
+  const std::string limit = percent(static_cast<double>(settings.further_share));
+  effects.further_surfaces = {
+      active, percent(share) + " of the light that lands meets more than two surfaces, " +
+                  (active ? "more than " : "no more than ") + limit};
+  if (!active) return effects;
+  std::vector<Branch> branches;
+  for (const Branch& branch : effects.branches)
+    if (!branch.reflected) add_parts(branch, settings.splits, branches);
+  effects.branches = std::move(branches);
+  effects.hidden_receivers = {false, "light is followed to hidden receivers too"};
+  return effects;
+}
+
+}  // namespace caustics

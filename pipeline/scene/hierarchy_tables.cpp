@@ -1,0 +1,122 @@
+#include "pipeline/scene/hierarchy_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
+
+namespace caustics {
+
+namespace {
+
+constexpr float kFarAway = 1e30f;
+
+std::int64_t triangles_of(const Scene& scene, int mesh) {
+  return static_cast<std::int64_t>(scene.meshes[static_cast<std::size_t>(mesh)].indices.size() / 3);
+}
+
+std::int64_t triangles_of(const Scene& scene, const std::vector<int>& meshes) {
+  std::int64_t sum = 0;
+  for (const int mesh : meshes) sum += triangles_of(scene, mesh);
+  return sum;
+}
+
+// Texels one after the other, in rows of kTableWidth.
+class Table {
+ public:
+  explicit Table(std::size_t texels)
+      : image_(Format::RGBA32F, kTableWidth,
+               static_cast<int>(std::max<std::size_t>(1, (texels + kTableWidth - 1) / kTableWidth))) {}
+  void set(std::size_t texel, const glm::vec3& xyz, float w) {
+    const std::array<float, 4> values{xyz.x, xyz.y, xyz.z, w};
+    std::copy(values.begin(), values.end(), image_.values.begin() + static_cast<std::ptrdiff_t>(4 * texel));
+  }
+  Image image() { return std::move(image_); }
+
+ private:
+  Image image_;
+};
+
+const Vertex& corner(const Mesh& mesh, int triangle, std::size_t k) {
+  return mesh.vertices[mesh.indices[3 * static_cast<std::size_t>(triangle) + k]];
+}
+
+using Node = TriangleTree::Node;
+
+// Inner nodes in the tree's order. A tree of one leaf gets an inner node with that leaf alone.
+Image node_table(const TriangleTree& tree, float touch) {
+  const std::vector<Node>& nodes = tree.nodes();
+  std::vector<std::size_t> place(nodes.size(), 0);
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].count == 0) place[i] = inner++;
+  Table table(4 * std::max<std::size_t>(inner, 1));
+  const auto put = [&](std::size_t texel, const Node& child, std::size_t index) {
+    table.set(texel, child.lower - touch,
+              child.count > 0 ? static_cast<float>(child.first) : static_cast<float>(place[index]));
+    table.set(texel + 1, child.upper + touch, static_cast<float>(child.count));
+  };
+  const Node nothing{glm::vec3(kFarAway), glm::vec3(-kFarAway), 0, 1};
+  if (inner == 0) {
+    put(0, nodes.empty() ? nothing : nodes.front(), 0);
+    put(2, nothing, 0);
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].count > 0) continue;
+    const std::size_t right = nodes[i].first;
+    put(4 * place[i], nodes[i + 1], i + 1);
+    put(4 * place[i] + 2, nodes[right], right);
+  }
+  return table.image();
+}
+
+}  // namespace
+
+std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMeshes& meshes) {
+  std::vector<std::int64_t> first(scene.meshes.size(), -1);
+  std::int64_t next = 0;
+  for (const std::vector<int>* list : {&meshes.casters, &meshes.receivers})
+    for (const int mesh : *list) {
+      first[static_cast<std::size_t>(mesh)] = next;
+      next += triangles_of(scene, mesh);
+    }
+  return first;
+}
+
+std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes) {
+  return triangles_of(scene, meshes.casters);
+}
+
+HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
+                                 const std::vector<int>& rows, float touch) {
+  const auto count = static_cast<std::size_t>(triangles_of(scene, meshes.casters) +
+                                              triangles_of(scene, meshes.receivers));
+  if (count > kMostTriangles)
+    throw Error(ExitCode::BadInput, "casters and receivers have " + std::to_string(count) +
+                                        " triangles, and light can be followed through at most " +
+                                        std::to_string(kMostTriangles) +
+                                        "; simplify their meshes, or give --interfaces 2");
+  std::vector<int> all = meshes.casters;
+  all.insert(all.end(), meshes.receivers.begin(), meshes.receivers.end());
+  const TriangleTree tree(scene, all);
+  const std::vector<std::int64_t> first = first_triangles(scene, meshes);
+  Table triangles(3 * count), normals(3 * count);
+  for (std::size_t place = 0; place < tree.triangles().size(); ++place) {
+    const TriangleId& id = tree.triangles()[place];
+    const auto m = static_cast<std::size_t>(id.mesh);
+    const Mesh& mesh = scene.meshes[m];
+    const auto number = static_cast<std::size_t>(first[m] + id.triangle);
+    const std::array<float, 3> of_triangle{static_cast<float>(number), static_cast<float>(rows[m]),
+                                           static_cast<float>(meshes.bodies[m] + 1)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangles.set(3 * place + k, corner(mesh, id.triangle, k).position, of_triangle[k]);
+      normals.set(3 * number + k, corner(mesh, id.triangle, k).normal,
+                  k == 0 ? static_cast<float>(place) : 0.0f);
+    }
+  }
+  return {node_table(tree, touch), triangles.image(), normals.image()};
+}
+
+}  // namespace caustics
