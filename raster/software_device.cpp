@@ -149,7 +149,7 @@ class SoftwareDevice final : public Device {
     return result;
   }
 
-  void execute_draw(const PassRun& run, const Draw& draw, const RenderTarget& target, const TileGrid& grid,
+  void execute_draw(const PassRun& run, const Draw& draw, RenderTarget& target, const TileGrid& grid,
                     PassResult& result) {
     const PassDefinition& definition = *run.definition;
     const ShaderInterface& interface = interface_of(*definition.shader);

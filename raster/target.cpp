@@ -1,6 +1,8 @@
 #include "raster/target.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <memory>
 #include <numeric>
 
@@ -8,8 +10,16 @@ namespace caustics::raster {
 
 namespace {
 
-float cleared(const ColorWrite& write, int channel) {
-  return stored_value(write.format, write.clear[static_cast<std::size_t>(channel)]);
+using Texel = std::array<float, 4>;
+
+Texel cleared(const ColorWrite& write) {
+  Texel texel;
+  for (std::size_t c = 0; c < 4; ++c) texel[c] = stored_value(write.format, write.clear[c]);
+  return texel;
+}
+
+bool is_same(const std::optional<Texel>& a, const Texel& b) {
+  return a && std::memcmp(a->data(), b.data(), sizeof b) == 0;
 }
 
 // A tile's attachments while it is drawn: compact, so that they stay in the cache.
@@ -28,9 +38,12 @@ class Tile {
     height_ = std::min(kTile, grid.height - y_);
   }
 
-  void load() {
+  void load_colors() {
     for (std::size_t i = 0; i < target_.colors.size(); ++i)
       if (target_.colors[i].texture) load_color(i);
+  }
+
+  void load_depth() {
     if (!target_.depth) return;
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x)
@@ -38,15 +51,25 @@ class Tile {
             target_.keep_depth ? *target_.depth->texel(x_ + x, y_ + y) : target_.depth_clear;
   }
 
-  void store() {
+  // `drawn`: any fragment has passed. What holds its contents anyway is left alone.
+  void store(bool drawn) {
+    const bool clears = std::any_of(target_.colors.begin(), target_.colors.end(), [](const auto& color) {
+      return color.texture && !color.keep && !color.is_clear;
+    });
+    if (!drawn && clears) load_colors();
     for (std::size_t i = 0; i < target_.colors.size(); ++i) {
-      if (!target_.colors[i].texture) continue;
-      Texture& texture = *target_.colors[i].texture;
-      const int channels = texture.channels();
+      const RenderTarget::Color& color = target_.colors[i];
+      if (!color.texture || (!drawn && (color.keep || color.is_clear))) continue;
+      const int channels = color.texture->channels();
       for (int y = 0; y < height_; ++y) {
-        float* out = texture.texel(x_, y_ + y);
-        for (int x = 0; x < width_; ++x)
-          for (int c = 0; c < channels; ++c) *out++ = storage_.color[i][y * kTile + x][c];
+        float* out = color.texture->texel(x_, y_ + y);
+        const float(*row)[4] = storage_.color[i] + y * kTile;
+        if (channels == 4) {
+          std::memcpy(out, row, sizeof(Texel) * static_cast<std::size_t>(width_));
+        } else {
+          for (int x = 0; x < width_; ++x)
+            for (int c = 0; c < channels; ++c) *out++ = row[x][c];
+        }
       }
     }
     if (!target_.depth) return;
@@ -71,6 +94,8 @@ class Tile {
     job.test_depth_late = work.may_discard;
     job.chunks = chunks.data();
     job.chunk_count = static_cast<int>(chunks.size());
+    job.load_colors = [](void* tile) { static_cast<Tile*>(tile)->load_colors(); };
+    job.tile = this;
     job.is_points = work.definition->topology == Topology::Points;
     job.fragment = work.fragment;
     job.uniforms = work.uniforms;
@@ -84,16 +109,22 @@ class Tile {
   void load_color(std::size_t i) {
     const RenderTarget::Color& color = target_.colors[i];
     const int channels = color.texture->channels();
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) {
-        float* texel = storage_.color[i][y * kTile + x];
-        for (int c = 0; c < 4; ++c) {
-          if (c >= channels)
-            texel[c] = c == 3 ? 1.0f : 0.0f;
-          else
-            texel[c] = color.keep ? color.texture->texel(x_ + x, y_ + y)[c] : cleared(*color.write, c);
+    Texel texel = cleared(*color.write);
+    for (int c = channels; c < 4; ++c) texel[static_cast<std::size_t>(c)] = c == 3 ? 1.0f : 0.0f;
+    for (int y = 0; y < height_; ++y) {
+      float(*row)[4] = storage_.color[i] + y * kTile;
+      if (!color.keep) {
+        for (int x = 0; x < width_; ++x) std::memcpy(row[x], texel.data(), sizeof texel);
+      } else if (channels == 4) {
+        std::memcpy(row, color.texture->texel(x_, y_ + y), sizeof(Texel) * static_cast<std::size_t>(width_));
+      } else {
+        const float* in = color.texture->texel(x_, y_ + y);
+        for (int x = 0; x < width_; ++x) {
+          for (int c = 0; c < channels; ++c) texel[static_cast<std::size_t>(c)] = *in++;
+          std::memcpy(row[x], texel.data(), sizeof texel);
         }
       }
+    }
   }
 
   const RenderTarget& target_;
@@ -136,9 +167,12 @@ ImageShape RenderTarget::shape() const {
 void RenderTarget::clear() {
   for (const Color& color : colors) {
     if (color.keep || !color.texture) continue;
+    const Texel texel = cleared(*color.write);
+    if (is_same(color.texture->clear, texel)) continue;
     const auto channels = static_cast<std::size_t>(color.texture->channels());
-    for (std::size_t i = 0; i < color.texture->value_count(); ++i)
-      color.texture->values[i] = cleared(*color.write, static_cast<int>(i % channels));
+    for (std::size_t i = 0; i < color.texture->value_count(); i += channels)
+      std::copy_n(texel.data(), channels, color.texture->values.get() + i);
+    color.texture->clear = texel;
   }
   if (depth && !keep_depth) std::fill_n(depth->values.get(), depth->value_count(), depth_clear);
 }
@@ -149,10 +183,12 @@ void RenderTarget::keep_all() {
 }
 
 TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,
-                        const TileGrid& grid, const RenderTarget& target, const Workers& workers) {
+                        const TileGrid& grid, RenderTarget& target, const Workers& workers) {
   const bool all_kept = (!target.depth || target.keep_depth) &&
                         std::all_of(target.colors.begin(), target.colors.end(),
                                     [](const RenderTarget::Color& c) { return c.keep; });
+  for (RenderTarget::Color& color : target.colors)
+    color.is_clear = color.texture && !color.keep && is_same(color.texture->clear, cleared(*color.write));
   const std::vector<int> order = fullest_first(chunks, grid);
   std::vector<TileCounters> counters(order.size());
   workers.run(static_cast<int>(order.size()), [&](int i) {
@@ -161,14 +197,22 @@ TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>
     const std::vector<PrimitiveChunk> touching = chunks_of_tile(chunks, static_cast<std::size_t>(index));
     if (touching.empty() && all_kept) return;
     Tile tile(grid, index, target, *storage);
-    tile.load();
-    work.kernel(tile.job(work, touching), counters[static_cast<std::size_t>(i)]);
-    tile.store();
+    tile.load_depth();
+    TileCounters& counted = counters[static_cast<std::size_t>(i)];
+    work.kernel(tile.job(work, touching), counted);
+    tile.store(counted.samples_passed > 0);
   });
   TileCounters sum;
   for (const TileCounters& c : counters) {
     sum.fragments += c.fragments;
     sum.samples_passed += c.samples_passed;
+  }
+  for (RenderTarget::Color& color : target.colors) {
+    if (!color.texture) continue;
+    if (sum.samples_passed > 0)
+      color.texture->clear.reset();
+    else if (!color.keep)
+      color.texture->clear = cleared(*color.write);
   }
   return sum;
 }

@@ -15,6 +15,7 @@ struct RenderTarget {
     Texture* texture = nullptr;  // null: what is written goes nowhere
     const ColorWrite* write = nullptr;
     bool keep = false;
+    bool is_clear = false;  // it holds what it would be cleared to
   };
   std::vector<Color> colors;
   Texture* depth = nullptr;
@@ -41,6 +42,6 @@ struct FragmentWork {
 // Draws the chunks, in order, into every tile; the fullest tiles first, so that no thread is left with a
 // long one at the end.
 TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,
-                        const TileGrid& grid, const RenderTarget& target, const Workers& workers);
+                        const TileGrid& grid, RenderTarget& target, const Workers& workers);
 
 }  // namespace caustics::raster

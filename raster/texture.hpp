@@ -1,7 +1,9 @@
 // A texture or render target of the software Device.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "pipeline/gpu/image.hpp"
 
@@ -12,6 +14,8 @@ namespace caustics::raster {
 struct Texture {
   ImageShape shape;
   std::unique_ptr<float[]> values;
+  // What every texel holds, where nothing has been drawn since the texture was cleared.
+  std::optional<std::array<float, 4>> clear{};
 
   explicit Texture(const ImageShape& s)
       : shape(s), values(std::make_unique_for_overwrite<float[]>(value_count())) {}

@@ -65,6 +65,9 @@ struct TileJob {
   const PrimitiveChunk* chunks;
   int chunk_count;
   bool is_points;
+  // Puts the colours into the tile before the first fragment is merged: most tiles of some passes have none.
+  void (*load_colors)(void* tile);
+  void* tile;
   FragmentKernel fragment;
   const void* uniforms;
   const TextureView* textures;

@@ -147,6 +147,7 @@ class TileRenderer {
       dy[edges] = t.dy[i];
       ++edges;
     }
+    if (edges == 0 && !job_.depth) return fill(x_first, x_last, y_first, y_last, t);
     for (int i = edges; i < 3; ++i) row[i] = dx[i] = dy[i] = 0;
     for (int y = y_first; y <= y_last; ++y) {
       std::int32_t a = row[0], b = row[1], c = row[2];
@@ -160,6 +161,29 @@ class TileRenderer {
       row[1] += dx[1];
       row[2] += dx[2];
     }
+  }
+
+  // A rectangle that the triangle covers whole.
+  void fill(int x_first, int x_last, int y_first, int y_last, const TriangleRecord& t) {
+    flush();
+    for (int lane = 0; lane < kBlock; ++lane) {
+      z_[lane] = 0.0f;
+      planes_[lane] = t.planes;
+      constant_[lane] = t.provoking;
+      front_[lane] = t.front_facing;
+      primitive_[lane] = t.primitive;
+    }
+    for (int y = y_first; y <= y_last; ++y)
+      for (int x = x_first; x <= x_last; x += kBlock) {
+        count_ = smaller(kBlock, x_last - x + 1);
+        for (int lane = 0; lane < kBlock; ++lane) {
+          const int inside = smaller(x + lane, x_last);
+          pixel_[lane] = (y - job_.y) * kTile + (inside - job_.x);
+          x_[lane] = static_cast<float>(inside);
+          y_[lane] = static_cast<float>(y);
+        }
+        run_block();
+      }
   }
 
   void add_of_triangle(int x, int y, const TriangleRecord& t) {
@@ -205,6 +229,10 @@ class TileRenderer {
       front_[lane] = front_[0];
       primitive_[lane] = primitive_[0];
     }
+    run_block();
+  }
+
+  void run_block() {
     interpolate();
     shade();
     merge();
@@ -255,7 +283,7 @@ class TileRenderer {
     for (int lane = 0; lane < count_; ++lane) {
       if (discarded_[lane]) continue;
       if (job_.test_depth_late && !depth_passes(pixel_[lane], z_[lane])) continue;
-      ++counters_.samples_passed;
+      if (counters_.samples_passed++ == 0) job_.load_colors(job_.tile);
       for (int i = 0; i < job_.color_count; ++i) {
         const TileColor& target = job_.colors[i];
         float* texel = target.texels[pixel_[lane]];
