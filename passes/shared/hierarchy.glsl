@@ -75,13 +75,13 @@ void meet_triangle(IN(WalkingRay) walking, Int place, Bool wanted, INOUT(Nearest
   Float u2 = b.x * a.y - b.y * a.x;
   Bool inside = (u0 >= 0.0f && u1 >= 0.0f && u2 >= 0.0f) || (u0 <= 0.0f && u1 <= 0.0f && u2 <= 0.0f);
   Float area = (u0 + u1) + u2;
-  Bool flat = area == 0.0f;
-  Float inverse = 1.0f / sel(flat, Float(1.0f), area);
+  Bool edge_on = area == 0.0f;
+  Float inverse = 1.0f / sel(edge_on, Float(1.0f), area);
   Float number = corner0.w;
   Float distance = ((u0 * a.z + u1 * b.z) + u2 * c.z) * inverse;
   distance = counted_distance(distance, number, area > 0.0f);
   Bool nearer = distance < nearest.distance || (distance == nearest.distance && number < nearest.number);
-  Bool met = wanted && inside && !flat && number != walking.own && distance >= 0.0f && nearer;
+  Bool met = wanted && inside && !edge_on && number != walking.own && distance >= 0.0f && nearer;
   nearest.distance = sel(met, distance, nearest.distance);
   nearest.number = sel(met, number, nearest.number);
   nearest.weight1 = sel(met, u1 * inverse, nearest.weight1);
@@ -144,10 +144,10 @@ NearestTriangle nearest_triangle(IN(WalkingRay) walking, Bool walks) {
       done = inner && !children.any;
     }
     if (any_lane(leaf)) {
-      Int packed = sel(leaf, -code, Int(8));
-      Int place = packed / 8;
+      Int filled = sel(leaf, -code, Int(8));
+      Int place = filled / 8;
       meet_triangle(walking, place, leaf, nearest);
-      done = done || (leaf && packed - place * 8 == 1);
+      done = done || (leaf && filled - place * 8 == 1);
       code = sel(leaf, code - 7, code);
     }
     busy = busy && !(done && depth == 0);
