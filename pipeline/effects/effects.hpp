@@ -67,7 +67,8 @@ struct LightEffects {
   std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
 };
 
-// Of the light that lands through a caster: what share does not go in by one surface, out by a second, and on.
+// Of the light that lands through a caster: what share does not come through one surface or two, or off the
+// first.
 struct FurtherShare {
   int light = 0;
   int mesh = 0;

@@ -1,5 +1,5 @@
-// Whether light is followed from surface to surface: where more than a named share of it does not go in by one
-// surface, out by a second, and on.
+// Whether light is followed from surface to surface: where more than a named share of what lands meets more
+// than two, other casters, or total reflection.
 #pragma once
 #include "pipeline/effects/effects.hpp"
 

@@ -271,7 +271,7 @@ constexpr int kRaysASide = 48;
 void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster,
                 std::vector<FurtherShare>& shares) {
   struct Landed {
-    double all = 0.0, followed = 0.0;
+    double all = 0.0, simple = 0.0;  // through two surfaces or one, or off the first
   };
   std::map<int, Landed> landed;
   double whole = 0.0;
@@ -287,12 +287,12 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
       for (const LightLanding& landing : landings) {
         const double flux = (landing.flux.x + landing.flux.y) + landing.flux.z;
         landed[mesh].all += flux;
-        if (landing.followed) landed[mesh].followed += flux;
+        if (landing.followed || landing.surfaces == 1) landed[mesh].simple += flux;
         whole += flux;
       }
     }
   for (const auto& [mesh, sum] : landed)
-    shares.push_back({number, mesh, 1.0 - sum.followed / sum.all, sum.all / whole});
+    shares.push_back({number, mesh, 1.0 - sum.simple / sum.all, sum.all / whole});
 }
 
 }  // namespace
