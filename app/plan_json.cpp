@@ -124,6 +124,7 @@ std::string plan_json(const PlanReport& report) {
                    {"surfaces", surfaces_json(scene, effects)},
                    {"lights", lights_json(scene)},
                    {"expectations", Json::array()},
+                   {"further_shares", Json::array()},
                    {"leaves_share", Json::array()},
                    {"model_error", Json::array()},
                    {"effects", Json::array()},
@@ -139,6 +140,12 @@ std::string plan_json(const PlanReport& report) {
     document["expectations"].push_back(
         {{"light", e.light}, {"mesh", e.mesh}, {"expected", e.expected}, {"reason", e.reason}});
   }
+  for (const FurtherShare& found : effects.further_shares)
+    document["further_shares"].push_back(
+        {{"light", scene.lights[static_cast<std::size_t>(found.light)].source},
+         {"mesh", found.mesh},
+         {"share", found.share},
+         {"of_light", found.of_light}});
   for (const LightLedger& ledger : report.ledgers) {
     document["leaves_share"].push_back({{"light", ledger.light}, {"share", ledger.leaves()}});
     if (ledger.error.judged)

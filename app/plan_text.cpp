@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "app/expectations.hpp"
 #include "app/loaded_scene.hpp"
@@ -130,6 +131,12 @@ class TextReport {
       table.row({yes_no(e.expected),
                  "light " + light_label(of(), e.light) + " through " + mesh_label(of(), e.mesh), e.reason});
     }
+    for (const FurtherShare& found : called_for().further_shares)
+      table.row({"",
+                 "light " + light_label(of(), source_of_light(found.light)) + " through " +
+                     mesh_label(of(), found.mesh),
+                 percent(found.share) + " of what lands of it meets more than two surfaces, other casters or "
+                                        "total reflection"});
     if (called_for().expectations.empty()) {
       table.row({yes_no(false), "nothing in the scene bends or mirrors light"});
     }
@@ -176,6 +183,8 @@ class TextReport {
     return groups;
   }
 
+  int source_of_light(int light) const { return of().lights[static_cast<std::size_t>(light)].source; }
+
   int source(const PlannedPass& pass) const {
     return of().lights[static_cast<std::size_t>(pass.light)].source;
   }
@@ -185,7 +194,11 @@ class TextReport {
     const std::vector<PlannedTexture>& textures = report_.plan.textures;
     const PlannedTexture& texture = textures[static_cast<std::size_t>(first)];
     std::string name = texture.name;
-    if (first != last) {
+    const std::string& other_name = textures[static_cast<std::size_t>(last)].name;
+    const auto of_branch = [](const std::string& texture) { return texture.find(' ') != texture.npos; };
+    if (first != last && (of_branch(name) || of_branch(other_name))) {
+      name += " .. " + other_name;
+    } else if (first != last) {
       const std::string& other = textures[static_cast<std::size_t>(last)].name;
       name = name.substr(0, name.size() - 1) + ".." + other.substr(other.find('[') + 1);
     }
@@ -198,6 +211,22 @@ class TextReport {
     for (std::size_t i = 0; i < of_first.size(); ++i)
       text += (i == 0 ? "" : ", ") + texture_text(of_first[i], of_last[i]);
     return text;
+  }
+
+  // ", surface 2 to 17 of 4 branches"
+  std::string rounds_of(const std::vector<const PlannedPass*>& group) const {
+    if (group.front()->surface == 0) return {};
+    int first = group.front()->surface, last = first;
+    std::set<int> branches;
+    for (const PlannedPass* pass : group) {
+      first = std::min(first, pass->surface);
+      last = std::max(last, pass->surface);
+      branches.insert(pass->branch);
+    }
+    return first == last
+               ? ", its first surface"
+               : ", surfaces " + std::to_string(first) + " to " + std::to_string(last) + " of " +
+                     std::to_string(branches.size()) + (branches.size() == 1 ? " branch" : " branches");
   }
 
   std::string pass_label(const PlannedPass& pass, std::size_t count) const {
@@ -229,7 +258,7 @@ class TextReport {
       table.row({one_line(pass_label(pass, group.size())),
                  std::to_string(pass.width) + "x" + std::to_string(pass.height),
                  report_.draws_nothing(pass) ? "draws nothing: its light reaches no caster (occlusion query)"
-                                             : one_line(pass.reason)});
+                                             : one_line(pass.reason) + rounds_of(group)});
       table.row({"", "", "writes " + one_line(written(pass, *group.back()))});
     }
     text_ += table.text();

@@ -94,19 +94,45 @@ void print_values(const std::string& label, const float* values, int count) {
   std::printf("%s\n", line.c_str());
 }
 
-void print_probe(const RenderedFrame& frame, const ProbeRequest& request, const ProbedTexel& probed) {
-  const int grid = frame.settings().grid;
-  std::printf("grid vertex %d,%d of light %s, grid %dx%d; metres, scene space\n", request.x, request.y,
-              light_label(frame.scene(), request.light).c_str(), grid, grid);
+// A pass that the grid vertex's light goes through.
+struct ProbedPass {
+  std::string label;
+  ProbedTexel texel;
+};
+
+void print_pass(const ProbedTexel& probed) {
   std::printf("\nthis texel of what the pass reads\n");
   for (const NamedValues& v : probed.inputs) print_values(v.name, v.values.data(), v.count);
   std::printf("\nwhat it computes, in order\n");
   for (const NamedValues& v : probed.trace) print_values(v.name, v.values.data(), v.count);
   std::printf("\nwhat it stores\n");
   for (const NamedValues& v : probed.stored) print_values(v.name, v.values.data(), v.count);
-  const auto status = static_cast<LandingStatus>(static_cast<int>(probed.stored[0].values[3]));
+  if (probed.stored.front().name != kLanding) return;
+  const auto status = static_cast<LandingStatus>(static_cast<int>(probed.stored.front().values[3]));
   std::printf("\nstatus: %s\n", std::string(name_of(status)).c_str());
-  std::printf("the probe and the rendered texel %s\n", probed.agrees ? "agree to the bit" : "DIFFER");
+}
+
+void print_probe(const RenderedFrame& frame, const ProbeRequest& request,
+                 const std::vector<ProbedPass>& passes) {
+  const int grid = frame.settings().grid;
+  std::printf("grid vertex %d,%d of light %s, grid %dx%d; metres, scene space\n", request.x, request.y,
+              light_label(frame.scene(), request.light).c_str(), grid, grid);
+  bool agree = true;
+  for (const ProbedPass& pass : passes) {
+    if (frame.effects().further_surfaces.active) std::printf("\n%s\n", pass.label.c_str());
+    print_pass(pass.texel);
+    agree = agree && pass.texel.agrees;
+  }
+  if (passes.empty()) std::printf("\nno caster is there\n");
+  std::printf("the probe and the rendered %s %s\n", passes.size() == 1 ? "texel" : "texels",
+              agree ? "agree to the bit" : "DIFFER");
+  if (!agree) throw Error(ExitCode::InternalError, "the probe does not agree with the rendered texel");
+}
+
+// Does light of the grid vertex come to this surface?
+bool comes_to(const RenderedFrame& frame, const PlannedPass& pass, int x, int y) {
+  if (pass.definition.reads.front().name != "path_start") return true;
+  return frame.read(pass.reads.front()).at(x, y, 3) != 0.0f;
 }
 
 }  // namespace
@@ -119,16 +145,17 @@ ExitCode run_probe(const Arguments& arguments) {
   RenderedFrame frame(request.frame, std::move(loaded), {{kLanding}});
   check_texel(request, frame.settings().grid);
   const PlannedPass& landing = find_landing(frame, request);
-  ProbedTexel probed;
-  // As soon as it is drawn: later passes may take the memory of what it read.
+  std::vector<ProbedPass> probed;
+  // As soon as each is drawn: later passes may take the memory of what it read.
   frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
-    if (&pass == &landing) probed = probe_texel(frame, landing, request.x, request.y);
+    const bool on_the_way = pass.light == landing.light && pass.surface > 0;
+    if (&pass != &landing && !on_the_way) return true;
+    if (on_the_way && !comes_to(frame, pass, request.x, request.y)) return true;
+    ProbedTexel texel = probe_texel(frame, pass, request.x, request.y);
+    if (!texel.discarded) probed.push_back({pass.label, std::move(texel)});
     return true;
   });
   print_probe(frame, request, probed);
-  if (!probed.agrees) {
-    throw Error(ExitCode::InternalError, "the probe does not agree with the rendered texel");
-  }
   return ExitCode::Done;
 }
 

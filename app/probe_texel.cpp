@@ -38,7 +38,7 @@ using LaneRow = std::array<float, kBlock>;
 
 // One block whose 16 fragments are all this texel; the trace of the first is kept.
 std::vector<LaneRow> run_kernel(const PassRun& run, const std::vector<TextureView>& views, int x, int y,
-                                std::vector<NamedValues>& trace) {
+                                std::vector<NamedValues>& trace, bool& is_discarded) {
   const std::size_t outputs = run.definition->writes.size() * 4;
   const ShaderInterface& interface = interface_of(*run.definition->shader);
   std::vector<LaneRow> output_rows(outputs),
@@ -64,6 +64,7 @@ std::vector<LaneRow> run_kernel(const PassRun& run, const std::vector<TextureVie
   run.definition->shader->kernels.fragment[static_cast<std::size_t>(Lanes::Scalar)](block);
   recorder.records.resize(recorder.records.size() / kBlock);
   trace = std::move(recorder.records);
+  is_discarded = discarded[0] != 0;
   return output_rows;
 }
 
@@ -89,11 +90,13 @@ ProbedTexel probe_texel(const RenderedFrame& frame, const PlannedPass& pass, int
     probed.inputs.push_back(texel_of(definition.reads[images.size() - 1].name, image, x, y));
   }
   const raster::FlushDenormals as_the_device_does;
-  const std::vector<LaneRow> outputs = run_kernel(run, views_of(images), x, y, probed.trace);
+  const std::vector<LaneRow> outputs =
+      run_kernel(run, views_of(images), x, y, probed.trace, probed.discarded);
   for (std::size_t w = 0; w < definition.writes.size(); ++w) {
     if (run.colors[w] == TextureId::None) continue;
     const Image image = frame.device().read_back(run.colors[w]);
     probed.stored.push_back(texel_of(definition.writes[w].name, image, x, y));
+    if (probed.discarded || definition.writes[w].blend.enabled) continue;
     for (int c = 0; c < image.channels(); ++c) {
       const std::size_t channel = static_cast<std::size_t>(c);
       const float computed = stored_value(image.shape.format, outputs[4 * w + channel][0]);

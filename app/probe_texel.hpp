@@ -18,7 +18,8 @@ struct ProbedTexel {
   std::vector<NamedValues> inputs;  // the texel of each texture that has the pass's size
   std::vector<NamedValues> trace;   // in the order in which the shader hands them out
   std::vector<NamedValues> stored;  // by the definition's writes, as the rendered frame holds them
-  bool agrees = true;               // the kernel's outputs equal `stored` to the bit
+  bool discarded = false;           // the shader writes nothing here
+  bool agrees = true;  // the kernel's outputs equal `stored` to the bit, but for what is added up
 };
 
 // The pass must have run, and its inputs must be as they were then.

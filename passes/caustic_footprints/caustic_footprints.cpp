@@ -4,6 +4,7 @@
 
 #include "passes/shared/caustic_map_write.hpp"
 #include "pipeline/settings/settings.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 #include "pipeline/shader/std140.hpp"
 
 namespace caustics::std140 {
@@ -20,9 +21,8 @@ extern const Shader caustic_footprints_shader;
 
 namespace {
 
-// Texels of the whole map that a footprint may span, and of any map: points are drawn up to this size
-// everywhere.
-constexpr double kLargest = 32.0, kLargestPoint = 250.0;
+// Texels that a footprint may span in any map: points are drawn up to this size everywhere.
+constexpr double kLargestPoint = 250.0;
 
 std140::CausticFootprints footprints_uniforms(const PassContext& context) {
   const View& map = context.views->caustic;
@@ -31,12 +31,13 @@ std140::CausticFootprints footprints_uniforms(const PassContext& context) {
   const glm::dvec2 part = drawn.window_upper - drawn.window_lower;
   const glm::dvec2 times = (map.window_upper - map.window_lower) / part;
   const glm::dvec2 offset = (map.window_lower - drawn.window_lower) / part;
-  return {.map = shader_view(map),
-          .scale = glm::vec2(times * texels),
-          .offset = glm::vec2(offset * texels),
-          .largest = static_cast<float>(std::min(kLargest * std::max(times.x, times.y), kLargestPoint)),
-          .grid_side = context.settings->grid,
-          .map_side = context.settings->map};
+  return {
+      .map = shader_view(map),
+      .scale = glm::vec2(times * texels),
+      .offset = glm::vec2(offset * texels),
+      .largest = static_cast<float>(std::min(kLargestFootprint * std::max(times.x, times.y), kLargestPoint)),
+      .grid_side = context.settings->grid,
+      .map_side = context.settings->map};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Adds the light that no cell has taken: each landing as the parallelogram that its own differential gives it.
-// caustic_footprints.md explains.
+// Adds the light that no cell has taken: each landing as the parallelogram that its own differential gives
+// it. caustic_footprints.md explains.
 UNIFORMS_BEGIN
 #include "passes/caustic_footprints/caustic_footprints_uniforms.glsl"
 UNIFORMS_END
@@ -18,11 +18,18 @@ VARYING_FLAT(8, Vec3, flux)
 #include "passes/shared/splat.glsl"
 #include "passes/shared/view_space.glsl"
 
+// A place on the map half a texel from its edge, if it lies nearer; others stay.
+Float off_edge(Float middle) {
+  Float side = Float(float(u.map_side));
+  Bool on_map = middle >= 0.0f && middle <= side;
+  return sel(on_map, clamp_to(middle, Float(0.5f), side - 0.5f), middle);
+}
+
 // A footprint's half extents in texels, no larger than it may be, nor than the map has room around its
 // middle: no light is laid beyond it.
 Float fitted(Float half_extent, Float middle) {
   Float side = Float(float(u.map_side));
-  Float inside = max_of(min_of(middle, side - middle), 0.0f);
+  Float inside = max_of(min_of(middle, side - middle) - 0.25f, 0.0f);
   Bool on_map = middle >= 0.0f && middle <= side;
   Float most = min_of(Float(0.5f * u.largest), sel(on_map, inside, Float(0.5f * u.largest)));
   Bool finite = half_extent < 1.0e9f;
@@ -35,17 +42,34 @@ struct Footprint {
   Vec2 y;
 };
 
+// At least half a texel long and wide: the shares of slivers in texels are not sharp.
+void thicken(INOUT(Footprint) print) {
+  Bool x_longer = dot2(print.x, print.x) >= dot2(print.y, print.y);
+  Vec2 along = sel(x_longer, print.x, print.y);
+  Vec2 beside = sel(x_longer, print.y, print.x);
+  Float length = sqrt(dot2(along, along));
+  Bool is_long = length > 0.25f;
+  Vec2 unit = sel(is_long, along / sel(is_long, length, Float(1.0f)), Vec2(Float(1.0f), Float(0.0f)));
+  Vec2 across = Vec2(-unit.y, unit.x);
+  Bool is_wide = is_long && abs(dot2(beside, across)) > 0.25f;
+  print.x = sel(is_long, along, unit * 0.25f);
+  print.y = sel(is_wide, beside, across * 0.25f);
+}
+
 Footprint footprint_of(Vec4 place, Vec4 steps) {
   Vec2 uv = view_uv(u.map, view_coordinates(u.map, Vec3(place)));
   Footprint print;
   print.middle = Vec2(uv.x * u.scale.x + u.offset.x, uv.y * u.scale.y + u.offset.y);
   Vec2 x = Vec2(steps.x * (0.5f * u.scale.x), steps.y * (0.5f * u.scale.y));
   Vec2 y = Vec2(steps.z * (0.5f * u.scale.x), steps.w * (0.5f * u.scale.y));
-  Float fit = min_of(fitted(abs(x.x) + abs(y.x), print.middle.x), fitted(abs(x.y) + abs(y.y), print.middle.y));
+  print.middle = Vec2(off_edge(print.middle.x), off_edge(print.middle.y));
+  Float fit_x = fitted(abs(x.x) + abs(y.x), print.middle.x);
+  Float fit = min_of(fit_x, fitted(abs(x.y) + abs(y.y), print.middle.y));
   Bool sized = fit > 0.0f;
   Vec2 none = Vec2(Float(0.0f), Float(0.0f));
   print.x = sel(sized, x * fit, none);
   print.y = sel(sized, y * fit, none);
+  thicken(print);
   return print;
 }
 

@@ -30,7 +30,8 @@ std140::Land land_uniforms(const PassContext& context) {
 
 std::vector<Read> land_reads() {
   std::vector<Read> reads = path_reads();
-  reads.push_back({.name = "surface_hit", .meaning = "what lies ahead of the light", .surface = OfSurface::Here});
+  reads.push_back(
+      {.name = "surface_hit", .meaning = "what lies ahead of the light", .surface = OfSurface::Here});
   reads.push_back({.name = kCasterMaterials, .meaning = "a row a material"});
   reads.push_back(kReadHierarchyTriangles);
   reads.push_back(kReadHierarchyNormals);
@@ -68,8 +69,9 @@ Pass land_pass() {
                   .meaning = "r: a number for the bodies and events on the light's path",
                   .keeps = true},
                  {.name = kLandingFootprint,
-                  .meaning = "how the landing moves along the grid's rows (xy) and columns (zw), parts of the "
-                             "caustic map",
+                  .meaning =
+                      "how the landing moves along the grid's rows (xy) and columns (zw), parts of the "
+                      "caustic map",
                   .keeps = true}},
       .shaders = {{&land_shader, block_of<land_uniforms>}},
       .choices = {kNewtonGuard,

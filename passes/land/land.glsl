@@ -123,7 +123,7 @@ void land_at(Int column, Int row, Vec4 hit, IN(WayAhead) ahead) {
   Vec2 along_x = step_in_map(path, end, plane, path.width_x + path.spread_x * end.flight);
   Vec2 along_y = step_in_map(path, end, plane, path.width_y + path.spread_y * end.flight);
   landing_path = Vec4(path.path, Float(1.0f), Float(0.0f), Float(0.0f));
-  landing_footprint = Vec4(along_x.x, along_x.y, along_y.x, along_y.y);
+  landing_footprint = bounded(along_x.x, along_x.y, along_y.x, along_y.y);
   TRACE(landing_point, end.point);
   TRACE(status, status);
 }

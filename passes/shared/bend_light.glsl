@@ -1,6 +1,6 @@
-// What befalls light at a caster's surface. Needs absorption.glsl, caster_material.glsl, caster_triangles.glsl,
-// light_path.glsl, media.glsl, optics.glsl, refraction.glsl, the uniforms of bend_light_uniforms.glsl, and
-// the outputs of ray_outputs.glsl.
+// What befalls light at a caster's surface. Needs absorption.glsl, caster_material.glsl,
+// caster_triangles.glsl, light_path.glsl, media.glsl, optics.glsl, refraction.glsl, the uniforms of
+// bend_light_uniforms.glsl, and the outputs of ray_outputs.glsl.
 
 // The indices of refraction on both sides, and the bodies that light is in behind the surface.
 struct Interface {
@@ -113,10 +113,10 @@ void write_ray(IN(LightPath) path, Bool goes, Float mark) {
   ray_direction = Vec4(direction, path.path);
   ray_flux = Vec4(path.flux, path.whole);
   ray_media = path.media;
-  ray_width = Vec4(dot3(path.width_x, axes.x), dot3(path.width_x, axes.y), dot3(path.width_y, axes.x),
-                   dot3(path.width_y, axes.y));
-  ray_spread = Vec4(dot3(path.spread_x, axes.x), dot3(path.spread_x, axes.y), dot3(path.spread_y, axes.x),
-                    dot3(path.spread_y, axes.y));
+  ray_width = bounded(dot3(path.width_x, axes.x), dot3(path.width_x, axes.y), dot3(path.width_y, axes.x),
+                      dot3(path.width_y, axes.y));
+  ray_spread = bounded(dot3(path.spread_x, axes.x), dot3(path.spread_x, axes.y), dot3(path.spread_y, axes.x),
+                       dot3(path.spread_y, axes.y));
 }
 
 // Moves the path to the surface: its differential, and what the body has left of its flux. Returns what the
@@ -174,5 +174,7 @@ void bend_light(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle) triang
   if (u.follows_mirrored == 0) absorbed = absorbed + taken;
   landing_fresnel = Vec4(ways.booked * share, Float(0.0f));
   landing_absorbed = Vec4(absorbed * share, Float(0.0f));
-  write_ray(on, covered && ways.goes, sel(ends, Float(RAY_ENDED), at.number + 1.0f));
+  Float mark = at.number + 1.0f;
+  mark = sel(ends, Float(RAY_ENDED), mark);
+  write_ray(on, covered && ways.goes, mark);
 }

@@ -8,8 +8,7 @@ inline constexpr Read kReadHierarchyNodes{.name = kHierarchyNodes,
                                           .meaning = "boxes around the casters' and receivers' triangles"};
 inline constexpr Read kReadHierarchyTriangles{.name = kHierarchyTriangles,
                                               .meaning = "their corners, numbers, materials and bodies"};
-inline constexpr Read kReadHierarchyNormals{.name = kHierarchyNormals,
-                                            .meaning = "their normals, by number"};
+inline constexpr Read kReadHierarchyNormals{.name = kHierarchyNormals, .meaning = "their normals, by number"};
 
 // A ray texture (passes/shared/ray_state.glsl) as the surface before has left it.
 inline Read path_read(std::string_view name, std::string_view texture) {

@@ -10,3 +10,10 @@ struct LightPath {
   Vec3 spread_x;  // and how its direction turns
   Vec3 spread_y;
 };
+
+// A texel of a differential, which each grazing surface may widen a thousandfold: it stays finite.
+Vec4 bounded(Float x, Float y, Float z, Float w) {
+  Float most = Float(1.0e6f);
+  return Vec4(clamp_to(x, -most, most), clamp_to(y, -most, most), clamp_to(z, -most, most),
+              clamp_to(w, -most, most));
+}

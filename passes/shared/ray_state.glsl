@@ -3,7 +3,8 @@
 //                  no light is under way, RAY_ENDED where it has been given up
 //   ray_direction  xyz: unit; w: its path, a number that the same sequence of bodies and events gives
 //   ray_flux       rgb: its flux, relative to the light's intensity; w: the light's on the cell
-//   ray_media      the bodies that it is in, the last one entered first: rows of caster_materials plus 1, or 0
+//   ray_media      the bodies that it is in, the last one entered first: rows of caster_materials plus 1,
+//                  or 0
 //   ray_width      how the start moves from one grid vertex to the next: xy along the grid's rows, zw along
 //                  its columns, metres, in the axes across the direction
 //   ray_spread     likewise how the direction turns, radians

@@ -26,8 +26,8 @@ void set_receiver_search(Block& block, const PassContext& context, float landing
   block.iterations = settings.iterations;
 }
 
-inline constexpr Choice kNewtonGuard{
-    "newton_guard", [](const PassContext& c) { return c.settings->newton_guard ? 1 : 0; }};
+inline constexpr Choice kNewtonGuard{"newton_guard",
+                                     [](const PassContext& c) { return c.settings->newton_guard ? 1 : 0; }};
 inline constexpr Choice kDrawsUnconverged{
     "draws_unconverged", [](const PassContext& c) { return c.settings->draw_unconverged ? 1 : 0; }};
 inline constexpr Choice kEstimator{

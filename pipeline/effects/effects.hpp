@@ -51,7 +51,9 @@ struct Branch {
   // Of light that is followed from surface to surface: at which surfaces it is mirrored, surface k as bit
   // k - 1. Behind the last of them it takes the stronger way at each.
   unsigned mirrored = 0;
-  bool is_mirrored_at(int surface) const { return surface > 0 && surface <= 8 && (mirrored >> (surface - 1) & 1u) != 0; }
+  bool is_mirrored_at(int surface) const {
+    return surface > 0 && surface <= 8 && (mirrored >> (surface - 1) & 1u) != 0;
+  }
   // The surface where it parts from the branch that is mirrored as long as it, but not there; 0: no such.
   int parts_at() const;
   // Index of refraction: n_d + bend * (n_F - n_C). 0 at the d line.
@@ -72,7 +74,7 @@ struct LightEffects {
 struct FurtherShare {
   int light = 0;
   int mesh = 0;
-  double share = 0.0;   // 0..1
+  double share = 0.0;     // 0..1
   double of_light = 0.0;  // how much of the light's landed flux comes through this caster, 0..1
 };
 
@@ -82,9 +84,9 @@ struct Effects {
   std::vector<SurfaceRole> surfaces;  // by Scene::meshes
   std::vector<Expectation> expectations;
   std::vector<FurtherShare> further_shares;  // as a pilot has found
-  std::vector<Branch> branches{Branch{}};  // at least one
-  std::vector<LightEffects> lights;        // by Scene::lights
-  bool receivers_are_one_plane = false;    // or there is none
+  std::vector<Branch> branches{Branch{}};    // at least one
+  std::vector<LightEffects> lights;          // by Scene::lights
+  bool receivers_are_one_plane = false;      // or there is none
   View impostors;  // where distance_impostors is active: the cube around the casters, without an atlas yet
 
   Effect light;                  // any light

@@ -52,9 +52,9 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   const double share = most->share * most->of_light;
   const bool active = share > static_cast<double>(settings.further_share);
   const std::string limit = percent(static_cast<double>(settings.further_share));
-  effects.further_surfaces = {
-      active, percent(share) + " of the light that lands meets more than two surfaces, " +
-                  (active ? "more than " : "no more than ") + limit};
+  effects.further_surfaces = {active, percent(share) +
+                                          " of the light that lands meets more than two surfaces, " +
+                                          (active ? "more than " : "no more than ") + limit};
   if (!active) return effects;
   std::vector<Branch> branches;
   for (const Branch& branch : effects.branches)

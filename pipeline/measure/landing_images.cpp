@@ -49,12 +49,12 @@ std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& br
       return has(branch_texture(name, light, branch)) ? own(name) : Image{};
     };
     result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel), own(kLandingAbsorbed),
-                      if_any(kCellFlux), if_any(kLandingMedium)});
+                      if_any(kCellFlux), if_any(kLandingMedium), if_any(kLandingFootprint)});
     if (!has(branch_texture(far_texture(kLanding), light, branch))) continue;
     const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
     const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
     merge_far(result.back(), {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel),
-                              far(kLandingAbsorbed), cells ? far(kCellFlux) : Image{}, Image{}});
+                              far(kLandingAbsorbed), cells ? far(kCellFlux) : Image{}, Image{}, Image{}});
   }
   return result;
 }

@@ -22,6 +22,7 @@ struct BranchImages {
   Image landing, flux, fresnel, absorbed;
   Image cell_flux;  // without values where landings are splatted one by one
   Image medium;     // without values where there is no medium
+  Image footprint;  // likewise where light is not followed from surface to surface
 };
 
 // What a light's passes hold, of all its branches; what the search on the farthest receivers found stands in

@@ -86,8 +86,8 @@ double Ledger::residual() const {
   for (std::size_t c = 0; c < 3; ++c) {
     if (entered[c] <= 0.0) continue;
     const double booked = fresnel[c] + absorbed[c] + total_reflection[c] + missed[c] + outside[c] +
-                          not_converged[c] + exit_not_found[c] + given_up[c] + kernel_edge[c] + medium[c] + in_map[c] +
-                          std::clamp(rounding[c], -rounding_bound[c], rounding_bound[c]);
+                          not_converged[c] + exit_not_found[c] + given_up[c] + kernel_edge[c] + medium[c] +
+                          in_map[c] + std::clamp(rounding[c], -rounding_bound[c], rounding_bound[c]);
     worst = std::max(worst, std::fabs(entered[c] - booked) / entered[c]);
   }
   return worst;
@@ -96,8 +96,8 @@ double Ledger::residual() const {
 void add(Ledger& sum, const Ledger& other, double share) {
   for (FluxRgb Ledger::*account :
        {&Ledger::entered, &Ledger::fresnel, &Ledger::absorbed, &Ledger::total_reflection, &Ledger::missed,
-        &Ledger::outside, &Ledger::not_converged, &Ledger::exit_not_found, &Ledger::given_up, &Ledger::kernel_edge,
-        &Ledger::medium, &Ledger::in_map, &Ledger::rounding, &Ledger::rounding_bound})
+        &Ledger::outside, &Ledger::not_converged, &Ledger::exit_not_found, &Ledger::given_up,
+        &Ledger::kernel_edge, &Ledger::medium, &Ledger::in_map, &Ledger::rounding, &Ledger::rounding_bound})
     add(sum.*account, other.*account, share);
   for (std::size_t s = 0; s < sum.vertices.size(); ++s) sum.vertices[s] += other.vertices[s];
 }
@@ -111,7 +111,9 @@ void add_vertex(const BranchImages& images, int x, int y, const std140::View& vi
   // The guard vertices of a cube's grid belong to other faces: they carry nothing.
   const bool cube = view.kind == VIEW_CUBE;
   const bool guard = cube && flux == 0.0 && images.branch.mirrored == 0;
-  ++ledger.vertices[static_cast<std::size_t>(guard ? LandingStatus::Empty : status)];
+  // A vertex without a caster is counted once, not by every branch that parts from the first.
+  if (images.branch.mirrored == 0 || status != LandingStatus::Empty)
+    ++ledger.vertices[static_cast<std::size_t>(guard ? LandingStatus::Empty : status)];
   if (status == LandingStatus::Empty || guard) return;
   const glm::vec3& color = images.branch.color;
   const FluxRgb entered{flux * double(color.x), flux * double(color.y), flux * double(color.z)};
@@ -127,7 +129,8 @@ void add_vertex(const BranchImages& images, int x, int y, const std140::View& vi
   const FluxRgb carried = rgb(images.flux, x, y);
   if (FluxRgb* account = account_of(ledger, status)) return add(*account, carried);
   add(ledger.rounding, carried);
-  if (cube) return;  // a tile's guard holds every splat whole
+  // A tile's guard holds every splat whole, and a footprint ends at the map's edge.
+  if (cube || (!images.footprint.values.empty() && !images.cell_flux.values.empty())) return;
   const glm::dvec2 texel = texel_of(images, x, y, view, map);
   const double beyond =
       (1.0 - share_on_map(kernel, texel.x, texel.y, map)) * share_of_points(images.cell_flux, x, y);

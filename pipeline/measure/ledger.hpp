@@ -25,7 +25,7 @@ enum class LandingStatus : std::uint8_t {
   NotConverged = STATUS_NOT_CONVERGED,        // the estimator did not close in on a receiver
   ExitNotFound = STATUS_EXIT_NOT_FOUND,       // nor on the caster's second surface: it may lie behind another
   GivenUp = STATUS_GIVEN_UP,  // too weak, through too many surfaces or bodies, or astray, to be followed on
-  Stopped = STATUS_STOPPED,  // not converged; drawn where it stopped all the same, as was asked for
+  Stopped = STATUS_STOPPED,   // not converged; drawn where it stopped all the same, as was asked for
 };
 inline constexpr int kLandingStatuses = 10;
 // Is its light drawn into the caustic map?

@@ -153,6 +153,7 @@ LightPaths::LightPaths(const Scene& scene, const Effects& effects)
       optics_(optics_of(scene, effects)),
       casters_(scene, meshes_of(optics_, true)),
       receivers_(scene, meshes_of(optics_, false)),
+      followed_by_passes_(effects.further_surfaces.active),
       reflections_(effects.reflections.active) {
   const Bounds bounds = bounds_of(scene);
   if (!bounds.empty()) nearest_ = 4e-6 * std::max(bounds.radius(), 1e-6);

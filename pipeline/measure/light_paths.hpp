@@ -45,6 +45,8 @@ class LightPaths {
   // Adds where the light lands behind casters, by any number of surfaces. The first caster that it meets, an
   // index into Scene::meshes; -1 where there is none.
   int follow(const LightRay& light, std::vector<LightLanding>& landings) const;
+  // Do the passes follow it all its way too?
+  bool followed_by_passes() const { return followed_by_passes_; }
   // Does a caster stand on the way from p in this direction, up to that distance?
   bool casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const;
 
@@ -64,6 +66,7 @@ class LightPaths {
   const Scene& scene_;
   std::vector<Optics> optics_;
   TriangleTree casters_, receivers_;
+  bool followed_by_passes_ = false;
   bool reflections_ = false;  // what glass mirrors at its first surface is followed by the passes too
   double nearest_ = 1e-6;     // metres: surfaces as near to one another touch
 };

@@ -62,11 +62,12 @@ void ModelError::compare(const Sample& sample, const Vertex& vertex) {
     lost = lost || status == LandingStatus::NotConverged || status == LandingStatus::Outside ||
            status == LandingStatus::ExitNotFound;
     if (!is_drawn(status)) continue;
+    const glm::dvec3 flux = texel_rgb(images.flux, vertex.x, vertex.y) * vertex.times;
+    if (paths_.followed_by_passes()) followed_ += sum_of(flux);
     const glm::dvec3 p = texel_rgb(images.landing, vertex.x, vertex.y);
     const auto place = blocks_.find(p);
     if (!place || !sees(p)) continue;
-    const glm::dvec3 light =
-        texel_rgb(images.flux, vertex.x, vertex.y) * (vertex.times * place->pixels_per_area);
+    const glm::dvec3 light = flux * place->pixels_per_area;
     for (int c = 0; c < 3; ++c)
       surplus_[vertex.half][3 * place->block + static_cast<std::size_t>(c)] += light[c];
   }
@@ -90,12 +91,12 @@ void ModelError::follow(const Sample& sample, const Vertex& vertex, bool lost) {
     if (!(flux > 0.0) || paths_.follow(ray, landings_) < 0) continue;
     for (const LightLanding& landing : landings_) {
       landed_ += sum_of(landing.flux);
-      if (landing.followed) followed_ += sum_of(landing.flux);
+      if (landing.followed && !paths_.followed_by_passes()) followed_ += sum_of(landing.flux);
       const auto place = blocks_.find(landing.position);
       if (!place || !sees(landing.position)) continue;
       const glm::dvec3 light = landing.flux * place->pixels_per_area;
       lit_ += sum_of(light);
-      if (lost && landing.followed) {
+      if (lost && landing.followed && !paths_.followed_by_passes()) {
         lost_ += sum_of(light);
         continue;
       }
@@ -156,7 +157,7 @@ void ModelError::complete(ErrorEstimate& estimate) const {
   estimate.model = 0.5 * (most + least) * whole;
   estimate.sampling = 0.5 * (most - least) * whole;
   estimate.missing = lost_ * whole;
-  estimate.not_followed = landed_ - followed_;
+  estimate.not_followed = std::max(landed_ - followed_, 0.0);
 }
 
 }  // namespace caustics

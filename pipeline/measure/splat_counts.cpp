@@ -52,6 +52,14 @@ class RectangleCounts {
   std::vector<std::int32_t> marks_;
 };
 
+// How far a footprint reaches from its middle, texels, and a little farther
+// (passes/caustic_footprints/caustic_footprints.glsl).
+glm::dvec2 footprint_reach(const Image& footprint, int x, int y, int map) {
+  const glm::dvec2 steps(std::fabs(footprint.at(x, y, 0)) + std::fabs(footprint.at(x, y, 2)),
+                         std::fabs(footprint.at(x, y, 1)) + std::fabs(footprint.at(x, y, 3)));
+  return glm::min(0.5 * map * steps, glm::dvec2(kLargestFootprint / 2.0)) + 1.0;
+}
+
 void add_landings(const BranchImages& images, const SplatKernel& kernel, const View& view, int map,
                   RectangleCounts& counts) {
   const std140::View uniforms = shader_view(view);
@@ -60,7 +68,9 @@ void add_landings(const BranchImages& images, const SplatKernel& kernel, const V
       if (!is_drawn(static_cast<LandingStatus>(static_cast<int>(images.landing.at(x, y, 3))))) continue;
       if (share_of_points(images.cell_flux, x, y) <= 0.0) continue;
       const glm::dvec2 texel = texel_of(images, x, y, uniforms, map);
-      counts.add(texel - kernel.radius, texel + kernel.radius);
+      const glm::dvec2 reach = images.footprint.values.empty() ? glm::dvec2(kernel.radius)
+                                                               : footprint_reach(images.footprint, x, y, map);
+      counts.add(texel - reach, texel + reach);
     }
 }
 

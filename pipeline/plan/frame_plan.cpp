@@ -240,16 +240,17 @@ class Planner {
   void add(int index, const DrawnFor& drawn_for, Owner user) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
     const TargetSize size = size_of(pass, drawn_for, user);
-    PlannedPass planned{.pass = index,
-                        .drawn_for = &drawn_for,
-                        .definition = definition_of(pass, effects_, drawn_for),
-                        .light = user.light,
-                        .branch = user.branch,
-                        .surface = user.surface,
-                        .label = with_label(std::string(pass.name) + label_of(user), label_in(drawn_for, user)),
-                        .reason = std::string(drawn_for.reason.empty() ? pass.reason : drawn_for.reason),
-                        .width = size.width,
-                        .height = size.height};
+    PlannedPass planned{
+        .pass = index,
+        .drawn_for = &drawn_for,
+        .definition = definition_of(pass, effects_, drawn_for),
+        .light = user.light,
+        .branch = user.branch,
+        .surface = user.surface,
+        .label = with_label(std::string(pass.name) + label_of(user), label_in(drawn_for, user)),
+        .reason = std::string(drawn_for.reason.empty() ? pass.reason : drawn_for.reason),
+        .width = size.width,
+        .height = size.height};
     for (const Read& read : pass.reads)
       if (!read.only_with || read.only_with(effects_))
         planned.reads.push_back(resolve(pass, read, drawn_for, user));
@@ -414,8 +415,8 @@ class Planner {
   const Registry& registry_;
   FramePlan plan_;
   std::map<std::string, int> index_;  // of the plan's textures, by name
-  // Queries that earlier passes count into: of a light's casters, of a branch's first rays, of the rays that a
-  // texture holds.
+  // Queries that earlier passes count into: of a light's casters, of a branch's first rays, of the rays that
+  // a texture holds.
   int queries_ = 0;
   std::map<int, int> light_queries_, counted_in_;
   std::map<std::pair<int, int>, int> branch_queries_;

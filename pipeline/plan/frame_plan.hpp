@@ -49,10 +49,10 @@ struct PlannedPass {
   int depth = -1;
   std::vector<bool> keep{};  // as PassRun::keep
   int width = 0, height = 0;
-  // Queries, numbered from 1 on; 0: none. A pass that finds whether the light reaches its casters, or how many
-  // rays are under way, counts for those that follow, which draw nothing where the count is 0 (PassRun).
+  // Queries, numbered from 1 on; 0: none. A pass that finds whether the light reaches its casters, or how
+  // many rays are under way, counts for those that follow, which draw nothing where the count is 0 (PassRun).
   int counts_into = 0, only_if = 0;
-  bool ends_light = false;      // no pass of its light follows
+  bool ends_light = false;  // no pass of its light follows
 
   // The textures that it writes: colours in turn, depth last.
   std::vector<int> attachments() const;

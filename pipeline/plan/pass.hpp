@@ -140,7 +140,7 @@ struct PassContext {
   std::int64_t water_step = 0;         // likewise: which step, counted from rest
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
-  int material_row = 0;  // row of `caster_materials`: the mesh's material
+  int material_row = 0;    // row of `caster_materials`: the mesh's material
   int first_triangle = 0;  // of the mesh in the hierarchy (pipeline/scene/hierarchy_tables.hpp), -1: none
   int surface = 0;         // Each::Round only: on the branch's way, counted from 1
   int first_receiver = 0;  // the hierarchy's first triangle that is no caster's
@@ -241,8 +241,8 @@ struct InstanceState {
 struct Pass {
   std::string_view name;  // = folder, shader text, page, test
   std::string_view purpose;
-  std::string_view reason;                // why a frame that calls for it needs it
-  std::vector<Effect Effects::*> when{};  // all must be active; none: always
+  std::string_view reason;                  // why a frame that calls for it needs it
+  std::vector<Effect Effects::*> when{};    // all must be active; none: always
   std::vector<Effect Effects::*> unless{};  // where all of these are active too another pass takes its place
   std::vector<DrawnFor> drawn_for{kFrame};
   // Only for lights of whom a caustic is to be expected.

@@ -24,8 +24,8 @@ class LightPilot {
   // lights that are not fitted to them.
   std::vector<LightViews> fit(const Effects& effects, const Settings& settings,
                               std::vector<LandingSurvey>* surveys = nullptr);
-  // What share of each light goes on from surface to surface, caster by caster; of the samples of a light with
-  // a size the first alone. `effects`: nothing speaks against following it (why_not_followed).
+  // What share of each light goes on from surface to surface, caster by caster; of the samples of a light
+  // with a size the first alone. `effects`: nothing speaks against following it (why_not_followed).
   std::vector<FurtherShare> further_shares(const Effects& effects, const Settings& settings) const;
 
  private:

@@ -32,9 +32,11 @@ class SceneOnDevice {
   // The row of a caster's material in kCasterMaterials; 0 for meshes that are no casters.
   int material_row(int mesh) const { return rows_[static_cast<std::size_t>(mesh)]; }
 
-  // Of the hierarchy over all casters and receivers (pipeline/scene/hierarchy_tables.hpp): it is made when one
-  // of its textures is first asked for.
-  int first_triangle(int mesh) const { return static_cast<int>(first_triangles_[static_cast<std::size_t>(mesh)]); }
+  // Of the hierarchy over all casters and receivers (pipeline/scene/hierarchy_tables.hpp): it is made when
+  // one of its textures is first asked for.
+  int first_triangle(int mesh) const {
+    return static_cast<int>(first_triangles_[static_cast<std::size_t>(mesh)]);
+  }
   int first_receiver() const { return first_receiver_; }
   // Metres: surfaces that are as near touch.
   float touch() const { return touch_; }

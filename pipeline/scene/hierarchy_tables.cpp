@@ -91,8 +91,8 @@ std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes)
 
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
                                  const std::vector<int>& rows, float touch) {
-  const auto count = static_cast<std::size_t>(triangles_of(scene, meshes.casters) +
-                                              triangles_of(scene, meshes.receivers));
+  const auto count =
+      static_cast<std::size_t>(triangles_of(scene, meshes.casters) + triangles_of(scene, meshes.receivers));
   if (count > kMostTriangles)
     throw Error(ExitCode::BadInput, "casters and receivers have " + std::to_string(count) +
                                         " triangles, and light can be followed through at most " +

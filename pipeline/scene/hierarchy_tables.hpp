@@ -14,17 +14,17 @@ inline constexpr int kTableWidth = 4096;
 // Numbers of triangles pass through single precision.
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
 
-// The meshes whose triangles are in the hierarchy, casters first: a triangle's number is its place when all of
-// them are put one after the other.
+// The meshes whose triangles are in the hierarchy, casters first: a triangle's number is its place when all
+// of them are put one after the other.
 struct HierarchyMeshes {
   std::vector<int> casters, receivers;  // indices into Scene::meshes
   std::vector<int> bodies;              // by Scene::meshes: of a caster the row of its body's material
 };
 
 struct HierarchyTables {
-  // An inner node takes four texels: of either child the lower corner of its box and `first`, the upper corner
-  // and `count`. Where the count is 0 the child is the inner node `first`, else a leaf of `count` triangles
-  // from the place `first` on.
+  // An inner node takes four texels: of either child the lower corner of its box and `first`, the upper
+  // corner and `count`. Where the count is 0 the child is the inner node `first`, else a leaf of `count`
+  // triangles from the place `first` on.
   Image nodes;
   // A triangle takes three texels, leaf after leaf: its corners; and its number, the row of its material in
   // caster_materials, and the row of its body's plus 1.
@@ -38,8 +38,8 @@ std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMes
 // Of the first receiver: as many as casters have.
 std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes);
 
-// `rows`: by Scene::meshes, of caster_materials. `touch`: metres that every box is larger on each side. Throws
-// Error (BadInput) for more than kMostTriangles.
+// `rows`: by Scene::meshes, of caster_materials. `touch`: metres that every box is larger on each side.
+// Throws Error (BadInput) for more than kMostTriangles.
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
                                  const std::vector<int>& rows, float touch);
 

@@ -3,6 +3,9 @@
 
 namespace caustics {
 
+// Texels of a map that the footprint of a landing may span, where light is followed from surface to surface.
+inline constexpr double kLargestFootprint = 32.0;
+
 struct Settings;
 
 // Lengths in texels. A Gaussian of standard deviation sigma is cut at `radius` = 3 sigma along each

@@ -71,7 +71,11 @@ Scene textured_scene() {
 struct ReadyFrame {
   explicit ReadyFrame(Scene s = frame_scene()) : scene(std::move(s)) {}
   Scene scene;
-  Settings settings = small_settings(96, 96, 75);
+  Settings settings = [] {
+    Settings two_surfaces = small_settings(96, 96, 75);
+    two_surfaces.interfaces = Interfaces::Two;
+    return two_surfaces;
+  }();
   std::unique_ptr<Device> software = make_software_device();
   FrameRenderer renderer{scene, settings, pass_registry(), *software};
 

@@ -70,10 +70,13 @@ HardCase degenerate_case() {
 }
 
 HardCase doubled_case() {
-  HardCase c = changed_sphere("the same mesh twice in one place",
-                              "the first one counts: as one sphere, to the bit", [](Mesh&) {});
+  HardCase c =
+      changed_sphere("the same mesh twice in one place",
+                     "through two surfaces the first one counts: as one sphere, to the bit", [](Mesh&) {});
   c.scene.meshes.push_back(c.scene.meshes[1]);
+  c.settings.interfaces = Interfaces::Two;
   HardCase single = changed_sphere("", "", [](Mesh&) {});
+  single.settings.interfaces = Interfaces::Two;
   c.expect = [single](const DrawnCase& drawn) {
     const auto device = make_software_device();
     const DrawnCase one = draw_case(single, *device, *device);

@@ -11,6 +11,12 @@ namespace caustics::test {
 
 namespace {
 
+// What the closed forms here count.
+Settings two_surfaces(Settings settings) {
+  settings.interfaces = Interfaces::Two;
+  return settings;
+}
+
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180.0;
 
@@ -95,7 +101,8 @@ double booked_reflectance(const Bench& bench, double incidence, double index) {
   scene.meshes = {floor(8.0, 0.0, 0), wave_sheet(1.0, 0.1, 0.0, 1.0, 4, 1)};
   scene.lights = {sun({std::sin(incidence), -std::cos(incidence), 0.0}, 1.0f)};
   // Fine enough to see the sheet at half a degree: 17 mm of a window of 1 m.
-  const Rendering r = bench.render(scene, small_settings(256, 256, 8), {kLandingFresnel, kCausticMap});
+  const Rendering r =
+      bench.render(scene, two_surfaces(small_settings(256, 256, 8)), {kLandingFresnel, kCausticMap});
   const Image& fresnel = r[light_texture(kLandingFresnel, 0)];
   double reflected = 0.0, entered = 0.0;
   for (int y = 0; y < fresnel.height(); ++y)
@@ -124,7 +131,8 @@ double reflectance_bound(double incidence, double index) {
 // index.
 bool all_reflected(const Bench& bench, double incidence, double index) {
   const Prism prism(glass(static_cast<float>(index)), incidence);
-  const Rendering r = bench.render(prism.scene, small_settings(32, 32, 8), {kLanding, kCausticMap});
+  const Rendering r =
+      bench.render(prism.scene, two_surfaces(small_settings(32, 32, 8)), {kLanding, kCausticMap});
   const Image& landing = r[light_texture(kLanding, 0)];
   const Image& position = r[light_texture("caster_position", 0)];
   int reflected = 0, compared = 0;
@@ -168,7 +176,7 @@ Rows slab_rows(const Bench& bench) {
   Rows rows;
   for (const double angle : {0.0, 20.0 * kDegree, 40.0 * kDegree, 60.0 * kDegree, 75.0 * kDegree}) {
     const Slab slab(angle);
-    const Settings settings = bench.settings();
+    const Settings settings = two_surfaces(bench.settings());
     const Rendering r = bench.render(slab.scene, settings, {"aov_caustic", kLanding, kCausticMap});
     const std::string text = text_of(settings);
     const double texel = texel_on_floor(slab.scene, r, settings);
@@ -190,7 +198,7 @@ Rows slab_rows(const Bench& bench) {
 Rows prism_rows(const Bench& bench) {
   Rows rows;
   const int grid = bench.full ? 512 : 128;
-  const Settings settings = small_settings(grid, grid, 8);
+  const Settings settings = two_surfaces(small_settings(grid, grid, 8));
   for (const double incidence : {30.0, 40.0, 50.0, 65.0}) {
     const Prism prism(glass(1.5f), incidence * kDegree);
     const Rendering r = bench.render(prism.scene, settings, {kLanding, kCausticMap});
@@ -279,7 +287,7 @@ TEST_CASE("truth: a prism's light lands on a floor that begins beside it") {
   Prism prism(glass(1.5f));
   for (Vertex& v : prism.scene.meshes[0].vertices) v.position.x = std::max(v.position.x, 0.2f);
   finish(prism.scene.meshes[0], 0.0f);
-  const Rendering r = render(prism.scene, small_settings(128, 256, 8), {kLanding, kCausticMap});
+  const Rendering r = render(prism.scene, two_surfaces(small_settings(128, 256, 8)), {kLanding, kCausticMap});
   int compared = 0;
   CHECK(worst_landing(prism, r, light_texture(kLanding, 0), 1.5, compared) < 1e-5);
   CHECK(compared > 50);
