@@ -18,6 +18,7 @@ struct Rendering {
   std::map<std::string, Image> images;
   std::vector<LightViews> views;
   std::vector<Branch> branches;
+  Effects effects;
   std::vector<PassReport> passes;
   const Image& operator[](const std::string& name) const { return images.at(name); }
 };
@@ -25,7 +26,8 @@ struct Rendering {
 // Draws the renderer's frame and reads all of it back that is kept.
 inline Rendering rendering_of(FrameRenderer& renderer) {
   Rendering out;
-  out.branches = renderer.effects().branches;
+  out.effects = renderer.effects();
+  out.branches = out.effects.branches;
   out.views = renderer.views();
   out.passes = renderer.run();
   for (const PlannedTexture& texture : renderer.plan().textures)

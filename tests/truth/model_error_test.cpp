@@ -16,8 +16,7 @@ ErrorEstimate judged(const Scene& scene, int rays = 4096, Interfaces interfaces 
   settings.interfaces = interfaces;
   const Rendering frame = render(scene, settings, {"caustic", "view_position"});
   const Camera& camera = scene.cameras.front();
-  const Effects effects = effects_of(scene, settings);
-  const LightPaths paths(scene, effects);
+  const LightPaths paths(scene, frame.effects);
   const PictureBlocks blocks(frame["view_position"],
                              view_of(camera, settings.width, settings.height, bounds_of(scene)));
   const std::string light = "[" + scene.lights.front().name + "]";
