@@ -18,7 +18,8 @@ constexpr int kRays = 8192;
 }  // namespace
 
 std::vector<std::string> ledger_textures() {
-  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kCascadeMap, kViewPosition};
+  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kLandingFootprint, kCascadeMap,
+                                    kViewPosition};
   for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar,
                            kCellFlux, kCausticMap}) {
     textures.emplace_back(name);

@@ -15,6 +15,7 @@
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
 #include "passes/haze/haze.hpp"
+#include "passes/hidden_landings/hidden_landings.hpp"
 #include "passes/impostor_map/impostor_map.hpp"
 #include "passes/land/land.hpp"
 #include "passes/landing/landing.hpp"
@@ -54,6 +55,7 @@ Registry registered() {
       next_surface_pass(),
       land_pass(),
       bend_pass(),
+      hidden_landings_pass(),
       beams_pass(),
       cells_pass(),
       caustic_cells_pass(),

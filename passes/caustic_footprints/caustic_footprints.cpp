@@ -48,7 +48,7 @@ Pass caustic_footprints_pass() {
       .purpose = "adds up the light that no cell has taken, spread as its own differentials have it",
       .reason = "light that has no neighbour on the same path keeps its own width",
       .when = {&Effects::caustics, &Effects::cells, &Effects::further_surfaces},
-      .drawn_for = {kBranch, kBranchCascade},
+      .drawn_for = {kBranch, kBranchFar, kBranchCascade},
       .only_lights_with_caustics = true,
       .draws = DrawSet::GridVertices,
       .size = map_size,

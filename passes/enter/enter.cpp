@@ -39,16 +39,13 @@ Pass enter_pass() {
       .reads = {{.name = "caster_position", .meaning = "grid vertices"},
                 {.name = "caster_normal", .meaning = "their normals and materials"},
                 {.name = kCasterTriangle, .meaning = "their triangles"},
-                {.name = "caster_tint",
-                 .meaning = "their colours, where textures give them",
-                 .optional = true},
                 {.name = kCasterMaterials, .meaning = "a row a material"},
                 kReadHierarchyTriangles,
                 kReadHierarchyNormals},
       .writes = path_writes(),
       .count_samples = true,
       .shaders = {{&enter_shader, block_of<enter_uniforms>}},
-      .choices = {kBothWays, kFollowsMirrored, {"has_caster_tint", chosen_by<&Effects::textured_casters>}},
+      .choices = {kBothWays, kFollowsMirrored},
   };
 }
 

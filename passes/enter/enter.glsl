@@ -6,10 +6,9 @@ UNIFORMS_END
 TEXTURE(0, caster_position)
 TEXTURE(1, caster_normal)
 TEXTURE(2, caster_triangle)
-TEXTURE(3, caster_tint)
-TEXTURE(4, caster_materials)
-TEXTURE(5, hierarchy_triangles)
-TEXTURE(6, hierarchy_normals)
+TEXTURE(3, caster_materials)
+TEXTURE(4, hierarchy_triangles)
+TEXTURE(5, hierarchy_normals)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -80,7 +79,6 @@ void main() {
   Float number = texel_fetch(caster_triangle, column, row).x - 1.0f;
   GridCell cell = cell_of(column, row, is_covered(position) && number >= 0.0f);
   Material material = fetch_material(caster_materials, material_row(normal));
-  if (u.has_caster_tint != 0) material.color = Vec3(texel_fetch(caster_tint, column, row));
   CasterTriangle triangle = fetch_triangle(max_of(number, 0.0f));
   Meeting at = first_meeting(position, normal, number, triangle);
   Incident light = light_onto(cell, at.point);

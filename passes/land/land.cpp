@@ -77,6 +77,8 @@ Pass land_pass() {
       .choices = {kNewtonGuard,
                   kDrawsUnconverged,
                   kEstimator,
+                  {"can_be_hidden",
+                   [](const PassContext& c) { return c.effects->receivers_are_one_plane ? 0 : 1; }},
                   {"is_last_round",
                    [](const PassContext& c) { return c.surface > c.settings->bounces ? 1 : 0; }}},
   };

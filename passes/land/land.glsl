@@ -60,6 +60,7 @@ struct End {
   Float flight;    // metres
   Float residual;
   Bool lands;
+  Bool seen;       // by the light
 };
 
 End end_of(IN(Ray) ray, IN(WayAhead) ahead, Vec4 hit) {
@@ -72,6 +73,7 @@ End end_of(IN(Ray) ray, IN(WayAhead) ahead, Vec4 hit) {
   end.point = sel(seen, found.point, point_along(ray, hit.z));
   end.residual = sel(seen, found.hit.residual, Float(0.0f));
   end.lands = ahead.receiver;
+  end.seen = seen;
   return end;
 }
 
@@ -81,6 +83,7 @@ Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 Float status_of(IN(End) end, IN(WayAhead) ahead, Vec3 carried, Float whole) {
   Vec2 uv = view_uv(u.caustic, view_coordinates(u.caustic, end.point));
   Float status = Float(STATUS_LANDED);
+  if (u.can_be_hidden != 0) status = sel(end.seen, status, Float(STATUS_NOT_CONVERGED));
   status = sel(!inside_unit(uv.x, uv.y), Float(STATUS_OUTSIDE), status);
   status = sel(largest(carried) <= whole * 1.0e-6f && whole > 0.0f, Float(STATUS_ABSORBED), status);
   status = sel(end.lands, status, Float(STATUS_MISSED));

@@ -60,7 +60,6 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   for (const Branch& branch : effects.branches)
     if (!branch.reflected) add_parts(branch, settings.splits, branches);
   effects.branches = std::move(branches);
-  effects.hidden_receivers = {false, "light is followed to hidden receivers too"};
   return effects;
 }
 

@@ -216,7 +216,7 @@ ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const st
   estimate.landed = total(ledger.in_map);
   estimate.map = kOfTexels * map_error(caustic_map, cascade_map, maps, views.caustic, pixel);
   estimate.missing = total(ledger.outside) + total(ledger.kernel_edge) + total(ledger.not_converged) +
-                     total(ledger.exit_not_found);
+                     total(ledger.exit_not_found) + total(ledger.given_up);
   ShownLight moved(maps), splats(maps);
   double points = 0.0;
   for (std::size_t b = 0; b < branches.size(); ++b) {

@@ -98,7 +98,7 @@ TEST_CASE("hard cases: lights and cameras") { check_group(kHardCaseGroups[3]); }
 TEST_CASE("hard cases: scale") { check_group(kHardCaseGroups[4]); }
 TEST_CASE("hard cases: maps and sums") { check_group(kHardCaseGroups[5]); }
 
-TEST_CASE("hard cases: the table of docs/stability.md", "[.hard_cases]") {
+TEST_CASE("hard cases: a table of what becomes of each", "[.hard_cases]") {
   const auto software = make_software_device();
   const std::unique_ptr<GlDevice> gl = gl_if_any();
   for (const HardCaseGroup& group : kHardCaseGroups) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Puts a table that the tests print into its page.
 
-    tests/support/update_table.py build/release/caustics_tests hard_cases|closed_forms
+    tests/support/update_table.py build/release/caustics_tests closed_forms
 
 The program draws every row on both devices and prints the table; this file shortens it for a reader, and puts
 it between the two marks in the page."""
@@ -14,26 +14,6 @@ DOCS = pathlib.Path(__file__).resolve().parents[2] / 'docs'
 
 def cells_of(line):
     return [cell.strip() for cell in line.strip('|').split('|')]
-
-
-def promises(lines):
-    """Of the hard cases, by group: the scenes, and what holds of them in every run of the tests."""
-    text, names, begin, last = [], [], '', ''
-    for line in lines:
-        name, behaviour = (cells_of(line) + [''])[:2]
-        if line == '|' or behaviour == 'behaviour':
-            text.append(f'{name}:\n' if name else '')
-        elif not name.startswith('---'):
-            if behaviour == last:
-                text.pop()
-            else:
-                names, begin = [], ''
-            names.append(name[len(begin):] if begin and name.startswith(begin) else name)
-            if names[-1] == name:
-                begin = ''.join(name.rpartition(', ')[:2])
-            text.append(f'- **{"; ".join(names)}**: {behaviour}')
-        last = behaviour
-    return text
 
 
 def nearest_to_bounds(lines):
@@ -53,7 +33,6 @@ def nearest_to_bounds(lines):
 
 
 TABLES = {  # page, how the table is shortened, least number of lines
-    'hard_cases': (DOCS / 'stability.md', promises, 50),
     'closed_forms': (DOCS / 'accuracy.md', nearest_to_bounds, 20),
 }
 

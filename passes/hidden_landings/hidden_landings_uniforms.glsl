@@ -1,0 +1,1 @@
+View caustic;  // the light's map that the landings are laid into
