@@ -176,12 +176,24 @@ class SoftwareDevice final : public Device {
                             .varying_count = interface.varying_components(),
                             .varying_flat = flat.data(),
                             .may_discard = interface.discards,
+                            .idle_where_zero = idle_where_zero(definition, draw, target.shape()),
                             .kernel = tile_kernel(lanes_)};
     const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
     result.vertices += corners;
     result.primitives += stage.primitive_count;
     result.fragments += counters.fragments;
     result.samples_passed += counters.samples_passed;
+  }
+
+  std::vector<const Texture*> idle_where_zero(const PassDefinition& definition, const Draw& draw,
+                                              const ImageShape& size) const {
+    std::vector<const Texture*> found;
+    for (std::size_t i = 0; i < definition.reads.size(); ++i) {
+      if (!definition.reads[i].discards_where_zero || draw.textures[i] == TextureId::None) continue;
+      const Texture& texture = texture_of(draw.textures[i]);
+      if (texture.shape.width == size.width && texture.shape.height == size.height) found.push_back(&texture);
+    }
+    return found;
   }
 
   std::vector<TextureView> bound_textures(const Draw& draw) const {

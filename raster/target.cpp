@@ -18,8 +18,16 @@ Texel cleared(const ColorWrite& write) {
   return texel;
 }
 
-bool is_same(const std::optional<Texel>& a, const Texel& b) {
-  return a && std::memcmp(a->data(), b.data(), sizeof b) == 0;
+// From now on tiles are known to hold this texel, or not.
+void begin_clear(Texture& texture, const Texel& texel, std::size_t tiles) {
+  const bool same = std::memcmp(texture.clear_texel.data(), texel.data(), sizeof texel) == 0;
+  if (!same || texture.clear_tiles.size() != tiles) texture.clear_tiles.assign(tiles, 0);
+  texture.clear_texel = texel;
+}
+
+std::size_t tiles_of(const ImageShape& shape) {
+  return static_cast<std::size_t>((shape.width + kTile - 1) / kTile) *
+         static_cast<std::size_t>((shape.height + kTile - 1) / kTile);
 }
 
 // A tile's attachments while it is drawn: compact, so that they stay in the cache.
@@ -32,6 +40,7 @@ class Tile {
  public:
   Tile(const TileGrid& grid, int index, const RenderTarget& target, TileStorage& storage)
       : target_(target), storage_(storage) {
+    index_ = static_cast<std::size_t>(index);
     x_ = index % grid.columns * kTile;
     y_ = index / grid.columns * kTile;
     width_ = std::min(kTile, grid.width - x_);
@@ -53,13 +62,11 @@ class Tile {
 
   // `drawn`: any fragment has passed. What holds its contents anyway is left alone.
   void store(bool drawn) {
-    const bool clears = std::any_of(target_.colors.begin(), target_.colors.end(), [](const auto& color) {
-      return color.texture && !color.keep && !color.is_clear;
-    });
-    if (!drawn && clears) load_colors();
+    if (!drawn) clear_colors();
     for (std::size_t i = 0; i < target_.colors.size(); ++i) {
       const RenderTarget::Color& color = target_.colors[i];
-      if (!color.texture || (!drawn && (color.keep || color.is_clear))) continue;
+      if (!color.texture || !drawn) continue;
+      mark(*color.texture, false);
       const int channels = color.texture->channels();
       for (int y = 0; y < height_; ++y) {
         float* out = color.texture->texel(x_, y_ + y);
@@ -106,6 +113,27 @@ class Tile {
   }
 
  private:
+  static void mark(Texture& texture, std::size_t tile, bool clear) {
+    if (!texture.clear_tiles.empty()) texture.clear_tiles[tile] = clear ? 1 : 0;
+  }
+  void mark(Texture& texture, bool clear) const { mark(texture, index_, clear); }
+
+  // Of a tile where nothing is drawn.
+  void clear_colors() {
+    for (const RenderTarget::Color& color : target_.colors) {
+      if (!color.texture || color.keep) continue;
+      const Texel texel = cleared(*color.write);
+      if (color.texture->is_clear(index_, texel)) continue;
+      const auto channels = static_cast<std::size_t>(color.texture->channels());
+      for (int y = 0; y < height_; ++y) {
+        float* out = color.texture->texel(x_, y_ + y);
+        for (int x = 0; x < width_; ++x, out += channels)
+          std::memcpy(out, texel.data(), channels * sizeof(float));
+      }
+      mark(*color.texture, true);
+    }
+  }
+
   void load_color(std::size_t i) {
     const RenderTarget::Color& color = target_.colors[i];
     const int channels = color.texture->channels();
@@ -129,6 +157,7 @@ class Tile {
 
   const RenderTarget& target_;
   TileStorage& storage_;
+  std::size_t index_ = 0;
   int x_ = 0, y_ = 0, width_ = 0, height_ = 0;
 };
 
@@ -168,11 +197,14 @@ void RenderTarget::clear() {
   for (const Color& color : colors) {
     if (color.keep || !color.texture) continue;
     const Texel texel = cleared(*color.write);
-    if (is_same(color.texture->clear, texel)) continue;
+    const std::size_t tiles = tiles_of(color.texture->shape);
+    begin_clear(*color.texture, texel, tiles);
+    std::vector<std::uint8_t>& clear = color.texture->clear_tiles;
+    if (std::all_of(clear.begin(), clear.end(), [](std::uint8_t each) { return each != 0; })) continue;
     const auto channels = static_cast<std::size_t>(color.texture->channels());
     for (std::size_t i = 0; i < color.texture->value_count(); i += channels)
       std::copy_n(texel.data(), channels, color.texture->values.get() + i);
-    color.texture->clear = texel;
+    std::fill(clear.begin(), clear.end(), std::uint8_t{1});
   }
   if (depth && !keep_depth) std::fill_n(depth->values.get(), depth->value_count(), depth_clear);
 }
@@ -188,7 +220,8 @@ TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>
                         std::all_of(target.colors.begin(), target.colors.end(),
                                     [](const RenderTarget::Color& c) { return c.keep; });
   for (RenderTarget::Color& color : target.colors)
-    color.is_clear = color.texture && !color.keep && is_same(color.texture->clear, cleared(*color.write));
+    if (color.texture && !color.keep)
+      begin_clear(*color.texture, cleared(*color.write), static_cast<std::size_t>(grid.count()));
   const std::vector<int> order = fullest_first(chunks, grid);
   std::vector<TileCounters> counters(order.size());
   workers.run(static_cast<int>(order.size()), [&](int i) {
@@ -197,22 +230,18 @@ TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>
     const std::vector<PrimitiveChunk> touching = chunks_of_tile(chunks, static_cast<std::size_t>(index));
     if (touching.empty() && all_kept) return;
     Tile tile(grid, index, target, *storage);
-    tile.load_depth();
     TileCounters& counted = counters[static_cast<std::size_t>(i)];
-    work.kernel(tile.job(work, touching), counted);
+    const bool idle = std::any_of(
+        work.idle_where_zero.begin(), work.idle_where_zero.end(),
+        [&](const Texture* read) { return read->is_clear(static_cast<std::size_t>(index), Texel{}); });
+    tile.load_depth();
+    if (!idle) work.kernel(tile.job(work, touching), counted);
     tile.store(counted.samples_passed > 0);
   });
   TileCounters sum;
   for (const TileCounters& c : counters) {
     sum.fragments += c.fragments;
     sum.samples_passed += c.samples_passed;
-  }
-  for (RenderTarget::Color& color : target.colors) {
-    if (!color.texture) continue;
-    if (sum.samples_passed > 0)
-      color.texture->clear.reset();
-    else if (!color.keep)
-      color.texture->clear = cleared(*color.write);
   }
   return sum;
 }

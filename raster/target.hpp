@@ -15,7 +15,6 @@ struct RenderTarget {
     Texture* texture = nullptr;  // null: what is written goes nowhere
     const ColorWrite* write = nullptr;
     bool keep = false;
-    bool is_clear = false;  // it holds what it would be cleared to
   };
   std::vector<Color> colors;
   Texture* depth = nullptr;
@@ -36,6 +35,8 @@ struct FragmentWork {
   int varying_count = 0;
   const std::uint8_t* varying_flat = nullptr;
   bool may_discard = false;
+  // Textures of the targets' size: where a tile of one is known to be zeros, every fragment is discarded.
+  std::vector<const Texture*> idle_where_zero{};
   TileKernel kernel = nullptr;
 };
 

@@ -2,8 +2,9 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
-#include <optional>
+#include <vector>
 
 #include "pipeline/gpu/image.hpp"
 
@@ -14,13 +15,20 @@ namespace caustics::raster {
 struct Texture {
   ImageShape shape;
   std::unique_ptr<float[]> values;
-  // What every texel holds, where nothing has been drawn since the texture was cleared.
-  std::optional<std::array<float, 4>> clear{};
+  // Tiles where nothing has been drawn since they were cleared to `clear_texel`; empty: none is known to be
+  // so.
+  std::array<float, 4> clear_texel{};
+  std::vector<std::uint8_t> clear_tiles{};
 
   explicit Texture(const ImageShape& s)
       : shape(s), values(std::make_unique_for_overwrite<float[]>(value_count())) {}
   explicit Texture(const Image& image) : Texture(image.shape) {
     std::copy(image.values.begin(), image.values.end(), values.get());
+  }
+
+  bool is_clear(std::size_t tile, const std::array<float, 4>& texel) const {
+    return !clear_tiles.empty() && clear_tiles[tile] != 0 &&
+           std::memcmp(clear_texel.data(), texel.data(), sizeof texel) == 0;
   }
 
   int channels() const { return channel_count(shape.format); }

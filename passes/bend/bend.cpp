@@ -26,8 +26,10 @@ std140::Bend bend_uniforms(const PassContext& context) {
 
 std::vector<Read> bend_reads() {
   std::vector<Read> reads = path_reads();
-  reads.push_back(
-      {.name = "surface_hit", .meaning = "the surface that the light has met", .surface = OfSurface::Here});
+  reads.push_back({.name = "surface_hit",
+                   .meaning = "the surface that the light has met",
+                   .surface = OfSurface::Here,
+                   .discards_where_zero = true});
   reads.push_back({.name = kCasterMaterials, .meaning = "a row a material"});
   reads.push_back(kReadHierarchyTriangles);
   reads.push_back(kReadHierarchyNormals);

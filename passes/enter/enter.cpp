@@ -36,7 +36,7 @@ Pass enter_pass() {
       .drawn_for = {kFirstSurface},
       .only_lights_with_caustics = true,
       .size = grid_size,
-      .reads = {{.name = "caster_position", .meaning = "grid vertices"},
+      .reads = {{.name = "caster_position", .meaning = "grid vertices", .discards_where_zero = true},
                 {.name = "caster_normal", .meaning = "their normals and materials"},
                 {.name = kCasterTriangle, .meaning = "their triangles"},
                 {.name = kCasterMaterials, .meaning = "a row a material"},

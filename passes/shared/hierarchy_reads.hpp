@@ -12,7 +12,11 @@ inline constexpr Read kReadHierarchyNormals{.name = kHierarchyNormals, .meaning 
 
 // A ray texture (passes/shared/ray_state.glsl) as the surface before has left it.
 inline Read path_read(std::string_view name, std::string_view texture) {
-  return {.name = name, .meaning = "light under way", .texture = texture, .surface = OfSurface::Before};
+  return {.name = name,
+          .meaning = "light under way",
+          .texture = texture,
+          .surface = OfSurface::Before,
+          .discards_where_zero = texture == "ray_start"};
 }
 // All of them, in the order of the shaders that read them all.
 std::vector<Read> path_reads();

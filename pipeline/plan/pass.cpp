@@ -109,6 +109,7 @@ PassDefinition definition_of(const Pass& pass, const Effects& effects, const Dra
                                   .meaning = std::string(read.meaning),
                                   .of_material = read.of_material,
                                   .optional = read.optional || !read.only_for.empty(),
+                                  .discards_where_zero = read.discards_where_zero,
                                   .only_towards = std::string(read.only_towards)});
   for (const Write& write : pass.writes)
     if (wanted(write.only_with, effects))

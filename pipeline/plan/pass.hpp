@@ -201,6 +201,7 @@ struct Read {
   std::string_view texture{};              // another name than the shader has for it
   bool of_material = false;                // the drawn surface's material's, instead of one of the frame
   OfSurface surface = OfSurface::None;     // Each::Round only: whose round has written it
+  bool discards_where_zero = false;        // as TextureRead has it
   bool optional = false;                   // the frame may lack it; one texel of zeros is bound then
   Condition only_with = nullptr;           // the shader declares it only then
   std::string_view only_for{};             // read only by the instance with this label; the others get zeros
