@@ -21,8 +21,8 @@ extern const Shader caustic_footprints_shader;
 
 namespace {
 
-// Texels that a footprint may span in any map: points are drawn up to this size everywhere.
-constexpr double kLargestPoint = 250.0;
+// Texels that a footprint may span in a cascade: as wide as in the whole map it would cost more than it shows.
+constexpr double kLargestInCascade = 16.0;
 
 std140::CausticFootprints footprints_uniforms(const PassContext& context) {
   const View& map = context.views->caustic;
@@ -35,7 +35,7 @@ std140::CausticFootprints footprints_uniforms(const PassContext& context) {
       .map = shader_view(map),
       .scale = glm::vec2(times * texels),
       .offset = glm::vec2(offset * texels),
-      .largest = static_cast<float>(std::min(kLargestFootprint * std::max(times.x, times.y), kLargestPoint)),
+      .largest = static_cast<float>(std::min(kLargestFootprint * std::max(times.x, times.y), kLargestInCascade)),
       .grid_side = context.settings->grid,
       .map_side = context.settings->map};
 }

@@ -4,7 +4,7 @@
 namespace caustics {
 
 // Texels of a map that the footprint of a landing may span, where light is followed from surface to surface.
-inline constexpr double kLargestFootprint = 32.0;
+inline constexpr double kLargestFootprint = 8.0;
 
 struct Settings;
 
