@@ -3,14 +3,6 @@
 #include "passes/shared/bend_light_uniforms.hpp"
 #include "passes/shared/hierarchy_reads.hpp"
 
-namespace caustics::std140 {
-
-struct alignas(16) Bend {
-#include "passes/bend/bend_uniforms.glsl"
-};
-
-}  // namespace caustics::std140
-
 namespace caustics {
 
 extern const Shader bend_shader;

@@ -5,15 +5,6 @@
 #include "passes/shared/caustic_map_write.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
-#include "pipeline/shader/std140.hpp"
-
-namespace caustics::std140 {
-
-struct alignas(16) CausticFootprints {
-#include "passes/caustic_footprints/caustic_footprints_uniforms.glsl"
-};
-
-}  // namespace caustics::std140
 
 namespace caustics {
 

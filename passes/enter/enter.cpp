@@ -4,14 +4,6 @@
 #include "passes/shared/grid_light_uniforms.hpp"
 #include "passes/shared/hierarchy_reads.hpp"
 
-namespace caustics::std140 {
-
-struct alignas(16) Enter {
-#include "passes/enter/enter_uniforms.glsl"
-};
-
-}  // namespace caustics::std140
-
 namespace caustics {
 
 extern const Shader enter_shader;

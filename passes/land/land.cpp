@@ -3,15 +3,6 @@
 #include "passes/landing/landing.hpp"
 #include "passes/shared/hierarchy_reads.hpp"
 #include "passes/shared/receiver_search_uniforms.hpp"
-#include "pipeline/shader/std140.hpp"
-
-namespace caustics::std140 {
-
-struct alignas(16) Land {
-#include "passes/land/land_uniforms.glsl"
-};
-
-}  // namespace caustics::std140
 
 namespace caustics {
 

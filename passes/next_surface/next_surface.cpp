@@ -1,15 +1,6 @@
 #include "passes/next_surface/next_surface.hpp"
 
 #include "passes/shared/hierarchy_reads.hpp"
-#include "pipeline/shader/std140.hpp"
-
-namespace caustics::std140 {
-
-struct alignas(16) NextSurface {
-#include "passes/next_surface/next_surface_uniforms.glsl"
-};
-
-}  // namespace caustics::std140
 
 namespace caustics {
 
