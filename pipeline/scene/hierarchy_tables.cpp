@@ -58,7 +58,8 @@ Image node_table(const TriangleTree& tree, float touch) {
               child.count > 0 ? static_cast<float>(child.first) : static_cast<float>(place[index]));
     table.set(texel + 1, child.upper + touch, static_cast<float>(child.count));
   };
-  const Node nothing{glm::vec3(kFarAway), glm::vec3(-kFarAway), 0, 1};
+  // A box without extent that is farther than anything can be met, whichever way a ray goes.
+  const Node nothing{glm::vec3(kFarAway), glm::vec3(kFarAway), 0, 1};
   if (inner == 0) {
     put(0, nodes.empty() ? nothing : nodes.front(), 0);
     put(2, nothing, 0);
