@@ -1,0 +1,185 @@
+#include "passes/enter/enter.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/light_path_bench.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A light straight down from 10 m sees a level square of glass at height 1 as a grid of 2 x 2 vertices, all
+// of them at one point of it. Parallel light comes through a window of 8 x 8 m, so that a cell is 4 m wide.
+struct Bench {
+  View view = down(4.0, 10.0, 20.0);
+  glm::vec3 point{0.0f, 1.0f, 0.0f};
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};
+  float facing = 1.0f;
+  float number = 1.0f;  // of the triangle, plus 1
+  BenchMaterial material{};
+  std::optional<glm::vec3> tint{};
+  Light light{};
+  bool both_ways = false, follows_mirrored = false;
+
+  PassImages run() const {
+    const HierarchyTables tables =
+        HierarchyBench{}.caster(mesh_of({level_triangle(9.0f), level_triangle(1.0f, -1.0f, -1.0f)})).tables();
+    std140::Enter u{};
+    u.caster = shader_view(view);
+    u.cone = shader_cone(light);
+    u.light = glm::vec3(view.perspective ? view.origin : view.forward);
+    u.cell_area = static_cast<float>(view.window_area() / 4.0);
+    u.grid_side = 2;
+    u.channel_share = {1.0f, 1.0f, 1.0f};
+    u.least_share = 1e-3f;
+    u.both_ways = both_ways;
+    u.follows_mirrored = follows_mirrored;
+    u.has_caster_tint = tint.has_value();
+    return run_pass(
+        definition_of(enter_pass()),
+        {.width = 2,
+         .height = 2,
+         .uniforms = uniform_bytes(u),
+         .textures = {filled(2, 2, {point, facing}), filled(2, 2, {normal, 0.0f}),
+                      filled(2, 2, {number, 0.0f, 0.0f, 0.0f}), tint ? filled(2, 2, {*tint, 1.0f}) : Image{},
+                      caster_materials({material}), tables.triangles, tables.normals}});
+  }
+};
+
+// The same from a point, through a window of 0.5 x 0.5 tangents: a cell is 0.25 wide. Index 1 bends nothing.
+Bench from_point() {
+  Bench bench;
+  bench.view = down(0.25, 10.0, 20.0);
+  bench.view.perspective = true;
+  bench.view.near = 0.1;
+  bench.material.ior = 1.0f;
+  return bench;
+}
+
+void check_near(const glm::vec3& found, const glm::vec3& expected, double margin = 1e-6) {
+  for (int c = 0; c < 3; ++c)
+    CHECK(static_cast<double>(found[c]) == Approx(static_cast<double>(expected[c])).margin(margin));
+}
+
+}  // namespace
+
+TEST_CASE("enter: a cell's light goes in, but for its Fresnel share, and is in the body then") {
+  // 16 square metres, R = 0.04.
+  Bench bench;
+  bench.number = 2.0f;
+  const PassImages out = bench.run();
+  for (int x = 0; x < 2; ++x) {
+    const BenchPath on = path_at(out, x, 1);
+    CHECK(on.start == glm::vec3(0.0f, 1.0f, 0.0f));
+    CHECK(on.mark == 2.0f);
+    CHECK(on.direction == glm::vec3(0.0f, -1.0f, 0.0f));
+    CHECK(on.whole == 16.0f);
+    check_near(on.flux, glm::vec3(16.0f * 0.96f), 1e-5);
+    CHECK(on.media == glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
+    CHECK(on.path == 5.0f);  // crosses body 1
+  }
+  check_near(glm::vec3(texel(out["landing_fresnel"], 0, 0)), glm::vec3(16.0f * 0.04f));
+  CHECK(out["landing_fresnel"].at(0, 0, 3) == 16.0f);
+}
+
+TEST_CASE("enter: a smooth normal bends by Snell's law") {
+  // Leaning by 30 degrees: sin t = 1/3, t = 19.4712 degrees; light leans by 10.5288 degrees, against the
+  // tilt.
+  Bench bench;
+  bench.normal = {0.5f, 0.8660254f, 0.0f};
+  CHECK(path_at(bench.run()).direction.x == Approx(-std::sin(0.183762)).epsilon(1e-4));
+}
+
+TEST_CASE("enter: where there is no caster, or no triangle of one, nothing goes on") {
+  Bench bench;
+  bench.facing = 0.0f;
+  CHECK(texel(bench.run()["ray_start"], 0, 0) == glm::vec4(0.0f));
+  CHECK(texel(bench.run()["landing_fresnel"], 0, 0) == glm::vec4(0.0f));
+  bench.facing = 1.0f;
+  bench.number = 0.0f;
+  CHECK(texel(bench.run()["ray_start"], 1, 1) == glm::vec4(0.0f));
+}
+
+TEST_CASE("enter: a surface that is seen from inside is left, and light is in no body then") {
+  // Leaning by 20 degrees from inside: asin(1.5 sin 20) = 30.866, so 10.866 degrees off the vertical.
+  Bench bench;
+  bench.facing = -1.0f;
+  bench.normal = {0.3420201f, -0.9396926f, 0.0f};
+  const BenchPath on = path_at(bench.run());
+  CHECK(std::fabs(on.direction.x) == Approx(std::sin(10.866 * 3.14159265 / 180.0)).epsilon(1e-4));
+  CHECK(on.media == glm::vec4(0.0f));
+}
+
+TEST_CASE("enter: a mirror sends light back in its colour, and a grid vertex's own colour takes its place") {
+  Bench bench;
+  bench.material = {.mirror = true, .color = {0.5f, 0.25f, 1.0f}};
+  const BenchPath on = path_at(bench.run());
+  CHECK(on.direction == glm::vec3(0.0f, 1.0f, 0.0f));
+  CHECK(on.flux == glm::vec3(8.0f, 4.0f, 16.0f));
+  CHECK(on.media == glm::vec4(0.0f));
+  bench.tint = glm::vec3(0.125f, 1.0f, 0.0f);
+  CHECK(path_at(bench.run()).flux == glm::vec3(2.0f, 16.0f, 0.0f));
+}
+
+TEST_CASE("enter: the branch that is mirrored at once counts no cell's light again") {
+  Bench bench;
+  bench.both_ways = true;
+  const PassImages through = bench.run();
+  CHECK(texel(through["landing_fresnel"], 0, 0) == glm::vec4(0.0f, 0.0f, 0.0f, 16.0f));
+  bench.follows_mirrored = true;
+  const PassImages mirrored = bench.run();
+  CHECK(texel(mirrored["landing_fresnel"], 0, 0) == glm::vec4(0.0f));
+  check_near(path_at(mirrored).flux, glm::vec3(16.0f * 0.04f));
+  CHECK(path_at(mirrored).direction == glm::vec3(0.0f, 1.0f, 0.0f));
+  CHECK(path_at(mirrored).whole == 16.0f);
+}
+
+TEST_CASE("enter: parallel light moves by a cell from vertex to vertex, and does not turn") {
+  // The view's right is +x, its up -z.
+  const BenchPath on = path_at(Bench{}.run());
+  check_near(on.width_x, {4.0f, 0.0f, 0.0f});
+  check_near(on.width_y, {0.0f, 0.0f, -4.0f});
+  CHECK(on.spread_x == glm::vec3(0.0f));
+  CHECK(on.spread_y == glm::vec3(0.0f));
+}
+
+TEST_CASE("enter: light from a point turns by a cell's angle, and moves by that times its way") {
+  // 0.25 at 9 m on the axis.
+  const BenchPath on = path_at(from_point().run());
+  check_near(on.width_x, {2.25f, 0.0f, 0.0f});
+  check_near(on.width_y, {0.0f, 0.0f, -2.25f});
+  check_near(on.spread_x, {0.25f, 0.0f, 0.0f});
+  check_near(on.spread_y, {0.0f, 0.0f, -0.25f});
+  CHECK(on.whole == Approx(0.0625));  // steradians, by the midpoint form
+}
+
+TEST_CASE("enter: off the axis a point's light turns by the derivative of its direction") {
+  // At 45 degrees the angle is atan(t), so 0.25 of t turn it by 0.125; on the level surface it still moves by
+  // 0.25 * 9 m along x, of which cos 45 is across the light. Along y: 0.25 cos 45, and 2.25 m.
+  Bench bench = from_point();
+  bench.view.origin.x = -9.0;
+  const BenchPath on = path_at(bench.run());
+  const float half = 0.70710678f;
+  check_near(on.direction, {half, -half, 0.0f});
+  check_near(on.spread_x, 0.125f * glm::vec3(half, half, 0.0f));
+  check_near(on.width_x, 2.25f * half * glm::vec3(half, half, 0.0f), 1e-5);
+  check_near(on.spread_y, {0.0f, 0.0f, -0.25f * half});
+  check_near(on.width_y, {0.0f, 0.0f, -2.25f}, 1e-5);
+  // Its solid angle is by the cube of the cosine smaller.
+  CHECK(on.whole == Approx(0.0625 * std::pow(0.5, 1.5)));
+}
+
+TEST_CASE("enter: a spot's cone takes its part of a cell's light") {
+  // Cones of 30 and 60 degrees, at 45: ((cos 45 - cos 60) / (cos 30 - cos 60))^2.
+  Bench bench = from_point();
+  bench.view.origin.x = -9.0;
+  bench.light.type = LightType::Spot;
+  bench.light.direction = {0.0, -1.0, 0.0};
+  bench.light.inner_cone = 0.52359878f;
+  bench.light.outer_cone = 1.04719755f;
+  const double ramp = (std::sqrt(0.5) - 0.5) / (std::sqrt(0.75) - 0.5);
+  CHECK(path_at(bench.run()).whole == Approx(0.0625 * std::pow(0.5, 1.5) * ramp * ramp).epsilon(1e-5));
+}

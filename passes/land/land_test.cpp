@@ -1,0 +1,206 @@
+#include "passes/land/land.hpp"
+
+#include "passes/landing/landing.hpp"
+#include "pipeline/measure/ledger.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/light_path_bench.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A floor at height 0, which the light's receiver map and the hierarchy know alike, unless they are told
+// otherwise; both maps see 8 x 8 m from above. Number 1 is a caster's triangle, 2 the floor's.
+struct Bench {
+  View view = down(4.0, 10.0, 20.0);
+  BenchPath path{.start = {0.5f, 1.0f, 0.25f}};
+  glm::vec4 hit{0.25f, 0.25f, 1.0f, 2.0f};  // as next_surface has found it
+  BenchMaterial material{};                 // of body 1
+  Image receiver = level_map(0.0f);
+  Corners floor = level_triangle(0.0f, -1.0f, -1.0f);
+  glm::vec3 channel_share{1.0f};
+  bool is_last_round = false;
+
+  // What the receiver map holds of a floor at this height.
+  static Image level_map(float height) {
+    Image image(Format::RGBA32F, 64, 64);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        image.at(x, y, 0) = -4.0f + (static_cast<float>(x) + 0.5f) / 8.0f;
+        image.at(x, y, 1) = height;
+        image.at(x, y, 2) = 4.0f - (static_cast<float>(y) + 0.5f) / 8.0f;
+        image.at(x, y, 3) = 1.0f;
+      }
+    return image;
+  }
+
+  PassImages run() const {
+    const HierarchyTables tables =
+        HierarchyBench{}.caster(mesh_of({level_triangle(0.5f)})).receiver(mesh_of({floor})).tables();
+    std140::Land u{};
+    u.receiver = u.caustic = shader_view(view);
+    u.receivers_lower = {-100.0f, -1.0f, -100.0f};
+    u.receivers_upper = {100.0f, 4.0f, 100.0f};
+    u.landing_tolerance = kLandingTolerance;
+    u.estimator = ESTIMATOR_SECANT;
+    u.iterations = 5;
+    u.newton_guard = 1;
+    u.channel_share = channel_share;
+    u.first_receiver = 1;
+    u.is_last_round = is_last_round;
+    std::vector<Image> textures = path.textures();
+    for (const Image& image : {filled(1, 1, hit), caster_materials({material}), tables.triangles,
+                               tables.normals, receiver, Image{}})
+      textures.push_back(image);
+    return run_pass(definition_of(land_pass()), {.uniforms = uniform_bytes(u), .textures = textures});
+  }
+};
+
+LandingStatus status(const PassImages& out) {
+  return static_cast<LandingStatus>(static_cast<int>(out["landing"].at(0, 0, 3)));
+}
+glm::vec3 landing(const PassImages& out) { return glm::vec3(texel(out["landing"], 0, 0)); }
+
+void check_near(const glm::vec4& found, const glm::vec4& expected, double margin = 1e-6) {
+  for (int c = 0; c < 4; ++c)
+    CHECK(static_cast<double>(found[c]) == Approx(static_cast<double>(expected[c])).margin(margin));
+}
+
+}  // namespace
+
+TEST_CASE("land: light comes down where the estimator finds the floor, with its flux and its path") {
+  Bench bench;
+  bench.path.flux = {1.0f, 0.5f, 0.25f};
+  bench.path.path = 1234.0f;
+  bench.channel_share = {1.0f, 1.0f, 0.5f};
+  // The hierarchy's triangles are 1/64 m off the smooth floor: the estimator's word counts.
+  bench.hit.z = 1.0f + 1.0f / 64.0f;
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Landed);
+  check_near({landing(out), 0.0f}, {0.5f, 0.0f, 0.25f, 0.0f}, 1e-5);
+  check_near(texel(out["landing_flux"], 0, 0), {1.0f, 0.5f, 0.125f, 0.0f}, 1e-5);
+  CHECK(texel(out["landing_absorbed"], 0, 0) == glm::vec4(0.0f));
+  CHECK(out["landing_path"].at(0, 0, 0) == 1234.0f);
+}
+
+TEST_CASE("land: where the light's map has nothing, or another surface, the hierarchy's word counts") {
+  // A texel is 1/8 m: at more than 8 of them it is another surface.
+  Bench bench;
+  bench.receiver = Image(Format::RGBA32F, 64, 64);
+  CHECK(status(bench.run()) == LandingStatus::Landed);
+  CHECK(landing(bench.run()) == glm::vec3(0.5f, 0.0f, 0.25f));
+  bench.path.start.y = 3.0f;
+  bench.receiver = Bench::level_map(0.0f);
+  CHECK(landing(bench.run()) == glm::vec3(0.5f, 2.0f, 0.25f));
+  CHECK(bench.run()["landing_flux"].at(0, 0, 3) == 0.0f);
+  bench.hit.z = 2.5f;
+  CHECK(landing(bench.run()).y == Approx(0.0).margin(1e-5));
+}
+
+TEST_CASE("land: light that meets nothing is missed, wherever the estimator would have it") {
+  Bench bench;
+  bench.hit = glm::vec4(0.0f);
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Missed);
+  CHECK(out["landing_flux"].at(0, 0, 0) == 1.0f);
+}
+
+TEST_CASE("land: light on its way to a further caster is left to later rounds, and given up in the last") {
+  Bench bench;
+  bench.hit.w = 1.0f;
+  CHECK(status(bench.run()) == LandingStatus::Empty);
+  CHECK(texel(bench.run()["landing_flux"], 0, 0) == glm::vec4(0.0f));
+  bench.is_last_round = true;
+  CHECK(status(bench.run()) == LandingStatus::GivenUp);
+  CHECK(bench.run()["landing_flux"].at(0, 0, 0) == 1.0f);
+}
+
+TEST_CASE("land: light that has ended, or whose walk took too long, is given up at once") {
+  Bench ended;
+  ended.path.mark = RAY_ENDED;
+  CHECK(status(ended.run()) == LandingStatus::GivenUp);
+  ended.hit.w = 1.0f;
+  CHECK(status(ended.run()) == LandingStatus::GivenUp);
+  Bench lost;
+  lost.hit = {0.0f, 0.0f, 0.0f, HIT_GIVEN_UP};
+  CHECK(status(lost.run()) == LandingStatus::GivenUp);
+}
+
+TEST_CASE("land: where no light is under way nothing is written") {
+  Bench bench;
+  bench.path.mark = 0.0f;
+  const PassImages out = bench.run();
+  for (const char* name : {"landing", "landing_flux", "landing_path", "landing_footprint"})
+    CHECK(texel(out[name], 0, 0) == glm::vec4(0.0f));
+}
+
+TEST_CASE("land: light that comes down beside the caustic map is outside") {
+  Bench bench;
+  bench.path.start.x = 5.0f;
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Outside);
+  CHECK(landing(out) == glm::vec3(5.0f, 0.0f, 0.25f));
+}
+
+TEST_CASE("land: water that lies on the floor absorbs down to the landing, by exp(-a d)") {
+  Bench bench;
+  bench.path.media = {1.0f, 0.0f, 0.0f, 0.0f};
+  bench.material.absorption = {0.0f, 1.0f, 4.0f};
+  PassImages out = bench.run();
+  check_near(texel(out["landing_flux"], 0, 0), {1.0f, 0.3678794f, 0.0183156f, 0.0f}, 1e-5);
+  check_near(texel(out["landing_absorbed"], 0, 0), {0.0f, 0.6321206f, 0.9816844f, 0.0f}, 1e-5);
+  // exp(-20) is less than a millionth.
+  bench.material.absorption = glm::vec3(20.0f);
+  CHECK(status(bench.run()) == LandingStatus::Absorbed);
+  // What lands nowhere has gone no known way.
+  bench.hit = glm::vec4(0.0f);
+  out = bench.run();
+  CHECK(status(out) == LandingStatus::Missed);
+  CHECK(out["landing_flux"].at(0, 0, 0) == 1.0f);
+}
+
+TEST_CASE("land: vertical light's footprint is the grid's step in parts of the map, on any slope") {
+  // 0.5 m and 0.25 m of 8; the map's up is -z.
+  Bench bench;
+  bench.path.width_x = {0.5f, 0.0f, 0.0f};
+  bench.path.width_y = {0.0f, 0.0f, -0.25f};
+  check_near(texel(bench.run()["landing_footprint"], 0, 0), {0.0625f, 0.0f, 0.0f, 0.03125f});
+  bench.floor[2].y += 3.0f;
+  check_near(texel(bench.run()["landing_footprint"], 0, 0), {0.0625f, 0.0f, 0.0f, 0.03125f});
+}
+
+TEST_CASE("land: a footprint has grown by the spread on the flight, and lies slanted on the floor") {
+  // 0.5 m less 0.25 rad over 1 m; and turned inside out behind a focus.
+  Bench bench;
+  bench.path.width_x = {0.5f, 0.0f, 0.0f};
+  bench.path.spread_x = {-0.25f, 0.0f, 0.0f};
+  bench.path.spread_y = {0.0f, 0.0f, -1.0f};
+  check_near(texel(bench.run()["landing_footprint"], 0, 0), {0.03125f, 0.0f, 0.0f, 0.125f}, 1e-5);
+  bench.path.spread_x = {-0.75f, 0.0f, 0.0f};
+  CHECK(bench.run()["landing_footprint"].at(0, 0, 0) == Approx(-0.03125).epsilon(1e-4));
+  // At 45 degrees 0.5 m across are 0.5 / cos 45 on the floor.
+  const float half = 0.70710678f;
+  Bench slanted;
+  slanted.path.direction = {half, -half, 0.0f};
+  slanted.path.width_x = 0.5f * glm::vec3(half, half, 0.0f);
+  slanted.path.width_y = {0.0f, 0.0f, -0.25f};
+  slanted.hit.z = 1.4142136f;
+  check_near(texel(slanted.run()["landing_footprint"], 0, 0), {0.0625f / half, 0.0f, 0.0f, 0.03125f}, 1e-5);
+}
+
+TEST_CASE("land: in the map of light from a point a footprint is a part of its tangents") {
+  // 0.5 m at 10 m, of a window of 2 x 2. Off the axis a step towards the light counts too: on a floor that
+  // rises by 1 along x, at x / z = 0.05, it is 0.5 (1 + 0.05) / 10.
+  Bench bench;
+  bench.view = down(1.0, 10.0, 20.0);
+  bench.view.perspective = true;
+  bench.view.near = 0.1;
+  bench.path.width_x = {0.5f, 0.0f, 0.0f};
+  bench.path.width_y = {0.0f, 0.0f, -0.25f};
+  bench.receiver = Image(Format::RGBA32F, 64, 64);
+  check_near(texel(bench.run()["landing_footprint"], 0, 0), {0.025f, 0.0f, 0.0f, 0.0125f});
+  bench.path.start.z = 0.0f;
+  bench.floor[2].y += 4.0f;
+  check_near(texel(bench.run()["landing_footprint"], 0, 0), {0.025f * 1.05f, 0.0f, 0.0f, 0.0125f});
+}
