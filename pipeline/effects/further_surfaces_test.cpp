@@ -1,0 +1,157 @@
+#include "pipeline/effects/further_surfaces.hpp"
+
+#include <algorithm>
+
+#include "pipeline/settings/settings.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// Half of what lands through the one caster meets more than two surfaces.
+const std::vector<FurtherShare> kHalf{{.light = 0, .mesh = 1, .share = 0.5, .of_light = 1.0}};
+
+Effects followed(int splits, Effects effects = {}, const std::vector<FurtherShare>& shares = kHalf) {
+  Settings settings;
+  settings.splits = splits;
+  return with_further_surfaces(std::move(effects), settings, shares);
+}
+
+std::vector<std::string> names_of(const Effects& effects) {
+  std::vector<std::string> names;
+  for (const Branch& branch : effects.branches) names.push_back(branch.name);
+  return names;
+}
+
+Effects with_branches(std::vector<Branch> branches) {
+  Effects effects;
+  effects.branches = std::move(branches);
+  return effects;
+}
+
+std::string why_not(const Settings& settings, Effects effects = {}) {
+  effects.caustics.active = true;
+  return why_not_followed({}, settings, effects);
+}
+
+}  // namespace
+
+TEST_CASE("further surfaces: each surface where light parts doubles its branches") {
+  for (int splits = 0; splits <= 4; ++splits) {
+    const Effects effects = followed(splits);
+    REQUIRE(effects.branches.size() == std::size_t{1} << splits);
+    // Every choice of surfaces once, and none beyond the last that parts.
+    std::vector<unsigned> mirrored;
+    for (const Branch& branch : effects.branches) mirrored.push_back(branch.mirrored);
+    std::sort(mirrored.begin(), mirrored.end());
+    for (unsigned i = 0; i < mirrored.size(); ++i) CHECK(mirrored[i] == i);
+  }
+}
+
+TEST_CASE(
+    "further surfaces: branches are named after the surfaces that mirror them, the last to part first") {
+  CHECK(names_of(followed(0)) == std::vector<std::string>{""});
+  CHECK(names_of(followed(1)) == std::vector<std::string>{"", "mirrored 1"});
+  CHECK(names_of(followed(2)) == std::vector<std::string>{"", "mirrored 2", "mirrored 1", "mirrored 1+2"});
+  CHECK(names_of(followed(3)) == std::vector<std::string>{"", "mirrored 3", "mirrored 2", "mirrored 2+3",
+                                                          "mirrored 1", "mirrored 1+3", "mirrored 1+2",
+                                                          "mirrored 1+2+3"});
+}
+
+TEST_CASE("further surfaces: a branch is mirrored at its surfaces, and parts at the last of them") {
+  const Effects effects = followed(3);
+  const Branch& through = effects.branches[0];
+  CHECK(through.parts_at() == 0);
+  for (int surface = 0; surface <= 40; ++surface) CHECK_FALSE(through.is_mirrored_at(surface));
+  const Branch& branch = effects.branches[5];  // mirrored 1+3
+  CHECK(branch.parts_at() == 3);
+  CHECK(branch.is_mirrored_at(1));
+  CHECK_FALSE(branch.is_mirrored_at(2));
+  CHECK(branch.is_mirrored_at(3));
+  for (int surface = 4; surface <= 40; ++surface) CHECK_FALSE(branch.is_mirrored_at(surface));
+}
+
+TEST_CASE("further surfaces: each wavelength has branches of its own, with its index and its colour") {
+  const Effects effects = followed(1, with_branches({{.name = "486.1nm", .bend = 1.0, .color = {0, 0, 1}},
+                                                     {.name = "656.3nm", .bend = -1.0, .color = {1, 1, 0}}}));
+  CHECK(names_of(effects) ==
+        std::vector<std::string>{"486.1nm", "486.1nm mirrored 1", "656.3nm", "656.3nm mirrored 1"});
+  CHECK(effects.branches[1].bend == 1.0);
+  CHECK(effects.branches[1].color == glm::vec3(0, 0, 1));
+  CHECK(effects.branches[3].bend == -1.0);
+  CHECK(names_of(followed(2, with_branches({{.name = "486.1nm"}}))) ==
+        std::vector<std::string>{"486.1nm", "486.1nm mirrored 2", "486.1nm mirrored 1",
+                                 "486.1nm mirrored 1+2"});
+}
+
+TEST_CASE("further surfaces: they take the place of what glass mirrors at its first surface") {
+  const Branch reflected{.name = "reflected", .reflected = true};
+  CHECK(names_of(followed(1, with_branches({{}, reflected}))) == std::vector<std::string>{"", "mirrored 1"});
+  CHECK(names_of(followed(0, with_branches({{}, reflected}))) == std::vector<std::string>{""});
+  Effects hidden;
+  hidden.hidden_receivers.active = true;
+  hidden = followed(0, hidden);
+  CHECK_FALSE(hidden.hidden_receivers.active);
+  CHECK(hidden.hidden_receivers.reason == "light is followed to hidden receivers too");
+}
+
+TEST_CASE("further surfaces: light is followed where more than a named share of a light's meets them") {
+  // 0.05 by default. A tenth of what one caster throws is 0.04 of a light to which it throws 0.4.
+  const auto judged = [](double share, double of_light) {
+    return followed(2, with_branches({{}, {.name = "reflected", .reflected = true}}),
+                    {{.light = 0, .mesh = 1, .share = share, .of_light = of_light}});
+  };
+  const Effects little = judged(0.1, 0.4);
+  CHECK_FALSE(little.further_surfaces.active);
+  CHECK(little.further_surfaces.reason ==
+        "4.0 % of the light that lands meets more than two surfaces, no more than 5.0 %");
+  CHECK(names_of(little) == std::vector<std::string>{"", "reflected"});
+  const Effects more = judged(0.1, 0.6);
+  CHECK(more.further_surfaces.active);
+  CHECK(more.further_surfaces.reason ==
+        "6.0 % of the light that lands meets more than two surfaces, more than 5.0 %");
+  CHECK(more.further_shares.size() == 1);
+  CHECK_FALSE(judged(0.0, 1.0).further_surfaces.active);
+}
+
+TEST_CASE("further surfaces: the light and the caster with the most decide") {
+  const Effects effects = followed(0, {},
+                                   {{.light = 0, .mesh = 1, .share = 0.9, .of_light = 0.01},
+                                    {.light = 1, .mesh = 2, .share = 0.2, .of_light = 0.5},
+                                    {.light = 1, .mesh = 1, .share = 0.04, .of_light = 0.5}});
+  CHECK(effects.further_surfaces.active);
+  CHECK(effects.further_surfaces.reason.starts_with("10.0 % of the light"));
+  CHECK(effects.further_shares.size() == 3);
+  // Where nothing lands there is nothing to follow.
+  CHECK_FALSE(followed(2, {}, {}).further_surfaces.active);
+  CHECK(followed(2, {}, {}).branches.size() == 1);
+}
+
+TEST_CASE("further surfaces: light is not followed where something else was asked for") {
+  CHECK(why_not({}) == "");
+  CHECK(why_not_followed({}, {}, {}) == "there is no caustic");
+  Settings settings;
+  settings.interfaces = Interfaces::Two;
+  CHECK(why_not(settings) == "a number of interfaces was asked for");
+  settings = {};
+  settings.weights = Weights::Paper;
+  CHECK(why_not(settings) == "the paper's weights know two surfaces");
+  settings = {};
+  settings.thickness = Thickness::Wyman;
+  CHECK(why_not(settings) == "Wyman's thickness knows two surfaces");
+  settings = {};
+  settings.draw_unconverged = true;
+  CHECK(why_not(settings) == "what has not converged is drawn where its search stopped");
+  settings = {};
+  settings.estimator = Estimator::Impostor;
+  CHECK(why_not(settings) == "impostors were asked for");
+}
+
+TEST_CASE("further surfaces: light is not followed through what triangles alone do not tell") {
+  Effects waves;
+  waves.water_waves = {true, "mesh 'pool' is water"};
+  CHECK(why_not({}, waves).find("mesh 'pool' is water") != std::string::npos);
+}
