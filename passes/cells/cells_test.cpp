@@ -18,6 +18,12 @@ struct Bench {
   };
   std::function<float(int, int)> material = [](int, int) { return 0.0f; };
   std::function<float(float)> floor_height = [](float) { return 0.0f; };
+  float largest = CellLimits{}.largest_share * 8.0f;
+  // Of light that was followed from surface to surface: what it has met, and how far its neighbours along the
+  // grid's rows (xy) and columns (zw) are to be expected, texels.
+  bool walked = false;
+  std::function<float(int, int)> path = [](int, int) { return 5.0f; };
+  glm::vec4 expected{0.5f, 0.0f, 0.0f, 0.5f};
 
   PassImages run() const {
     const std140::View seen = shader_view(down(4.0, 10.0, 20.0));
@@ -26,7 +32,8 @@ struct Bench {
                           .caustic = seen,
                           .jump = limits.jump,
                           .smallest_jump = limits.smallest_jump,
-                          .largest = limits.largest_share * 8.0f,
+                          .expected = limits.expected,
+                          .largest = largest,
                           .gap = limits.gap,
                           .tile_width = 0.0f,
                           .tile_height = 0.0f,
@@ -46,11 +53,16 @@ struct Bench {
         const float texel[4] = {px, floor_height(px), 4.0f - (static_cast<float>(y) + 0.5f) / 8.0f, 1.0f};
         for (int c = 0; c < 4; ++c) floor.at(x, y, c) = texel[c];
       }
-    return run_pass(definition_of(cells_pass()),
-                    {.width = 6,
-                     .height = 6,
-                     .uniforms = uniform_bytes(u),
-                     .textures = {places, filled(6, 6, {4.0f, 8.0f, 12.0f, 0.0f}), normals, floor}});
+    std::vector<Image> textures{places, filled(6, 6, {4.0f, 8.0f, 12.0f, 0.0f}), normals, floor};
+    if (walked) {
+      Image paths(Format::RGBA32F, 6, 6);
+      for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 6; ++x) paths.at(x, y, 0) = path(x, y);
+      textures.insert(textures.end(), {paths, filled(6, 6, expected * 0.125f)});
+    }
+    return run_pass(
+        walked ? definition_with(cells_pass(), &Effects::further_surfaces) : definition_of(cells_pass()),
+        {.width = 6, .height = 6, .uniforms = uniform_bytes(u), .textures = textures});
   }
 
   // Which cells of row y are whole: "11111" for all five.
@@ -128,4 +140,54 @@ TEST_CASE("cells: a slope as high as that step is one surface") {
     return glm::vec4(px, 1.2f * px, 1.25f - 0.5f * static_cast<float>(y), 1.0f);
   };
   CHECK(bench.row(2) == "111110");
+}
+
+TEST_CASE("cells: light that was followed is one cell where all four met the same, whatever they began on") {
+  Bench bench;
+  bench.walked = true;
+  bench.material = [](int x, int) { return x < 3 ? 0.0f : 1.0f; };
+  CHECK(bench.row(2) == "111110");
+  bench.path = [](int x, int) { return x < 3 ? 5.0f : 6.0f; };
+  CHECK(bench.row(2) == "110110");
+  bench.path = [](int x, int y) { return x == 3 && y == 2 ? 6.0f : 5.0f; };
+  CHECK(bench.row(1) == "110010");
+  CHECK(bench.row(2) == "110010");
+  CHECK(bench.row(3) == "111110");
+}
+
+TEST_CASE("cells: light that was followed is one cell where landings lie as their differentials expect") {
+  // Two bundles are 3 m apart, so 2.5 texels more than they expect; 2 texels and half of the 0.5 are allowed.
+  const auto apart = [](bool along_rows) {
+    Bench bench;
+    bench.walked = true;
+    bench.largest = 8.0f;
+    bench.landing = [=](int x, int y) {
+      const float gap_x = along_rows && x > 2 ? 2.5f : 0.0f, gap_y = !along_rows && y > 2 ? 2.5f : 0.0f;
+      return glm::vec4(0.5f * x - 3.0f + gap_x, 0.0f, 3.0f - 0.5f * y - gap_y, 1.0f);
+    };
+    return bench;
+  };
+  Bench rows = apart(true), columns = apart(false);
+  CHECK(rows.row(2) == "110110");
+  CHECK(columns.row(1) == "111110");
+  CHECK(columns.row(2) == "000000");
+  // If they expect 1 texel it is 2 more, and 2 + 1/2 are allowed.
+  rows.expected = {1.0f, 0.0f, 0.0f, 0.5f};
+  CHECK(rows.row(2) == "111110");
+  columns.expected = {0.5f, 0.0f, 0.0f, 1.0f};
+  CHECK(columns.row(2) == "111110");
+  // Where they expect each other the other way round the bundles are apart again.
+  rows.expected = {-1.0f, 0.0f, 0.0f, 0.5f};
+  CHECK(rows.row(2) == "110110");
+}
+
+TEST_CASE("cells: light that was followed makes no cell larger than a part of the map") {
+  // The bundles are 3 texels apart, as they expect; a cell may span 2.
+  Bench bench;
+  bench.walked = true;
+  bench.expected = {3.0f, 0.0f, 0.0f, 0.5f};
+  bench.landing = [](int x, int y) {
+    return glm::vec4(0.5f * x - 3.0f + (x < 3 ? 0.0f : 2.5f), 0.0f, 1.25f - 0.5f * y, 1.0f);
+  };
+  CHECK(bench.row(2) == "110110");
 }
