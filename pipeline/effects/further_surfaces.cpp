@@ -58,7 +58,7 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   if (!active) return effects;
   std::vector<Branch> branches;
   for (const Branch& branch : effects.branches)
-    if (!branch.reflected) add_parts(branch, settings.splits, branches);
+    if (!branch.reflected) add_parts(branch, std::min(settings.splits, settings.bounces), branches);
   effects.branches = std::move(branches);
   return effects;
 }

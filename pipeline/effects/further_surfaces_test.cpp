@@ -51,6 +51,13 @@ TEST_CASE("further surfaces: each surface where light parts doubles its branches
   }
 }
 
+TEST_CASE("further surfaces: light parts at no more surfaces than it is followed through") {
+  Settings settings;
+  settings.splits = 4;
+  settings.bounces = 2;
+  CHECK(with_further_surfaces({}, settings, kHalf).branches.size() == 4);
+}
+
 TEST_CASE(
     "further surfaces: branches are named after the surfaces that mirror them, the last to part first") {
   CHECK(names_of(followed(0)) == std::vector<std::string>{""});

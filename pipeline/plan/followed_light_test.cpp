@@ -147,6 +147,24 @@ TEST_CASE("followed light: where a branch begins it reads what the one that it p
   CHECK(reads(plan, "bend[sun mirrored 1+2].2", "surface_hit.2[0 mirrored 1]"));
 }
 
+TEST_CASE("followed light: a branch that parts at surface 3 begins there, of the branch that it parts from") {
+  const FramePlan plan = Bench(4, 3).plan();
+  const auto first_of = [&](const char* owner) {
+    for (const std::string& label : labels_of(plan))
+      if (label.find(std::string("[sun ") + owner + "]") != std::string::npos) return label;
+    return std::string();
+  };
+  for (const auto& [branch, parent] : {std::pair{"mirrored 3", ""},
+                                       {"mirrored 2+3", " mirrored 2"},
+                                       {"mirrored 1+3", " mirrored 1"},
+                                       {"mirrored 1+2+3", " mirrored 1+2"}}) {
+    const std::string begins = std::string("bend[sun ") + branch + "].3";
+    CHECK(first_of(branch) == begins);
+    CHECK(reads(plan, begins, std::string("ray_start.2[0") + parent + "]"));
+    CHECK(reads(plan, begins, std::string("surface_hit.3[0") + parent + "]"));
+  }
+}
+
 TEST_CASE("followed light: a wavelength's branches part from their own") {
   Bench bench(3, 2);
   bench.branches = {{.name = "blue", .bend = 1.0, .color = {0, 0, 1}},
@@ -247,4 +265,14 @@ TEST_CASE("followed light: rays of surfaces that are behind make room, however m
   };
   CHECK(bytes(4, 0) == bytes(16, 0));
   CHECK(bytes(4, 2) == bytes(16, 2));
+}
+
+TEST_CASE("followed light: no branch parts behind the last surface that light is followed through") {
+  // It would have no landings of its own, and read those of the light's first branch once more.
+  const FramePlan plan = Bench(2, 4).plan();
+  for (const PlannedPass& pass : plan.passes)
+    if (pass.branch > 0)
+      for (const int texture : pass.reads)
+        CHECK((texture < 0 || plan.textures[static_cast<std::size_t>(texture)].name != "landing[0]"));
+  CHECK(labels_of(plan) == labels_of(Bench(2, 2).plan()));
 }
