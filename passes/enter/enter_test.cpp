@@ -172,6 +172,18 @@ TEST_CASE("enter: off the axis a point's light turns by the derivative of its di
   CHECK(on.whole == Approx(0.0625 * std::pow(0.5, 1.5)));
 }
 
+TEST_CASE("enter: behind the surface a point's light turns by the derivative of Snell's law") {
+  // At 45 degrees and n = 1.5: sin t = 0.4714045, cos t = 0.8819171, and dt = cos 45 / (1.5 cos t) di, so
+  // 0.125 becomes 0.0668154.
+  Bench bench = from_point();
+  bench.material.ior = 1.5f;
+  bench.view.origin.x = -9.0;
+  const BenchPath on = path_at(bench.run());
+  check_near(on.direction, {0.4714045f, -0.8819171f, 0.0f});
+  check_near(on.spread_x, 0.0668154f * glm::vec3(0.8819171f, 0.4714045f, 0.0f));
+  check_near(on.width_x, 2.25f * 0.8819171f * glm::vec3(0.8819171f, 0.4714045f, 0.0f), 1e-5);
+}
+
 TEST_CASE("enter: a spot's cone takes its part of a cell's light") {
   // Cones of 30 and 60 degrees, at 45: ((cos 45 - cos 60) / (cos 30 - cos 60))^2.
   Bench bench = from_point();
