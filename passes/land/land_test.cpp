@@ -21,6 +21,7 @@ struct Bench {
   Corners floor = level_triangle(0.0f, -1.0f, -1.0f);
   glm::vec3 channel_share{1.0f};
   bool is_last_round = false;
+  bool can_be_hidden = false;  // by other receivers, from the light
 
   // What the receiver map holds of a floor at this height.
   static Image level_map(float height) {
@@ -49,6 +50,7 @@ struct Bench {
     u.channel_share = channel_share;
     u.first_receiver = 1;
     u.is_last_round = is_last_round;
+    u.can_be_hidden = can_be_hidden;
     std::vector<Image> textures = path.textures();
     for (const Image& image : {filled(1, 1, hit), caster_materials({material}), tables.triangles,
                                tables.normals, receiver, Image{}})
@@ -96,6 +98,17 @@ TEST_CASE("land: where the light's map has nothing, or another surface, the hier
   CHECK(bench.run()["landing_flux"].at(0, 0, 3) == 0.0f);
   bench.hit.z = 2.5f;
   CHECK(landing(bench.run()).y == Approx(0.0).margin(1e-5));
+}
+
+TEST_CASE("land: what lands where the light does not see is told apart where receivers may hide others") {
+  Bench bench;
+  bench.can_be_hidden = true;
+  CHECK(status(bench.run()) == LandingStatus::Landed);
+  bench.receiver = Bench::level_map(3.0f);
+  CHECK(status(bench.run()) == LandingStatus::NotConverged);
+  CHECK(landing(bench.run()) == glm::vec3(0.5f, 0.0f, 0.25f));
+  bench.hit = glm::vec4(0.0f);
+  CHECK(status(bench.run()) == LandingStatus::Missed);
 }
 
 TEST_CASE("land: light that meets nothing is missed, wherever the estimator would have it") {

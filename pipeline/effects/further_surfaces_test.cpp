@@ -98,11 +98,6 @@ TEST_CASE("further surfaces: they take the place of what glass mirrors at its fi
   const Branch reflected{.name = "reflected", .reflected = true};
   CHECK(names_of(followed(1, with_branches({{}, reflected}))) == std::vector<std::string>{"", "mirrored 1"});
   CHECK(names_of(followed(0, with_branches({{}, reflected}))) == std::vector<std::string>{""});
-  Effects hidden;
-  hidden.hidden_receivers.active = true;
-  hidden = followed(0, hidden);
-  CHECK_FALSE(hidden.hidden_receivers.active);
-  CHECK(hidden.hidden_receivers.reason == "light is followed to hidden receivers too");
 }
 
 TEST_CASE("further surfaces: light is followed where more than a named share of a light's meets them") {
