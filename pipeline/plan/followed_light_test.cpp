@@ -224,6 +224,19 @@ TEST_CASE("followed light: a round runs only where the round before it has left 
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
 }
 
+TEST_CASE("followed light: what receivers hide from the light has landings and cells of its own") {
+  Bench bench(2, 0);
+  bench.scene.meshes.push_back(box({-1.4, 0.4, -0.9}, {-0.6, 0.6, -0.4}, 0));
+  const FramePlan plan = bench.plan();
+  CHECK(reads(plan, "hidden_landings[sun].far", "landing[0]"));
+  CHECK(reads(plan, "hidden_landings[sun].far", "landing_footprint[0]"));
+  CHECK(reads(plan, "cells[sun]", "landing[0]"));
+  CHECK(reads(plan, "cells[sun].far", "landing.far[0]"));
+  CHECK(reads(plan, "cells[sun].far", "landing_path.far[0]"));
+  CHECK(reads(plan, "caustic_footprints[sun].far", "landing_footprint.far[0]"));
+  CHECK(pass_of(plan, "hidden_landings[sun].far").only_if == pass_of(plan, "enter[sun].1").counts_into);
+}
+
 TEST_CASE("followed light: each light is followed by itself") {
   Bench bench(2, 0);
   bench.scene.lights.push_back(sun({0.2, -1.0, 0.0}, 1.0f));
