@@ -443,8 +443,31 @@ def glass_bowl():
     return real_glass(('bowl', revolved(bowl(0.02), 96), GLASS), sun=steep(30))
 
 
+def moved(shape, x, z):
+    p, n, i = shape
+    return [(v[0] + x, v[1], v[2] + z) for v in p], n, i
+
+
+def three_glasses():
+    """The light of each goes through the others."""
+    glasses = [moved(revolved(tumbler(0.02, radius=0.2, height=0.5), 96), x, z)
+               for x, z in ((0.35, -0.1), (-0.15, 0.15), (-0.3, -0.45))]
+    return real_glass(*((f'glass {k + 1}', glass, GLASS) for k, glass in enumerate(glasses)), sun=steep(50),
+                      view=1.4)
+
+
+def glass_on_floor():
+    """Its foot and the floor are one plane."""
+    return real_glass(('glass', revolved(tumbler(0.0), 96), GLASS), sun=steep(30))
+
+
+def deep_ring():
+    """A mirror that sees itself."""
+    return real_glass(('ring', ring(0.4, 0.44, 0.7, 256), metal('silver', (0.97, 0.96, 0.91))), sun=steep(60))
+
+
 REAL_GLASS = (drinking_glass, drinking_glass_high_sun, glass_of_wine, bottle_of_liquid, hollow_ball, bubbles,
-              two_balls, glass_bowl)
+              two_balls, glass_bowl, three_glasses, glass_on_floor, deep_ring)
 
 
 def main():

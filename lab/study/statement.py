@@ -24,6 +24,7 @@ KNOBS = {
     '--estimator': ('secant', 'secant', 'secant', 'paper', 'newton', 'impostor'),
     '--iterations': ('1', '2', '3', '5', '5', '8'),
     '--interfaces': ('auto', 'auto', 'auto', '1', '2'),
+    '-D': ('splits=0', 'splits=1', 'splits=2', 'splits=2', 'splits=3', 'splits=4'),
 }
 
 

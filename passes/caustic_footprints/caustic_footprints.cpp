@@ -12,7 +12,8 @@ extern const Shader caustic_footprints_shader;
 
 namespace {
 
-// Texels that a footprint may span in a cascade: as wide as in the whole map it would cost more than it shows.
+// Texels that a footprint may span in a cascade: as wide as in the whole map it would cost more than it
+// shows.
 constexpr double kLargestInCascade = 16.0;
 
 std140::CausticFootprints footprints_uniforms(const PassContext& context) {
@@ -22,13 +23,13 @@ std140::CausticFootprints footprints_uniforms(const PassContext& context) {
   const glm::dvec2 part = drawn.window_upper - drawn.window_lower;
   const glm::dvec2 times = (map.window_upper - map.window_lower) / part;
   const glm::dvec2 offset = (map.window_lower - drawn.window_lower) / part;
-  return {
-      .map = shader_view(map),
-      .scale = glm::vec2(times * texels),
-      .offset = glm::vec2(offset * texels),
-      .largest = static_cast<float>(std::min(kLargestFootprint * std::max(times.x, times.y), kLargestInCascade)),
-      .grid_side = context.settings->grid,
-      .map_side = context.settings->map};
+  return {.map = shader_view(map),
+          .scale = glm::vec2(times * texels),
+          .offset = glm::vec2(offset * texels),
+          .largest =
+              static_cast<float>(std::min(kLargestFootprint * std::max(times.x, times.y), kLargestInCascade)),
+          .grid_side = context.settings->grid,
+          .map_side = context.settings->map};
 }
 
 }  // namespace

@@ -4,14 +4,6 @@ namespace caustics {
 
 extern const Shader hidden_landings_shader;
 
-namespace {
-
-std140::HiddenLandings hidden_landings_uniforms(const PassContext& context) {
-  return {.caustic = shader_view(context.views->caustic)};
-}
-
-}  // namespace
-
 Pass hidden_landings_pass() {
   return {
       .name = "hidden_landings",
@@ -37,7 +29,7 @@ Pass hidden_landings_pass() {
                  {.name = kLandingAbsorbed, .meaning = "likewise"},
                  {.name = kLandingPath, .meaning = "as land has it"},
                  {.name = kLandingFootprint, .meaning = "likewise"}},
-      .shaders = {{&hidden_landings_shader, block_of<hidden_landings_uniforms>}},
+      .shaders = {{&hidden_landings_shader}},
   };
 }
 

@@ -1,8 +1,5 @@
 // Landings on receivers that others hide from the light, for its second caustic map. hidden_landings.md
 // explains.
-UNIFORMS_BEGIN
-#include "passes/hidden_landings/hidden_landings_uniforms.glsl"
-UNIFORMS_END
 TEXTURE(0, landed_before)
 TEXTURE(1, flux_before)
 TEXTURE(2, fresnel_before)
@@ -19,18 +16,14 @@ OUTPUT(2, Vec4, landing_fresnel)
 OUTPUT(3, Vec4, landing_absorbed)
 OUTPUT(4, Vec4, landing_path)
 OUTPUT(5, Vec4, landing_footprint)
-#include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/landing_status.glsl"
-#include "passes/shared/view_space.glsl"
 
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
   Vec4 before = texel_fetch(landed_before, column, row);
   discard_if(!has_status(before, STATUS_NOT_CONVERGED));
-  Vec2 uv = view_uv(u.caustic, view_coordinates(u.caustic, Vec3(before)));
-  Float status = sel(inside_unit(uv.x, uv.y), Float(STATUS_LANDED), Float(STATUS_OUTSIDE));
-  landing = Vec4(Vec3(before), status);
+  landing = Vec4(Vec3(before), Float(STATUS_LANDED));
   landing_flux = texel_fetch(flux_before, column, row);
   landing_fresnel = texel_fetch(fresnel_before, column, row);
   landing_absorbed = texel_fetch(absorbed_before, column, row);

@@ -137,8 +137,8 @@ Bool strays(Vec3 direction, IN(Ways) ways, IN(Meeting) at, Vec3 before) {
 }
 
 void leave(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Ways) ways) {
-  Vec3 turn_x = normal_turn(triangle, at.outward, path.width_x);
-  Vec3 turn_y = normal_turn(triangle, at.outward, path.width_y);
+  Vec3 turn_x = normal_turn(triangle, at, path.width_x);
+  Vec3 turn_y = normal_turn(triangle, at, path.width_y);
   Bool flip = dot3(ways.normal, at.outward) < 0.0f;
   path.spread_x = spread_behind(path, ways, path.spread_x, sel(flip, -turn_x, turn_x));
   path.spread_y = spread_behind(path, ways, path.spread_y, sel(flip, -turn_y, turn_y));

@@ -55,16 +55,25 @@ Meeting meeting_at(IN(CasterTriangle) triangle, Vec4 hit, Vec3 direction) {
   return at;
 }
 
-// How the smooth normal turns where the meeting moves over the triangle's plane.
-Vec3 normal_turn(IN(CasterTriangle) triangle, Vec3 normal, Vec3 moved) {
+// The weights of the second and third corner at a place on the triangle's plane, from its first corner, or
+// what they change by along the plane; 0 where the triangle has no area.
+Vec2 weights_at(IN(CasterTriangle) triangle, Vec3 offset) {
   Vec3 across = cross3(triangle.edge1, triangle.edge2);
   Float squared = dot3(across, across);
   Bool sound = squared > 1.0e-30f;
-  Float inverse = 1.0f / sel(sound, squared, Float(1.0f));
-  Vec3 beside1 = cross3(moved, triangle.edge2);
-  Vec3 beside2 = cross3(triangle.edge1, moved);
-  Float weight1 = dot3(beside1, across) * inverse;
-  Float weight2 = dot3(beside2, across) * inverse;
-  Vec3 turn = triangle.turn1 * weight1 + triangle.turn2 * weight2;
-  return sel(sound, turn - normal * dot3(turn, normal), Vec3(0.0f));
+  Float inverse = sel(sound, 1.0f / sel(sound, squared, Float(1.0f)), Float(0.0f));
+  Vec3 beside1 = cross3(offset, triangle.edge2);
+  Vec3 beside2 = cross3(triangle.edge1, offset);
+  return Vec2(dot3(beside1, across) * inverse, dot3(beside2, across) * inverse);
+}
+
+// How the smooth normal turns where the meeting moves over the triangle's plane (Igehy 1999, equations 14 and
+// 15).
+Vec3 normal_turn(IN(CasterTriangle) triangle, IN(Meeting) at, Vec3 moved) {
+  Vec2 weights = weights_at(triangle, at.point - triangle.corner);
+  Vec3 mixed = triangle.normal + (triangle.turn1 * weights.x + triangle.turn2 * weights.y);
+  Vec2 change = weights_at(triangle, moved);
+  Vec3 turn = triangle.turn1 * change.x + triangle.turn2 * change.y;
+  Float length = max_of(length3(mixed), 1.0e-3f);
+  return (turn - at.outward * dot3(turn, at.outward)) / length;
 }

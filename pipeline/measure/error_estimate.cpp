@@ -23,6 +23,9 @@ constexpr double kOfGrid = 1.0 / 6.0;
 // Of the light that cells have left to points, which lies in spots instead of between them. Metal rings
 // measure it.
 constexpr double kOfPoints = 0.5;
+// Of the light that cells have left to footprints, as wide as its own differentials have it. Drinking glasses
+// measure it.
+constexpr double kOfFootprints = 0.125;
 
 double sum_rgb(const Image& image, int x, int y) {
   if (image.channels() == 1) return 3.0 * static_cast<double>(image.at(x, y, 0));
@@ -224,10 +227,11 @@ ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const st
       compare_splats(branches[b], views.caustic, splat_kernel(settings), maps.side, splats);
     } else {
       compare_cells(cells[b], branches[b].cell_flux, views.caster, moved);
-      points += flux_of_points(branches[b]);
+      const bool spread = !branches[b].footprint.values.empty();
+      points += (spread ? kOfFootprints : kOfPoints) * flux_of_points(branches[b]);
     }
   }
-  estimate.grid = kOfGrid * moved.sum(pixel) + splats.sum(pixel) + kOfPoints * points;
+  estimate.grid = kOfGrid * moved.sum(pixel) + splats.sum(pixel) + points;
   return estimate;
 }
 

@@ -265,8 +265,10 @@ class LandingScout {
 
 namespace {
 
-// Rays a side by which it is found how light goes on. A share of 5 % is known to 0.5 % by as many.
-constexpr int kRaysASide = 48;
+// Rays a side by which it is found how light goes on: a share of 5 % is known to 0.5 % by as many. Each lies
+// somewhere else in its square of kPlaces a side, so that no pattern of the casters' own is met at its crests
+// alone.
+constexpr int kRaysASide = 48, kPlaces = 16;
 
 void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster,
                 std::vector<FurtherShare>& shares) {
@@ -278,9 +280,11 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
   std::vector<LightLanding> landings;
   for (int y = 0; y < kRaysASide; ++y)
     for (int x = 0; x < kRaysASide; ++x) {
-      LightRay ray = light_ray(light, caster, caster.cube ? caster.cube->side : kRaysASide,
-                               caster.cube ? (2 * x + 1) * caster.cube->side / (2 * kRaysASide) : x,
-                               caster.cube ? (2 * y + 1) * caster.cube->side / (2 * kRaysASide) : y);
+      const int side = kRaysASide * kPlaces;
+      const int column = x * kPlaces + (5 * x + 7 * y) % kPlaces,
+                row = y * kPlaces + (11 * x + 3 * y) % kPlaces;
+      const int texels = caster.cube ? caster.cube->side : side;
+      LightRay ray = light_ray(light, caster, texels, column * texels / side, row * texels / side);
       ray.key = static_cast<std::uint64_t>(y * kRaysASide + x + 1);
       landings.clear();
       const int mesh = paths.follow(ray, landings);
@@ -364,7 +368,7 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
     const bool all_around = !effects.lights[static_cast<std::size_t>(i)].all_around.empty();
     const View caster = all_around
                             ? views_all_around(scene, effects, settings, light).caster
-                            : widest_views(measure(scene, effects, light), effects, settings.grid).caster;
+                            : widest_views(measure(scene, effects, light), effects, kCoarseGrid).caster;
     add_shares(paths, light, i, caster, shares);
   }
   return shares;

@@ -49,7 +49,8 @@ LIGHT_PASSES = set(CAUSTIC + CASCADE + FAR + SHADOWS + ["caster_exit_map", "ligh
                                                         "pane_light"])
 BRANCH_PASSES = set(CAUSTIC[2:] + CASCADE + FAR[1:])
 
-# Scene: passes, number of lights, number of branches, whether something tints the caustic.
+# Scene: passes through two surfaces, number of lights, number of branches, whether something tints the
+# caustic.
 CALLED_FOR = {
     "glass_sphere": (CAUSTIC + CASCADE + SEEN + SOLID, 1, 1, False),
     "glass_figure": (CAUSTIC + CASCADE + SEEN + SOLID, 1, 1, True),  # green glass: three channels
@@ -133,7 +134,27 @@ class SampleScenes(PlanTest):
     def test_each_sample_scene_runs_the_passes_it_calls_for_and_allocates_their_bytes(self):
         for scene, called_for in CALLED_FOR.items():
             with self.subTest(scene):
-                self.check(self.plan(SCENES / f"{scene}.glb"), *called_for)
+                options = ["-D", "further.share=1"]
+                self.check(self.plan(SCENES / f"{scene}.glb", *options), *called_for)
+
+    def test_light_is_followed_through_its_surfaces_branch_by_branch(self):
+        # Two splits: nobody, mirrored 2, mirrored 1, mirrored 1+2.
+        options = ["-D", "splits=2", "-D", "bounces=5"]
+        plan = self.plan(SCENES / "glass" / "hollow_ball.glb", *options)
+        labels = [p["pass"] for p in plan["passes"] if "sun" in p["pass"]]
+        way = {"": [], " mirrored 2": [], " mirrored 1": [], " mirrored 1+2": []}
+        for label in labels:
+            found = re.fullmatch(r"(\w+)\[sun( mirrored [+\d]+)?\]\.(\d)", label)
+            if found:
+                way[found[2] or ""].append((found[1], int(found[3])))
+        rounds = [(name, surface) for surface in (2, 3, 4, 5, 6) for name in ("next_surface", "land", "bend")]
+        rounds.remove(("bend", 6))
+        self.assertEqual(way[""], [("enter", 1)] + rounds)
+        self.assertEqual(way[" mirrored 1"], [("enter", 1)] + rounds)
+        self.assertEqual(way[" mirrored 2"], [("bend", 2)] + rounds[3:])
+        self.assertEqual(way[" mirrored 1+2"], [("bend", 2)] + rounds[3:])
+        self.assertEqual(plan["texture_bytes"], least_bytes(plan["passes"]))
+        self.assertGreater(plan["further_shares"][0]["share"], 0.5)
 
     def test_a_cascade_can_be_done_without(self):
         self.check(self.plan(SCENES / "glass_sphere.glb", "-D", "cascades=off"), CAUSTIC + SEEN + SOLID, 1)

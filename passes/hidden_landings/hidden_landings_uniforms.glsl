@@ -1,1 +1,0 @@
-View caustic;  // the light's map that the landings are laid into
