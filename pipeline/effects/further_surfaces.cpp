@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 
 #include "pipeline/effects/optics.hpp"
 #include "pipeline/effects/surface_role.hpp"
@@ -44,12 +45,12 @@ std::string why_not_followed(const Scene& scene, const Settings& settings, const
 }
 
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares) {
-  const auto most = std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
-    return a.share * a.of_light < b.share * b.of_light;
-  });
-  effects.further_shares = shares;
-  if (most == shares.end()) return effects;
-  const double share = most->share * most->of_light;
+  if (shares.empty()) return effects;
+  std::map<int, double> of_lights;
+  for (const FurtherShare& found : shares) of_lights[found.light] += found.share * found.of_light;
+  double share = 0.0;
+  for (const auto& [light, of_light] : of_lights) share = std::max(share, of_light);
+  effects.further_shares = std::move(shares);
   const bool active = share > static_cast<double>(settings.further_share);
   const std::string limit = percent(static_cast<double>(settings.further_share));
   effects.further_surfaces = {active, percent(share) +

@@ -227,8 +227,8 @@ ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const st
       compare_splats(branches[b], views.caustic, splat_kernel(settings), maps.side, splats);
     } else {
       compare_cells(cells[b], branches[b].cell_flux, views.caster, moved);
-      const bool spread = !branches[b].footprint.values.empty();
-      points += (spread ? kOfFootprints : kOfPoints) * flux_of_points(branches[b]);
+      const double of_points = branches[b].footprint.values.empty() ? kOfPoints : kOfFootprints;
+      points += of_points * flux_of_points(branches[b]);
     }
   }
   estimate.grid = kOfGrid * moved.sum(pixel) + splats.sum(pixel) + points;
