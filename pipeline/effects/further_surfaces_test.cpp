@@ -120,10 +120,11 @@ TEST_CASE("further surfaces: light is followed where more than a named share of 
 }
 
 TEST_CASE("further surfaces: the light with the most decides, by all its casters together") {
-  const Effects effects = followed(0, {},
-                                   {{.light = 0, .mesh = 1, .share = 0.9, .of_light = 0.01},
-                                    {.light = 1, .mesh = 2, .share = 0.2, .of_light = 0.5},
-                                    {.light = 1, .mesh = 1, .share = 0.04, .of_light = 0.5}});  // 0.1 and 0.02
+  const Effects effects =
+      followed(0, {},
+               {{.light = 0, .mesh = 1, .share = 0.9, .of_light = 0.01},
+                {.light = 1, .mesh = 2, .share = 0.2, .of_light = 0.5},
+                {.light = 1, .mesh = 1, .share = 0.04, .of_light = 0.5}});  // 0.1 and 0.02
   CHECK(effects.further_surfaces.active);
   CHECK(effects.further_surfaces.reason.starts_with("12.0 % of the light"));
   CHECK(effects.further_shares.size() == 3);
