@@ -32,6 +32,7 @@
 #include "passes/view_panes/view_panes.hpp"
 #include "passes/view_range/view_range.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
+#include "passes/walked_glass/walked_glass.hpp"
 #include "passes/water_step/water_step.hpp"
 
 namespace caustics {
@@ -71,6 +72,7 @@ Registry registered() {
       compose_pass(),
       // And with it.
       glass_pass(),
+      walked_glass_pass(),
       view_panes_pass(),
       // And the air before it.
       view_medium_pass(),

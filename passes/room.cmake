@@ -29,6 +29,7 @@ caustics_add_shader(caustics_passes view_surfaces TEXT passes/view_surfaces/view
 caustics_add_shader(caustics_passes light_shading TEXT passes/light_shading/light_shading.glsl)
 caustics_add_shader(caustics_passes compose TEXT passes/compose/compose.glsl)
 caustics_add_shader(caustics_passes glass TEXT passes/glass/glass.glsl)
+caustics_add_shader(caustics_passes walked_glass TEXT passes/walked_glass/walked_glass.glsl)
 caustics_add_shader(caustics_passes pane_light TEXT passes/pane_light/pane_light.glsl)
 caustics_add_shader(caustics_passes view_panes TEXT passes/view_panes/view_panes.glsl)
 caustics_add_shader(caustics_passes first_hit TEXT passes/first_hit/first_hit.glsl)

@@ -29,6 +29,7 @@ TEXTURE(9, hierarchy_normals)
 #include "passes/shared/light_path.glsl"
 #include "passes/shared/fetch_light_path.glsl"
 #include "passes/shared/media.glsl"
+#include "passes/shared/interface.glsl"
 #include "passes/shared/bend_light.glsl"
 
 void bend_at(Int column, Int row, Vec4 hit, Bool met) {

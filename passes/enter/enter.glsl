@@ -28,6 +28,7 @@ TEXTURE(5, hierarchy_normals)
 #include "passes/shared/grid_light.glsl"
 #include "passes/shared/light_path.glsl"
 #include "passes/shared/media.glsl"
+#include "passes/shared/interface.glsl"
 #include "passes/shared/bend_light.glsl"
 
 // A direction of the view's axes, as a cube's face turns them, in scene space.

@@ -39,6 +39,7 @@ Pass glass_pass() {
       .purpose = "bends the view through refractive objects and mirrors it at their surface",
       .reason = "the camera may see a refractive object",
       .when = {&Effects::seen_casters},
+      .unless = {&Effects::further_surfaces},
       .reads = {{.name = "scene_color", .meaning = "the picture without glass"},
                 {.name = "view_position", .meaning = "where its surfaces are"},
                 {.name = "wide_color",

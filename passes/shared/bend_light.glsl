@@ -1,32 +1,6 @@
 // What befalls light at a caster's surface. Needs absorption.glsl, caster_material.glsl,
-// caster_triangles.glsl, light_path.glsl, media.glsl, optics.glsl, refraction.glsl, the uniforms of
+// caster_triangles.glsl, interface.glsl, light_path.glsl, media.glsl, optics.glsl, refraction.glsl, the uniforms of
 // bend_light_uniforms.glsl, and the outputs of ray_outputs.glsl.
-
-// The indices of refraction on both sides, and the bodies that light is in behind the surface.
-struct Interface {
-  Float before;
-  Float behind;
-  Vec4 media;
-  Bool passes;    // nothing changes: a second skin of a body that the light is in
-  Bool overflow;  // it enters more bodies than are remembered
-  Bool tints;     // light that crosses here has the body's colour from now on
-};
-
-Interface interface_at(Vec4 media, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Material) material) {
-  Float ior = material.ior + material.dispersion * u.bend;
-  Bool within = is_in_body(media, triangle.body);
-  Interface both;
-  both.media = sel(at.front, with_body(media, triangle.body), without_body(media, triangle.body));
-  both.passes = at.front && within;
-  both.overflow = at.front && !within && is_full(media);
-  both.tints = at.front || !within;
-  Float here = index_of(media);
-  // Light that comes from inside without having entered began there.
-  Float there = sel(at.front || !within, here, index_of(both.media));
-  both.before = sel(!at.front && !within, absolute_index(ior, there), here);
-  both.behind = sel(at.front, absolute_index(ior, here), there);
-  return both;
-}
 
 // The ways that light can take, and the one that it does.
 struct Ways {
@@ -130,12 +104,6 @@ Vec3 arrive(INOUT(LightPath) path, IN(Meeting) at) {
   return before - path.flux;
 }
 
-// Does interpolation send light to the wrong side of its own surface?
-Bool strays(Vec3 direction, IN(Ways) ways, IN(Meeting) at, Vec3 before) {
-  Bool onward = dot3(direction, at.plane) * dot3(before, at.plane) > 0.0f;
-  return (onward && ways.is_mirrored) || (!onward && !ways.is_mirrored);
-}
-
 void leave(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Ways) ways) {
   Vec3 turn_x = normal_turn(triangle, at, path.width_x);
   Vec3 turn_y = normal_turn(triangle, at, path.width_y);
@@ -167,7 +135,7 @@ void bend_light(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle) triang
                     sel(ways.is_mirrored, Float(EVENT_MIRRORED), Float(EVENT_CROSSES)));
   on.path = path_with(path.path, triangle.body, event);
   Float left = max_of(max_of(on.flux.x, on.flux.y), on.flux.z);
-  Bool ends = left < u.least_share * path.whole || strays(on.ray.direction, ways, at, before);
+  Bool ends = left < u.least_share * path.whole || strays(on.ray.direction, at, before, ways.is_mirrored);
   ends = ends || (both.overflow && !ways.is_mirrored);
   Vec3 share = Vec3(u.channel_share);
   Vec3 absorbed = ways.flux - on.flux;

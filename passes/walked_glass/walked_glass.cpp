@@ -1,0 +1,65 @@
+#include "passes/walked_glass/walked_glass.hpp"
+
+#include <algorithm>
+
+#include "passes/shared/hierarchy_reads.hpp"
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+extern const Shader walked_glass_shader;
+
+namespace {
+
+// Steps to each surface, all together fewer than the rounds that llvmpipe grants an invocation's loops; and
+// surfaces behind the first. What total reflection sends through more is a different place for each pixel.
+constexpr int kMostSteps = 2048, kMostSurfaces = 6;
+
+std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
+  return {
+      .sky = shader_sky(context.scene->environment),
+      .view = shader_view(*context.camera),
+      .surroundings = shader_view(*context.surroundings),
+      .eye = context.camera->origin,
+      .surfaces = std::min(context.settings->bounces, kMostSurfaces),
+      .forward = context.camera->forward,
+      .most_steps = kMostSteps,
+      .first_receiver = context.first_receiver,
+      .touch = context.touch,
+  };
+}
+
+}  // namespace
+
+Pass walked_glass_pass() {
+  return {
+      .name = "walked_glass",
+      .purpose = "follows the view through refractive and mirroring objects from surface to surface",
+      .reason = "the camera may see what lies behind more than two surfaces",
+      .when = {&Effects::seen_casters, &Effects::further_surfaces},
+      .reads = {{.name = "scene_color", .meaning = "the picture without glass"},
+                {.name = "view_position", .meaning = "where its surfaces are"},
+                {.name = "wide_color",
+                 .meaning = "the same over a wider view",
+                 .texture = "scene_color.surroundings"},
+                {.name = "wide_position",
+                 .meaning = "where its surfaces are",
+                 .texture = "view_position.surroundings"},
+                {.name = "view_caster_position", .meaning = "the glass", .texture = "caster_position.camera"},
+                {.name = "view_caster_normal",
+                 .meaning = "its normals and materials",
+                 .texture = "caster_normal.camera"},
+                {.name = "view_caster_triangle",
+                 .meaning = "its triangles",
+                 .texture = "caster_triangle.camera"},
+                {.name = kCasterMaterials, .meaning = "indices, absorption, tint"},
+                kReadHierarchyNodes,
+                kReadHierarchyTriangles,
+                kReadHierarchyNormals,
+                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true}},
+      .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
+      .shaders = {{&walked_glass_shader, block_of<walked_glass_uniforms>}},
+  };
+}
+
+}  // namespace caustics

@@ -1,0 +1,185 @@
+// Glass, water and metal as the camera sees them, followed from surface to surface. walked_glass.md explains.
+#include "passes/shared/sky_model.glsl"
+UNIFORMS_BEGIN
+#include "passes/walked_glass/walked_glass_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, scene_color)
+TEXTURE(1, view_position)
+TEXTURE(2, wide_color)
+TEXTURE(3, wide_position)
+TEXTURE(4, view_caster_position)
+TEXTURE(5, view_caster_normal)
+TEXTURE(6, view_caster_triangle)
+TEXTURE(7, caster_materials)
+TEXTURE(8, hierarchy_nodes)
+TEXTURE(9, hierarchy_triangles)
+TEXTURE(10, hierarchy_normals)
+TEXTURE(11, environment)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, beauty)
+#include "passes/shared/axes_across.glsl"
+#include "passes/shared/caster_material.glsl"
+#include "passes/shared/caster_triangles.glsl"
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/optics.glsl"
+#include "passes/shared/absorption.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/ray.glsl"
+#include "passes/shared/refraction.glsl"
+#include "passes/shared/sky_radiance.glsl"
+#include "passes/shared/view_space.glsl"
+#include "passes/shared/hierarchy.glsl"
+#include "passes/shared/media.glsl"
+#include "passes/shared/interface.glsl"
+
+// A ray of sight on its way.
+struct Sight {
+  Ray ray;
+  Float own;      // the triangle that it starts on
+  Vec4 media;     // the bodies that it is in
+  Vec3 through;   // what is left of the radiance from its end
+  Bool under_way;
+};
+
+// Does a view show the surface at p itself, to eight texels' extents?
+Bool shows(Texture positions, IN(View) view, Vec3 p) {
+  Vec3 q = view_coordinates(view, p);
+  Vec2 uv = view_uv(view, q);
+  Vec4 seen = fetch_nearest(positions, uv.x, uv.y);
+  Float w = view_w(view, q);
+  Float extent = w / (view.scale.x * float(texture_width(positions)));
+  Float z = view_coordinates(view, Vec3(seen)).z;
+  return w > 0.0f && inside_unit(uv.x, uv.y) && is_covered(seen) && abs(z - q.z) <= 8.0f * extent;
+}
+
+Vec3 shown_color(Texture colors, IN(View) view, Vec3 p) {
+  Vec2 uv = view_uv(view, view_coordinates(view, p));
+  return Vec3(fetch_bilinear(colors, uv.x, uv.y));
+}
+
+// Radiance of a receiver at p towards the camera, which stands for that towards the ray; of what neither view
+// shows, the sky's in the ray's direction.
+Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands) {
+  Vec3 color = sky_radiance(u.sky, direction);
+  Bool wide = lands && shows(wide_position, u.surroundings, p);
+  color = sel(wide, shown_color(wide_color, u.surroundings, p), color);
+  Bool seen = lands && shows(view_position, u.view, p);
+  return sel(seen, shown_color(scene_color, u.view, p), color);
+}
+
+// The way that a ray takes at a surface: the stronger, which then stands for both.
+void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Material) material) {
+  Interface both = interface_at(sight.media, at, triangle, material);
+  Vec3 before = sight.ray.direction;
+  Vec3 normal = facing_normal(at.outward, before, !at.front);
+  Refraction bent = refraction_at(before, normal, both.before / both.behind);
+  Bool back = !both.passes && (material.mirror || bent.total || bent.reflectance * material.fresnel > 0.5f);
+  Vec3 onward = sel(both.passes, before, bent.direction);
+  sight.ray = ray_from(at.point, sel(back, reflected(before, normal, bent.cosine), onward));
+  sight.own = at.number;
+  sight.media = sel(back || both.passes, sight.media, both.media);
+  Vec3 metal = metal_reflectance(material.color, bent.cosine);
+  Bool tints = both.tints && !back && !both.passes;
+  sight.through = sight.through * sel(material.mirror, metal, sel(tints, material.color, Vec3(1.0f)));
+  sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
+}
+
+Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
+  Sight sight;
+  sight.ray = ray_from(sel(condition, a.ray.start, b.ray.start), sel(condition, a.ray.direction, b.ray.direction));
+  sight.own = sel(condition, a.own, b.own);
+  sight.media = sel(condition, a.media, b.media);
+  sight.through = sel(condition, a.through, b.through);
+  sight.under_way = sel(condition, a.under_way, b.under_way);
+  return sight;
+}
+
+// Radiance that a ray brings, by all the surfaces that it meets. One that is not followed to its end brings
+// the sky's.
+Vec3 radiance_along(IN(Sight) from) {
+  Sight sight = from;
+  Vec3 end = sight.ray.start;
+  Bool lands = Bool(false);
+  for (int k = 0; k < u.surfaces && any_lane(sight.under_way); k++) {
+    NearestTriangle met = nearest_triangle(walking_ray(sight.ray, sight.own), sight.under_way);
+    Bool caster = sight.under_way && met.number >= 0.0f && met.number < float(u.first_receiver);
+    Bool receiver = sight.under_way && met.number >= float(u.first_receiver);
+    Vec3 taken = left_by(sight.media.x, met.distance);
+    sight.through = sel(caster || receiver, sight.through * taken, sight.through);
+    end = sel(receiver, point_along(sight.ray, met.distance), end);
+    lands = lands || receiver;
+    if (any_lane(caster)) {
+      CasterTriangle triangle = fetch_triangle(sel(caster, met.number, Float(0.0f)));
+      Vec4 hit = Vec4(met.weight1, met.weight2, met.distance, met.number + 1.0f);
+      Meeting at = meeting_at(triangle, hit, sight.ray.direction);
+      Sight next = sight;
+      turn(next, at, triangle, fetch_material(caster_materials, triangle.row));
+      sight = chosen(caster, next, sight);
+    }
+    sight.under_way = sight.under_way && caster;
+  }
+  return sight.through * radiance_at(end, sight.ray.direction, lands);
+}
+
+// What a pixel shows of the casters.
+struct Front {
+  Meeting at;
+  CasterTriangle triangle;
+  Material material;
+};
+
+Front front_at(Vec4 position, Int column, Int row) {
+  Vec4 normal = texel_fetch(view_caster_normal, column, row);
+  Float number = texel_fetch(view_caster_triangle, column, row).x - 1.0f;
+  Front front;
+  front.triangle = fetch_triangle(max_of(number, 0.0f));
+  front.material = fetch_material(caster_materials, material_row(normal));
+  front.at.point = Vec3(position);
+  front.at.outward = Vec3(normal);
+  front.at.plane = normalize_or(cross3(front.triangle.edge1, front.triangle.edge2), front.at.outward);
+  front.at.front = !is_back_face(position);
+  front.at.number = number;
+  front.at.stretch = Float(0.0f);
+  return front;
+}
+
+// At the first surface both ways are followed, what it mirrors and what it lets through.
+Vec3 radiance_of(IN(Front) front, Bool seen) {
+  Vec3 sight = Vec3(u.forward);
+  if (u.view.kind != VIEW_PARALLEL) sight = normalize_or(front.at.point - Vec3(u.eye), Vec3(u.forward));
+  Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
+  Vec3 normal = facing_normal(front.at.outward, sight, !front.at.front);
+  Refraction bent = refraction_at(sight, normal, both.before / both.behind);
+  Float mirrored = sel(bent.total, Float(1.0f), bent.reflectance * front.material.fresnel);
+  Sight back;
+  back.ray = ray_from(front.at.point, reflected(sight, normal, bent.cosine));
+  back.own = front.at.number;
+  back.media = Vec4(0.0f);
+  back.through = sel(front.material.mirror, metal_reflectance(front.material.color, bent.cosine), Vec3(mirrored));
+  back.under_way = seen;
+  Sight on = back;
+  on.ray = ray_from(front.at.point, bent.direction);
+  on.media = both.media;
+  on.through = front.material.color * (1.0f - mirrored);
+  on.under_way = seen && !front.material.mirror && !bent.total;
+  Vec3 behind = radiance_along(on);
+  Vec3 before = radiance_along(back);
+  return before + sel(front.material.mirror || bent.total, Vec3(0.0f), behind);
+}
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Vec4 caster = texel_fetch(view_caster_position, column, row);
+  Vec4 surface = texel_fetch(view_position, column, row);
+  Float z = view_coordinates(u.view, Vec3(caster)).z;
+  Float surface_z = view_coordinates(u.view, Vec3(surface)).z;
+  Bool seen = is_covered(caster) && (!is_covered(surface) || z < surface_z);
+  Vec3 color = Vec3(texel_fetch(scene_color, column, row));
+  if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
+  beauty = Vec4(color, Float(1.0f));
+}
+#endif

@@ -1,0 +1,105 @@
+#include "passes/walked_glass/walked_glass.hpp"
+
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/light_path_bench.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A square of 10 m at this height, which faces up or down.
+void add_face(std::vector<Corners>& triangles, float height, bool up) {
+  const glm::vec3 a(-5.0f, height, 5.0f), b(5.0f, height, 5.0f), c(5.0f, height, -5.0f),
+      d(-5.0f, height, -5.0f);
+  for (const Corners& corners : {Corners{a, b, c}, Corners{a, c, d}})
+    triangles.push_back(up ? corners : Corners{corners[0], corners[2], corners[1]});
+}
+
+// A camera 10 m up looks straight down, in 4 x 4 pixels, on plates of glass 1 m thick and a floor at height 0
+// that shines with 1 nit. The sky has 0.5 nit everywhere.
+struct Bench {
+  std::vector<float> tops{5.0f};  // of the plates, the uppermost first
+  float ior = 1.5f, absorption = 0.0f;
+  bool mirror = false, floor = true;
+  int surfaces = 8;
+
+  float seen() const {
+    const View view = down(4.0, 10.0, 20.0);
+    HierarchyBench hierarchy;
+    hierarchy.touch = 1e-4f;
+    std::vector<Corners> plates, ground;
+    for (const float top : tops) {
+      add_face(plates, top, true);
+      add_face(plates, top - 1.0f, false);
+    }
+    add_face(ground, 0.0f, true);
+    hierarchy.caster(mesh_of(plates));
+    if (floor) hierarchy.receiver(mesh_of(ground));
+    const HierarchyTables tables = hierarchy.tables();
+    Image materials(Format::RGBA32F, 3, 1);
+    const float texels[3][4] = {{ior, 0.0f, 0.0f, mirror ? 1.0f : 0.0f},
+                                {absorption, absorption, absorption, 1.0f},
+                                {mirror ? 0.9f : 1.0f, mirror ? 0.9f : 1.0f, mirror ? 0.9f : 1.0f, 0.0f}};
+    for (int x = 0; x < 3; ++x)
+      for (int c = 0; c < 4; ++c) materials.at(x, 0, c) = texels[x][c];
+    const glm::vec3 sky(0.5f);
+    const std140::WalkedGlass u{.sky = {.zenith = sky, .horizon = sky, .ground = sky},
+                                .view = shader_view(view),
+                                .surroundings = shader_view(widened(view, 3.0)),
+                                .eye = view.origin,
+                                .surfaces = surfaces,
+                                .forward = view.forward,
+                                .most_steps = 1000,
+                                .first_receiver = hierarchy.first_receiver(),
+                                .touch = hierarchy.touch};
+    // On the second of the uppermost face's triangles.
+    const auto level = [&](float height) { return filled(1, 1, {-0.5f, height, -0.25f, 1.0f}); };
+    const Image beauty = run_pass(
+        definition_of(walked_glass_pass()),
+        {.uniforms = uniform_bytes(u),
+         .textures = {filled(1, 1, glm::vec4(1.0f)), level(0.0f), Image{}, Image{}, level(tops.front()),
+                      filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), filled(1, 1, glm::vec4(2.0f)), materials,
+                      tables.nodes, tables.triangles, tables.normals, Image{}}})["beauty"];
+    return beauty.at(0, 0, 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("walked_glass: a plate shows what lies behind it, and mirrors the sky at its first surface") {
+  // R = ((1.5 - 1) / (1.5 + 1))^2 = 0.04 of the sky's 0.5, the rest of the floor's 1.
+  CHECK(Bench{}.seen() == Approx(0.96 * 1.0 + 0.04 * 0.5));
+}
+
+TEST_CASE("walked_glass: glass is seen through glass, and each plate absorbs") {
+  Bench bench;
+  bench.tops = {8.0f, 5.0f, 3.0f};
+  bench.absorption = 0.3f;
+  CHECK(bench.seen() == Approx(0.96 * std::exp(-0.9) + 0.04 * 0.5));
+}
+
+TEST_CASE("walked_glass: an index of 1 mirrors nothing") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.tops = {8.0f, 5.0f};
+  CHECK(bench.seen() == Approx(1.0));
+}
+
+TEST_CASE("walked_glass: metal mirrors the sky by its reflectance straight on") {
+  Bench bench;
+  bench.mirror = true;
+  CHECK(bench.seen() == Approx(0.9 * 0.5));
+}
+
+TEST_CASE("walked_glass: where nothing lies behind, or more surfaces than are followed, there is the sky") {
+  Bench bench;
+  bench.floor = false;
+  CHECK(bench.seen() == Approx(0.5));
+  Bench deep;
+  deep.tops = {8.0f, 5.0f, 3.0f};
+  deep.surfaces = 3;
+  CHECK(deep.seen() == Approx(0.5));
+}

@@ -1,0 +1,10 @@
+Sky sky;
+View view;           // the camera's
+View surroundings;   // the same, three times as wide and high
+vec3 eye;            // the camera's position
+int surfaces;        // that a ray is followed through at most
+vec3 forward;        // the way the camera looks
+float bend;          // the branch's index of refraction is n_d + bend (n_F - n_C): 0, the d line
+int most_steps;      // as next_surface has them
+int first_receiver;
+float touch;
