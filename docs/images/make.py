@@ -36,6 +36,8 @@ PICTURES = {  # name: (frames in a row, [(scene, options), ...])
                    ('sun_disk', '-r 400x225 --grid 128 --map 256 -D shadow=512')]),
     'closed_room': (1, [('closed_room', '-r 480x270 --grid 1024 --map 1024')]),
     'materials': (2, [('water_normal_map', '-r 400x225'), ('glass_figure', '-r 400x225')]),
+    'real_glass': (2, [(f'glass/{scene}', f'-r 400x225 -D further.share={share}')
+                       for scene in ('drinking_glass', 'bottle_of_liquid') for share in (1, 0.05)]),
     'water_plops': (1, [('water_plops', '-r 480x270')]),
     'hazy_lens': (1, [('hazy_lens', '-r 480x270 --exposure 3.5')]),
 }
