@@ -89,7 +89,8 @@ void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Ma
 
 Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
   Sight sight;
-  sight.ray = ray_from(sel(condition, a.ray.start, b.ray.start), sel(condition, a.ray.direction, b.ray.direction));
+  sight.ray = ray_from(sel(condition, a.ray.start, b.ray.start),
+                       sel(condition, a.ray.direction, b.ray.direction));
   sight.own = sel(condition, a.own, b.own);
   sight.media = sel(condition, a.media, b.media);
   sight.through = sel(condition, a.through, b.through);
@@ -158,7 +159,8 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
   back.ray = ray_from(front.at.point, reflected(sight, normal, bent.cosine));
   back.own = front.at.number;
   back.media = Vec4(0.0f);
-  back.through = sel(front.material.mirror, metal_reflectance(front.material.color, bent.cosine), Vec3(mirrored));
+  Vec3 metal = metal_reflectance(front.material.color, bent.cosine);
+  back.through = sel(front.material.mirror, metal, Vec3(mirrored));
   back.under_way = seen;
   Sight on = back;
   on.ray = ray_from(front.at.point, bent.direction);

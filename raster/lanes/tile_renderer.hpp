@@ -283,7 +283,8 @@ class TileRenderer {
     for (int lane = 0; lane < count_; ++lane) {
       if (discarded_[lane]) continue;
       if (job_.test_depth_late && !depth_passes(pixel_[lane], z_[lane])) continue;
-      if (counters_.samples_passed++ == 0) job_.load_colors(job_.tile);
+      if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
+      ++counters_.samples_passed;
       for (int i = 0; i < job_.color_count; ++i) {
         const TileColor& target = job_.colors[i];
         float* texel = target.texels[pixel_[lane]];
