@@ -20,8 +20,8 @@ Texel cleared(const ColorWrite& write) {
 
 // From now on tiles are known to hold this texel, or not.
 void begin_clear(Texture& texture, const Texel& texel, std::size_t tiles) {
-  const bool same = std::memcmp(texture.clear_texel.data(), texel.data(), sizeof texel) == 0;
-  if (!same || texture.clear_tiles.size() != tiles) texture.clear_tiles.assign(tiles, 0);
+  if (!same_bits(texture.clear_texel, texel) || texture.clear_tiles.size() != tiles)
+    texture.clear_tiles.assign(tiles, 0);
   texture.clear_texel = texel;
 }
 
@@ -70,7 +70,7 @@ class Tile {
       const int channels = color.texture->channels();
       for (int y = 0; y < height_; ++y) {
         float* out = color.texture->texel(x_, y_ + y);
-        const float(*row)[4] = storage_.color[i] + y * kTile;
+        const float(*row)[4] = storage_.color[i] + static_cast<std::ptrdiff_t>(y) * kTile;
         if (channels == 4) {
           std::memcpy(out, row, sizeof(Texel) * static_cast<std::size_t>(width_));
         } else {
@@ -140,7 +140,7 @@ class Tile {
     Texel texel = cleared(*color.write);
     for (int c = channels; c < 4; ++c) texel[static_cast<std::size_t>(c)] = c == 3 ? 1.0f : 0.0f;
     for (int y = 0; y < height_; ++y) {
-      float(*row)[4] = storage_.color[i] + y * kTile;
+      float(*row)[4] = storage_.color[i] + static_cast<std::ptrdiff_t>(y) * kTile;
       if (!color.keep) {
         for (int x = 0; x < width_; ++x) std::memcpy(row[x], texel.data(), sizeof texel);
       } else if (channels == 4) {

@@ -2,13 +2,18 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <bit>
 #include <memory>
 #include <vector>
 
 #include "pipeline/gpu/image.hpp"
 
 namespace caustics::raster {
+
+inline bool same_bits(const std::array<float, 4>& a, const std::array<float, 4>& b) {
+  using Bits = std::array<std::uint32_t, 4>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 // Texels as an Image holds them, but of undefined contents when made, as on a GPU: large targets cost
 // nothing before they are drawn into.
@@ -27,8 +32,7 @@ struct Texture {
   }
 
   bool is_clear(std::size_t tile, const std::array<float, 4>& texel) const {
-    return !clear_tiles.empty() && clear_tiles[tile] != 0 &&
-           std::memcmp(clear_texel.data(), texel.data(), sizeof texel) == 0;
+    return !clear_tiles.empty() && clear_tiles[tile] != 0 && same_bits(clear_texel, texel);
   }
 
   int channels() const { return channel_count(shape.format); }

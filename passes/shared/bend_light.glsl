@@ -1,6 +1,6 @@
 // What befalls light at a caster's surface. Needs absorption.glsl, caster_material.glsl,
-// caster_triangles.glsl, interface.glsl, light_path.glsl, media.glsl, optics.glsl, refraction.glsl, the uniforms of
-// bend_light_uniforms.glsl, and the outputs of ray_outputs.glsl.
+// caster_triangles.glsl, interface.glsl, light_path.glsl, media.glsl, optics.glsl, refraction.glsl, the
+// uniforms of bend_light_uniforms.glsl, and the outputs of ray_outputs.glsl.
 
 // The ways that light can take, and the one that it does.
 struct Ways {

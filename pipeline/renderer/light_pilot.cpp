@@ -285,7 +285,7 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
                 row = y * kPlaces + (11 * x + 3 * y) % kPlaces;
       const int texels = caster.cube ? caster.cube->side : side;
       LightRay ray = light_ray(light, caster, texels, column * texels / side, row * texels / side);
-      ray.key = static_cast<std::uint64_t>(y * kRaysASide + x + 1);
+      ray.key = static_cast<std::uint64_t>(y) * kRaysASide + static_cast<std::uint64_t>(x) + 1;
       landings.clear();
       const int mesh = paths.follow(ray, landings);
       for (const LightLanding& landing : landings) {
