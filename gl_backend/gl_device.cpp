@@ -222,7 +222,9 @@ class OpenGlDevice final : public GlDevice {
     occlusion_.end_condition();
     occlusion_.end();
     meter_.end(result);
-    if (as_quads(*run.definition)) {  // what the driver counts are corners of quadrilaterals
+    // What the driver counts are corners of quadrilaterals, none where it left them out.
+    const bool rectangles = run.definition->topology == Topology::Rectangles;
+    if (result.vertices != 0 && (as_quads(*run.definition) || rectangles)) {
       result.vertices = submitted.vertices;
       result.primitives = submitted.primitives;
     }
@@ -325,7 +327,7 @@ class OpenGlDevice final : public GlDevice {
       const auto loose = static_cast<std::uint64_t>(std::max(0, draw.vertex_count));
       const std::uint64_t corners = mesh ? mesh->corner_count() : loose;
       result.vertices += corners;
-      result.primitives += run.definition->topology == Topology::Points ? corners : corners / 3;
+      result.primitives += run.definition->topology == Topology::Triangles ? corners / 3 : corners;
     }
     return result;
   }
@@ -371,7 +373,7 @@ class OpenGlDevice final : public GlDevice {
     else if (mesh && mesh->indices.id())
       glDrawElements(topology, corners, GL_UNSIGNED_INT, nullptr);
     else
-      glDrawArrays(topology, 0, corners);
+      glDrawArrays(topology, 0, run.definition->topology == Topology::Rectangles ? 6 * corners : corners);
   }
 
   EglContext context_;

@@ -2,7 +2,6 @@
 
 #include "passes/beams/beams.hpp"
 #include "passes/bend/bend.hpp"
-#include "passes/cascade_cells/cascade_cells.hpp"
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_flux/caster_flux.hpp"
 #include "passes/caster_map/caster_map.hpp"
@@ -60,7 +59,6 @@ Registry registered() {
       beams_pass(),
       cells_pass(),
       caustic_cells_pass(),
-      cascade_cells_pass(),
       caustic_map_pass(),
       caustic_footprints_pass(),
       shadow_map_pass(),

@@ -18,19 +18,19 @@ class ChunkBuilder {
 
   BinnedChunk build(std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      if (stage_.topology == Topology::Points)
-        add_point(i);
-      else
+      if (stage_.topology == Topology::Triangles)
         add_triangle(i);
+      else
+        add_point(i);
     }
     // The planes' vector has stopped growing: records can point into it now.
     const std::size_t planes_each = 2 + static_cast<std::size_t>(stage_.options.varying_count);
     for (std::size_t i = 0; i < chunk_.triangles.size(); ++i)
       chunk_.triangles[i].planes = chunk_.planes.data() + i * planes_each;
-    if (stage_.topology == Topology::Points)
-      sort_into_tiles(chunk_.points);
-    else
+    if (stage_.topology == Topology::Triangles)
       sort_into_tiles(chunk_.triangles);
+    else
+      sort_into_tiles(chunk_.points);
     return std::move(chunk_);
   }
 
@@ -40,9 +40,9 @@ class ChunkBuilder {
   }
 
   void add_point(std::size_t i) {
+    const auto set_up = stage_.topology == Topology::Points ? set_up_point : set_up_rectangle;
     PointRecord record;
-    if (set_up_point(stage_.vertices->at(vertex_index(i)), viewport_, record))
-      chunk_.points.push_back(record);
+    if (set_up(stage_.vertices->at(vertex_index(i)), viewport_, record)) chunk_.points.push_back(record);
   }
 
   void add_triangle(std::size_t i) {

@@ -167,7 +167,7 @@ class SoftwareDevice final : public Device {
         .options = {definition.cull, interface.varying_components(), flat.data()},
         .vertices = &vertices,
         .indices = mesh ? &mesh->indices : nullptr,
-        .primitive_count = definition.topology == Topology::Points ? corners : corners / 3};
+        .primitive_count = definition.topology == Topology::Triangles ? corners / 3 : corners};
     const std::vector<BinnedChunk> chunks = bin_primitives(stage, grid, workers_);
     const FragmentWork work{.definition = &definition,
                             .fragment = definition.shader->kernels.fragment[lanes],

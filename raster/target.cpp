@@ -103,7 +103,8 @@ class Tile {
     job.chunk_count = static_cast<int>(chunks.size());
     job.load_colors = [](void* tile) { static_cast<Tile*>(tile)->load_colors(); };
     job.tile = this;
-    job.is_points = work.definition->topology == Topology::Points;
+    job.is_points = work.definition->topology != Topology::Triangles;
+    job.zero_outside_quad = work.definition->zero_outside_quad.value_or(-1);
     job.fragment = work.fragment;
     job.uniforms = work.uniforms;
     job.textures = work.textures;

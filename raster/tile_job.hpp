@@ -32,7 +32,7 @@ struct TriangleRecord {
   std::int32_t primitive;                         // its place in the draw
 };
 
-// A point ready to be rasterized.
+// A point or a rectangle ready to be rasterized.
 struct PointRecord {
   std::int32_t x_first, x_last, y_first, y_last;  // pixels, inclusive
   float z;
@@ -64,7 +64,8 @@ struct TileJob {
   bool test_depth_late;  // the shader may discard
   const PrimitiveChunk* chunks;
   int chunk_count;
-  bool is_points;
+  bool is_points;         // or rectangles
+  int zero_outside_quad;  // as in PassDefinition; -1: unknown
   // Puts the colours into the tile before the first fragment is merged: most tiles of some passes have none.
   void (*load_colors)(void* tile);
   void* tile;

@@ -105,6 +105,23 @@ bool set_up_triangle(const WindowVertex (&v)[3], const float* provoking, const V
   return true;
 }
 
+bool set_up_rectangle(const float* shaded, const Viewport& viewport, PointRecord& record) {
+  const auto pixels = [&](float lower, float upper, int size, std::int32_t& first, std::int32_t& last) {
+    const float half = 0.5f * static_cast<float>(size);
+    const auto edge = [&](float clip) {
+      return snapped(std::fmaf(std::clamp(clip, -1.0f, 1.0f), half, half));
+    };
+    if (!(lower < upper)) return false;
+    first = ceil_div_256(edge(lower));
+    last = ceil_div_256(edge(upper)) - 1;
+    return first <= last;
+  };
+  record.z = 0.5f;
+  record.varyings = shaded + ShadedVertices::kHeader;
+  return pixels(shaded[0], shaded[2], viewport.width, record.x_first, record.x_last) &&
+         pixels(shaded[1], shaded[3], viewport.height, record.y_first, record.y_last);
+}
+
 bool set_up_point(const float* shaded, const Viewport& viewport, PointRecord& record) {
   if (!is_inside(shaded)) return false;
   const WindowVertex v = to_window(shaded, false, viewport);

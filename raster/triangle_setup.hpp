@@ -33,5 +33,7 @@ bool set_up_triangle(const WindowVertex (&v)[3], const float* provoking, const V
 
 // Returns false when the point is discarded: its centre lies outside the view volume.
 bool set_up_point(const float* shaded, const Viewport& viewport, PointRecord& record);
+// Returns false when the rectangle covers no pixel.
+bool set_up_rectangle(const float* shaded, const Viewport& viewport, PointRecord& record);
 
 }  // namespace caustics::raster

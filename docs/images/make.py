@@ -15,6 +15,8 @@ import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCENES = HERE.parents[1] / 'scenes'
+sys.path.insert(0, str(HERE.parents[1] / 'tests/program'))
+from pictures import Exr  # noqa: E402
 GAP = 4  # white pixels between frames side by side
 
 
@@ -40,6 +42,12 @@ PICTURES = {  # name: (frames in a row, [(scene, options), ...])
                        for scene in ('drinking_glass', 'bottle_of_liquid') for share in (1, 0.05)]),
     'water_plops': (1, [('water_plops', '-r 480x270')]),
     'hazy_lens': (1, [('hazy_lens', '-r 480x270 --exposure 3.5')]),
+}
+# With traced light in the last column, which has other bits with another ray tracer: made where named.
+TRACED = {
+    'real_glass_floor': (3, [(f'glass/{scene}', options)
+                             for scene in ('drinking_glass', 'bottle_of_liquid', 'glass_of_wine')
+                             for options in ('--floor --interfaces 2', '--floor', '--traced')]),
 }
 
 
@@ -110,8 +118,26 @@ def write_png(rows):
             chunk(b'IEND', b''))
 
 
+def floor(program, scene, verb, *options):
+    """Illuminance of the floor, seen from above: white is 1.6 times what the unshadowed light gives."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = pathlib.Path(folder) / 'floor.exr'
+        command = [program, verb, SCENES / f'{scene}.glb', '--camera', 'floor', '-r', '256x256',
+                   '--aov', 'direct,caustic', '-o', output, '--quiet']
+        subprocess.run([*command, *options], check=True)
+        light = Exr(output.read_bytes()).values()
+    white = 1.6 * max(light['direct.G'])
+    shown = [min(1, (d + c) / white) ** (1 / 2.2) for d, c in zip(light['direct.G'], light['caustic.G'])]
+    values = bytes(round(255 * value) for value in shown for _ in 'rgb')
+    return [values[768 * row:768 * (row + 1)] for row in range(256)]
+
+
 @functools.cache
 def frame(program, scene, options):
+    if options == '--traced':
+        return floor(program, scene, 'reference', '--rays', '1024', '--batches', '24')
+    if options.startswith('--floor'):
+        return floor(program, scene, 'render', *options.split()[1:])
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / 'frame.png'
         command = [program, 'render', SCENES / f'{scene}.glb', *options.split(), '-o', output, '--quiet']
@@ -121,7 +147,7 @@ def frame(program, scene, options):
 
 def picture(program, name):
     """The rows of a picture as the program draws it now."""
-    columns, frames = PICTURES[name]
+    columns, frames = {**PICTURES, **TRACED}[name]
     drawn = [frame(program, scene, options) for scene, options in frames]
     rows = []
     for first in range(0, len(drawn), columns):
@@ -132,8 +158,8 @@ def picture(program, name):
 
 
 def main():
-    names = [argument for argument in sys.argv[1:] if argument in PICTURES]
-    others = [argument for argument in sys.argv[1:] if argument not in PICTURES]
+    names = [argument for argument in sys.argv[1:] if argument in PICTURES or argument in TRACED]
+    others = [argument for argument in sys.argv[1:] if argument not in names]
     program = others[0] if others else HERE.parents[1] / 'build/release/caustics'
     for name in names or PICTURES:
         path, rows = HERE / f'{name}.png', picture(program, name)

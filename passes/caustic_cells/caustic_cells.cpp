@@ -7,13 +7,28 @@ namespace caustics {
 
 extern const Shader caustic_cells_shader;
 
+namespace {
+
+std140::CausticCells cells_uniforms(const PassContext& context) {
+  const View& map = context.views->caustic;
+  const View& drawn = context.cascade() ? *context.views->cascade : map;
+  const double texels = context.settings->map;
+  const glm::dvec2 part = drawn.window_upper - drawn.window_lower;
+  return {.scale = (map.window_upper - map.window_lower) / part,
+          .offset = (map.window_lower - drawn.window_lower) / part * texels,
+          .cells_a_side = context.settings->grid - 1,
+          .map_side = context.settings->map};
+}
+
+}  // namespace
+
 Pass caustic_cells_pass() {
   return {
       .name = "caustic_cells",
       .purpose = "adds up the light of the cells, by the exact share of each texel",
       .reason = "the cells' flux is gathered for the camera",
       .when = {&Effects::caustics, &Effects::cells},
-      .drawn_for = {kBranch, kBranchFar},
+      .drawn_for = {kBranch, kBranchFar, kBranchCascade},
       .only_lights_with_caustics = true,
       .draws = DrawSet::GridCells,
       .size = map_size,
@@ -22,11 +37,9 @@ Pass caustic_cells_pass() {
                 {.name = kCellFlux, .meaning = "its flux"}},
       .writes = {caustic_map_write()},
       .owner = Each::Light,
-      .topology = Topology::Points,
-      .shaders = {{&caustic_cells_shader, block_of<[](const PassContext& c) {
-                     return std140::CausticCells{.cells_a_side = c.settings->grid - 1,
-                                                 .map_side = c.settings->map};
-                   }>}},
+      .topology = Topology::Rectangles,
+      .zero_outside_quad = 0,
+      .shaders = {{&caustic_cells_shader, block_of<cells_uniforms>}},
   };
 }
 

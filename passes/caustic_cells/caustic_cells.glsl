@@ -3,31 +3,29 @@
 UNIFORMS_BEGIN
 #include "passes/caustic_cells/caustic_cells_uniforms.glsl"
 UNIFORMS_END
-#include "passes/caustic_cells/carried_cell.glsl"
+TEXTURE(0, cell_near)
+TEXTURE(1, cell_far)
+TEXTURE(2, cell_flux)
+#include "passes/caustic_cells/rectangle_around.glsl"
 
 #ifdef VERTEX_STAGE
-#include "passes/shared/splat.glsl"
+#include "passes/caustic_cells/cell_texel.glsl"
 
-// One square point over the texels that the cell touches: its corners are corners of texels.
+Vec4 on_drawn_map(Vec4 corners) {
+  return Vec4(corners.x * u.scale.x + u.offset.x, corners.y * u.scale.y + u.offset.y,
+              corners.z * u.scale.x + u.offset.x, corners.w * u.scale.y + u.offset.y);
+}
+
 void main() {
-  Int id = vertex_id();
+  Int id = rectangle_id();
   Int row = id / Int(u.cells_a_side);
   Int column = id - row * Int(u.cells_a_side);
   Vec4 carried = texel_fetch(cell_flux, column, row);
-  near = texel_fetch(cell_near, column, row);
-  far = texel_fetch(cell_far, column, row);
   flux = Vec3(carried);
-  Float left = floor(min_of(min_of(near.x, near.z), min_of(far.x, far.z)));
-  Float bottom = floor(min_of(min_of(near.y, near.w), min_of(far.y, far.w)));
-  Float right = floor(max_of(max_of(near.x, near.z), max_of(far.x, far.z))) + 1.0f;
-  Float top = floor(max_of(max_of(near.y, near.w), max_of(far.y, far.w))) + 1.0f;
-  Float side = max_of(right - left, top - bottom);
-  // At the map's edge the square leans inwards, so that its centre, by which points are clipped, stays
-  // inside.
-  Float x = max_of(min_of(left, float(u.map_side) - side), Float(0.0f)) * 2.0f + side;
-  Float y = max_of(min_of(bottom, float(u.map_side) - side), Float(0.0f)) * 2.0f + side;
-  Vec4 at = Vec4(x / float(u.map_side) - 1.0f, y / float(u.map_side) - 1.0f, Float(0.5f), Float(1.0f));
-  set_position(splat_position(at, is_cell(carried)));
-  set_point_size(side);
+  Vec4 a_and_b = on_drawn_map(texel_fetch(cell_near, column, row));
+  Vec4 c_and_d = on_drawn_map(texel_fetch(cell_far, column, row));
+  lay_quad(a_and_b, c_and_d, Float(float(u.map_side)), is_cell(carried));
 }
+#else
+#include "passes/caustic_cells/overlap.glsl"
 #endif

@@ -11,15 +11,22 @@ using namespace caustics::test;
 
 namespace {
 
-// Lays one cell with corners a, b, c, d (texels) and flux (1, 2, 4) into a map of 8 x 8.
-Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
+// Lays one cell with corners a, b, c, d (texels) and flux (1, 2, 4) into a map of 8 x 8, or a cascade.
+Image lay(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d, glm::vec2 scale = glm::vec2(1.0f),
+          glm::vec2 offset = glm::vec2(0.0f)) {
   return run_pass(
       definition_with(caustic_cells_pass(), &Effects::coloured_caustics),
       {.width = 8,
        .height = 8,
-       .uniforms = uniform_bytes(std140::CausticCells{.cells_a_side = 1, .map_side = 8}),
+       .uniforms = uniform_bytes(
+           std140::CausticCells{.scale = scale, .offset = offset, .cells_a_side = 1, .map_side = 8}),
        .textures = {filled(1, 1, {a, b}), filled(1, 1, {c, d}), filled(1, 1, {1.0f, 2.0f, 4.0f, 1.0f})},
        .vertex_count = 1})["caustic_map"];
+}
+
+// The cascade shows the caustic map's texels 2 to 6: one texel there is two by two here.
+Image lay_in_cascade(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 d) {
+  return lay(a, b, c, d, glm::vec2(2.0f), glm::vec2(-4.0f));
 }
 
 }  // namespace
@@ -105,4 +112,42 @@ TEST_CASE("caustic_cells: at the map's edge nothing is lost") {
   CHECK(corner.at(7, 7, 0) == Approx(1.0));
   const Image wide = lay({0.0f, 7.0f}, {7.99f, 7.0f}, {0.0f, 7.99f}, {7.99f, 7.99f});
   CHECK(sum(wide) == Approx(1.0));
+}
+
+TEST_CASE("caustic_cells: texels beside a cell get nothing, wherever the map has them") {
+  // Long, aslant and thin, with corners that need all of their digits, in the first column too.
+  for (const float x : {0.0f, 0.1234567f, 3.0f}) {
+    const Image map = lay({x + 0.1f, 0.37f}, {x + 0.3f, 0.31f}, {x + 4.1f, 7.77f}, {x + 4.3f, 7.71f});
+    CHECK(sum(map) == Approx(1.0));
+    for (int row = 3; row < 8; ++row) CHECK(map.at(static_cast<int>(x), row, 0) == 0.0f);
+    for (int row = 0; row < 5; ++row) CHECK(map.at(static_cast<int>(x) + 4, row, 0) == 0.0f);
+  }
+}
+
+TEST_CASE("caustic_cells: a texel of the caustic map is shared by those of the cascade inside it") {
+  const Image map = lay_in_cascade({3, 4}, {4, 4}, {3, 5}, {4, 5});
+  for (const int y : {4, 5})
+    for (const int x : {2, 3}) CHECK(texel(map, x, y) == glm::vec4(0.25f, 0.5f, 1.0f, 0.25f));
+  CHECK(sum(map) == 1.0);
+}
+
+TEST_CASE("caustic_cells: a cell is cut at the cascade's edge") {
+  // From 1 to 4 in x and 2 to 3 in y, of which 2 to 4 are shown: two thirds of the light, even over 4 x 2
+  // texels.
+  const Image map = lay_in_cascade({1, 2}, {4, 2}, {1, 3}, {4, 3});
+  for (int x = 0; x < 4; ++x) CHECK(map.at(x, 1, 0) == Approx(1.0 / 12.0));
+  CHECK(map.at(4, 0, 0) == 0.0f);
+  CHECK(sum(map) == Approx(2.0 / 3.0));
+}
+
+TEST_CASE("caustic_cells: a cell larger than the cascade fills it evenly") {
+  // 1000 x 1000 texels of the caustic map, of which 4 x 4 are shown.
+  const Image map = lay_in_cascade({-500, -500}, {500, -500}, {-500, 500}, {500, 500});
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) CHECK(map.at(x, y, 0) == Approx(1.6e-5 / 64.0).epsilon(0.05));
+}
+
+TEST_CASE("caustic_cells: a cell beside the cascade leaves it empty") {
+  CHECK(sum(lay_in_cascade({0, 0}, {1, 0}, {0, 1}, {1, 1})) == 0.0);
+  CHECK(sum(lay_in_cascade({6.5f, 3}, {7, 3}, {6.5f, 4}, {7, 4})) == 0.0);
 }

@@ -50,7 +50,8 @@ Pass caustic_footprints_pass() {
                 {.name = kCellFlux, .meaning = "which cells have taken their quarter of it"}},
       .writes = {caustic_map_write()},
       .owner = Each::Light,
-      .topology = Topology::Points,
+      .topology = Topology::Rectangles,
+      .zero_outside_quad = 0,
       .shaders = {{&caustic_footprints_shader, block_of<footprints_uniforms>}},
   };
 }

@@ -7,15 +7,12 @@ TEXTURE(0, landing)
 TEXTURE(1, landing_flux)
 TEXTURE(2, landing_footprint)
 TEXTURE(3, cell_flux)
-VARYING_FLAT(0, Vec4, near)
-VARYING_FLAT(4, Vec4, far)
-VARYING_FLAT(8, Vec3, flux)
+#include "passes/caustic_cells/rectangle_around.glsl"
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/landing_status.glsl"
 #include "passes/shared/quarters_left.glsl"
-#include "passes/shared/splat.glsl"
 #include "passes/shared/view_space.glsl"
 
 // A place on the map half a texel from its edge, if it lies nearer; others stay.
@@ -73,31 +70,8 @@ Footprint footprint_of(Vec4 place, Vec4 steps) {
   return print;
 }
 
-// The square of texels that a footprint touches, and whether there is one on the map.
-struct TexelSquare {
-  Vec2 corner;
-  Float size;
-  Bool touches;
-};
-
-TexelSquare square_around(IN(Footprint) print) {
-  Float side = Float(float(u.map_side));
-  Vec2 half_extent = Vec2(abs(print.x.x) + abs(print.y.x), abs(print.x.y) + abs(print.y.y));
-  Vec2 lower = print.middle - half_extent;
-  Vec2 upper = print.middle + half_extent;
-  Float left = clamp_to(floor(lower.x), Float(0.0f), side - 1.0f);
-  Float bottom = clamp_to(floor(lower.y), Float(0.0f), side - 1.0f);
-  Float right = clamp_to(floor(upper.x) + 1.0f, left + 1.0f, side);
-  Float top = clamp_to(floor(upper.y) + 1.0f, bottom + 1.0f, side);
-  TexelSquare square;
-  square.size = max_of(right - left, top - bottom);
-  square.corner = Vec2(min_of(left, side - square.size), min_of(bottom, side - square.size));
-  square.touches = upper.x >= 0.0f && upper.y >= 0.0f && lower.x <= side && lower.y <= side;
-  return square;
-}
-
 void main() {
-  Int id = vertex_id();
+  Int id = rectangle_id();
   Int row = id / Int(u.grid_side);
   Int column = id - row * Int(u.grid_side);
   Vec4 place = texel_fetch(landing, column, row);
@@ -108,15 +82,9 @@ void main() {
   Vec2 b = print.middle + print.x - print.y;
   Vec2 c = print.middle - print.x + print.y;
   Vec2 d = print.middle + print.x + print.y;
-  near = Vec4(a.x, a.y, b.x, b.y);
-  far = Vec4(c.x, c.y, d.x, d.y);
   flux = Vec3(carried) * part;
-  TexelSquare square = square_around(print);
-  float side = float(u.map_side);
-  Vec4 at = Vec4((square.corner.x * 2.0f + square.size) / side - 1.0f,
-                 (square.corner.y * 2.0f + square.size) / side - 1.0f, Float(0.5f), Float(1.0f));
-  set_position(splat_position(at, has_status(place, STATUS_LANDED) && part > 0.0f && square.touches));
-  set_point_size(square.size);
+  lay_quad(Vec4(a.x, a.y, b.x, b.y), Vec4(c.x, c.y, d.x, d.y), Float(float(u.map_side)),
+           has_status(place, STATUS_LANDED) && part > 0.0f);
 }
 #else
 #include "passes/caustic_cells/overlap.glsl"

@@ -52,6 +52,10 @@ struct PassDefinition {
   std::vector<ColorWrite> writes{};
   std::optional<DepthWrite> depth{};
   Topology topology = Topology::Triangles;
+  // Of rectangles that are added to what is there: the first of the eight varying components that are corners
+  // a, b, c and d, in pixels. Farther than kQuadMargin from the triangles (a, b, c) and (d, c, b) the shader
+  // gives zeros, so that a device may leave these fragments out.
+  std::optional<int> zero_outside_quad{};
   DepthState depth_state{};
   Cull cull = Cull::None;
   // Count the samples that pass the depth test (an occlusion query, 4.2.1).

@@ -6,7 +6,12 @@
 
 namespace caustics {
 
-enum class Topology : std::uint8_t { Triangles, Points };
+// A rectangle is drawn by one run of the vertex stage, without a mesh, and covers the pixels whose centres it
+// holds; those on its left and its lower edge too. Its varyings are flat.
+enum class Topology : std::uint8_t { Triangles, Points, Rectangles };
+
+// Pixels, of PassDefinition::zero_outside_quad.
+inline constexpr float kQuadMargin = 1.0f / 64.0f;
 
 // Depth test (17.3.4): an incoming fragment passes when `incoming compare stored`.
 enum class Compare : std::uint8_t { Always, Less, LessEqual, Greater, GreaterEqual, Equal, Never };

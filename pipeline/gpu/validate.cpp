@@ -32,6 +32,16 @@ void require_same_names(const PassDefinition& definition, const Listed& listed,
                            keyword + " lines agree");
 }
 
+// Fragments of zeros may be left out only where nobody can tell.
+void require_left_out_to_be_unseen(const PassDefinition& definition, const ShaderInterface& interface) {
+  const auto adds = [](const ColorWrite& write) { return write.blend == kAccumulate; };
+  const bool seen = definition.topology != Topology::Rectangles || definition.depth ||
+                    definition.count_samples || !std::ranges::all_of(definition.writes, adds);
+  if (seen) refuse(definition, "leaves out zeros that are not added; unset `zero_outside_quad`");
+  if (*definition.zero_outside_quad < 0 || *definition.zero_outside_quad + 8 > interface.varying_components())
+    refuse(definition, "has no eight varying components from `zero_outside_quad` on");
+}
+
 void require_distinct_names(const PassDefinition& definition) {
   std::set<std::string> seen;
   for (const ColorWrite& write : definition.writes)
@@ -66,6 +76,7 @@ void validate(const PassDefinition& definition) {
   const bool uses_depth = definition.depth_state.compare != Compare::Always || definition.depth_state.write;
   if (uses_depth && !definition.depth)
     refuse(definition, "tests or writes depth without a depth attachment; add `depth`");
+  if (definition.zero_outside_quad) require_left_out_to_be_unseen(definition, interface);
 }
 
 void validate(const PassRun& run, const Device& device) {
@@ -113,6 +124,8 @@ void validate(const PassRun& run, const Device& device) {
                              " bytes of uniforms, its shader '" + std::string(definition.shader->name) +
                              "' declares " + std::to_string(definition.shader->uniform_bytes()) +
                              "; fill the struct of its own text");
+    if (draw.mesh != MeshId::None && definition.topology == Topology::Rectangles)
+      refuse(definition, "draws rectangles of a mesh; draw them by number");
     if (draw.mesh == MeshId::None && !interface.attributes.empty())
       refuse(definition, "its shader has vertex attributes, but a draw has no mesh");
     for (const ShaderVariable& attribute : interface.attributes) {

@@ -98,6 +98,7 @@ PassDefinition definition_of(const Pass& pass, const Effects& effects, const Dra
                             .purpose = std::string(pass.purpose),
                             .depth = pass.depth,
                             .topology = pass.topology,
+                            .zero_outside_quad = pass.zero_outside_quad,
                             .depth_state = pass.depth_state,
                             .cull = pass.cull,
                             .count_samples = pass.count_samples,

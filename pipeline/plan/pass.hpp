@@ -110,16 +110,15 @@ inline constexpr DrawnFor kWater{.each = Each::Water};
 
 // What a pass draws.
 enum class DrawSet : std::uint8_t {
-  FullScreen,     // one triangle over all pixels
-  Receivers,      // every mesh that is a Receiver
-  Casters,        // every Refractor and Mirror
-  SolidCasters,   // every Refractor with two interfaces
-  ThinPanes,      // every ThinPane
-  GridVertices,   // grid * grid points
-  GridColumns,    // grid points
-  GridCells,      // (grid - 1) * (grid - 1) points
-  GridCellQuads,  // (grid - 1) * (grid - 1) quadrilaterals of two triangles
-  Beams,          // beams * beams quadrilaterals of two triangles
+  FullScreen,    // one triangle over all pixels
+  Receivers,     // every mesh that is a Receiver
+  Casters,       // every Refractor and Mirror
+  SolidCasters,  // every Refractor with two interfaces
+  ThinPanes,     // every ThinPane
+  GridVertices,  // grid * grid points
+  GridColumns,   // grid points
+  GridCells,     // (grid - 1) * (grid - 1) rectangles
+  Beams,         // beams * beams quadrilaterals of two triangles
 };
 
 struct TargetSize {
@@ -258,6 +257,7 @@ struct Pass {
   // light's. None: to whom it is drawn for.
   std::optional<Each> owner{};
   Topology topology = Topology::Triangles;
+  std::optional<int> zero_outside_quad{};  // as in PassDefinition
   DepthState depth_state{};
   Cull cull = Cull::None;
   bool count_samples = false;

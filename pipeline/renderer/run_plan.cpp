@@ -36,7 +36,6 @@ bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
     case DrawSet::GridVertices:
     case DrawSet::GridColumns:
     case DrawSet::GridCells:
-    case DrawSet::GridCellQuads:
     case DrawSet::Beams:
       return false;
   }
@@ -77,10 +76,6 @@ class PassRunner {
       case DrawSet::GridCells:
         if (const int cells = inputs_.settings->grid - 1; cells > 0)
           run.draws.push_back(draw(pass, planned, context, MeshId::None, cells * cells));
-        break;
-      case DrawSet::GridCellQuads:
-        if (const int cells = inputs_.settings->grid - 1; cells > 0)
-          run.draws.push_back(draw(pass, planned, context, MeshId::None, 6 * cells * cells));
         break;
       case DrawSet::Beams: {
         const int beams = beams_a_side(*inputs_.settings);

@@ -41,6 +41,18 @@ out gl_PerVertex { precise vec4 gl_Position; float gl_PointSize; };
 #endif
 #define set_position(p) gl_Position = (p)
 #define set_point_size(s) gl_PointSize = (s)
+// A rectangle is two triangles.
+#define rectangle_id() (gl_VertexID / 6)
+#define set_rectangle(lower, upper) gl_Position = corner_of_rectangle(lower, upper)
+vec4 corner_of_rectangle(vec2 lower, vec2 upper) {
+  int corner = gl_VertexID % 6;
+  bool to_right = corner == 1 || corner == 2 || corner == 4;
+  bool upwards = corner == 2 || corner == 4 || corner == 5;
+  vec2 a = clamp(lower, -1.0f, 1.0f);
+  vec2 b = clamp(upper, -1.0f, 1.0f);
+  bool seen = a.x < b.x && a.y < b.y;
+  return seen ? vec4(to_right ? b.x : a.x, upwards ? b.y : a.y, 0.5f, 1.0f) : vec4(2.0f, 2.0f, 2.0f, 1.0f);
+}
 #else
 #define ATTRIBUTE(component, T, name)
 #define VARYING_SMOOTH(component, T, name) in T name;

@@ -112,6 +112,10 @@ struct VertexStage {
   }
   void set_position(const Vec4& p) const { store_rows(block.position, lane, p); }
   void set_point_size(const Float& s) const { store(block.point_size + lane, s); }
+  Int rectangle_id() const { return vertex_id(); }
+  void set_rectangle(const Vec2& lower, const Vec2& upper) const {
+    set_position(Vec4(lower.x, lower.y, upper.x, upper.y));
+  }
 };
 
 struct FragmentStage {

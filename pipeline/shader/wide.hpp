@@ -158,25 +158,20 @@ void gather_texels(const TexelOf& texel, int channels, Float out[4]) {
   }
 #endif
   alignas(64) float value[4][kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const float* p = texel(lane);
-    value[0][lane] = p[0];
-    value[1][lane] = channels > 1 ? p[1] : 0.0f;
-    value[2][lane] = channels > 2 ? p[2] : 0.0f;
-    value[3][lane] = channels > 3 ? p[3] : 1.0f;
+  for (int channel = 0; channel < 4; ++channel) {
+    if (channel >= channels) {
+      out[channel] = Float(channel < 3 ? 0.0f : 1.0f);
+      continue;
+    }
+    for (int lane = 0; lane < kLanes; ++lane) value[channel][lane] = texel(lane)[channel];
+    load(value[channel], out[channel]);
   }
-  for (int channel = 0; channel < 4; ++channel) load(value[channel], out[channel]);
 }
 
+// A texture has less than 2^31 texels.
 inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
-  alignas(64) std::int32_t column[kLanes], row[kLanes];
-  __builtin_memcpy(column, &x.v, sizeof column);
-  __builtin_memcpy(row, &y.v, sizeof row);
+  const Int index = y * Int(t.width) + x;
   gather_texels(
-      [&](int lane) {
-        return t.texels + (static_cast<std::size_t>(row[lane]) * static_cast<std::size_t>(t.width) +
-                           static_cast<std::size_t>(column[lane])) *
-                              static_cast<std::size_t>(t.channels);
-      },
+      [&](int lane) { return t.texels + static_cast<std::ptrdiff_t>(lane_of(index, lane)) * t.channels; },
       t.channels, out);
 }

@@ -2,7 +2,7 @@
 //
 // The first map holds all flux and is what the ledger counts. The cascade shows a part of it again through a
 // smaller window, finer by as much; shading takes the cascade where it reaches and the first map elsewhere
-// (passes/cascade_cells/cascade_cells.md).
+// (passes/caustic_cells/caustic_cells.md).
 #pragma once
 #include <optional>
 #include <vector>

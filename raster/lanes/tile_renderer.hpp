@@ -91,16 +91,60 @@ inline void write_color(const TileColor& target, float* texel, const float* colo
     if (target.mask[c]) texel[c] = quantized(target.format, result[c]);
 }
 
+// How a fragment gets into a target. What a target of one channel holds beside it is never stored.
+enum class Merging { General, Replace, Add, AddOneChannel };
+
+inline Merging merging_of(const TileColor& target) {
+  const bool one_channel = target.format == Format::R32F;
+  const bool all = target.mask[0] && (one_channel || (target.mask[1] && target.mask[2] && target.mask[3]));
+  if (!all || !(one_channel || target.format == Format::RGBA32F)) return Merging::General;
+  const BlendState& blend = target.blend;
+  if (!blend.enabled) return Merging::Replace;
+  const bool adds = blend.equation == BlendEquation::Add && blend.source == BlendFactor::One &&
+                    blend.destination == BlendFactor::One;
+  return !adds ? Merging::General : one_channel ? Merging::AddOneChannel : Merging::Add;
+}
+
+struct Span {
+  float first, last;
+};
+
+// Lengthens a span of a row by what of an edge lies in it.
+inline void add_edge(Span& span, const float* p, const float* q, float lower, float upper) {
+  if (p[1] > q[1]) {
+    const float* const swapped = p;
+    p = q;
+    q = swapped;
+  }
+  if (q[1] < lower || p[1] > upper) return;
+  const float rise = q[1] - p[1];
+  const float slope = rise > 0.0f ? (q[0] - p[0]) / rise : 0.0f;
+  const float from = p[1] < lower ? p[0] + (lower - p[1]) * slope : p[0];
+  const float to = q[1] > upper ? p[0] + (upper - p[1]) * slope : q[0];
+  const float left = from < to ? from : to, right = from < to ? to : from;
+  if (left < span.first) span.first = left;
+  if (right > span.last) span.last = right;
+}
+
+// Where a row of pixels meets the triangles (a, b, c) and (d, c, b), with the margin: none of it where
+// `first` is larger. Rounding takes less than half of the margin: corners are less than 2^15 pixels apart.
+inline Span quad_span(const float* corners, int row) {
+  const float *const a = corners, *const b = corners + 2, *const c = corners + 4, *const d = corners + 6;
+  const float lower = static_cast<float>(row) - kQuadMargin,
+              upper = static_cast<float>(row + 1) + kQuadMargin;
+  Span span{1e30f, -1e30f};
+  add_edge(span, a, b, lower, upper);
+  add_edge(span, c, a, lower, upper);
+  add_edge(span, b, c, lower, upper);
+  add_edge(span, d, c, lower, upper);
+  add_edge(span, b, d, lower, upper);
+  return {span.first - kQuadMargin, span.last + kQuadMargin};
+}
+
 class TileRenderer {
  public:
   TileRenderer(const TileJob& job, TileCounters& counters) : job_(job), counters_(counters) {
-    for (int i = 0; i < job.color_count; ++i) {
-      const TileColor& t = job.colors[i];
-      plain_add_[i] = t.format == Format::RGBA32F && t.blend.enabled &&
-                      t.blend.equation == BlendEquation::Add && t.blend.source == BlendFactor::One &&
-                      t.blend.destination == BlendFactor::One && t.mask[0] && t.mask[1] && t.mask[2] &&
-                      t.mask[3];
-    }
+    for (int i = 0; i < job.color_count; ++i) merging_[i] = merging_of(job.colors[i]);
   }
 
   void run() {
@@ -120,9 +164,42 @@ class TileRenderer {
   void draw_point(const PointRecord& point) {
     const int x_last = smaller(point.x_last, job_.x + job_.width - 1);
     const int y_last = smaller(point.y_last, job_.y + job_.height - 1);
-    for (int y = larger(point.y_first, job_.y); y <= y_last; ++y)
-      for (int x = larger(point.x_first, job_.x); x <= x_last; ++x)
-        add(x, y, point.z, nullptr, point.varyings, -1, 0);
+    const int x_first = larger(point.x_first, job_.x), y_first = larger(point.y_first, job_.y);
+    const bool narrows = job_.zero_outside_quad >= 0 && x_last - x_first >= 3 && y_last > y_first;
+    for (int y = y_first; y <= y_last; ++y) {
+      if (!narrows) {
+        add_row(x_first, x_last, y, point);
+        continue;
+      }
+      const Span span = quad_span(point.varyings + job_.zero_outside_quad, y);
+      if (!(span.first <= span.last)) continue;
+      const float first = static_cast<float>(x_first), last = static_cast<float>(x_last);
+      // Truncated below 0 too: there the row begins anyway.
+      add_row(static_cast<int>(span.first > first ? span.first : first),
+              static_cast<int>(span.last < last ? span.last : last), y, point);
+    }
+  }
+
+  void add_row(int x_first, int x_last, int y, const PointRecord& point) {
+    if (job_.depth) {
+      for (int x = x_first; x <= x_last; ++x) add(x, y, point.z, nullptr, point.varyings, -1, 0);
+      return;
+    }
+    const int pixel = (y - job_.y) * kTile - job_.x;
+    for (int x = x_first; x <= x_last;) {
+      const int end = smaller(x_last + 1, x + kBlock - count_);
+      for (; x < end; ++x, ++count_) {
+        pixel_[count_] = pixel + x;
+        x_[count_] = static_cast<float>(x);
+        y_[count_] = static_cast<float>(y);
+        z_[count_] = point.z;
+        planes_[count_] = nullptr;
+        constant_[count_] = point.varyings;
+        front_[count_] = -1;
+        primitive_[count_] = 0;
+      }
+      if (count_ == kBlock) flush();
+    }
   }
 
   void draw_triangle(const TriangleRecord& t) {
@@ -285,23 +362,28 @@ class TileRenderer {
       if (job_.test_depth_late && !depth_passes(pixel_[lane], z_[lane])) continue;
       if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
       ++counters_.samples_passed;
-      for (int i = 0; i < job_.color_count; ++i) {
-        const TileColor& target = job_.colors[i];
-        float* texel = target.texels[pixel_[lane]];
-        float color[4];
-        for (int c = 0; c < 4; ++c) color[c] = outputs_[4 * i + c][lane];
-        if (plain_add_[i]) {
-          for (int c = 0; c < 4; ++c) texel[c] = color[c] + texel[c];
-        } else {
-          write_color(target, texel, color);
-        }
-      }
+      for (int i = 0; i < job_.color_count; ++i) merge_color(i, lane);
     }
+  }
+
+  void merge_color(int i, int lane) {
+    const TileColor& target = job_.colors[i];
+    float* texel = target.texels[pixel_[lane]];
+    const float(*outputs)[kBlock] = outputs_ + 4 * i;
+    if (merging_[i] == Merging::AddOneChannel) {
+      texel[0] = outputs[0][lane] + texel[0];
+      return;
+    }
+    float color[4];
+    for (int c = 0; c < 4; ++c) color[c] = outputs[c][lane];
+    if (merging_[i] == Merging::General) return write_color(target, texel, color);
+    const bool adds = merging_[i] == Merging::Add;
+    for (int c = 0; c < 4; ++c) texel[c] = adds ? color[c] + texel[c] : color[c];
   }
 
   const TileJob& job_;
   TileCounters& counters_;
-  bool plain_add_[kMaxColors] = {};
+  Merging merging_[kMaxColors] = {};
   int count_ = 0;
   int pixel_[kBlock];
   alignas(64) float x_[kBlock], y_[kBlock], z_[kBlock];

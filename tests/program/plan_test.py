@@ -23,7 +23,7 @@ BYTES = {
     "compose": (PICTURE, 16), "compose.surroundings": (AROUND, 16), "caster_map.camera": (PICTURE, 36),
     "caster_exit_map.camera": (PICTURE, 36), "glass": (PICTURE, 16), "view_panes": (PICTURE, 0),
     "view_panes.mirrored": (PICTURE, 0), "tone_map": (PICTURE, 4), "caustic_map": (MAP, 0),
-    "cascade_cells.cascade": (MAP, 0), "caustic_map.cascade": (MAP, 0), "receiver_map.far": (MAP, 20),
+    "caustic_cells.cascade": (MAP, 0), "caustic_map.cascade": (MAP, 0), "receiver_map.far": (MAP, 20),
     "landing.far": (GRID, 64), "cells.far": (GRID, 48), "caustic_cells.far": (MAP, 0),
     "caustic_map.far": (MAP, 0),
 }
@@ -36,7 +36,7 @@ MAPS = ("caustic_map", "caustic_map.cascade", "caustic_map.far")
 CAMERA = ["view_surfaces", "light_shading", "compose", "tone_map"]
 CAUSTIC = ["caster_map", "receiver_map", "landing", "cells", "caustic_cells", "caustic_map"]
 # Of lights whose caustic is small in its map.
-CASCADE = ["cascade_cells.cascade", "caustic_map.cascade"]
+CASCADE = ["caustic_cells.cascade", "caustic_map.cascade"]
 # Of receivers that are not one plane; both receiver maps are twice as wide and high then.
 FAR = ["receiver_map.far", "landing.far", "cells.far", "caustic_cells.far", "caustic_map.far"]
 SEEN = CAMERA + ["view_surfaces.surroundings", "light_shading.surroundings", "compose.surroundings",
@@ -168,7 +168,7 @@ class SampleScenes(PlanTest):
         self.assertEqual(passes["cells"]["fragments"], GRID)
         self.assertEqual(passes["caustic_cells"]["vertices"], 31 * 31)
         self.assertEqual(passes["caustic_map"]["vertices"], GRID)
-        self.assertEqual(passes["cascade_cells.cascade"]["vertices"], 6 * 31 * 31)
+        self.assertEqual(passes["caustic_cells.cascade"]["vertices"], 31 * 31)
         self.assertEqual(passes["caustic_map.cascade"]["vertices"], GRID)
         self.assertEqual(passes["light_shading"]["fragments"], PICTURE)
         self.assertEqual(passes["light_shading.surroundings"]["fragments"], AROUND)

@@ -2,3 +2,4 @@
 caustics_add_shader(caustics_tests raster_probe TEXT tests/raster/shaders/raster_probe.glsl)
 caustics_add_shader(caustics_tests raster_two_targets TEXT tests/raster/shaders/raster_two_targets.glsl)
 caustics_add_shader(caustics_tests raster_discard TEXT tests/raster/shaders/raster_discard.glsl)
+caustics_add_shader(caustics_tests raster_rectangles TEXT tests/raster/shaders/raster_rectangles.glsl)

@@ -1,4 +1,0 @@
-vec2 scale;   // from texels of the caustic map to those of the cascade
-vec2 offset;
-int cells_a_side;
-int map_side;  // texels
