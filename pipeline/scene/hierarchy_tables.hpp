@@ -39,8 +39,8 @@ std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMes
 std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes);
 
 // `rows`: by Scene::meshes, of caster_materials. `touch`: metres that every box is larger on each side.
-// Throws Error (BadInput) for more than kMostTriangles.
+// `threads`: as TriangleTree has it. Throws Error (BadInput) for more than kMostTriangles.
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
-                                 const std::vector<int>& rows, float touch);
+                                 const std::vector<int>& rows, float touch, int threads = 0);
 
 }  // namespace caustics
