@@ -118,9 +118,10 @@ struct Met {
 };
 
 // Are two walks apart by no more than rounding? They meet the same triangle, or such as are equally far, or
-// the nearer of both is met at its border.
+// the nearer of both is met at its border, or at the ray's start, so that it may as well lie behind.
 bool equal_but_for_rounding(const Mesh& mesh, const AimedRay& ray, const Met& a, const Met& b) {
   if (a.triangle == b.triangle || std::fabs(a.distance - b.distance) <= kRounding) return true;
+  if (std::min(a.distance, b.distance) <= kRounding) return true;
   const int nearer = a.distance <= b.distance ? a.triangle : b.triangle;
   return metres_from_border(ray, corners_of(mesh, static_cast<std::size_t>(nearer))) <= kRounding;
 }
