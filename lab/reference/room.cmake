@@ -1,9 +1,4 @@
-# The light tracer's ray queries and threads. Without Embree the rest of the room builds, and the tracer says
-# so.
-if(TARGET TBB::tbb)
-  target_link_libraries(caustics_reference PRIVATE TBB::tbb)
-  target_compile_definitions(caustics_reference PRIVATE CAUSTICS_HAS_TBB=1)
-endif()
+# The light tracer's ray queries. Without Embree the rest of the room builds, and the tracer says so.
 find_package(embree 4 CONFIG QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3 CONFIG QUIET)

@@ -14,13 +14,13 @@ struct CasterTriangle {
 // `number`: a whole number, of a triangle that there is.
 CasterTriangle fetch_triangle(Float number) {
   Int at = Int(number) * 3;
-  Vec4 normal0 = table_fetch(hierarchy_normals, at);
-  Vec4 normal1 = table_fetch(hierarchy_normals, at + 1);
-  Vec4 normal2 = table_fetch(hierarchy_normals, at + 2);
+  Vec4 normal0 = table_fetch(hierarchy_normals, at, 0);
+  Vec4 normal1 = table_fetch(hierarchy_normals, at, 1);
+  Vec4 normal2 = table_fetch(hierarchy_normals, at, 2);
   Int place = Int(normal0.w) * 3;
-  Vec4 corner0 = table_fetch(hierarchy_triangles, place);
-  Vec4 corner1 = table_fetch(hierarchy_triangles, place + 1);
-  Vec4 corner2 = table_fetch(hierarchy_triangles, place + 2);
+  Vec4 corner0 = table_fetch(hierarchy_triangles, place, 0);
+  Vec4 corner1 = table_fetch(hierarchy_triangles, place, 1);
+  Vec4 corner2 = table_fetch(hierarchy_triangles, place, 2);
   CasterTriangle triangle;
   triangle.corner = Vec3(corner0);
   triangle.edge1 = Vec3(corner1) - triangle.corner;

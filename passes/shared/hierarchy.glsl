@@ -64,9 +64,10 @@ Float counted_distance(Float distance, Float number, Bool front) {
 // 0 counts as inside (Woop, Benthin, Wald 2013). Of two triangles at the same distance the one with the
 // smaller number is met.
 void meet_triangle(IN(WalkingRay) walking, Int place, Bool wanted, INOUT(NearestTriangle) nearest) {
-  Vec4 corner0 = table_fetch(hierarchy_triangles, place * 3);
-  Vec4 corner1 = table_fetch(hierarchy_triangles, place * 3 + 1);
-  Vec4 corner2 = table_fetch(hierarchy_triangles, place * 3 + 2);
+  Int first = place * 3;
+  Vec4 corner0 = table_fetch(hierarchy_triangles, first, 0);
+  Vec4 corner1 = table_fetch(hierarchy_triangles, first, 1);
+  Vec4 corner2 = table_fetch(hierarchy_triangles, first, 2);
   Vec3 a = along_ray(walking, corner0);
   Vec3 b = along_ray(walking, corner1);
   Vec3 c = along_ray(walking, corner2);
@@ -104,10 +105,11 @@ struct Children {
 };
 
 Children children_of(IN(WalkingRay) walking, Int node, Float nearest) {
-  Vec4 lower0 = table_fetch(hierarchy_nodes, node * 4);
-  Vec4 upper0 = table_fetch(hierarchy_nodes, node * 4 + 1);
-  Vec4 lower1 = table_fetch(hierarchy_nodes, node * 4 + 2);
-  Vec4 upper1 = table_fetch(hierarchy_nodes, node * 4 + 3);
+  Int first = node * 4;
+  Vec4 lower0 = table_fetch(hierarchy_nodes, first, 0);
+  Vec4 upper0 = table_fetch(hierarchy_nodes, first, 1);
+  Vec4 lower1 = table_fetch(hierarchy_nodes, first, 2);
+  Vec4 upper1 = table_fetch(hierarchy_nodes, first, 3);
   Float distance0 = box_distance(walking, lower0, upper0, nearest);
   Float distance1 = box_distance(walking, lower1, upper1, nearest);
   Int code0 = child_code(lower0.w, upper0.w);

@@ -84,10 +84,14 @@ void SceneOnDevice::number_triangles(const Effects& effects) {
 }
 
 void SceneOnDevice::upload_hierarchy() const {
-  const HierarchyTables tables = hierarchy_tables(scene_, hierarchy_, rows_, touch_);
-  externals_[kHierarchyTriangles] = {device_, device_.upload(tables.triangles)};
-  externals_[kHierarchyNormals] = {device_, device_.upload(tables.normals)};
-  externals_[kHierarchyNodes] = {device_, device_.upload(tables.nodes)};
+  HierarchyTables tables = hierarchy_tables(scene_, hierarchy_, rows_, touch_);
+  const auto upload = [this](const char* name, Image& table) {
+    externals_[name] = {device_, device_.upload(table)};
+    table = {};  // of a million triangles each is some 50 MB
+  };
+  upload(kHierarchyTriangles, tables.triangles);
+  upload(kHierarchyNormals, tables.normals);
+  upload(kHierarchyNodes, tables.nodes);
 }
 
 TextureId SceneOnDevice::external(const std::string& name) const {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
 
 namespace caustics {
@@ -46,13 +47,13 @@ const Vertex& corner(const Mesh& mesh, int triangle, std::size_t k) {
 using Node = TriangleTree::Node;
 
 // Inner nodes in the tree's order. A tree of one leaf gets an inner node with that leaf alone.
-Image node_table(const TriangleTree& tree, float touch) {
+Image node_table(const TriangleTree& tree, float touch, int threads) {
   const std::vector<Node>& nodes = tree.nodes();
-  std::vector<std::size_t> place(nodes.size(), 0);
-  std::size_t inner = 0;
+  std::vector<std::uint32_t> place(nodes.size(), 0);
+  std::uint32_t inner = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].count == 0) place[i] = inner++;
-  Table table(4 * std::max<std::size_t>(inner, 1));
+  Table table(4 * std::size_t{std::max(inner, 1u)});
   const auto put = [&](std::size_t texel, const Node& child, std::size_t index) {
     table.set(texel, child.lower - touch,
               child.count > 0 ? static_cast<float>(child.first) : static_cast<float>(place[index]));
@@ -64,12 +65,14 @@ Image node_table(const TriangleTree& tree, float touch) {
     put(0, nodes.empty() ? nothing : nodes.front(), 0);
     put(2, nothing, 0);
   }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].count > 0) continue;
-    const std::size_t right = nodes[i].first;
-    put(4 * place[i], nodes[i + 1], i + 1);
-    put(4 * place[i] + 2, nodes[right], right);
-  }
+  in_runs(nodes.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (nodes[i].count > 0) continue;
+      const std::size_t right = nodes[i].first, texel = 4 * std::size_t{place[i]};
+      put(texel, nodes[i + 1], i + 1);
+      put(texel + 2, nodes[right], right);
+    }
+  });
   return table.image();
 }
 
@@ -91,7 +94,7 @@ std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes)
 }
 
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
-                                 const std::vector<int>& rows, float touch) {
+                                 const std::vector<int>& rows, float touch, int threads) {
   const auto count =
       static_cast<std::size_t>(triangles_of(scene, meshes.casters) + triangles_of(scene, meshes.receivers));
   if (count > kMostTriangles)
@@ -101,10 +104,10 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
                                         "; simplify their meshes, or give --interfaces 2");
   std::vector<int> all = meshes.casters;
   all.insert(all.end(), meshes.receivers.begin(), meshes.receivers.end());
-  const TriangleTree tree(scene, all);
+  const TriangleTree tree(scene, all, threads);
   const std::vector<std::int64_t> first = first_triangles(scene, meshes);
   Table triangles(3 * count), normals(3 * count);
-  for (std::size_t place = 0; place < tree.triangles().size(); ++place) {
+  const auto put = [&](std::size_t place) {
     const TriangleId& id = tree.triangles()[place];
     const auto m = static_cast<std::size_t>(id.mesh);
     const Mesh& mesh = scene.meshes[m];
@@ -116,8 +119,11 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
       normals.set(3 * number + k, corner(mesh, id.triangle, k).normal,
                   k == 0 ? static_cast<float>(place) : 0.0f);
     }
-  }
-  return {node_table(tree, touch), triangles.image(), normals.image()};
+  };
+  in_runs(tree.triangles().size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) put(place);
+  });
+  return {node_table(tree, touch, threads), triangles.image(), normals.image()};
 }
 
 }  // namespace caustics

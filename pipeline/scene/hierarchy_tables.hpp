@@ -38,9 +38,14 @@ std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMes
 // Of the first receiver: as many as casters have.
 std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes);
 
+// Made anew for each moment of a scene that moves, in 0.7 us a triangle on one thread. New boxes in the old
+// tree would take a tenth of that; but rays then walk up to 15 % longer after a turn of 30 degrees, and 1.2
+// to 3 times as long after a twist of 180, and a frame walks more than it builds: of 512 x 512 rays through
+// 16 surfaces 0.2 s to 0.003 with 6000 triangles, 0.4 s to 0.06 with 86,000.
+//
 // `rows`: by Scene::meshes, of caster_materials. `touch`: metres that every box is larger on each side.
-// Throws Error (BadInput) for more than kMostTriangles.
+// `threads`: as TriangleTree has it. Throws Error (BadInput) for more than kMostTriangles.
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
-                                 const std::vector<int>& rows, float touch);
+                                 const std::vector<int>& rows, float touch, int threads = 0);
 
 }  // namespace caustics

@@ -151,6 +151,29 @@ TEST_CASE("hierarchy tables: of a larger tree every place is in one leaf, and in
   CHECK(outside == 0);
 }
 
+TEST_CASE("hierarchy tables: any number of threads makes the same bits") {
+  // Enough for several parts that are built by themselves (4096 triangles), and for several runs of 8192: of
+  // a row, of triangles in one place, and of sizes that are divided as deep as may be.
+  std::vector<Mesh> meshes{row_of(30'000, 0.0f, 1.0f), geometric(1e37, 1.5, 200, 20'000)};
+  meshes.push_back(meshes[0]);
+  for (std::size_t i = 0; i < meshes[2].vertices.size(); ++i)
+    meshes[2].vertices[i] = meshes[0].vertices[i % 3];
+  for (const Mesh& mesh : meshes) {
+    Scene scene;
+    scene.meshes = {mesh};
+    const auto made = [&](int threads) {
+      return hierarchy_tables(scene, {.casters = {0}, .receivers = {}, .bodies = {0}}, {0}, 0.25f, threads);
+    };
+    const HierarchyTables alone = made(1);
+    for (const int threads : {0, 2, 3, 7, 16}) {
+      const HierarchyTables several = made(threads);
+      CHECK(sha256(several.nodes) == sha256(alone.nodes));
+      CHECK(sha256(several.triangles) == sha256(alone.triangles));
+      CHECK(sha256(several.normals) == sha256(alone.normals));
+    }
+  }
+}
+
 TEST_CASE("hierarchy tables: a tree of one leaf has a node with that and a child that nothing meets") {
   const HierarchyTables tables = tables_of(row_of(1, 3.0f, 1.0f));
   CHECK(entry(tables.nodes, 0) == glm::vec4(3.0f, 1.0f, 0.0f, 0.0f));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 
 namespace caustics {
 
@@ -69,88 +70,175 @@ struct TriangleTree::Builder {
       return std::min(static_cast<int>((item.middle()[axis] - lower) * scale), kBins - 1);
     }
   };
-  using Items = std::vector<Item>::iterator;
-
-  TriangleTree& tree;
-  std::vector<Item> items;
-
-  void gather(const Scene& scene, const std::vector<int>& meshes) {
-    for (const int m : meshes) {
-      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
-      for (std::size_t t = 0; 3 * t + 2 < mesh.indices.size(); ++t) {
-        Item item{.id = {m, static_cast<int>(t)}, .box = {}};
-        if (plane_normal(scene, item.id) == glm::dvec3(0.0)) continue;
-        for (int k = 0; k < 3; ++k) item.box.add(vertex_of(scene, item.id, k).position);
-        items.push_back(item);
+  using Items = Item*;
+  // What lies around triangles, and around their middles.
+  struct Extent {
+    Box box, middles;
+    Extent(Items begin, Items end) {
+      for (Items i = begin; i != end; ++i) {
+        box.add(i->box);
+        middles.add(i->middle());
       }
     }
+  };
+  // Triangles that are divided by themselves: into two others, `left` and the one after it, or in `nodes`.
+  struct Part {
+    Items begin, end;
+    int depth = 0;
+    Box box{};
+    std::size_t left = 0;  // 0: none
+    std::vector<Node> nodes{};
+  };
+  // What a part has at most before it is divided further on one thread. Its size shows in no result.
+  static constexpr std::ptrdiff_t kPart = 4096;
+  TriangleTree& tree;
+  int threads;
+  std::vector<Item> items{};
+
+  void gather(const std::vector<int>& meshes) {
+    std::size_t sum = 0;
+    for (const int m : meshes) sum += tree.scene_.meshes[static_cast<std::size_t>(m)].indices.size() / 3;
+    items.reserve(sum);
+    for (const int m : meshes) {
+      const std::size_t count = tree.scene_.meshes[static_cast<std::size_t>(m)].indices.size() / 3;
+      for (std::size_t t = 0; t < count; ++t) items.push_back({.id = {m, static_cast<int>(t)}, .box = {}});
+    }
+    in_runs(items.size(), threads, [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) {
+        Item& item = items[i];
+        if (plane_normal(tree.scene_, item.id) == glm::dvec3(0.0))
+          item.id.mesh = -1;
+        else
+          for (int k = 0; k < 3; ++k) item.box.add(vertex_of(tree.scene_, item.id, k).position);
+      }
+    });
+    std::erase_if(items, [](const Item& item) { return item.id.mesh < 0; });
   }
 
-  Split best_split(Items begin, Items end) const {
-    Box middles;
-    for (Items i = begin; i != end; ++i) middles.add(i->middle());
-    Split best;
-    double least = std::numeric_limits<double>::infinity();
+  static Split best_split(Items begin, Items end, const Box& middles) {
+    std::array<Split, 3> splits;
+    std::array<std::array<Bin, kBins>, 3> bins;
     for (int axis = 0; axis < 3; ++axis) {
       const float extent = middles.upper[axis] - middles.lower[axis];
-      if (!(extent > 0.0f)) continue;
-      Split split{.axis = axis, .bin = 0, .lower = middles.lower[axis], .scale = kBins / extent};
-      if (!std::isfinite(split.scale)) continue;
-      std::array<Bin, kBins> bins, right;
-      for (Items i = begin; i != end; ++i) bins[static_cast<std::size_t>(split.bin_of(*i))].add({i->box, 1});
-      right.back() = bins.back();
-      for (std::size_t b = kBins - 1; b-- > 0;) {
-        right[b] = bins[b];
-        right[b].add(right[b + 1]);
-      }
-      Bin left;
-      for (int b = 0; b + 1 < kBins; ++b) {
-        left.add(bins[static_cast<std::size_t>(b)]);
-        const double cost = left.cost() + right[static_cast<std::size_t>(b) + 1].cost();
-        if (!(cost < least)) continue;
-        least = cost;
-        best = split;
-        best.bin = b;
-      }
+      const Split split{.axis = axis, .bin = 0, .lower = middles.lower[axis], .scale = kBins / extent};
+      if (extent > 0.0f && std::isfinite(split.scale)) splits[static_cast<std::size_t>(axis)] = split;
     }
+    for (Items i = begin; i != end; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (splits[axis].axis >= 0)
+          bins[axis][static_cast<std::size_t>(splits[axis].bin_of(*i))].add({i->box, 1});
+    Split best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (splits[axis].axis >= 0) take_better(splits[axis], bins[axis], best, least);
     return best;
   }
 
-  // Where the right half begins.
-  Items divide(Items begin, Items end, int depth) const {
+  static void take_better(const Split& split, const std::array<Bin, kBins>& bins, Split& best,
+                          double& least) {
+    std::array<Bin, kBins> right;
+    right.back() = bins.back();
+    for (std::size_t b = kBins - 1; b-- > 0;) {
+      right[b] = bins[b];
+      right[b].add(right[b + 1]);
+    }
+    Bin left;
+    for (int b = 0; b + 1 < kBins; ++b) {
+      left.add(bins[static_cast<std::size_t>(b)]);
+      const double cost = left.cost() + right[static_cast<std::size_t>(b) + 1].cost();
+      if (!(cost < least)) continue;
+      least = cost;
+      best = split;
+      best.bin = b;
+    }
+  }
+
+  // Where the right half begins. Both keep their order.
+  static Items divide(Items begin, Items end, int depth, const Box& middles) {
     const Items half = begin + (end - begin) / 2;
     if (depth >= kDeepestSplit) return half;
-    const Split split = best_split(begin, end);
+    const Split split = best_split(begin, end, middles);
     if (split.axis < 0) return half;
     const Items middle =
         std::stable_partition(begin, end, [&](const Item& item) { return split.bin_of(item) <= split.bin; });
     return middle == begin || middle == end ? half : middle;
   }
 
-  void build(Items begin, Items end, int depth = 0) {
-    const std::size_t at = tree.nodes_.size();
-    Box box;
-    for (Items i = begin; i != end; ++i) box.add(i->box);
-    tree.nodes_.push_back({.lower = box.lower, .upper = box.upper});
+  void build(std::vector<Node>& nodes, Items begin, Items end, int depth) const {
+    const std::size_t at = nodes.size();
+    const Extent extent(begin, end);
+    nodes.push_back({.lower = extent.box.lower, .upper = extent.box.upper});
     const auto count = static_cast<std::size_t>(end - begin);
     if (count <= kLeafSize) {
-      tree.nodes_[at].first = static_cast<std::uint32_t>(tree.triangles_.size());
-      tree.nodes_[at].count = static_cast<std::uint32_t>(count);
-      for (Items i = begin; i != end; ++i) tree.triangles_.push_back(i->id);
+      nodes[at].first = static_cast<std::uint32_t>(begin - items.data());
+      nodes[at].count = static_cast<std::uint32_t>(count);
       return;
     }
-    const Items middle = divide(begin, end, depth);
-    build(begin, middle, depth + 1);
-    tree.nodes_[at].first = static_cast<std::uint32_t>(tree.nodes_.size());
-    build(middle, end, depth + 1);
+    const Items middle = divide(begin, end, depth, extent.middles);
+    build(nodes, begin, middle, depth + 1);
+    nodes[at].first = static_cast<std::uint32_t>(nodes.size());
+    build(nodes, middle, end, depth + 1);
+  }
+
+  // Level by level, the parts of a level at once.
+  std::vector<Part> parts() {
+    std::vector<Part> parts{{.begin = items.data(), .end = items.data() + items.size()}};
+    for (std::size_t first = 0; first < parts.size();) {
+      const std::size_t end = parts.size();
+      std::vector<Items> middles(end - first, nullptr);
+      in_pieces(static_cast<int>(end - first), threads, [&](int i) {
+        Part& part = parts[first + static_cast<std::size_t>(i)];
+        if (part.end - part.begin <= kPart) return build(part.nodes, part.begin, part.end, part.depth);
+        const Extent extent(part.begin, part.end);
+        part.box = extent.box;
+        middles[static_cast<std::size_t>(i)] = divide(part.begin, part.end, part.depth, extent.middles);
+      });
+      for (std::size_t i = first; i < end; ++i) {
+        const Items middle = middles[i - first];
+        if (!middle) continue;
+        const Part part = parts[i];
+        parts[i].left = parts.size();
+        parts.push_back({.begin = part.begin, .end = middle, .depth = part.depth + 1});
+        parts.push_back({.begin = middle, .end = part.end, .depth = part.depth + 1});
+      }
+      first = end;
+    }
+    return parts;
+  }
+
+  // Each part's nodes where they would be, had all been built in one go.
+  void join(std::vector<Part>& parts, std::size_t at = 0) {
+    Part& part = parts[at];
+    const std::size_t first = tree.nodes_.size();
+    if (part.left == 0) {
+      for (Node node : part.nodes) {
+        if (node.count == 0) node.first += static_cast<std::uint32_t>(first);
+        tree.nodes_.push_back(node);
+      }
+      part.nodes = {};
+      return;
+    }
+    tree.nodes_.push_back({.lower = part.box.lower, .upper = part.box.upper});
+    join(parts, part.left);
+    tree.nodes_[first].first = static_cast<std::uint32_t>(tree.nodes_.size());
+    join(parts, part.left + 1);
+  }
+
+  void run(const std::vector<int>& meshes) {
+    gather(meshes);
+    if (items.empty()) return;
+    std::vector<Part> built = parts();
+    std::size_t nodes = 0;
+    for (const Part& part : built) nodes += std::max<std::size_t>(part.nodes.size(), 1);
+    tree.nodes_.reserve(nodes);
+    join(built);
+    tree.triangles_.reserve(items.size());
+    for (const Item& item : items) tree.triangles_.push_back(item.id);
   }
 };
 
-TriangleTree::TriangleTree(const Scene& scene, const std::vector<int>& meshes) : scene_(scene) {
-  Builder builder{*this, {}};
-  builder.gather(scene, meshes);
-  triangles_.reserve(builder.items.size());
-  if (!builder.items.empty()) builder.build(builder.items.begin(), builder.items.end());
+TriangleTree::TriangleTree(const Scene& scene, const std::vector<int>& meshes, int threads) : scene_(scene) {
+  Builder{*this, threads}.run(meshes);
 }
 
 // Axes turned so that z is the direction's largest component, and sheared so that the ray runs along it.

@@ -25,8 +25,9 @@ struct TriangleHit {
 class TriangleTree {
  public:
   // Over the triangles of these meshes, without degenerate ones. The scene must outlive the tree and keep its
-  // vertices.
-  TriangleTree(const Scene& scene, const std::vector<int>& meshes);
+  // vertices. Built on at most `threads` threads (pipeline/scene/in_pieces.hpp), into the same nodes on any
+  // number.
+  TriangleTree(const Scene& scene, const std::vector<int>& meshes, int threads = 0);
 
   // The nearest triangle at a distance of 0 or more: of several at the same distance the one that comes first
   // in the scene. `own`, which the ray starts on, is left out by its number, and so are the triangles of

@@ -23,7 +23,7 @@
 #define stack_at(stack, depth) stack[depth]
 #define TEXTURE(unit, name) layout(binding = unit) uniform sampler2D name;
 #define texel_fetch(t, x, y) texelFetch(t, ivec2(x, y), 0)
-#define table_fetch(t, i) texelFetch(t, ivec2((i) & 4095, (i) >> 12), 0)
+#define table_fetch(t, i, k) texelFetch(t, ivec2(((i) + (k)) & 4095, ((i) + (k)) >> 12), 0)
 #define texture_width(t) textureSize(t, 0).x
 #define texture_height(t) textureSize(t, 0).y
 

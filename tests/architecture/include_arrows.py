@@ -32,8 +32,8 @@ MAY = {
 # Libraries that only some rooms may name: the others build and run without them.
 OWNED = {
     'epoxy/': {'gl_backend'}, 'EGL/': {'gl_backend'}, 'GL/': {'gl_backend'},
-    'tbb/': {'raster', 'lab/reference'}, 'oneapi/': {'raster', 'lab/reference'}, 'embree': {'lab/reference'},
-    'CLI/': {'app'},
+    'tbb/': {'raster', 'pipeline/scene'}, 'oneapi/': {'raster', 'pipeline/scene'},
+    'embree': {'lab/reference'}, 'CLI/': {'app'},
     'nlohmann/': {'pipeline/scene', 'lab/study', 'lab/paper', 'app'},
     'OpenImageIO/': {'pipeline/image_io'},
 }

@@ -48,7 +48,9 @@ struct HierarchyBench {
     meshes.receivers.push_back(add(std::move(mesh), 0, -1));
     return *this;
   }
-  HierarchyTables tables() const { return hierarchy_tables(scene, meshes, rows, touch); }
+  HierarchyTables tables(int threads = 0) const {
+    return hierarchy_tables(scene, meshes, rows, touch, threads);
+  }
   int first_receiver() const { return static_cast<int>(caster_triangles(scene, meshes)); }
 
  private:

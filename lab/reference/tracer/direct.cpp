@@ -5,8 +5,8 @@
 
 #include "lab/reference/closed_forms.hpp"
 #include "lab/reference/tracer/emission.hpp"
-#include "lab/reference/tracer/work.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 
 namespace caustics::tracer {
 

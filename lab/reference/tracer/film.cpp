@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/reference/tracer/work.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 
 namespace caustics::tracer {
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "lab/reference/tracer/work.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 
 #if CAUSTICS_EMBREE == 4
 #include <embree4/rtcore.h>

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lab/reference/tracer/work.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/ray_queries.hpp"
 #include "tests/support/shapes.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lab/reference/tracer/work.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 
 namespace caustics::tracer {
 

@@ -1,5 +1,6 @@
-#include "lab/reference/tracer/work.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #if CAUSTICS_HAS_TBB
@@ -10,11 +11,21 @@
 
 #include "pipeline/gpu/happens_before.hpp"
 
-namespace caustics::tracer {
+namespace caustics {
+
+namespace {
+
+void one_by_one(int pieces, const std::function<void(int)>& work) {
+  const PlainFloats plain;
+  for (int piece = 0; piece < pieces; ++piece) work(piece);
+}
+
+}  // namespace
 
 #if CAUSTICS_HAS_TBB
 
 void in_pieces(int pieces, int threads, const std::function<void(int)>& work) {
+  if (pieces <= 1 || threads == 1) return one_by_one(pieces, work);
   char started = 0, ended = 0;
   const auto run = [&] {
     oneapi::tbb::parallel_for(
@@ -41,11 +52,17 @@ void in_pieces(int pieces, int threads, const std::function<void(int)>& work) {
 
 #else
 
-void in_pieces(int pieces, int, const std::function<void(int)>& work) {
-  const PlainFloats plain;
-  for (int piece = 0; piece < pieces; ++piece) work(piece);
-}
+void in_pieces(int pieces, int, const std::function<void(int)>& work) { one_by_one(pieces, work); }
 
 #endif
 
-}  // namespace caustics::tracer
+void in_runs(std::size_t count, int threads,
+             const std::function<void(std::size_t first, std::size_t end)>& work) {
+  constexpr std::size_t kRun = 8192;
+  in_pieces(static_cast<int>((count + kRun - 1) / kRun), threads, [&](int run) {
+    const std::size_t first = static_cast<std::size_t>(run) * kRun;
+    work(first, std::min(first + kRun, count));
+  });
+}
+
+}  // namespace caustics

@@ -1,13 +1,14 @@
 // Work in pieces on several threads, and the floating-point mode that it runs in.
 #pragma once
 #include <cfenv>
+#include <cstddef>
 #include <functional>
 
-namespace caustics::tracer {
+namespace caustics {
 
 // While it lives, this thread computes in the default mode: to nearest, denormals kept, nothing trapped.
 // Embree flushes denormals while it builds a scene, and so do the rasterizer's workers; neither may reach
-// the tracer, nor stay behind it.
+// the tracer or a scene's preparation, nor stay behind it.
 class PlainFloats {
  public:
   PlainFloats() {
@@ -22,8 +23,12 @@ class PlainFloats {
   std::fenv_t saved_;
 };
 
-// Calls work(0) .. work(pieces - 1), each once, in any order, on at most `threads` threads (0: one a core).
-// What work throws is thrown here.
+// Calls work(0) .. work(pieces - 1), each once, in any order, on at most `threads` threads (0: one a core,
+// and no more than a software device that lives was given). What work throws is thrown here.
 void in_pieces(int pieces, int threads, const std::function<void(int)>& work);
 
-}  // namespace caustics::tracer
+// Likewise work(first, end) for all of 0 .. count - 1, a run of some thousands at a time.
+void in_runs(std::size_t count, int threads,
+             const std::function<void(std::size_t first, std::size_t end)>& work);
+
+}  // namespace caustics
