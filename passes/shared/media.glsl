@@ -1,8 +1,5 @@
 // The bodies that light is in. They may overlap; the one that was entered last counts. A body is known by the
-// row of its material in caster_materials, plus 1. Needs caster_material.glsl.
-Bool is_in_body(Vec4 media, Float body) {
-  return media.x == body || media.y == body || media.z == body || media.w == body;
-}
+// row of its material in caster_materials, plus 1. Needs ray.glsl and caster_material.glsl.
 Bool is_full(Vec4 media) { return media.w != 0.0f; }
 Vec4 with_body(Vec4 media, Float body) { return Vec4(body, media.x, media.y, media.z); }
 Vec4 without_body(Vec4 media, Float body) {

@@ -105,7 +105,7 @@ Vec3 radiance_along(IN(Sight) from) {
   Vec3 end = sight.ray.start;
   Bool lands = Bool(false);
   for (int k = 0; k < u.surfaces && any_lane(sight.under_way); k++) {
-    NearestTriangle met = nearest_triangle(walking_ray(sight.ray, sight.own), sight.under_way);
+    NearestTriangle met = nearest_triangle(walking_ray(sight.ray, sight.own, sight.media), sight.under_way);
     Bool caster = sight.under_way && met.number >= 0.0f && met.number < float(u.first_receiver);
     Bool receiver = sight.under_way && met.number >= float(u.first_receiver);
     Vec3 taken = left_by(sight.media.x, met.distance);
