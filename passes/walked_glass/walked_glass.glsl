@@ -80,7 +80,7 @@ void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Ma
   Vec3 onward = sel(both.passes, before, bent.direction);
   sight.ray = ray_from(at.point, sel(back, reflected(before, normal, bent.cosine), onward));
   sight.own = at.number;
-  sight.media = sel(back || both.passes, sight.media, both.media);
+  sight.media = sel(back, sight.media, both.media);
   Vec3 metal = metal_reflectance(material.color, bent.cosine);
   Bool tints = both.tints && !back && !both.passes;
   sight.through = sight.through * sel(material.mirror, metal, sel(tints, material.color, Vec3(1.0f)));
