@@ -220,16 +220,26 @@ TEST_CASE("bend: light that meets a body from inside without having entered bega
   check_near(on.flux, 0.958271f * glm::vec3(1.0f, 0.5f, 0.0f));
 }
 
-TEST_CASE("bend: a second skin of a body that light is in changes nothing") {
+TEST_CASE("bend: a second skin of a body that light is in is counted, and bends nothing") {
   Bench bench;
   bench.path = {.direction = falling(50.0), .media = {2.0f, 1.0f, 0.0f, 0.0f}};
   bench.materials = {{.ior = 2.0f, .color = {0.0f, 0.0f, 0.0f}}, {.ior = 1.25f}};
   const PassImages out = bench.run();
   check_near(path_at(out).direction, falling(50.0));
   CHECK(path_at(out).flux == glm::vec3(1.0f));
-  CHECK(path_at(out).media == glm::vec4(2.0f, 1.0f, 0.0f, 0.0f));
+  CHECK(path_at(out).media == glm::vec4(2.0f, 1.0f, 1.0f, 0.0f));
   CHECK(path_at(out).mark == 1.0f);
   CHECK(texel(out["landing_fresnel"], 0, 0) == glm::vec4(0.0f));
+  // Where there is no room it is not counted.
+  bench.path.media = {4.0f, 3.0f, 2.0f, 1.0f};
+  CHECK(path_at(bench.run()).media == glm::vec4(4.0f, 3.0f, 2.0f, 1.0f));
+  CHECK(path_at(bench.run()).mark == 1.0f);
+  // Out of one of two skins light is still in the other.
+  bench.path.direction = rising(50.0);
+  bench.path.media = {2.0f, 1.0f, 1.0f, 0.0f};
+  CHECK(path_at(bench.run()).media == glm::vec4(2.0f, 1.0f, 0.0f, 0.0f));
+  check_near(path_at(bench.run()).direction, rising(50.0));
+  CHECK(path_at(bench.run()).flux == glm::vec3(1.0f));
 }
 
 TEST_CASE("bend: light is in four bodies at most: one that enters a fifth is given up") {

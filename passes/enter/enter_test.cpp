@@ -14,6 +14,8 @@ namespace {
 // of them at one point of it. Parallel light comes through a window of 8 x 8 m, so that a cell is 4 m wide.
 struct Bench {
   View view = down(4.0, 10.0, 20.0);
+  int side = 2;
+  Corners triangle = level_triangle(1.0f, -1.0f, -1.0f);
   glm::vec3 point{0.0f, 1.0f, 0.0f};
   glm::vec3 normal{0.0f, 1.0f, 0.0f};
   float facing = 1.0f;
@@ -24,24 +26,28 @@ struct Bench {
 
   PassImages run() const {
     const HierarchyTables tables =
-        HierarchyBench{}.caster(mesh_of({level_triangle(9.0f), level_triangle(1.0f, -1.0f, -1.0f)})).tables();
+        HierarchyBench{}.caster(mesh_of({level_triangle(9.0f), triangle})).tables();
     std140::Enter u{};
     u.caster = shader_view(view);
     u.cone = shader_cone(light);
     u.light = glm::vec3(view.perspective ? view.origin : view.forward);
-    u.cell_area = static_cast<float>(view.window_area() / 4.0);
-    u.grid_side = 2;
+    u.cell_area = static_cast<float>(view.window_area() / (side * side));
+    u.grid_side = side;
+    const CubeAtlas tiles = view.cube.value_or(CubeAtlas{});
+    u.tile_width = static_cast<float>(tiles.tile_width());
+    u.tile_height = static_cast<float>(tiles.tile_height());
+    u.tile_guard = static_cast<float>(tiles.guard);
     u.channel_share = {1.0f, 1.0f, 1.0f};
     u.least_share = 1e-3f;
     u.both_ways = both_ways;
     u.follows_mirrored = follows_mirrored;
     return run_pass(definition_of(enter_pass()),
-                    {.width = 2,
-                     .height = 2,
+                    {.width = side,
+                     .height = side,
                      .uniforms = uniform_bytes(u),
-                     .textures = {filled(2, 2, {point, facing}), filled(2, 2, {normal, 0.0f}),
-                                  filled(2, 2, {number, 0.0f, 0.0f, 0.0f}), caster_materials({material}),
-                                  tables.triangles, tables.normals}});
+                     .textures = {filled(side, side, {point, facing}), filled(side, side, {normal, 0.0f}),
+                                  filled(side, side, {number, 0.0f, 0.0f, 0.0f}),
+                                  caster_materials({material}), tables.triangles, tables.normals}});
   }
 };
 
@@ -52,6 +58,19 @@ Bench from_point() {
   bench.view.perspective = true;
   bench.view.near = 0.1;
   bench.material.ior = 1.0f;
+  return bench;
+}
+
+// Light from a point all around: x to the right, y up, forward along -z. Six tiles of 8 x 8 vertices, of
+// which one on each side is beyond the tile's face: 2 tangents are 6 vertices.
+Bench all_around(const glm::dvec3& lamp) {
+  Bench bench = from_point();
+  bench.view = View{};
+  bench.view.origin = lamp;
+  bench.view.perspective = true;
+  bench.view.near = 0.1;
+  bench.view.cube = CubeAtlas{.side = 24, .guard = 1, .square = true};
+  bench.side = 24;
   return bench;
 }
 
@@ -188,4 +207,53 @@ TEST_CASE("enter: a spot's cone takes its part of a cell's light") {
   bench.light.outer_cone = 1.04719755f;
   const double ramp = (std::sqrt(0.5) - 0.5) / (std::sqrt(0.75) - 0.5);
   CHECK(path_at(bench.run()).whole == Approx(0.0625 * std::pow(0.5, 1.5) * ramp * ramp).epsilon(1e-5));
+}
+
+TEST_CASE("enter: a lamp's light goes down by the lower face of its cube, in that face's axes") {
+  // That face is the fourth, in the second row's first tile: its x is the view's x, its y the view's forward.
+  // A cell is a third of a tangent wide, so 3 m at 9 m, and 1 / 9 sr.
+  Bench bench = all_around({0.0, 10.0, 0.0});
+  bench.number = 2.0f;
+  const PassImages out = bench.run();
+  for (const int x : {1, 6}) {
+    const BenchPath on = path_at(out, x, 9);
+    check_near(on.direction, {0.0f, -1.0f, 0.0f});
+    CHECK(on.whole == Approx(1.0 / 9.0));
+    check_near(on.width_x, {3.0f, 0.0f, 0.0f}, 1e-5);
+    check_near(on.width_y, {0.0f, 0.0f, -3.0f}, 1e-5);
+    check_near(on.spread_x, {1.0f / 3.0f, 0.0f, 0.0f});
+    check_near(on.spread_y, {0.0f, 0.0f, -1.0f / 3.0f});
+  }
+}
+
+TEST_CASE("enter: a lamp's light goes to the right by the first face of its cube, in that face's axes") {
+  // Its x is the view's -forward, its y the view's up. An upright triangle 9 m away, at 45 degrees above the
+  // axis: the direction's y is turned by a third times cos^2 45, and 3 m up are cos 45 of that across it.
+  Bench bench = all_around({-9.0, 0.0, 0.0});
+  bench.number = 2.0f;
+  bench.triangle = {{{0.0f, 8.0f, -1.0f}, {0.0f, 8.0f, 3.0f}, {0.0f, 12.0f, -1.0f}}};
+  bench.normal = {-1.0f, 0.0f, 0.0f};
+  bench.point = {0.0f, 9.0f, 0.0f};
+  const BenchPath on = path_at(bench.run(), 4, 6);
+  const float half = 0.70710678f;
+  check_near(on.direction, {half, half, 0.0f});
+  CHECK(on.whole == Approx(std::pow(0.5, 1.5) / 9.0));
+  check_near(on.spread_x, {0.0f, 0.0f, half / 3.0f});
+  check_near(on.width_x, {0.0f, 0.0f, 3.0f}, 1e-5);
+  check_near(on.spread_y, 1.0f / 6.0f * glm::vec3(-half, half, 0.0f));
+  check_near(on.width_y, 3.0f * half * glm::vec3(-half, half, 0.0f), 1e-5);
+}
+
+TEST_CASE(
+    "enter: beyond a cube's faces a vertex has no light of its own, and beyond its tiles there is none") {
+  Bench bench = all_around({0.0, 10.0, 0.0});
+  bench.number = 2.0f;
+  const PassImages out = bench.run();
+  for (const auto& [x, y] : {std::pair{0, 9}, {7, 9}, {8, 9}, {3, 8}, {3, 15}}) {
+    CHECK(path_at(out, x, y).whole == 0.0f);
+    CHECK(path_at(out, x, y).mark == 2.0f);
+  }
+  // Tiles are as high as wide: the rows from 16 on are left over.
+  CHECK(path_at(out, 3, 16).mark == 0.0f);
+  CHECK(path_at(out, 23, 23).mark == 0.0f);
 }

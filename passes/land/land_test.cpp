@@ -217,3 +217,51 @@ TEST_CASE("land: in the map of light from a point a footprint is a part of its t
   bench.floor[2].y += 4.0f;
   check_near(texel(bench.run()["landing_footprint"], 0, 0), {0.025f * 1.05f, 0.0f, 0.0f, 0.0125f});
 }
+
+namespace {
+
+// Maps of a lamp 10 m above the floor that looks all around: x to the right, y up, forward along -z. Six
+// tiles of 16 x 16 texels of 48 x 48, of which 3 on each side are beyond the tile's face: a tangent is 5
+// texels.
+Bench all_around() {
+  Bench bench;
+  bench.view = View{};
+  bench.view.origin = {0.0, 10.0, 0.0};
+  bench.view.perspective = true;
+  bench.view.near = 0.1;
+  bench.view.cube = CubeAtlas{.side = 48, .guard = 3, .square = true};
+  bench.receiver = Image(Format::RGBA32F, 48, 48);
+  return bench;
+}
+constexpr float kTangent = 5.0f / 48.0f;
+
+}  // namespace
+
+TEST_CASE("land: in a cube's map a footprint lies in the axes of the face that sees the landing") {
+  // Below the lamp: x is the view's x, y its forward. 0.5 m and 0.25 m at 10 m.
+  Bench below = all_around();
+  below.path.start = {0.0f, 1.0f, 0.0f};
+  below.path.width_x = {0.5f, 0.0f, 0.0f};
+  below.path.width_y = {0.0f, 0.0f, -0.25f};
+  const PassImages out = below.run();
+  CHECK(status(out) == LandingStatus::Landed);
+  check_near(texel(out["landing_footprint"], 0, 0), {0.05f * kTangent, 0.0f, 0.0f, 0.025f * kTangent});
+  // 20 m to the right the right face sees it: x is the view's -forward, y its up. At 20 m to the right, 10 m
+  // down and 2 m behind a step of 0.5 m away makes its tangents, 0.1 and -0.5, smaller by 0.5 / 20.
+  Bench beside = all_around();
+  beside.path.start = {20.0f, 1.0f, 2.0f};
+  beside.path.width_x = {0.5f, 0.0f, 0.0f};
+  beside.path.width_y = {0.0f, 0.0f, -0.25f};
+  check_near(texel(beside.run()["landing_footprint"], 0, 0),
+             {-0.0025f * kTangent, 0.0125f * kTangent, -0.0125f * kTangent, 0.0f});
+}
+
+TEST_CASE("land: a cube's map has all that a lamp lights, above it too") {
+  Bench bench = all_around();
+  bench.path.start = {0.5f, 11.0f, 0.25f};
+  bench.path.direction = {0.0f, 1.0f, 0.0f};
+  bench.hit.z = 4.0f;
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Landed);
+  CHECK(landing(out) == glm::vec3(0.5f, 15.0f, 0.25f));
+}

@@ -27,7 +27,8 @@ Pass next_surface_pass() {
       .only_lights_with_caustics = true,
       .size = grid_size,
       .reads = {path_read("path_start", "ray_start"), path_read("path_direction", "ray_direction"),
-                kReadHierarchyNodes, kReadHierarchyTriangles},
+                path_read("path_media", "ray_media"), kReadHierarchyNodes, kReadHierarchyTriangles,
+                kReadHierarchyNormals},
       .writes = {{.name = "surface_hit",
                   .meaning = "xy: weights of the triangle's second and third corner; z: metres to it; w: its "
                              "number plus 1, 0 where nothing is met, -1 where the walk took too many steps"}},

@@ -4,8 +4,10 @@ UNIFORMS_BEGIN
 UNIFORMS_END
 TEXTURE(0, path_start)
 TEXTURE(1, path_direction)
-TEXTURE(2, hierarchy_nodes)
-TEXTURE(3, hierarchy_triangles)
+TEXTURE(2, path_media)
+TEXTURE(3, hierarchy_nodes)
+TEXTURE(4, hierarchy_triangles)
+TEXTURE(5, hierarchy_normals)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -25,7 +27,7 @@ void main() {
   surface_hit = Vec4(0.0f);
   if (any_lane(walks)) {
     Ray ray = ray_from(Vec3(start), Vec3(texel_fetch(path_direction, column, row)));
-    WalkingRay walking = walking_ray(ray, own_triangle(start));
+    WalkingRay walking = walking_ray(ray, own_triangle(start), texel_fetch(path_media, column, row));
     NearestTriangle nearest = nearest_triangle(walking, walks);
     Float number = sel(nearest.given_up, Float(HIT_GIVEN_UP), nearest.number + 1.0f);
     surface_hit = Vec4(nearest.weight1, nearest.weight2, nearest.distance, number);

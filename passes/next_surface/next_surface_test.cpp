@@ -128,6 +128,78 @@ TEST_CASE("next_surface: light that starts a little behind a floor's front still
         glm::vec4(0.5f, 0.25f, 1.0f / 32.0f + 1.0f / 64.0f, 2.0f));
 }
 
+namespace {
+
+// A skin of body 1 that faces down and one of body 2 that faces up, so many metres above it: a ray straight
+// down leaves body 1 and enters body 2. What is within 1/128 m of each other is in contact.
+glm::vec4 contact_hit(float apart, const AimedRay& ray) {
+  Corners down = level_triangle(1.0f);
+  std::swap(down[1], down[2]);
+  HierarchyBench bench;
+  bench.touch = kTouch;
+  bench.caster(mesh_of({down}), 0).caster(mesh_of({level_triangle(1.0f + apart)}), 1);
+  return hit(bench, ray, {.most_steps = 100, .first_receiver = 2, .touch = kTouch});
+}
+
+constexpr glm::vec4 kInBody1{1.0f, 0.0f, 0.0f, 0.0f}, kInBoth{2.0f, 1.0f, 0.0f, 0.0f},
+    kInBody2{2.0f, 0.0f, 0.0f, 0.0f}, kInNone{0.0f};
+
+}  // namespace
+
+TEST_CASE("next_surface: where two bodies touch light enters the one before it leaves the other") {
+  // Whichever lies 1/256 m before the other; at 1/64 m apart the nearer is met.
+  for (const float apart : {0.0f, 1.0f / 256.0f, -1.0f / 256.0f, 1.0f / 64.0f})
+    CHECK(contact_hit(apart, {.start = kAbove, .media = kInBody1}).w == 2.0f);
+  const glm::vec4 leaves = contact_hit(-1.0f / 64.0f, {.start = kAbove, .media = kInBody1});
+  CHECK(leaves.w == 1.0f);
+  CHECK(leaves.z == 2.0f);  // where it is, not where it counts
+}
+
+TEST_CASE("next_surface: from the surface that it has entered light leaves the one that it touches, once") {
+  // The back lies 1/256 m before the start or behind it.
+  for (const float apart : {1.0f / 256.0f, -1.0f / 256.0f}) {
+    const glm::vec3 start{1.0f, 1.0f + apart, 2.0f};
+    const glm::vec4 back = contact_hit(apart, {.start = start, .mark = 2.0f, .media = kInBoth});
+    CHECK(back.w == 1.0f);
+    CHECK(back.z == std::max(apart, 0.0f));
+    const AimedRay left{.start = {1.0f, 1.0f, 2.0f}, .mark = 1.0f, .media = kInBody2};
+    CHECK(contact_hit(apart, left).w == 0.0f);
+  }
+}
+
+TEST_CASE("next_surface: light that is mirrored where two bodies touch crosses nothing there") {
+  // In body 1, mirrored by the skin of body 2; and back in body 2, mirrored by the skin of body 1.
+  const glm::vec3 up{0.0f, 1.0f, 0.0f}, start{1.0f, 1.0f, 2.0f};
+  for (const float apart : {0.0f, 1.0f / 256.0f, -1.0f / 256.0f}) {
+    CHECK(contact_hit(apart, {start + apart * up, up, 2.0f, kInBody1}).w == 0.0f);
+    CHECK(contact_hit(apart, {start, -up, 1.0f, kInBody2}).w == 0.0f);
+  }
+}
+
+TEST_CASE("next_surface: a plate thinner than a contact is entered and left, once each") {
+  // Both skins of body 1, 1/256 m apart, the upper one number 0.
+  Corners down = level_triangle(1.0f);
+  std::swap(down[1], down[2]);
+  HierarchyBench plate;
+  plate.touch = kTouch;
+  plate.caster(mesh_of({level_triangle(1.0f + 1.0f / 256.0f), down}));
+  const std140::NextSurface frame{.most_steps = 100, .first_receiver = 2, .touch = kTouch};
+  const glm::vec3 upper{1.0f, 1.0f + 1.0f / 256.0f, 2.0f}, lower{1.0f, 1.0f, 2.0f};
+  CHECK(hit(plate, {.start = kAbove, .media = kInNone}, frame).w == 1.0f);
+  CHECK(hit(plate, {.start = upper, .mark = 1.0f, .media = kInBody1}, frame).w == 2.0f);
+  CHECK(hit(plate, {.start = lower, .mark = 2.0f, .media = kInNone}, frame).w == 0.0f);
+}
+
+TEST_CASE("next_surface: light that leaves by an edge leaves by one of its triangles") {
+  // A square of 4 m that faces down, cut from (0, 0) to (4, 4); both halves lie under the ray.
+  HierarchyBench square;
+  square.touch = kTouch;
+  square.caster(mesh_of({{{{0, 1, 0}, {4, 1, 0}, {4, 1, 4}}}, {{{0, 1, 0}, {4, 1, 4}, {0, 1, 4}}}}));
+  const std140::NextSurface frame{.most_steps = 100, .first_receiver = 2, .touch = kTouch};
+  CHECK(hit(square, {.start = {1.0f, 3.0f, 1.0f}, .media = kInBody1}, frame).w == 1.0f);
+  CHECK(hit(square, {.start = {1.0f, 1.0f, 1.0f}, .mark = 1.0f, .media = kInNone}, frame).w == 0.0f);
+}
+
 TEST_CASE("next_surface: what meets nothing, or is not under way, has zeros") {
   CHECK(hit(two_levels(), {.start = {3.0f, 3.0f, 3.0f}}) == glm::vec4(0.0f));
   CHECK(hit(two_levels(), {.start = kAbove, .direction = {0.0f, 1.0f, 0.0f}}) == glm::vec4(0.0f));

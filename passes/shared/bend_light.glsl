@@ -130,7 +130,7 @@ void bend_light(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle) triang
   Bool tints = both.tints && !ways.is_mirrored && !both.passes;
   Vec3 color = sel(material.mirror, metal, sel(tints, material.color, Vec3(1.0f)));
   on.flux = ways.flux * color;
-  on.media = sel(ways.is_mirrored || both.passes, path.media, both.media);
+  on.media = sel(ways.is_mirrored, path.media, both.media);
   Float event = sel(both.passes, Float(EVENT_PASSES),
                     sel(ways.is_mirrored, Float(EVENT_MIRRORED), Float(EVENT_CROSSES)));
   on.path = path_with(path.path, triangle.body, event);

@@ -1,7 +1,7 @@
 // Which triangle a ray meets first, found in the bounding-volume hierarchy that the textures hierarchy_nodes
 // and hierarchy_triangles hold (pipeline/scene/hierarchy_tables.hpp). The order of the walk is the ray's own
-// and nobody else's, so every device and lane width finds the same. Needs axes_across.glsl, ray.glsl and
-// the uniforms of next_surface.
+// and nobody else's, so every device and lane width finds the same. Needs axes_across.glsl, ray.glsl,
+// the texture hierarchy_normals, and the uniforms of next_surface.
 
 // A ray as boxes and triangles meet it.
 struct WalkingRay {
@@ -9,10 +9,13 @@ struct WalkingRay {
   Vec3 inverse;     // of each component of its direction, finite
   AxesAcross axes;
   Float own;        // number of the triangle that it starts on and does not meet; -1: none
+  Float own_body;   // that it bounds
+  Vec4 media;       // the bodies that the ray is in
 };
 
 struct NearestTriangle {
-  Float distance;  // metres
+  Float counted;   // metres to where it counts as met
+  Float distance;  // and to itself; to a receiver as it counts
   Float number;    // -1: none
   Float weight1;   // of the triangle's second corner,
   Float weight2;   // and of its third
@@ -25,13 +28,23 @@ Float finite_inverse(Float x) {
   return sel(sound, 1.0f / sel(sound, x, Float(1.0f)), sel(x < 0.0f, Float(-1.0e30f), Float(1.0e30f)));
 }
 
-WalkingRay walking_ray(IN(Ray) ray, Float own) {
+// Of a triangle, by its number; of one that there is not, any.
+Float body_of(Float number) {
+  Int last = Int(texture_height(hierarchy_normals) * 4096 - 3);
+  Int at = clamp_to(Int(number) * 3, Int(0), last);
+  Int place = Int(table_fetch(hierarchy_normals, at).w);
+  return table_fetch(hierarchy_triangles, place * 3 + 2).w;
+}
+
+WalkingRay walking_ray(IN(Ray) ray, Float own, Vec4 media) {
   WalkingRay walking;
   walking.ray = ray;
   walking.inverse = Vec3(finite_inverse(ray.direction.x), finite_inverse(ray.direction.y),
                          finite_inverse(ray.direction.z));
   walking.axes = axes_across(ray.direction);
   walking.own = own;
+  walking.own_body = body_of(own);
+  walking.media = media;
   return walking;
 }
 
@@ -51,13 +64,41 @@ Vec3 along_ray(IN(WalkingRay) walking, Vec4 corner) {
   return Vec3(dot3(walking.axes.x, q), dot3(walking.axes.y, q), dot3(walking.ray.direction, q));
 }
 
-// Where triangles count as met: casters from the ray's start on. Receivers by u.touch later than they are, so
-// that light leaves the glass that stands on them first; from in front even a little behind the start, which
-// rounding may have put beyond them.
-Float counted_distance(Float distance, Float number, Bool front) {
-  Bool receiver = number >= float(u.first_receiver);
-  Float counted = sel(receiver, distance + u.touch, distance);
-  return sel(receiver && !front && distance < u.touch, Float(-1.0f), counted);
+// A triangle that a ray's line meets.
+struct Candidate {
+  Float distance;  // metres
+  Float body;      // that it bounds
+  Bool front;      // it is met from outside
+  Bool receiver;
+};
+
+// Metres within which two casters' surfaces are one: rounding decides which of them comes first.
+Float contact() { return Float(u.touch * 0.5f); }
+
+// Where a triangle counts as met. Casters' backs by contact() later than they are, so that light enters the
+// liquid before it leaves the glass around it: it goes from the one into the other, with no air between.
+// Receivers by u.touch, so that light leaves the glass that stands on them first; from in front even a little
+// behind the start, which rounding may have put beyond them.
+Float counted_distance(IN(Candidate) at) {
+  Float counted = at.distance + sel(at.front, Float(0.0f), contact());
+  counted = sel(at.receiver, at.distance + u.touch, counted);
+  return sel(at.receiver && !at.front && at.distance < u.touch, Float(-1.0f), counted);
+}
+
+// A caster's surface in the place that the ray starts in has been met before, or it is behind the start by
+// rounding alone: the bodies that the ray is in tell. It is entered, once, and not where it has just been
+// left; from behind only by light that has entered something here. It is left by light that is in it.
+Bool changes_bodies(IN(WalkingRay) walking, IN(Candidate) at) {
+  Bool within = is_in_body(walking.media, at.body);
+  Bool has_entered = is_in_body(walking.media, walking.own_body);
+  Bool enters = !within && at.body != walking.own_body && (has_entered || at.distance >= 0.0f);
+  return sel(at.front, enters, within);
+}
+
+Bool is_ahead(IN(WalkingRay) walking, IN(Candidate) at) {
+  Bool touches = at.distance >= -contact() && at.distance <= contact();
+  Bool ahead = sel(touches, changes_bodies(walking, at), at.distance > 0.0f);
+  return sel(at.receiver, counted_distance(at) >= 0.0f, ahead);
 }
 
 // No ray slips between two triangles that share an edge: the edge's functions are each other's negatives, and
@@ -79,10 +120,16 @@ void meet_triangle(IN(WalkingRay) walking, Int place, Bool wanted, INOUT(Nearest
   Bool edge_on = area == 0.0f;
   Float inverse = 1.0f / sel(edge_on, Float(1.0f), area);
   Float number = corner0.w;
-  Float distance = ((u0 * a.z + u1 * b.z) + u2 * c.z) * inverse;
-  distance = counted_distance(distance, number, area > 0.0f);
-  Bool nearer = distance < nearest.distance || (distance == nearest.distance && number < nearest.number);
-  Bool met = wanted && inside && !edge_on && number != walking.own && distance >= 0.0f && nearer;
+  Candidate at;
+  at.distance = ((u0 * a.z + u1 * b.z) + u2 * c.z) * inverse;
+  at.body = corner2.w;
+  at.front = area > 0.0f;
+  at.receiver = number >= float(u.first_receiver);
+  Float counted = counted_distance(at);
+  Bool nearer = counted < nearest.counted || (counted == nearest.counted && number < nearest.number);
+  Bool met = wanted && inside && !edge_on && number != walking.own && is_ahead(walking, at) && nearer;
+  Float distance = max_of(sel(at.receiver, counted, at.distance), 0.0f);
+  nearest.counted = sel(met, counted, nearest.counted);
   nearest.distance = sel(met, distance, nearest.distance);
   nearest.number = sel(met, number, nearest.number);
   nearest.weight1 = sel(met, u1 * inverse, nearest.weight1);
@@ -127,6 +174,7 @@ STACK(waiting)
 
 NearestTriangle nearest_triangle(IN(WalkingRay) walking, Bool walks) {
   NearestTriangle nearest;
+  nearest.counted = nothing_met();
   nearest.distance = nothing_met();
   nearest.number = Float(-1.0f);
   nearest.weight1 = Float(0.0f);
@@ -139,7 +187,7 @@ NearestTriangle nearest_triangle(IN(WalkingRay) walking, Bool walks) {
     Bool leaf = busy && code < 0;
     Bool done = Bool(false);
     if (any_lane(inner)) {
-      Children children = children_of(walking, sel(inner, code, Int(0)), nearest.distance);
+      Children children = children_of(walking, sel(inner, code, Int(0)), nearest.counted);
       stack_put(waiting, depth, children.farther);
       depth = sel(inner && children.both, depth + 1, depth);
       code = sel(inner, children.nearer, code);

@@ -6,7 +6,7 @@ struct Interface {
   Float before;
   Float behind;
   Vec4 media;
-  Bool passes;    // nothing changes: a second skin of a body that the light is in
+  Bool passes;    // nothing bends it: a second skin of a body that the light is in
   Bool overflow;  // it enters more bodies than are remembered
   Bool tints;     // light that crosses here has the body's colour from now on
 };
@@ -14,9 +14,11 @@ struct Interface {
 Interface interface_at(Vec4 media, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Material) material) {
   Float ior = material.ior + material.dispersion * u.bend;
   Bool within = is_in_body(media, triangle.body);
+  Vec4 left = without_body(media, triangle.body);
+  Vec4 entered = sel(within, with_body_again(media, triangle.body), with_body(media, triangle.body));
   Interface both;
-  both.media = sel(at.front, with_body(media, triangle.body), without_body(media, triangle.body));
-  both.passes = at.front && within;
+  both.media = sel(at.front, entered, left);
+  both.passes = within && (at.front || is_in_body(left, triangle.body));
   both.overflow = at.front && !within && is_full(media);
   both.tints = at.front || !within;
   Float here = index_of(media);

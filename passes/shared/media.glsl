@@ -1,10 +1,15 @@
 // The bodies that light is in. They may overlap; the one that was entered last counts. A body is known by the
-// row of its material in caster_materials, plus 1. Needs caster_material.glsl.
-Bool is_in_body(Vec4 media, Float body) {
-  return media.x == body || media.y == body || media.z == body || media.w == body;
-}
+// row of its material in caster_materials, plus 1. Needs ray.glsl and caster_material.glsl.
 Bool is_full(Vec4 media) { return media.w != 0.0f; }
 Vec4 with_body(Vec4 media, Float body) { return Vec4(body, media.x, media.y, media.z); }
+Bool is_none(Float body) { return body == 0.0f; }
+// Once more, where there is room, below all others: what counts stays so.
+Vec4 with_body_again(Vec4 media, Float body) {
+  Bool y = is_none(media.y);
+  Bool z = !y && is_none(media.z);
+  Bool w = !y && !z && is_none(media.w);
+  return Vec4(media.x, sel(y, body, media.y), sel(z, body, media.z), sel(w, body, media.w));
+}
 Vec4 without_body(Vec4 media, Float body) {
   Bool x = media.x == body;
   Bool y = x || media.y == body;

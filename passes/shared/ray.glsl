@@ -12,3 +12,8 @@ Ray ray_from(Vec3 start, Vec3 direction) {
   ray.direction = direction;
   return ray;
 }
+
+// Of the up to four bodies that light, or sight, is in (media.glsl).
+Bool is_in_body(Vec4 media, Float body) {
+  return media.x == body || media.y == body || media.z == body || media.w == body;
+}

@@ -80,7 +80,7 @@ void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Ma
   Vec3 onward = sel(both.passes, before, bent.direction);
   sight.ray = ray_from(at.point, sel(back, reflected(before, normal, bent.cosine), onward));
   sight.own = at.number;
-  sight.media = sel(back || both.passes, sight.media, both.media);
+  sight.media = sel(back, sight.media, both.media);
   Vec3 metal = metal_reflectance(material.color, bent.cosine);
   Bool tints = both.tints && !back && !both.passes;
   sight.through = sight.through * sel(material.mirror, metal, sel(tints, material.color, Vec3(1.0f)));
@@ -105,7 +105,7 @@ Vec3 radiance_along(IN(Sight) from) {
   Vec3 end = sight.ray.start;
   Bool lands = Bool(false);
   for (int k = 0; k < u.surfaces && any_lane(sight.under_way); k++) {
-    NearestTriangle met = nearest_triangle(walking_ray(sight.ray, sight.own), sight.under_way);
+    NearestTriangle met = nearest_triangle(walking_ray(sight.ray, sight.own, sight.media), sight.under_way);
     Bool caster = sight.under_way && met.number >= 0.0f && met.number < float(u.first_receiver);
     Bool receiver = sight.under_way && met.number >= float(u.first_receiver);
     Vec3 taken = left_by(sight.media.x, met.distance);

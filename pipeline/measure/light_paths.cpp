@@ -130,11 +130,20 @@ struct LightPaths::Bodies {
   void enter(const Body& body) {
     if (count < kMostNested) list[static_cast<std::size_t>(count++)] = body;
   }
+  // Where light is in a second skin of it, once more below all others.
+  void enter_again(const Body& body) {
+    if (count == kMostNested) return;
+    std::copy_backward(list.begin(), list.begin() + count, list.begin() + count + 1);
+    list.front() = body;
+    ++count;
+  }
+  // Once.
   void leave(int number) {
-    const auto end = list.begin() + count;
-    const auto kept =
-        std::remove_if(list.begin(), end, [&](const Body& body) { return body.number == number; });
-    count = static_cast<int>(kept - list.begin());
+    int at = count - 1;
+    while (at >= 0 && list[static_cast<std::size_t>(at)].number != number) --at;
+    if (at < 0) return;
+    std::copy(list.begin() + at + 1, list.begin() + count, list.begin() + at);
+    --count;
   }
 };
 
@@ -232,14 +241,16 @@ void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend,
     return send(next, mirrored(d, normal), false);
   }
   const bool within = moving.bodies.has(o.body);
-  if (met.front && within) return send(next, d, true);  // a second skin of the same body
   Moving through = next;
+  if (within && met.front) through.bodies.enter_again({o.body, met.id.mesh, through.bodies.index()});
+  if (within && !met.front) through.bodies.leave(o.body);
+  if (within && (met.front || through.bodies.has(o.body)))  // a second skin of the same body
+    return send(through, d, true);
   double n1 = moving.bodies.index(), n2 = n1;
   if (met.front) {
     n2 = absolute_index(o.index(bend), n1);
     through.bodies.enter({o.body, met.id.mesh, n2});
   } else if (within) {
-    through.bodies.leave(o.body);
     n2 = through.bodies.index();
   } else {  // the light began inside
     n1 = absolute_index(o.index(bend), n2);

@@ -48,7 +48,9 @@ FRAMES = [
     ('joined', 3, 2, 2, 0, 0, 0, 0), ('shapes', 0, 0, 3, 0x0f, 0x40, 0, 0),
     ('strips', 0, 0, 0, 0, 0, 0x40, 0), ('bare', 3, 0, 0, 0, 0, 0, 0),
     ('bare', 0, 0, 0, 0x55, 0x55, 0x1c, 0), ('bare', 8, 0, 0, 0xaa, 0xaa, 0x0b, 0),
-    ('extras_of_everything', 0, 0, 0, 0, 0, 0, 0)]
+    ('extras_of_everything', 0, 0, 0, 0, 0, 0, 0), ('bare', 0, 0, 0, 0, 0, 0x80, 0),
+    ('mirror', 0, 0, 0, 0, 0, 0x80, 0, 0x10), ('dispersing', 1, 0, 0, 0, 0, 0x80, 0, 0x2f),
+    ('point_inside', 0, 4, 0, 0x3f, 0, 0x80, 0, 0x14), ('joined', 0, 0, 0, 0, 0, 0x80, 0, 0x0c)]
 
 
 ARCHIVE = pathlib.Path(__file__).resolve().with_name('corpus.zip')

@@ -130,6 +130,12 @@ FrameChoice choice_of(ByteSpan last) {
   if (bit(5, 2)) s.exposure = pick({0.0f, -40.0f, 40.0f, 3.5f}, byte(5) >> 3 & 3u);
   if (bit(5, 5)) s.mirror_metallic = 0.0f, s.mirror_roughness = 1.0f;
   if (bit(5, 6)) s.glass_roughness = 1.0f;
+  if (bit(5, 7)) {
+    s.further_share = 0.0f;
+    s.bounces = pick({4, 2, 3, 9}, byte(7) & 3u);
+    s.splits = pick({2, 0, 1, 4}, byte(7) >> 2 & 3u);
+    s.least_share = pick({1e-3f, 0.0f, 0.5f, 1e-6f}, byte(7) >> 4 & 3u);
+  }
   choice.moment = byte(6) / 255.0;
   // Some choices need larger maps than others; check() says so.
   if (s.cube == Cube::On || s.estimator == Estimator::Impostor) {

@@ -69,13 +69,15 @@ Scene textured_scene() {
 
 // A frame of the scene, ready for any device.
 struct ReadyFrame {
-  explicit ReadyFrame(Scene s = frame_scene()) : scene(std::move(s)) {}
+  static Settings two_surfaces() {
+    Settings settings = small_settings(96, 96, 75);
+    settings.interfaces = Interfaces::Two;
+    return settings;
+  }
+  explicit ReadyFrame(Scene s = frame_scene(), const Settings& with = two_surfaces())
+      : scene(std::move(s)), settings(with) {}
   Scene scene;
-  Settings settings = [] {
-    Settings two_surfaces = small_settings(96, 96, 75);
-    two_surfaces.interfaces = Interfaces::Two;
-    return two_surfaces;
-  }();
+  Settings settings;
   std::unique_ptr<Device> software = make_software_device();
   FrameRenderer renderer{scene, settings, pass_registry(), *software};
 
@@ -260,6 +262,20 @@ TEST_CASE("parity: OpenGL draws every pass and the whole frame as the software d
   const auto gl = gl_or_skip();
   check_against_gl(ReadyFrame(), *gl);
   check_against_gl(ReadyFrame(textured_scene()), *gl);
+}
+
+TEST_CASE("parity: OpenGL follows light from surface to surface as the software device does") {
+  const auto gl = gl_or_skip();
+  Settings settings = small_settings(48, 48, 40);
+  settings.further_share = 0.0f;
+  settings.bounces = 6;
+  Scene scene = frame_scene();
+  scene.materials[1].dispersion = 0.5f;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) scene.meshes[i].object = static_cast<int>(i);
+  scene.lights.resize(1);
+  const ReadyFrame frame(scene, settings);
+  REQUIRE(frame.renderer.effects().further_surfaces.active);
+  check_against_gl(frame, *gl);
 }
 
 TEST_CASE("parity: OpenGL draws whole frames where its points are small and become quadrilaterals") {

@@ -42,6 +42,7 @@ std::vector<HardCase> geometry_cases();
 std::vector<HardCase> light_cases();
 std::vector<HardCase> scale_cases();
 std::vector<HardCase> map_cases();
+std::vector<HardCase> followed_cases();
 
 // Draws the whole frame; `pilot` fits the light views (the software device, whichever draws).
 DrawnCase draw_case(const HardCase& hard_case, Device& device, Device& pilot);
@@ -62,9 +63,12 @@ struct HardCaseGroup {
   const char* name;
   std::vector<HardCase> (*cases)();
 };
-inline const HardCaseGroup kHardCaseGroups[] = {
-    {"Optics", optics_cases},   {"Estimators and receivers", estimator_cases},
-    {"Meshes", geometry_cases}, {"Lights and cameras", light_cases},
-    {"Scale", scale_cases},     {"Maps and sums", map_cases}};
+inline const HardCaseGroup kHardCaseGroups[] = {{"Optics", optics_cases},
+                                                {"Estimators and receivers", estimator_cases},
+                                                {"Meshes", geometry_cases},
+                                                {"Lights and cameras", light_cases},
+                                                {"Scale", scale_cases},
+                                                {"Maps and sums", map_cases},
+                                                {"Light that is followed", followed_cases}};
 
 }  // namespace caustics::test

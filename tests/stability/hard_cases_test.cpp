@@ -73,6 +73,7 @@ std::string books(const DrawnCase& drawn) {
       {"outside", &Ledger::outside},
       {"not converged", &Ledger::not_converged},
       {"exit not found", &Ledger::exit_not_found},
+      {"given up", &Ledger::given_up},
       {"map's edge", &Ledger::kernel_edge}};
   std::string text;
   for (const auto& [name, account] : accounts)
@@ -97,6 +98,7 @@ TEST_CASE("hard cases: meshes") { check_group(kHardCaseGroups[2]); }
 TEST_CASE("hard cases: lights and cameras") { check_group(kHardCaseGroups[3]); }
 TEST_CASE("hard cases: scale") { check_group(kHardCaseGroups[4]); }
 TEST_CASE("hard cases: maps and sums") { check_group(kHardCaseGroups[5]); }
+TEST_CASE("hard cases: light that is followed") { check_group(kHardCaseGroups[6]); }
 
 TEST_CASE("hard cases: a table of what becomes of each", "[.hard_cases]") {
   const auto software = make_software_device();

@@ -78,6 +78,20 @@ void aim(Light& light, const Mesh& caster) {
   light.direction = glm::normalize(light.direction);
 }
 
+// Nothing speaks against following light from surface to surface. Meshes are bodies of their own, or parts of
+// one.
+void follow(HardCase& c) {
+  Settings& s = c.settings;
+  s.further_share = 0.0f;
+  s.bounces = *rc::gen::element(16, 5, 2);
+  s.splits = *rc::gen::element(2, 0, 1, 3);
+  s.least_share = *rc::gen::element(1e-3f, 0.0f, 0.5f);
+  s.interfaces = Interfaces::Auto;
+  s.thickness = Thickness::Map;
+  if (s.estimator == Estimator::Impostor) s.estimator = Estimator::Secant;
+  for (Mesh& mesh : c.scene.meshes) mesh.object = from(0, 3);
+}
+
 HardCase random_case() {
   HardCase c{"a random scene", "", {}};
   c.scene.materials = {diffuse(0.8f), random_caster(), random_caster()};
@@ -98,6 +112,7 @@ HardCase random_case() {
   s.thickness = *rc::gen::element(Thickness::Map, Thickness::Wyman);
   s.reflections = from(0, 2) == 1;
   s.cube = Cube::Off;
+  if (from(0, 2) == 1) follow(c);
   return c;
 }
 
@@ -110,7 +125,11 @@ std::string description(const HardCase& c, const DrawnCase& drawn) {
   const Settings& s = c.settings;
   text << "grid " << s.grid << ", map " << s.map << ", " << name_of(s.estimator) << ", " << name_of(s.splat)
        << ", interfaces " << name_of(s.interfaces) << ", thickness " << name_of(s.thickness)
-       << (s.reflections ? ", reflections" : "") << "\n";
+       << (s.reflections ? ", reflections" : "");
+  if (drawn.rendering.effects.further_surfaces.active)
+    text << ", followed through " << s.bounces << " surfaces, " << s.splits << " splits, down to "
+         << s.least_share;
+  text << "\n";
   for (const Mesh& mesh : c.scene.meshes)
     text << mesh.name << " of material " << mesh.material << ", " << mesh.indices.size() / 3
          << " triangles, from " << mesh.lower.x << " " << mesh.lower.y << " " << mesh.lower.z << " to "
@@ -133,6 +152,7 @@ std::string description(const HardCase& c, const DrawnCase& drawn) {
                                                       {"outside", l.outside},
                                                       {"not converged", l.not_converged},
                                                       {"exit not found", l.exit_not_found},
+                                                      {"given up", l.given_up},
                                                       {"kernel edge", l.kernel_edge},
                                                       {"rounding", l.rounding},
                                                       {"rounding bound", l.rounding_bound}};
@@ -153,6 +173,7 @@ TEST_CASE("random scenes: every texel is finite and every ledger closes") {
     RC_LOG() << description(c, drawn);
     RC_CLASSIFY(drawn.ledger().in_map[1] > 0.0, "light lands");
     RC_CLASSIFY(!(drawn.ledger().entered[1] > 0.0), "no light enters");
+    RC_CLASSIFY(drawn.rendering.effects.further_surfaces.active, "light is followed");
     RC_ASSERT(found.first_non_finite == "");
     RC_ASSERT(found.residual < kLedgerTolerance);
     for (const Ledger& ledger : drawn.ledgers)

@@ -145,6 +145,7 @@ struct AimedRay {
   glm::vec3 start{0.0f};
   glm::vec3 direction{0.0f, -1.0f, 0.0f};
   float mark = kOnNoTriangle;
+  glm::vec4 media{0.0f};
 };
 
 // Everything is a caster's triangle; the steps are as many as in a frame.
@@ -156,17 +157,20 @@ inline std::vector<glm::vec4> walk(const HierarchyTables& tables, const std::vec
                                    const std140::NextSurface& uniforms = kAllCasters) {
   constexpr int kColumns = 256;
   const int rows = (static_cast<int>(rays.size()) + kColumns - 1) / kColumns;
-  Image starts(Format::RGBA32F, kColumns, rows), directions(Format::RGBA32F, kColumns, rows);
+  Image starts(Format::RGBA32F, kColumns, rows), directions(Format::RGBA32F, kColumns, rows),
+      media(Format::RGBA32F, kColumns, rows);
   for (std::size_t i = 0; i < rays.size(); ++i)
     for (int c = 0; c < 4; ++c) {
       starts.values[4 * i + static_cast<std::size_t>(c)] = c < 3 ? rays[i].start[c] : rays[i].mark;
       directions.values[4 * i + static_cast<std::size_t>(c)] = c < 3 ? rays[i].direction[c] : 0.0f;
+      media.values[4 * i + static_cast<std::size_t>(c)] = rays[i].media[c];
     }
-  const PassImages out = run_pass(definition_of(next_surface_pass()),
-                                  {.width = kColumns,
-                                   .height = rows,
-                                   .uniforms = uniform_bytes(uniforms),
-                                   .textures = {starts, directions, tables.nodes, tables.triangles}});
+  const PassImages out =
+      run_pass(definition_of(next_surface_pass()),
+               {.width = kColumns,
+                .height = rows,
+                .uniforms = uniform_bytes(uniforms),
+                .textures = {starts, directions, media, tables.nodes, tables.triangles, tables.normals}});
   std::vector<glm::vec4> hits;
   for (std::size_t i = 0; i < rays.size(); ++i)
     hits.push_back(texel(out["surface_hit"], static_cast<int>(i) % kColumns, static_cast<int>(i) / kColumns));

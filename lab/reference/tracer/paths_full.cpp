@@ -31,6 +31,12 @@ struct Media {
   void enter(const Inside& inside) {
     if (count < kMostNested) list[static_cast<std::size_t>(count++)] = inside;
   }
+  // Once more, where there is room, beside the first time: what counts stays so.
+  void enter_again(int at) {
+    if (count == kMostNested) return;
+    for (int i = count++; i > at; --i)
+      list[static_cast<std::size_t>(i)] = list[static_cast<std::size_t>(i - 1)];
+  }
   void leave(int at) {
     for (int i = at + 1; i < count; ++i)
       list[static_cast<std::size_t>(i - 1)] = list[static_cast<std::size_t>(i)];
@@ -127,18 +133,23 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
     return send(next, reflected(d, f.normal), false);
   }
   const int within = moving.media.find(optics.body);
-  if (met.front && within >= 0) {  // a second skin of the same body
-    next.crossed = true;
-    pending.push_back(next);
-    return;
-  }
   Moving through = next;
+  if (within >= 0) {
+    if (met.front)
+      through.media.enter_again(within);
+    else
+      through.media.leave(within);
+    if (met.front || through.media.find(optics.body) >= 0) {  // a second skin of the same body
+      through.crossed = true;
+      pending.push_back(through);
+      return;
+    }
+  }
   double n1 = moving.media.index(), n2 = n1;
   if (met.front) {
     n2 = absolute_index(optics.index(bend), n1);
     through.media.enter({optics.body, met.mesh, n2});
   } else if (within >= 0) {
-    through.media.leave(within);
     n2 = through.media.index();
   } else {  // the light began inside
     n1 = absolute_index(optics.index(bend), n2);
