@@ -32,8 +32,8 @@ Float finite_inverse(Float x) {
 Float body_of(Float number) {
   Int last = Int(texture_height(hierarchy_normals) * 4096 - 3);
   Int at = clamp_to(Int(number) * 3, Int(0), last);
-  Int place = Int(table_fetch(hierarchy_normals, at).w);
-  return table_fetch(hierarchy_triangles, place * 3 + 2).w;
+  Int place = Int(table_fetch(hierarchy_normals, at, 0).w);
+  return table_fetch(hierarchy_triangles, place * 3, 2).w;
 }
 
 WalkingRay walking_ray(IN(Ray) ray, Float own, Vec4 media) {
