@@ -45,9 +45,11 @@ PICTURES = {  # name: (frames in a row, [(scene, options), ...])
 }
 # With traced light in the last column, which has other bits with another ray tracer: made where named.
 TRACED = {
-    'real_glass_floor': (3, [(f'glass/{scene}', options)
-                             for scene in ('drinking_glass', 'bottle_of_liquid', 'glass_of_wine')
-                             for options in ('--floor --interfaces 2', '--floor', '--traced')]),
+    'real_glass_traced': (3, [(scene, f'{camera} {options}')
+                              for scene, camera in (('glass/drinking_glass', 'floor'),
+                                                    ('glass/bottle_of_liquid', 'floor'),
+                                                    ('glass_figure', 'view'))
+                              for options in ('--interfaces 2', '', 'traced')]),
 }
 
 
@@ -118,13 +120,15 @@ def write_png(rows):
             chunk(b'IEND', b''))
 
 
-def floor(program, scene, verb, *options):
-    """Illuminance of the floor, seen from above: white is 1.6 times what the unshadowed light gives."""
+def illuminance(program, scene, camera, options):
+    """Of receivers: white is 1.6 times what the unshadowed light gives."""
+    traced = options == ['traced']
+    verb, effort = ('reference', ['--rays', '1024', '--batches', '24']) if traced else ('render', options)
     with tempfile.TemporaryDirectory() as folder:
-        output = pathlib.Path(folder) / 'floor.exr'
-        command = [program, verb, SCENES / f'{scene}.glb', '--camera', 'floor', '-r', '256x256',
-                   '--aov', 'direct,caustic', '-o', output, '--quiet']
-        subprocess.run([*command, *options], check=True)
+        output = pathlib.Path(folder) / 'light.exr'
+        command = [program, verb, SCENES / f'{scene}.glb', '--camera', camera, '-r', '256x256',
+                   '--aov', 'direct,caustic', '-o', output, '--quiet', *effort]
+        subprocess.run(command, check=True)
         light = Exr(output.read_bytes()).values()
     white = 1.6 * max(light['direct.G'])
     shown = [min(1, (d + c) / white) ** (1 / 2.2) for d, c in zip(light['direct.G'], light['caustic.G'])]
@@ -134,10 +138,8 @@ def floor(program, scene, verb, *options):
 
 @functools.cache
 def frame(program, scene, options):
-    if options == '--traced':
-        return floor(program, scene, 'reference', '--rays', '1024', '--batches', '24')
-    if options.startswith('--floor'):
-        return floor(program, scene, 'render', *options.split()[1:])
+    if not options.startswith('-'):
+        return illuminance(program, scene, options.split()[0], options.split()[1:])
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / 'frame.png'
         command = [program, 'render', SCENES / f'{scene}.glb', *options.split(), '-o', output, '--quiet']
