@@ -19,7 +19,7 @@ std::string parts(const Shots& s, const std::string& name) {
   };
   return part("light's views", {"caster_map", "caster_exit_map", "receiver_map", "shadow_map"}) + ", " +
          part("V", {"caster_flux"}) + ", " + part("landing", {"landing"}) + ", " +
-         part("map", {"cells", "caustic_cells", "cascade_cells", "caustic_map"}) + ", all passes " +
+         part("map", {"cells", "caustic_cells", "caustic_footprints", "caustic_map"}) + ", all passes " +
          duration_text(all) + " (" + significant(1e3 / all, 3) + " fps)";
 }
 

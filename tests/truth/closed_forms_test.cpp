@@ -71,7 +71,7 @@ TEST_CASE("truth: figures of the glass sphere at full size", "[.figures]") {
         const SphereFloorError c = compare_sphere(floor_irradiance(r, settings));
         WARN("map " << map << ", grid " << grid << ", " << name_of(splat) << ": relative L1 "
                     << c.relative_l1_in_shadow << ", flux ratio " << c.flux_ratio << ", "
-                    << milliseconds(r, {"landing", "cells", "caustic_cells", "caustic_map", "cascade_cells"})
+                    << milliseconds(r, {"landing", "cells", "caustic_cells", "caustic_map"})
                     << " ms from the landings to the map");
       }
 }
