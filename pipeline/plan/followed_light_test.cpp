@@ -237,6 +237,16 @@ TEST_CASE("followed light: what receivers hide from the light has landings and c
   CHECK(pass_of(plan, "hidden_landings[sun].far").only_if == pass_of(plan, "enter[sun].1").counts_into);
 }
 
+TEST_CASE("followed light: of hidden receivers each branch reads its own landings, not the first's") {
+  Bench bench(2, 1);
+  bench.scene.meshes.push_back(box({-1.4, 0.4, -0.9}, {-0.6, 0.6, -0.4}, 0));
+  const FramePlan plan = bench.plan();
+  CHECK(reads(plan, "hidden_landings[sun mirrored 1].far", "landing[0 mirrored 1]"));
+  CHECK(!reads(plan, "hidden_landings[sun mirrored 1].far", "landing.far[0]"));
+  CHECK(reads(plan, "cells[sun mirrored 1].far", "landing.far[0 mirrored 1]"));
+  CHECK(reads(plan, "caustic_footprints[sun mirrored 1].far", "landing_footprint.far[0 mirrored 1]"));
+}
+
 TEST_CASE("followed light: each light is followed by itself") {
   Bench bench(2, 0);
   bench.scene.lights.push_back(sun({0.2, -1.0, 0.0}, 1.0f));

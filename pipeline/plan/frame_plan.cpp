@@ -359,8 +359,9 @@ class Planner {
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
     const std::string name(read.texture.empty() ? read.name : read.texture);
     if (read.surface != OfSurface::None) return of_round(pass, name, read.surface, user);
-    for (const std::string& wanted : {with_label(name, drawn_for.label), name})
-      for (const Owner owner : {user, Owner{user.light, -1}, Owner{}})
+    // A branch's own comes before what the first branch, which bears the light's name, has under the label.
+    for (const Owner owner : {user, Owner{user.light, -1}, Owner{}})
+      for (const std::string& wanted : {with_label(name, drawn_for.label), name})
         if (const int found = find(full_name(wanted, owner)); found >= 0)
           return called_for(read.needed_with) ? found : leave_unread(found, effects_.*read.needed_with);
     if (read.optional) return PlannedPass::kNothing;
