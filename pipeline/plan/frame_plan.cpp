@@ -1,6 +1,7 @@
 #include "pipeline/plan/frame_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -360,7 +361,8 @@ class Planner {
     const std::string name(read.texture.empty() ? read.name : read.texture);
     if (read.surface != OfSurface::None) return of_round(pass, name, read.surface, user);
     // A branch's own comes before what the first branch, which bears the light's name, has under the label.
-    for (const Owner owner : {user, Owner{user.light, -1}, Owner{}})
+    const Owner of_light{user.light, -1};
+    for (const Owner owner : std::to_array({user, of_light, Owner{}}))
       for (const std::string& wanted : {with_label(name, drawn_for.label), name})
         if (const int found = find(full_name(wanted, owner)); found >= 0)
           return called_for(read.needed_with) ? found : leave_unread(found, effects_.*read.needed_with);

@@ -45,6 +45,16 @@ def all_faults():
     return faults
 
 
+def is_whole(text):
+    """Whether an expression or statement can be put into brackets: its own are closed, and no head stands bare."""
+    depth, is_statement = 0, text.rstrip().endswith((';', '}'))
+    for character in re.sub(r"'[^']'|\"[^\"]*\"", '', text):
+        depth += (character in '([{') - (character in ')]}')
+        if depth < 0 or (depth == 0 and character == ',' and not is_statement):
+            return False
+    return depth == 0 and (is_statement or not re.match(r'(for|if|while)\b', text))
+
+
 def complaints(faults):
     """What is wrong with the list, held against the sources of today."""
     wrong, names, numbers, spans = [], set(), set(), {}
@@ -64,6 +74,8 @@ def complaints(faults):
         if source.count(fault.text) != 1:
             complain(f'its text occurs {source.count(fault.text)} times in {fault.file}; choose it anew')
             continue
+        if 'FAULT' not in fault.fault and not (is_whole(fault.text) and is_whole(fault.fault)):
+            complain('neither an expression nor a statement')
         begin = source.index(fault.text)
         is_statement = fault.choice().startswith('if')
         is_operand = re.search(r'(\breturn|[=,?({])\s*$', source[:begin])
