@@ -4,6 +4,14 @@ namespace caustics {
 
 extern const Shader hidden_landings_shader;
 
+namespace {
+
+std140::HiddenLandings hidden_landings_uniforms(const PassContext& context) {
+  return {.receiver = shader_view(context.views->receiver)};
+}
+
+}  // namespace
+
 Pass hidden_landings_pass() {
   return {
       .name = "hidden_landings",
@@ -21,7 +29,8 @@ Pass hidden_landings_pass() {
                 {.name = "fresnel_before", .meaning = "and what is booked of it", .texture = kLandingFresnel},
                 {.name = "absorbed_before", .meaning = "likewise", .texture = kLandingAbsorbed},
                 {.name = "path_before", .meaning = "what it has met", .texture = kLandingPath},
-                {.name = "footprint_before", .meaning = "how wide it is", .texture = kLandingFootprint}},
+                {.name = "footprint_before", .meaning = "how wide it is", .texture = kLandingFootprint},
+                {.name = "receiver_position", .meaning = "the farthest receivers"}},
       .writes = {{.name = kLanding,
                   .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
                  {.name = kLandingFlux, .meaning = "as land has it"},
@@ -29,7 +38,7 @@ Pass hidden_landings_pass() {
                  {.name = kLandingAbsorbed, .meaning = "likewise"},
                  {.name = kLandingPath, .meaning = "as land has it"},
                  {.name = kLandingFootprint, .meaning = "likewise"}},
-      .shaders = {{&hidden_landings_shader}},
+      .shaders = {{&hidden_landings_shader, block_of<hidden_landings_uniforms>}},
   };
 }
 

@@ -1,5 +1,14 @@
 #pragma once
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/shader/std140.hpp"
+
+namespace caustics::std140 {
+
+struct alignas(16) HiddenLandings {
+#include "passes/hidden_landings/hidden_landings_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 

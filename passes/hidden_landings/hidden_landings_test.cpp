@@ -9,11 +9,15 @@ using namespace caustics::test;
 
 namespace {
 
-// One vertex's landing; its other textures have 2, 3, 4, 5 and 6.
-PassImages handed_on(const glm::vec4& landing) {
+// One vertex's landing; its other textures have 2, 3, 4, 5 and 6. The farthest receivers lie at a height, in
+// a map of 64 texels for 8 m that looks down: eight of its texels are 1 m.
+PassImages handed_on(const glm::vec4& landing, float farthest = 0.5f) {
   std::vector<Image> textures{filled(1, 1, landing)};
   for (const float value : {2.0f, 3.0f, 4.0f, 5.0f, 6.0f}) textures.push_back(filled(1, 1, glm::vec4(value)));
-  return run_pass(definition_of(hidden_landings_pass()), {.textures = textures});
+  textures.push_back(filled(64, 64, {0.0f, farthest, 0.0f, 1.0f}));
+  const std140::HiddenLandings u{.receiver = shader_view(down(4.0, 10.0, 20.0))};
+  return run_pass(definition_of(hidden_landings_pass()),
+                  {.uniforms = uniform_bytes(u), .textures = textures});
 }
 
 }  // namespace
@@ -34,4 +38,14 @@ TEST_CASE("hidden_landings: what has ended otherwise is not handed on") {
     for (const char* name : {"landing", "landing_flux", "landing_path"})
       CHECK(texel(out[name], 0, 0) == glm::vec4(0.0f));
   }
+}
+
+TEST_CASE("hidden_landings: what the map of the farthest receivers does not show either stays lost") {
+  const auto status = [](float height, float farthest) {
+    return texel(handed_on({1.0f, height, -2.0f, STATUS_NOT_CONVERGED}, farthest)["landing"], 0, 0).w;
+  };
+  CHECK(status(0.5f, -0.4f) == STATUS_LANDED);
+  CHECK(status(0.5f, -0.6f) == STATUS_EMPTY);
+  CHECK(status(0.5f, 1.4f) == STATUS_LANDED);
+  CHECK(status(0.5f, 1.6f) == STATUS_EMPTY);
 }

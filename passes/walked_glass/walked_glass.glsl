@@ -31,6 +31,7 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/refraction.glsl"
 #include "passes/shared/sky_radiance.glsl"
 #include "passes/shared/view_space.glsl"
+#include "passes/shared/shown_point.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/media.glsl"
 #include "passes/shared/interface.glsl"
@@ -44,17 +45,6 @@ struct Sight {
   Bool under_way;
 };
 
-// Does a view show the surface at p itself, to eight texels' extents?
-Bool shows(Texture positions, IN(View) view, Vec3 p) {
-  Vec3 q = view_coordinates(view, p);
-  Vec2 uv = view_uv(view, q);
-  Vec4 seen = fetch_nearest(positions, uv.x, uv.y);
-  Float w = view_w(view, q);
-  Float extent = w / (view.scale.x * float(texture_width(positions)));
-  Float z = view_coordinates(view, Vec3(seen)).z;
-  return w > 0.0f && inside_unit(uv.x, uv.y) && is_covered(seen) && abs(z - q.z) <= 8.0f * extent;
-}
-
 Vec3 shown_color(Texture colors, IN(View) view, Vec3 p) {
   Vec2 uv = view_uv(view, view_coordinates(view, p));
   return Vec3(fetch_bilinear(colors, uv.x, uv.y));
@@ -64,9 +54,9 @@ Vec3 shown_color(Texture colors, IN(View) view, Vec3 p) {
 // shows, the sky's in the ray's direction.
 Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands) {
   Vec3 color = sky_radiance(u.sky, direction);
-  Bool wide = lands && shows(wide_position, u.surroundings, p);
+  Bool wide = lands && shows_point(wide_position, u.surroundings, p);
   color = sel(wide, shown_color(wide_color, u.surroundings, p), color);
-  Bool seen = lands && shows(view_position, u.view, p);
+  Bool seen = lands && shows_point(view_position, u.view, p);
   return sel(seen, shown_color(scene_color, u.view, p), color);
 }
 

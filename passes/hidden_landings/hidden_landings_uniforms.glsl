@@ -1,0 +1,1 @@
+View receiver;  // of the maps of receivers
