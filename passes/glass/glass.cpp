@@ -1,6 +1,7 @@
 #include "passes/glass/glass.hpp"
 
 #include "passes/caster_map/caster_map.hpp"
+#include "passes/shared/receiver_search_uniforms.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 
@@ -21,6 +22,7 @@ extern const Shader glass_shader;
 namespace {
 
 std140::Glass glass_uniforms(const PassContext& context) {
+  const Bounds receivers = receivers_box(context);
   return {
       .sky = shader_sky(context.scene->environment),
       .view = shader_view(*context.camera),
@@ -28,6 +30,8 @@ std140::Glass glass_uniforms(const PassContext& context) {
       .eye = context.camera->origin,
       .iterations = 12,
       .forward = context.camera->forward,
+      .receivers_lower = glm::vec3(receivers.lower),
+      .receivers_upper = glm::vec3(receivers.upper),
   };
 }
 

@@ -25,6 +25,7 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/optics.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/ray.glsl"
+#include "passes/shared/receivers_box.glsl"
 #include "passes/shared/refraction.glsl"
 #include "passes/shared/sky_radiance.glsl"
 #include "passes/shared/view_space.glsl"
@@ -39,19 +40,39 @@ Bool meets(IN(Hit) hit, IN(Ray) ray, Texture positions, IN(View) view) {
          w > 0.0f;
 }
 
-// The colour of the surface that a ray meets in a view, or `otherwise`.
-Vec3 color_met(Texture colors, Texture positions, IN(View) view, IN(Ray) ray, Vec3 otherwise) {
-  Hit hit = intersect_secant(positions, view, search_along(view, ray, u.iterations, false));
+// The surface that a ray meets in a view.
+struct Met {
+  Bool surface;
+  Vec3 color;
+};
+
+// Where a ray is `wanted`; elsewhere the search's second try is saved, and nobody may use what is found.
+Met met_in(Texture colors, Texture positions, IN(View) view, IN(Ray) ray, Bool wanted) {
+  Search search = search_along(view, ray, u.iterations, false);
+  search.reach = sel(wanted, search.reach, Float(0.0f));
+  Hit hit = intersect_secant(positions, view, search);
   Vec2 uv = view_uv(view, view_coordinates(view, point_along(ray, hit.distance)));
-  return sel(meets(hit, ray, positions, view), Vec3(fetch_bilinear(colors, uv.x, uv.y)), otherwise);
+  Met met;
+  met.surface = wanted && meets(hit, ray, positions, view);
+  met.color = Vec3(fetch_bilinear(colors, uv.x, uv.y));
+  return met;
 }
 
 // Radiance along a ray that starts outside the glass: the surface it meets on the screen, else one in
 // the wider view around it, else the sky.
-Vec3 radiance_along(IN(Ray) ray) {
+Vec3 radiance_along(IN(Ray) ray, Bool wanted) {
   Vec3 color = sky_radiance(u.sky, ray.direction);
-  color = color_met(wide_color, wide_position, u.surroundings, ray, color);
-  return color_met(scene_color, view_position, u.view, ray, color);
+  Bool possible = wanted && cross_receivers(ray).meets;
+  if (any_lane(possible)) {
+    Met seen = met_in(scene_color, view_position, u.view, ray, possible);
+    color = sel(seen.surface, seen.color, color);
+    Bool rest = possible && !seen.surface;
+    if (any_lane(rest)) {
+      Met around = met_in(wide_color, wide_position, u.surroundings, ray, rest);
+      color = sel(around.surface, around.color, color);
+    }
+  }
+  return color;
 }
 
 Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
@@ -103,8 +124,8 @@ Front front_at(Vec4 position, Int column, Int row) {
   return front;
 }
 
-// Radiance that a caster's surface sends to the camera.
-Vec3 radiance_of(IN(Front) front) {
+// Radiance that a caster's surface sends to the camera, where it is `seen`.
+Vec3 radiance_of(IN(Front) front, Bool seen) {
   Material material = front.material;
   Vec3 sight = Vec3(u.forward);
   if (u.view.kind != VIEW_PARALLEL) sight = normalize_or(front.point - Vec3(u.eye), Vec3(u.forward));
@@ -115,8 +136,8 @@ Vec3 radiance_of(IN(Front) front) {
   Exit exit = leave_glass(ray_from(front.point, bent.direction), material.ior, solid);
 
   Vec3 behind =
-      radiance_along(exit.ray) * material.color * transmittance(material.absorption, exit.inside_length);
-  Vec3 mirrored = radiance_along(ray_from(front.point, reflected(sight, normal, bent.cosine)));
+      radiance_along(exit.ray, seen && !material.mirror) * material.color * transmittance(material.absorption, exit.inside_length);
+  Vec3 mirrored = radiance_along(ray_from(front.point, reflected(sight, normal, bent.cosine)), seen);
   Vec3 metal = mirrored * metal_reflectance(material.color, bent.cosine);
   // The share that the second surface sends back is taken to leave as it would have: nothing is lost to
   // black.
@@ -134,7 +155,7 @@ void main() {
   Float surface_z = view_coordinates(u.view, Vec3(surface)).z;
   Bool seen = is_covered(caster) && (!is_covered(surface) || z < surface_z);
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
-  if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row)), color);
+  if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
   beauty = Vec4(color, Float(1.0f));
 }
 #endif

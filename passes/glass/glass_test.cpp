@@ -55,14 +55,21 @@ struct Bench {
     materials.at(1, 1, 3) = solid ? 1.0f : 0.0f;
     const View wide = widened(view, 3.0);
     const Pass pass = glass_pass();
+    // The box around all receivers, which no ray can miss that goes down.
+    Scene all = scene;
+    all.meshes.resize(1);
+    all.meshes[0].vertices.resize(1);
+    all.meshes[0].lower = {-1e4f, -1.0f, -1e4f};
+    all.meshes[0].upper = {1e4f, 1.0f, 1e4f};
     Effects effects;
+    effects.surfaces.resize(1);
     effects.textured_casters.active = pixel_tint.has_value();
     return run_pass(
         definition_of(pass),
         {.width = 8,
          .height = 8,
          .uniforms =
-             pass.uniforms({.scene = &scene, .effects = &effects, .camera = &view, .surroundings = &wide}),
+             pass.uniforms({.scene = &all, .effects = &effects, .camera = &view, .surroundings = &wide}),
          .textures = {scene_color, floor, wide_color, wide_floor, level(view, glass_height, facing),
                       filled(8, 8, {normal, 1.0f}), solid ? level(view, 4.0, 1.0f) : Image{},
                       solid ? filled(8, 8, {exit_normal, 1.0f}) : Image{}, materials,

@@ -34,6 +34,7 @@ OUTPUT(4, Vec4, landing_footprint)
 #include "passes/shared/ray_state.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
+#include "passes/shared/receivers_box.glsl"
 #include "passes/shared/fly_to_receiver.glsl"
 #include "passes/shared/light_path.glsl"
 #include "passes/shared/fetch_light_path.glsl"

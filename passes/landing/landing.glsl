@@ -43,6 +43,7 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/grid_light.glsl"
 #include "passes/shared/intersect.glsl"
+#include "passes/shared/receivers_box.glsl"
 #include "passes/shared/fly_to_receiver.glsl"
 #ifdef HAZE
 #include "passes/shared/medium_optics.glsl"

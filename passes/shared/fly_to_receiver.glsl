@@ -18,29 +18,6 @@ Hit find_surface(Texture positions, IN(View) view, IN(Search) along) {
   return hit;
 }
 
-Float inverse(Float x) {
-  return sel(abs(x) > 1.0e-20f, 1.0f / sel(x != 0.0f, x, Float(1.0f)), Float(1.0e20f));
-}
-
-// Where a ray, from its start on, crosses the box around all receivers: distances along it, metres.
-struct Crossing {
-  Bool meets;
-  Float enters;
-  Float leaves;
-};
-
-// Slabs: Kay and Kajiya 1986.
-Crossing cross_receivers(IN(Ray) ray) {
-  Vec3 per = Vec3(inverse(ray.direction.x), inverse(ray.direction.y), inverse(ray.direction.z));
-  Vec3 a = (Vec3(u.receivers_lower) - ray.start) * per;
-  Vec3 b = (Vec3(u.receivers_upper) - ray.start) * per;
-  Crossing box;
-  box.enters = max_of(max_of(min_of(a.x, b.x), min_of(a.y, b.y)), max_of(min_of(a.z, b.z), Float(0.0f)));
-  box.leaves = min_of(min_of(max_of(a.x, b.x), max_of(a.y, b.y)), max_of(a.z, b.z));
-  box.meets = box.leaves >= box.enters;
-  return box;
-}
-
 // Where a ray starts over a hole, or flies far over a floor's edge, only the box tells where steps have to
 // look: from a little before it, by what texels may be off their surfaces, to a little behind it. The last of
 // 20 steps, each half as far again as the one before, ends there: 1.5^19 = 2216.8 times the first.

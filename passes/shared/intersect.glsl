@@ -69,43 +69,70 @@ Float steepest_rise(Texture positions, IN(View) view, Float high) {
   return rise;
 }
 
-// The gap at p, against the texel that holds p or, `smoothly`, between the four nearest where all are covered
-// and no steeper than 83 degrees.
+// What a view sees at a place: gap_height of it, and whether it is a surface.
+struct Seen {
+  Float height;
+  Bool covered;
+};
+
+// In the texel that holds (u, v).
+Seen seen_in_texel(Texture positions, IN(View) view, Vec2 uv, Int face) {
+  Vec4 nearest = fetch_nearest(positions, uv.x, uv.y);
+  Seen seen;
+  seen.height = gap_height(view, nearest, face);
+  seen.covered = is_covered(nearest);
+  return seen;
+}
+
+// Between the four nearest texels where all are covered and no steeper than 83 degrees; elsewhere in the one of
+// them that holds (u, v).
+Seen seen_between(Texture positions, IN(View) view, Vec2 uv, Int face) {
+  Float x = uv.x * Float(texture_width(positions)) - 0.5f;
+  Float y = uv.y * Float(texture_height(positions)) - 0.5f;
+  Int x0 = floor_to_int(x);
+  Int y0 = floor_to_int(y);
+  Float fx = clamp_to(x - Float(x0), 0.0f, 1.0f);
+  Float fy = clamp_to(y - Float(y0), 0.0f, 1.0f);
+  Vec4 t00 = fetch_clamped(positions, x0, y0);
+  Vec4 t10 = fetch_clamped(positions, x0 + 1, y0);
+  Vec4 t01 = fetch_clamped(positions, x0, y0 + 1);
+  Vec4 t11 = fetch_clamped(positions, x0 + 1, y0 + 1);
+  Float h00 = gap_height(view, t00, face);
+  Float h10 = gap_height(view, t10, face);
+  Float h01 = gap_height(view, t01, face);
+  Float h11 = gap_height(view, t11, face);
+  Float low = min_of(min_of(h00, h10), min_of(h01, h11));
+  Float high = max_of(max_of(h00, h10), max_of(h01, h11));
+  Bool whole = is_covered(t00) && is_covered(t10) && is_covered(t01) && is_covered(t11) &&
+               high - low <= steepest_rise(positions, view, high);
+  Float bottom = h00 + (h10 - h00) * fx;
+  Float top = h01 + (h11 - h01) * fx;
+  Bool right = fx >= 0.5f;
+  Bool upper = fy >= 0.5f;
+  Float own = sel(upper, sel(right, h11, h01), sel(right, h10, h00));
+  Seen seen;
+  seen.height = sel(whole, bottom + (top - bottom) * fy, own);
+  seen.covered = sel(upper, sel(right, t11.w, t01.w), sel(right, t10.w, t00.w)) != 0.0f;
+  return seen;
+}
+
+// The gap at p, against the texel that holds p or, `smoothly`, between the four nearest.
 Gap gap_at(Texture positions, IN(View) view, Vec3 p, Float scale, bool smoothly) {
   Vec3 at = view_coordinates(view, p);
   Int face = view_face(view, at);
   Vec3 q = in_face(view, at, face);
   Vec2 uv = view_uv(view, at);
+  Seen seen;
+  if (smoothly) {
+    seen = seen_between(positions, view, uv, face);
+  } else {
+    seen = seen_in_texel(positions, view, uv, face);
+  }
   Gap gap;
   gap.inside = inside_unit(uv.x, uv.y);
-  Vec4 nearest = fetch_nearest(positions, uv.x, uv.y);
-  gap.covered = gap.inside && is_covered(nearest);
-  Float height = gap_height(view, nearest, face);
-  if (smoothly) {
-    Float x = uv.x * Float(texture_width(positions)) - 0.5f;
-    Float y = uv.y * Float(texture_height(positions)) - 0.5f;
-    Int x0 = floor_to_int(x);
-    Int y0 = floor_to_int(y);
-    Float fx = clamp_to(x - Float(x0), 0.0f, 1.0f);
-    Float fy = clamp_to(y - Float(y0), 0.0f, 1.0f);
-    Vec4 t00 = fetch_clamped(positions, x0, y0);
-    Vec4 t10 = fetch_clamped(positions, x0 + 1, y0);
-    Vec4 t01 = fetch_clamped(positions, x0, y0 + 1);
-    Vec4 t11 = fetch_clamped(positions, x0 + 1, y0 + 1);
-    Float h00 = gap_height(view, t00, face);
-    Float h10 = gap_height(view, t10, face);
-    Float h01 = gap_height(view, t01, face);
-    Float h11 = gap_height(view, t11, face);
-    Float low = min_of(min_of(h00, h10), min_of(h01, h11));
-    Float high = max_of(max_of(h00, h10), max_of(h01, h11));
-    Bool whole = is_covered(t00) && is_covered(t10) && is_covered(t01) && is_covered(t11) &&
-                 high - low <= steepest_rise(positions, view, high);
-    Float bottom = h00 + (h10 - h00) * fx;
-    Float top = h01 + (h11 - h01) * fx;
-    height = sel(whole, bottom + (top - bottom) * fy, height);
-  }
-  gap.value = q.z - height;
-  if (view.kind != VIEW_PARALLEL) gap.value = (q.z * height - 1.0f) * scale;
+  gap.covered = gap.inside && seen.covered;
+  gap.value = q.z - seen.height;
+  if (view.kind != VIEW_PARALLEL) gap.value = (q.z * seen.height - 1.0f) * scale;
   return gap;
 }
 
