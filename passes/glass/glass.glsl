@@ -135,8 +135,8 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
   Bool solid = material.solid && !front.from_inside;
   Exit exit = leave_glass(ray_from(front.point, bent.direction), material.ior, solid);
 
-  Vec3 behind =
-      radiance_along(exit.ray, seen && !material.mirror) * material.color * transmittance(material.absorption, exit.inside_length);
+  Vec3 behind = radiance_along(exit.ray, seen && !material.mirror) * material.color *
+                transmittance(material.absorption, exit.inside_length);
   Vec3 mirrored = radiance_along(ray_from(front.point, reflected(sight, normal, bent.cosine)), seen);
   Vec3 metal = mirrored * metal_reflectance(material.color, bent.cosine);
   // The share that the second surface sends back is taken to leave as it would have: nothing is lost to

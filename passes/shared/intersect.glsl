@@ -84,8 +84,8 @@ Seen seen_in_texel(Texture positions, IN(View) view, Vec2 uv, Int face) {
   return seen;
 }
 
-// Between the four nearest texels where all are covered and no steeper than 83 degrees; elsewhere in the one of
-// them that holds (u, v).
+// Between the four nearest texels where all are covered and no steeper than 83 degrees; elsewhere in the one
+// of them that holds (u, v).
 Seen seen_between(Texture positions, IN(View) view, Vec2 uv, Int face) {
   Float x = uv.x * Float(texture_width(positions)) - 0.5f;
   Float y = uv.y * Float(texture_height(positions)) - 0.5f;

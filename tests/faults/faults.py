@@ -46,7 +46,7 @@ def all_faults():
 
 
 def is_whole(text):
-    """Whether an expression or statement can be put into brackets: its own are closed, and no head stands bare."""
+    """Can this be put into brackets? Its own are closed, and no head of a loop stands bare."""
     depth, is_statement = 0, text.rstrip().endswith((';', '}'))
     for character in re.sub(r"'[^']'|\"[^\"]*\"", '', text):
         depth += (character in '([{') - (character in ')]}')
