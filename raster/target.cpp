@@ -18,6 +18,16 @@ Texel cleared(const ColorWrite& write) {
   return texel;
 }
 
+void fill_texels(float* out, int count, int channels, const Texel& texel) {
+  if (channels == 1) {
+    std::fill_n(out, count, texel[0]);
+  } else if (channels == 4) {
+    for (int i = 0; i < count; ++i) std::memcpy(out + 4 * i, texel.data(), sizeof texel);
+  } else {
+    for (int i = 0; i < count; ++i) std::copy_n(texel.data(), channels, out + i * channels);
+  }
+}
+
 // From now on tiles are known to hold this texel, or not.
 void begin_clear(Texture& texture, const Texel& texel, std::size_t tiles) {
   if (!same_bits(texture.clear_texel, texel) || texture.clear_tiles.size() != tiles)
@@ -54,10 +64,13 @@ class Tile {
 
   void load_depth() {
     if (!target_.depth) return;
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x)
-        storage_.depth[y * kTile + x] =
-            target_.keep_depth ? *target_.depth->texel(x_ + x, y_ + y) : target_.depth_clear;
+    for (int y = 0; y < height_; ++y) {
+      float* const row = storage_.depth + static_cast<std::ptrdiff_t>(y) * kTile;
+      if (target_.keep_depth)
+        std::copy_n(target_.depth->texel(x_, y_ + y), width_, row);
+      else
+        std::fill_n(row, width_, target_.depth_clear);
+    }
   }
 
   // `drawn`: any fragment has passed. What holds its contents anyway is left alone.
@@ -73,6 +86,8 @@ class Tile {
         const float(*row)[4] = storage_.color[i] + static_cast<std::ptrdiff_t>(y) * kTile;
         if (channels == 4) {
           std::memcpy(out, row, sizeof(Texel) * static_cast<std::size_t>(width_));
+        } else if (channels == 1) {
+          for (int x = 0; x < width_; ++x) out[x] = row[x][0];
         } else {
           for (int x = 0; x < width_; ++x)
             for (int c = 0; c < channels; ++c) *out++ = row[x][c];
@@ -81,7 +96,8 @@ class Tile {
     }
     if (!target_.depth) return;
     for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) *target_.depth->texel(x_ + x, y_ + y) = storage_.depth[y * kTile + x];
+      std::copy_n(storage_.depth + static_cast<std::ptrdiff_t>(y) * kTile, width_,
+                  target_.depth->texel(x_, y_ + y));
   }
 
   TileJob job(const FragmentWork& work, const std::vector<PrimitiveChunk>& chunks) {
@@ -125,12 +141,9 @@ class Tile {
       if (!color.texture || color.keep) continue;
       const Texel texel = cleared(*color.write);
       if (color.texture->is_clear(index_, texel)) continue;
-      const auto channels = static_cast<std::size_t>(color.texture->channels());
-      for (int y = 0; y < height_; ++y) {
-        float* out = color.texture->texel(x_, y_ + y);
-        for (int x = 0; x < width_; ++x, out += channels)
-          std::memcpy(out, texel.data(), channels * sizeof(float));
-      }
+      const int channels = color.texture->channels();
+      for (int y = 0; y < height_; ++y)
+        fill_texels(color.texture->texel(x_, y_ + y), width_, channels, texel);
       mark(*color.texture, true);
     }
   }
@@ -202,9 +215,9 @@ void RenderTarget::clear() {
     begin_clear(*color.texture, texel, tiles);
     std::vector<std::uint8_t>& clear = color.texture->clear_tiles;
     if (std::all_of(clear.begin(), clear.end(), [](std::uint8_t each) { return each != 0; })) continue;
-    const auto channels = static_cast<std::size_t>(color.texture->channels());
-    for (std::size_t i = 0; i < color.texture->value_count(); i += channels)
-      std::copy_n(texel.data(), channels, color.texture->values.get() + i);
+    const ImageShape& shape = color.texture->shape;
+    for (int y = 0; y < shape.height; ++y)
+      fill_texels(color.texture->texel(0, y), shape.width, color.texture->channels(), texel);
     std::fill(clear.begin(), clear.end(), std::uint8_t{1});
   }
   if (depth && !keep_depth) std::fill_n(depth->values.get(), depth->value_count(), depth_clear);

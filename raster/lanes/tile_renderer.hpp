@@ -5,6 +5,7 @@
 // that small triangles fill the lanes too; within a pixel the order stays the API's because depth is
 // tested while collecting, or after shading lane by lane, and blending runs lane by lane.
 #pragma once
+#include "raster/lanes/merging.hpp"
 #include "raster/tile_job.hpp"
 
 namespace caustics::raster::CAUSTICS_TILE_NAMESPACE {
@@ -34,75 +35,6 @@ inline bool passes(Compare compare, float incoming, float stored) {
       return false;
   }
   return false;
-}
-
-// ---- half and 8-bit targets: the rounding of pipeline/gpu/format.cpp, which lives outside this
-// instruction set and is called through the linker.
-inline float quantized(Format format, float value) {
-  return format == Format::RGBA16F || format == Format::RGBA8 ? stored_value(format, value) : value;
-}
-
-inline float factor_of(BlendFactor factor, const float* source, const float* destination, int channel) {
-  switch (factor) {
-    case BlendFactor::Zero:
-      return 0.0f;
-    case BlendFactor::One:
-      return 1.0f;
-    case BlendFactor::SourceColor:
-      return source[channel];
-    case BlendFactor::SourceAlpha:
-      return source[3];
-    case BlendFactor::OneMinusSourceAlpha:
-      return 1.0f - source[3];
-    case BlendFactor::DestinationColor:
-      return destination[channel];
-  }
-  return 0.0f;
-}
-
-// A term of the Add equation; a factor of 0 gives 0 and of 1 the value itself.
-inline float weighted(BlendFactor factor, float value, const float* source, const float* destination,
-                      int channel) {
-  if (factor == BlendFactor::Zero) return 0.0f;
-  if (factor == BlendFactor::One) return value;
-  return value * factor_of(factor, source, destination, channel);
-}
-
-inline float blended(const BlendState& blend, const float* source, const float* destination, int channel) {
-  const float s = source[channel], d = destination[channel];
-  // A NaN loses against a number in Min and Max, as on llvmpipe.
-  if (blend.equation == BlendEquation::Min) return s < d || d != d ? s : d;
-  if (blend.equation == BlendEquation::Max) return s > d || d != d ? s : d;
-  return weighted(blend.source, s, source, destination, channel) +
-         weighted(blend.destination, d, source, destination, channel);
-}
-
-inline void write_color(const TileColor& target, float* texel, const float* color) {
-  const bool unorm = target.format == Format::RGBA8;
-  float source[4], result[4];
-  for (int c = 0; c < 4; ++c) {
-    source[c] = color[c];
-    // Fixed-point targets clamp before blending (17.3.6.1).
-    if (unorm) source[c] = source[c] >= 0.0f ? (source[c] <= 1.0f ? source[c] : 1.0f) : 0.0f;
-  }
-  for (int c = 0; c < 4; ++c)
-    result[c] = target.blend.enabled ? blended(target.blend, source, texel, c) : source[c];
-  for (int c = 0; c < 4; ++c)
-    if (target.mask[c]) texel[c] = quantized(target.format, result[c]);
-}
-
-// How a fragment gets into a target. What a target of one channel holds beside it is never stored.
-enum class Merging { General, Replace, Add, AddOneChannel };
-
-inline Merging merging_of(const TileColor& target) {
-  const bool one_channel = target.format == Format::R32F;
-  const bool all = target.mask[0] && (one_channel || (target.mask[1] && target.mask[2] && target.mask[3]));
-  if (!all || !(one_channel || target.format == Format::RGBA32F)) return Merging::General;
-  const BlendState& blend = target.blend;
-  if (!blend.enabled) return Merging::Replace;
-  const bool adds = blend.equation == BlendEquation::Add && blend.source == BlendFactor::One &&
-                    blend.destination == BlendFactor::One;
-  return !adds ? Merging::General : one_channel ? Merging::AddOneChannel : Merging::Add;
 }
 
 struct Span {
@@ -243,6 +175,7 @@ class TileRenderer {
   // A rectangle that the triangle covers whole.
   void fill(int x_first, int x_last, int y_first, int y_last, const TriangleRecord& t) {
     flush();
+    in_row_ = true;
     for (int lane = 0; lane < kBlock; ++lane) {
       z_[lane] = 0.0f;
       planes_[lane] = t.planes;
@@ -261,6 +194,7 @@ class TileRenderer {
         }
         run_block();
       }
+    in_row_ = false;
   }
 
   void add_of_triangle(int x, int y, const TriangleRecord& t) {
@@ -357,34 +291,49 @@ class TileRenderer {
   }
 
   void merge() {
+    for (int i = 0; i < job_.color_count; ++i)
+      if (merging_[i] == Merging::ReplaceByte)
+        for (int c = 0; c < 4; ++c) round_to_bytes(outputs_[4 * i + c]);
+    if (in_row_ && count_ == kBlock && nothing_discarded()) {
+      merge_row();
+      return;
+    }
     for (int lane = 0; lane < count_; ++lane) {
       if (discarded_[lane]) continue;
       if (job_.test_depth_late && !depth_passes(pixel_[lane], z_[lane])) continue;
       if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
       ++counters_.samples_passed;
-      for (int i = 0; i < job_.color_count; ++i) merge_color(i, lane);
+      for (int i = 0; i < job_.color_count; ++i) merge_into(i, lane);
     }
   }
 
-  void merge_color(int i, int lane) {
-    const TileColor& target = job_.colors[i];
-    float* texel = target.texels[pixel_[lane]];
-    const float(*outputs)[kBlock] = outputs_ + 4 * i;
-    if (merging_[i] == Merging::AddOneChannel) {
-      texel[0] = outputs[0][lane] + texel[0];
-      return;
+  bool nothing_discarded() const {
+    std::int32_t any = 0;
+    for (int lane = 0; lane < kBlock; ++lane) any |= discarded_[lane];
+    return any == 0;
+  }
+
+  // Sixteen neighbours in a row, of a triangle that is drawn without a depth test.
+  void merge_row() {
+    if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
+    counters_.samples_passed += static_cast<std::uint64_t>(kBlock);
+    for (int i = 0; i < job_.color_count; ++i) {
+      if (merging_[i] == Merging::Replace || merging_[i] == Merging::ReplaceByte)
+        replace_row(job_.colors[i].texels + pixel_[0], outputs_ + 4 * i);
+      else
+        for (int lane = 0; lane < kBlock; ++lane) merge_into(i, lane);
     }
-    float color[4];
-    for (int c = 0; c < 4; ++c) color[c] = outputs[c][lane];
-    if (merging_[i] == Merging::General) return write_color(target, texel, color);
-    const bool adds = merging_[i] == Merging::Add;
-    for (int c = 0; c < 4; ++c) texel[c] = adds ? color[c] + texel[c] : color[c];
+  }
+
+  void merge_into(int i, int lane) {
+    merge_texel(job_.colors[i], merging_[i], job_.colors[i].texels[pixel_[lane]], outputs_ + 4 * i, lane);
   }
 
   const TileJob& job_;
   TileCounters& counters_;
   Merging merging_[kMaxColors] = {};
   int count_ = 0;
+  bool in_row_ = false;  // the block is of neighbours in a row, without a depth test
   int pixel_[kBlock];
   alignas(64) float x_[kBlock], y_[kBlock], z_[kBlock];
   const Plane* planes_[kBlock];
