@@ -29,20 +29,17 @@ inline void stack_put(Stack& stack, int depth, int value) { stack.values[depth] 
 inline int stack_at(const Stack& stack, int depth) { return stack.values[depth]; }
 
 // The channels of one texel; missing ones read 0, 0, 1 as GL's swizzle has it.
-template <class TexelOf>
-void gather_texels(const TexelOf& texel_of, int channels, float out[4]) {
-  const float* p = texel_of(0);
-  out[0] = p[0];
-  out[1] = channels > 1 ? p[1] : 0.0f;
-  out[2] = channels > 2 ? p[2] : 0.0f;
-  out[3] = channels > 3 ? p[3] : 1.0f;
-}
 inline void gather_texel(const TextureView& t, int x, int y, float out[4]) {
-  gather_texels(
-      [&](int) {
-        return t.texels + (static_cast<std::size_t>(y) * static_cast<std::size_t>(t.width) +
-                           static_cast<std::size_t>(x)) *
-                              static_cast<std::size_t>(t.channels);
-      },
-      t.channels, out);
+  const float* p = t.texels + (static_cast<std::size_t>(y) * static_cast<std::size_t>(t.width) +
+                               static_cast<std::size_t>(x)) *
+                                  static_cast<std::size_t>(t.channels);
+  out[0] = p[0];
+  out[1] = t.channels > 1 ? p[1] : 0.0f;
+  out[2] = t.channels > 2 ? p[2] : 0.0f;
+  out[3] = t.channels > 3 ? p[3] : 1.0f;
+}
+// Of a table, four channels: texels in one row, offset by as many.
+inline void gather_table(const TextureView& t, int index, int offset, float out[4]) {
+  const float* p = t.texels + 4 * (static_cast<std::ptrdiff_t>(index) + offset);
+  for (int channel = 0; channel < 4; ++channel) out[channel] = p[channel];
 }

@@ -39,9 +39,7 @@ inline Vec4 texel_fetch(const TextureView& t, Int x, Int y) {
 }
 inline Vec4 table_fetch(const TextureView& t, Int index, int offset) {
   Float c[4];
-  gather_texels(
-      [&](int lane) { return t.texels + 4 * static_cast<std::ptrdiff_t>(lane_of(index, lane)) + 4 * offset; },
-      4, c);
+  gather_table(t, index, offset, c);
   return Vec4(c[0], c[1], c[2], c[3]);
 }
 inline int texture_width(const TextureView& t) { return t.width; }

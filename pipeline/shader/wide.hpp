@@ -127,51 +127,84 @@ inline Int stack_at(const Stack& stack, Int depth) {
   return value;
 }
 
-// Fetches one texel a lane. Four-channel texels are loaded whole and transposed, which beats gathers.
-template <class TexelOf>
-void gather_texels(const TexelOf& texel, int channels, Float out[4]) {
 #if defined(__SSE2__)
-  if (channels == 4) {
-    __m128 part[4][kLanes / 4];
-    for (int group = 0; group < kLanes / 4; ++group) {
-      __m128 a = _mm_loadu_ps(texel(4 * group)), b = _mm_loadu_ps(texel(4 * group + 1));
-      __m128 c = _mm_loadu_ps(texel(4 * group + 2)), d = _mm_loadu_ps(texel(4 * group + 3));
-      _MM_TRANSPOSE4_PS(a, b, c, d);
-      part[0][group] = a;
-      part[1][group] = b;
-      part[2][group] = c;
-      part[3][group] = d;
-    }
-    for (int channel = 0; channel < 4; ++channel) {
+// A texel of four channels each of lanes i, i + 4, i + 8 and i + 12, as far as there are so many.
+template <class TexelOf>
+FloatVector every_fourth(const TexelOf& texel, int i) {
 #if CAUSTICS_LANES == 16
-      __m512 whole = _mm512_castps128_ps512(part[channel][0]);
-      whole = _mm512_insertf32x4(whole, part[channel][1], 1);
-      whole = _mm512_insertf32x4(whole, part[channel][2], 2);
-      out[channel].v = (FloatVector)_mm512_insertf32x4(whole, part[channel][3], 3);
+  __m512 four = _mm512_castps128_ps512(_mm_loadu_ps(texel(i)));
+  four = _mm512_insertf32x4(four, _mm_loadu_ps(texel(i + 4)), 1);
+  four = _mm512_insertf32x4(four, _mm_loadu_ps(texel(i + 8)), 2);
+  return (FloatVector)_mm512_insertf32x4(four, _mm_loadu_ps(texel(i + 12)), 3);
 #elif CAUSTICS_LANES == 8
-      out[channel].v = (FloatVector)_mm256_set_m128(part[channel][1], part[channel][0]);
+  return (FloatVector)_mm256_set_m128(_mm_loadu_ps(texel(i + 4)), _mm_loadu_ps(texel(i)));
 #else
-      out[channel].v = (FloatVector)part[channel][0];
+  return (FloatVector)_mm_loadu_ps(texel(i));
 #endif
-    }
+}
+// Of each 128 bits the lower two floats of a and b in turn, or the upper two.
+inline FloatVector lower_in_turn(FloatVector a, FloatVector b) {
+#if CAUSTICS_LANES == 16
+  return (FloatVector)_mm512_unpacklo_ps((__m512)a, (__m512)b);
+#elif CAUSTICS_LANES == 8
+  return (FloatVector)_mm256_unpacklo_ps((__m256)a, (__m256)b);
+#else
+  return (FloatVector)_mm_unpacklo_ps((__m128)a, (__m128)b);
+#endif
+}
+inline FloatVector upper_in_turn(FloatVector a, FloatVector b) {
+#if CAUSTICS_LANES == 16
+  return (FloatVector)_mm512_unpackhi_ps((__m512)a, (__m512)b);
+#elif CAUSTICS_LANES == 8
+  return (FloatVector)_mm256_unpackhi_ps((__m256)a, (__m256)b);
+#else
+  return (FloatVector)_mm_unpackhi_ps((__m128)a, (__m128)b);
+#endif
+}
+#endif
+
+// Fetches one texel of four channels a lane: loaded whole and transposed within each 128 bits.
+template <class TexelOf>
+void gather_whole_texels(const TexelOf& texel, Float out[4]) {
+#if defined(__SSE2__)
+  const FloatVector a = every_fourth(texel, 0), b = every_fourth(texel, 1), c = every_fourth(texel, 2),
+                    d = every_fourth(texel, 3);
+  const FloatVector red_green = lower_in_turn(a, c), red_green2 = lower_in_turn(b, d);
+  const FloatVector blue_alpha = upper_in_turn(a, c), blue_alpha2 = upper_in_turn(b, d);
+  out[0].v = lower_in_turn(red_green, red_green2);
+  out[1].v = upper_in_turn(red_green, red_green2);
+  out[2].v = lower_in_turn(blue_alpha, blue_alpha2);
+  out[3].v = upper_in_turn(blue_alpha, blue_alpha2);
+#else
+  for (int lane = 0; lane < kLanes; ++lane)
+    for (int channel = 0; channel < 4; ++channel) out[channel].v[lane] = texel(lane)[channel];
+#endif
+}
+
+// Likewise of a table: texels in one row, offset by as many.
+inline void gather_table(const TextureView& t, Int index, int offset, Float out[4]) {
+  const float* const texels = t.texels + 4 * offset;
+  gather_whole_texels(
+      [&](int lane) { return texels + 4 * static_cast<std::ptrdiff_t>(lane_of(index, lane)); }, out);
+}
+
+// A texture has less than 2^29 texels.
+inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
+  const Int index = y * Int(t.width) + x;
+  if (t.channels == 4) {
+    // Twice, because a processor's addresses take steps of eight bytes at most without a shift.
+    const Int twice = index + index;
+    gather_whole_texels(
+        [&](int lane) { return t.texels + 2 * static_cast<std::ptrdiff_t>(lane_of(twice, lane)); }, out);
     return;
   }
-#endif
-  alignas(64) float value[4][kLanes];
   for (int channel = 0; channel < 4; ++channel) {
-    if (channel >= channels) {
+    if (channel >= t.channels) {
       out[channel] = Float(channel < 3 ? 0.0f : 1.0f);
       continue;
     }
-    for (int lane = 0; lane < kLanes; ++lane) value[channel][lane] = texel(lane)[channel];
-    load(value[channel], out[channel]);
+    const float* const texels = t.texels + channel;
+    for (int lane = 0; lane < kLanes; ++lane)
+      out[channel].v[lane] = texels[static_cast<std::ptrdiff_t>(lane_of(index, lane)) * t.channels];
   }
-}
-
-// A texture has less than 2^31 texels.
-inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
-  const Int index = y * Int(t.width) + x;
-  gather_texels(
-      [&](int lane) { return t.texels + static_cast<std::ptrdiff_t>(lane_of(index, lane)) * t.channels; },
-      t.channels, out);
 }
