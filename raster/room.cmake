@@ -5,7 +5,7 @@ list(REMOVE_ITEM tile_kernels scalar)
 foreach(WIDTH IN LISTS tile_kernels)
   set(file ${PROJECT_BINARY_DIR}/raster/tile_kernel_${WIDTH}.cpp)
   configure_file(${PROJECT_SOURCE_DIR}/raster/lanes/tile_kernel.cpp.in ${file} @ONLY)
-  set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${CAUSTICS_FLAGS_${WIDTH}}"
+  set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${CAUSTICS_FLAGS_${WIDTH}};-Wno-psabi"
     SKIP_PRECOMPILE_HEADERS ON)
   target_sources(caustics_raster PRIVATE ${file})
 endforeach()

@@ -58,7 +58,8 @@ ShadedVertices shade_vertices(const VertexStage& stage, const Workers& workers) 
   ShadedVertices out;
   out.stride = ShadedVertices::kHeader + stage.interface->varying_components();
   out.count = stage.vertex_count;
-  out.values.resize(out.count * static_cast<std::size_t>(out.stride));
+  // Varyings are read in fours: three more may be behind the last.
+  out.values.resize(out.count * static_cast<std::size_t>(out.stride) + 3);
   const std::vector<int> offsets =
       stage.mesh ? attribute_offsets(*stage.interface, *stage.mesh) : std::vector<int>{};
   const std::size_t tasks = (out.count + kVerticesPerTask - 1) / kVerticesPerTask;

@@ -6,6 +6,7 @@
 // tested while collecting, or after shading lane by lane, and blending runs lane by lane.
 #pragma once
 #include "raster/lanes/merging.hpp"
+#include "raster/lanes/sixteen.hpp"
 #include "raster/tile_job.hpp"
 
 namespace caustics::raster::CAUSTICS_TILE_NAMESPACE {
@@ -77,6 +78,7 @@ class TileRenderer {
  public:
   TileRenderer(const TileJob& job, TileCounters& counters) : job_(job), counters_(counters) {
     for (int i = 0; i < job.color_count; ++i) merging_[i] = merging_of(job.colors[i]);
+    for (int lane = 0; lane < kBlock; ++lane) front_[lane] = -1;
   }
 
   void run() {
@@ -117,19 +119,15 @@ class TileRenderer {
       for (int x = x_first; x <= x_last; ++x) add(x, y, point.z, nullptr, point.varyings, -1, 0);
       return;
     }
-    const int pixel = (y - job_.y) * kTile - job_.x;
+    // Sixteen are put, as many as there are count.
     for (int x = x_first; x <= x_last;) {
-      const int end = smaller(x_last + 1, x + kBlock - count_);
-      for (; x < end; ++x, ++count_) {
-        pixel_[count_] = pixel + x;
-        x_[count_] = static_cast<float>(x);
-        y_[count_] = static_cast<float>(y);
-        z_[count_] = point.z;
-        planes_[count_] = nullptr;
-        constant_[count_] = point.varyings;
-        front_[count_] = -1;
-        primitive_[count_] = 0;
-      }
+      const int count = smaller(x_last + 1 - x, kBlock - count_);
+      store_ints(pixel_ + count_, pixel_at(x, y) + kNeighbours);
+      store_floats(x_ + count_, to_floats(x + kNeighbours));
+      store_floats(y_ + count_, broadcast(static_cast<float>(y)));
+      for (int lane = 0; lane < kBlock; ++lane) constant_[count_ + lane] = point.varyings;
+      count_ += count;
+      x += count;
       if (count_ == kBlock) flush();
     }
   }
@@ -156,56 +154,84 @@ class TileRenderer {
       dy[edges] = t.dy[i];
       ++edges;
     }
-    if (edges == 0 && !job_.depth) return fill(x_first, x_last, y_first, y_last, t);
     for (int i = edges; i < 3; ++i) row[i] = dx[i] = dy[i] = 0;
+    const int begin = x_first - (x_first - job_.x) % kBlock;
+    for (int i = 0; i < 3; ++i) row[i] += dy[i] * (x_first - begin);
     for (int y = y_first; y <= y_last; ++y) {
-      std::int32_t a = row[0], b = row[1], c = row[2];
-      for (int x = x_first; x <= x_last; ++x) {
-        if ((a | b | c) >= 0) add_of_triangle(x, y, t);
-        a -= dy[0];
-        b -= dy[1];
-        c -= dy[2];
+      for (int x = begin; x <= x_last; x += kBlock) {
+        const std::int32_t edge[3] = {row[0] - dy[0] * (x - begin), row[1] - dy[1] * (x - begin),
+                                      row[2] - dy[2] * (x - begin)};
+        const Ints inside = covered(edge, dy, x_first - x, x_last - x);
+        if (bits_of(inside) != 0) draw_neighbours(x, y, inside, t);
       }
-      row[0] += dx[0];
-      row[1] += dx[1];
-      row[2] += dx[2];
+      for (int i = 0; i < 3; ++i) row[i] += dx[i];
     }
   }
 
-  // A rectangle that the triangle covers whole.
-  void fill(int x_first, int x_last, int y_first, int y_last, const TriangleRecord& t) {
-    flush();
-    in_row_ = true;
+  // Which of sixteen neighbours in a row, from `first` to `last`, lie inside the edges.
+  static Ints covered(const std::int32_t (&edge)[3], const std::int32_t (&dy)[3], int first, int last) {
+    const Ints inside =
+        (edge[0] - dy[0] * kNeighbours) | (edge[1] - dy[1] * kNeighbours) | (edge[2] - dy[2] * kNeighbours);
+    return (inside >= 0) & (kNeighbours >= first) & (kNeighbours <= last);
+  }
+
+  void draw_neighbours(int x, int y, Ints inside, const TriangleRecord& t) {
+    Floats z{};
+    if (job_.depth) {
+      z = depth_of(x, y, t.planes[0]);
+      if (!job_.test_depth_late) inside = test_depth(job_.depth + pixel_at(x, y), z, inside);
+    }
+    unsigned drawn = bits_of(inside);
+    if (drawn == 0xffffu && count_ == 0) return shade_row(x, y, z, t);
+    for (; drawn != 0; drawn &= drawn - 1) {
+      const int lane = __builtin_ctz(drawn);
+      collect(x + lane, y, z[lane], t.planes, t.provoking, t.front_facing, t.primitive);
+    }
+  }
+
+  // Rounding leads thin triangles out of the range of window depth (13.6.1), to which it is clamped.
+  static Floats depth_of(int x, int y, const Plane& plane) {
+    const Floats along = fused(broadcast(plane.per_x), to_floats(x + kNeighbours), broadcast(plane.origin));
+    const Floats z = fused(broadcast(plane.per_y), broadcast(static_cast<float>(y)), along);
+    const Floats nearest{}, farthest = broadcast(1.0f);
+    return z < nearest ? nearest : z > farthest ? farthest : z;
+  }
+
+  // Which of sixteen pass, whose depths are then stored.
+  Ints test_depth(float* stored, Floats z, Ints inside) const {
+    const Floats before = load_floats(stored);
+    Ints passing{};
+    if (job_.depth_state.compare == Compare::Less)
+      passing = z < before;
+    else if (job_.depth_state.compare == Compare::Greater)
+      passing = z > before;
+    else
+      for (int lane = 0; lane < kBlock; ++lane)
+        passing[lane] = passes(job_.depth_state.compare, z[lane], before[lane]) ? -1 : 0;
+    passing &= inside;
+    if (job_.depth_state.write) store_floats(stored, passing ? z : before);
+    return passing;
+  }
+
+  // A block of sixteen neighbours.
+  void shade_row(int x, int y, Floats z, const TriangleRecord& t) {
+    store_ints(pixel_, pixel_at(x, y) + kNeighbours);
+    store_floats(x_, to_floats(x + kNeighbours));
+    store_floats(y_, broadcast(static_cast<float>(y)));
+    store_floats(z_, z);
     for (int lane = 0; lane < kBlock; ++lane) {
-      z_[lane] = 0.0f;
       planes_[lane] = t.planes;
       constant_[lane] = t.provoking;
       front_[lane] = t.front_facing;
       primitive_[lane] = t.primitive;
     }
-    for (int y = y_first; y <= y_last; ++y)
-      for (int x = x_first; x <= x_last; x += kBlock) {
-        count_ = smaller(kBlock, x_last - x + 1);
-        for (int lane = 0; lane < kBlock; ++lane) {
-          const int inside = smaller(x + lane, x_last);
-          pixel_[lane] = (y - job_.y) * kTile + (inside - job_.x);
-          x_[lane] = static_cast<float>(inside);
-          y_[lane] = static_cast<float>(y);
-        }
-        run_block();
-      }
+    count_ = kBlock;
+    in_row_ = !job_.depth || !job_.test_depth_late;
+    run_block();
     in_row_ = false;
   }
 
-  void add_of_triangle(int x, int y, const TriangleRecord& t) {
-    float z = 0.0f;
-    if (job_.depth) {
-      // Rounding leads thin triangles out of the range of window depth (13.6.1), to which it is clamped.
-      z = evaluate(t.planes[0], static_cast<float>(x), static_cast<float>(y));
-      z = z < 0.0f ? 0.0f : z > 1.0f ? 1.0f : z;
-    }
-    add(x, y, z, t.planes, t.provoking, t.front_facing, t.primitive);
-  }
+  int pixel_at(int x, int y) const { return (y - job_.y) * kTile + (x - job_.x); }
 
   bool depth_passes(int pixel, float z) {
     if (!job_.depth) return true;
@@ -216,10 +242,14 @@ class TileRenderer {
 
   void add(int x, int y, float z, const Plane* planes, const float* constant, std::int32_t front,
            std::int32_t primitive) {
-    const int pixel = (y - job_.y) * kTile + (x - job_.x);
-    if (!job_.test_depth_late && !depth_passes(pixel, z)) return;
+    if (job_.test_depth_late || depth_passes(pixel_at(x, y), z))
+      collect(x, y, z, planes, constant, front, primitive);
+  }
+
+  void collect(int x, int y, float z, const Plane* planes, const float* constant, std::int32_t front,
+               std::int32_t primitive) {
     const int lane = count_++;
-    pixel_[lane] = pixel;
+    pixel_[lane] = pixel_at(x, y);
     x_[lane] = static_cast<float>(x);
     y_[lane] = static_cast<float>(y);
     z_[lane] = z;
@@ -267,6 +297,9 @@ class TileRenderer {
       if (flat && one_constant) {
         const float value = constant_[0][c];
         for (int lane = 0; lane < kBlock; ++lane) out[lane] = value;
+      } else if (flat && !planes_[0]) {
+        transpose_four(constant_, c, varyings_ + c);
+        c += 3;
       } else if (flat) {
         for (int lane = 0; lane < kBlock; ++lane) out[lane] = constant_[lane][c];
       } else if (one_triangle) {
@@ -313,7 +346,7 @@ class TileRenderer {
     return any == 0;
   }
 
-  // Sixteen neighbours in a row, of a triangle that is drawn without a depth test.
+  // All sixteen of a block in a row.
   void merge_row() {
     if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
     counters_.samples_passed += static_cast<std::uint64_t>(kBlock);
@@ -333,13 +366,14 @@ class TileRenderer {
   TileCounters& counters_;
   Merging merging_[kMaxColors] = {};
   int count_ = 0;
-  bool in_row_ = false;  // the block is of neighbours in a row, without a depth test
-  int pixel_[kBlock];
-  alignas(64) float x_[kBlock], y_[kBlock], z_[kBlock];
-  const Plane* planes_[kBlock];
-  const float* constant_[kBlock];
-  alignas(64) std::int32_t front_[kBlock], primitive_[kBlock], discarded_[kBlock];
-  alignas(64) float varyings_[64][kBlock];
+  bool in_row_ = false;  // the block is of neighbours in a row that no depth test can take out any more
+  // Twice as long where rows are put at once.
+  std::int32_t pixel_[2 * kBlock];
+  alignas(64) float x_[2 * kBlock], y_[2 * kBlock], z_[kBlock] = {};
+  const float* constant_[2 * kBlock];
+  const Plane* planes_[kBlock] = {};  // null: of points
+  alignas(64) std::int32_t front_[kBlock], primitive_[kBlock] = {}, discarded_[kBlock];
+  alignas(64) float varyings_[64 + 3][kBlock];
   alignas(64) float outputs_[4 * kMaxColors][kBlock];
 };
 
