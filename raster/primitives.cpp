@@ -17,6 +17,13 @@ class ChunkBuilder {
       : stage_(stage), grid_(grid), viewport_{grid.width, grid.height} {}
 
   BinnedChunk build(std::size_t first, std::size_t last) {
+    const std::size_t planes_each = 2 + static_cast<std::size_t>(stage_.options.varying_count);
+    if (stage_.topology == Topology::Triangles) {
+      chunk_.triangles.reserve(last - first);
+      chunk_.planes.reserve((last - first) * planes_each);
+    } else {
+      chunk_.points.reserve(last - first);
+    }
     for (std::size_t i = first; i < last; ++i) {
       if (stage_.topology == Topology::Triangles)
         add_triangle(i);
@@ -24,7 +31,6 @@ class ChunkBuilder {
         add_point(i);
     }
     // The planes' vector has stopped growing: records can point into it now.
-    const std::size_t planes_each = 2 + static_cast<std::size_t>(stage_.options.varying_count);
     for (std::size_t i = 0; i < chunk_.triangles.size(); ++i)
       chunk_.triangles[i].planes = chunk_.planes.data() + i * planes_each;
     if (stage_.topology == Topology::Triangles)

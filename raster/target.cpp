@@ -121,6 +121,9 @@ class Tile {
     job.tile = this;
     job.is_points = work.definition->topology != Topology::Triangles;
     job.zero_outside_quad = work.definition->zero_outside_quad.value_or(-1);
+    job.discards_where_zero = {};
+    for (const Texture* texture : work.idle_where_zero)
+      if (texture->channels() == 4) job.discards_where_zero = {texture->values.get(), texture->shape.width};
     job.fragment = work.fragment;
     job.uniforms = work.uniforms;
     job.textures = work.textures;

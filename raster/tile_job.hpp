@@ -55,6 +55,12 @@ struct TileColor {
   bool mask[4];
 };
 
+// A texture of four channels and the targets' size: fragments where it is 0 are discarded.
+struct DiscardingTexture {
+  const float* texels;
+  int width;
+};
+
 struct TileJob {
   int x, y, width, height;  // window coordinates of the tile's lower left pixel, and its size
   TileColor colors[kMaxColors];
@@ -64,8 +70,9 @@ struct TileJob {
   bool test_depth_late;  // the shader may discard
   const PrimitiveChunk* chunks;
   int chunk_count;
-  bool is_points;         // or rectangles
-  int zero_outside_quad;  // as in PassDefinition; -1: unknown
+  bool is_points;                         // or rectangles
+  int zero_outside_quad;                  // as in PassDefinition; -1: unknown
+  DiscardingTexture discards_where_zero;  // null where there is none
   // Puts the colours into the tile before the first fragment is merged: most tiles of some passes have none.
   void (*load_colors)(void* tile);
   void* tile;

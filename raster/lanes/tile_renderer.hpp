@@ -182,11 +182,27 @@ class TileRenderer {
       if (!job_.test_depth_late) inside = test_depth(job_.depth + pixel_at(x, y), z, inside);
     }
     unsigned drawn = bits_of(inside);
+    if (job_.discards_where_zero.texels) drawn = kept(drawn, x, y);
     if (drawn == 0xffffu && count_ == 0) return shade_row(x, y, z, t);
     for (; drawn != 0; drawn &= drawn - 1) {
       const int lane = __builtin_ctz(drawn);
       collect(x + lane, y, z[lane], t.planes, t.provoking, t.front_facing, t.primitive);
     }
+  }
+
+  // Those of some neighbours whose texel is not 0. What is left of rows fills blocks together, so that a few
+  // fragments here and there cost no more than they are.
+  unsigned kept(unsigned neighbours, int x, int y) const {
+    const DiscardingTexture& read = job_.discards_where_zero;
+    const float* const row = read.texels + 4 * (static_cast<std::ptrdiff_t>(y) * read.width + x);
+    unsigned result = 0;
+    for (unsigned left = neighbours; left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      std::uint64_t halves[2];
+      __builtin_memcpy(halves, row + 4 * lane, sizeof halves);
+      result |= static_cast<unsigned>((halves[0] | halves[1]) != 0) << lane;
+    }
+    return result;
   }
 
   // Rounding leads thin triangles out of the range of window depth (13.6.1), to which it is clamped.
