@@ -40,6 +40,22 @@ TEST_CASE("hidden_landings: what has ended otherwise is not handed on") {
   }
 }
 
+TEST_CASE("hidden_landings: grid vertices without light are not shaded") {
+  Image landing = filled(40, 3, glm::vec4(0.0f));
+  for (const int x : {0, 17, 39}) landing.at(x, 1, 3) = STATUS_NOT_CONVERGED;
+  std::vector<Image> textures(6, filled(40, 3, glm::vec4(1.0f)));
+  textures[0] = landing;
+  textures.push_back(filled(1, 1, {0.0f, 0.0f, 0.0f, 1.0f}));
+  const std140::HiddenLandings u{.receiver = shader_view(down(4.0, 10.0, 20.0))};
+  const PassImages out =
+      run_pass(definition_of(hidden_landings_pass()),
+               {.width = 40, .height = 3, .uniforms = uniform_bytes(u), .textures = textures});
+  CHECK(out.result.fragments == 3);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 40; ++x)
+      CHECK(out["landing"].at(x, y, 3) == (landing.at(x, y, 3) != 0.0f ? STATUS_LANDED : STATUS_EMPTY));
+}
+
 TEST_CASE("hidden_landings: what the map of the farthest receivers does not show either stays lost") {
   const auto status = [](float height, float farthest) {
     return texel(handed_on({1.0f, height, -2.0f, STATUS_NOT_CONVERGED}, farthest)["landing"], 0, 0).w;

@@ -179,6 +179,15 @@ TEST_CASE("formats: an 8-bit target clamps and rounds") {
   CHECK(kept.draw(layers(kept, {2.0f}))[0].at(0, 0, 0) == 128.0f / 255.0f);
 }
 
+TEST_CASE("formats: bytes are rounded as stored_value has it, ties and their neighbours too") {
+  const RasterBench b = with_format(Format::RGBA8, kReplace);
+  for (int byte = 0; byte < 255; ++byte) {
+    const float tie = (static_cast<float>(byte) + 0.5f) / 255.0f;
+    for (const float value : {std::nextafter(tie, 0.0f), tie, std::nextafter(tie, 1.0f)})
+      CHECK(RasterBench(b).draw(layers(b, {value}))[0].at(0, 0, 0) == stored_value(Format::RGBA8, value));
+  }
+}
+
 TEST_CASE("targets: a colour mask keeps channels, and each target takes its own output") {
   RasterBench b;
   b.width = b.height = 1;
