@@ -61,7 +61,7 @@ void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Ba
   parser.flag("--gl-debug", request.debug, "an OpenGL debug context: errors name the faulty call");
   if (!thread_counts) return add_threads_option(parser, request.threads);
   parser.option("-t,--threads", "N,M",
-                {"measured one after the other; llvmpipe has as many", text_of(kThreads), "one a core"},
+                {"measured in turn; llvmpipe has as many", text_of(kThreads), "one a core"},
                 [=](const std::string& list) { *thread_counts = parse_thread_counts(list); });
 }
 

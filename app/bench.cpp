@@ -26,10 +26,10 @@ struct BenchOptions {
 // False when only the help was asked for.
 bool parse(const Arguments& arguments, BenchOptions& options) {
   Parser parser("bench",
-                "Draws the frame that render draws, again and again, and says what each pass takes:\n"
-                "medians over the frames, with how far frames are from them. With --against gl both\n"
-                "backends draw by turns. Every attachment's bits are checked: exit code 1 where they\n"
-                "change from frame to frame, or differ on a driver that must give the same.",
+                "Draws the frame that render draws again and again: the median time of each pass, and\n"
+                "how far frames are from it. With --against gl both backends draw by turns. Exit code\n"
+                "1 where an attachment's bits change from frame to frame, or differ on a driver that\n"
+                "must give the same.",
                 "  caustics bench scene.glb --against gl\n"
                 "  caustics bench scene.glb -t 1,2 -r 640x360 --json\n");
   std::string scene;

@@ -26,10 +26,12 @@ struct AttachmentHash {
   std::string pass, texture, hash;
 };
 
-std::uint64_t bytes_bound(const PassRun& run, const Device& device) {
+// Of a run whose draws were left out only the attachments, which were cleared.
+std::uint64_t bytes_bound(const PassRun& run, const Device& device, bool left_out) {
   std::set<TextureId> bound(run.colors.begin(), run.colors.end());
   bound.insert(run.depth);
-  for (const Draw& draw : run.draws) bound.insert(draw.textures.begin(), draw.textures.end());
+  if (!left_out)
+    for (const Draw& draw : run.draws) bound.insert(draw.textures.begin(), draw.textures.end());
   bound.erase(TextureId::None);
   std::uint64_t bytes = 0;
   for (const TextureId texture : bound) {
@@ -59,9 +61,10 @@ class Bench {
   }
 
   // Draws a frame that is not measured, and hashes what each pass leaves.
-  std::vector<AttachmentHash> hashes() {
+  std::vector<AttachmentHash> hashes(const std::string& step) {
     std::vector<AttachmentHash> result;
-    frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
+    frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
+      progress_.show(step + ", hashing pass " + std::to_string(done) + " of " + std::to_string(of));
       for_each_attachment(*frame_, pass, [&](const PlannedTexture& texture, const Image& image) {
         result.push_back({pass.label, texture.name, sha256(image)});
       });
@@ -99,11 +102,13 @@ class Bench {
   BenchedDevice device_;
 };
 
-std::vector<BenchedPass> passes_of(const RenderedFrame& frame) {
+std::vector<BenchedPass> passes_of(const RenderedFrame& frame, const std::vector<PassResult>& counts) {
   std::vector<BenchedPass> passes;
-  for (const PlannedPass& pass : frame.plan().passes)
+  for (const PlannedPass& pass : frame.plan().passes) {
+    const bool left_out = counts[passes.size()].left_out;
     passes.push_back({pass.label, pass.definition.name, pass.definition.count_samples,
-                      bytes_bound(frame.prepare(pass), frame.device())});
+                      bytes_bound(frame.prepare(pass), frame.device(), left_out)});
+  }
   return passes;
 }
 
@@ -148,13 +153,13 @@ class Measurement {
   BenchRun run() {
     make(request_.frame.backend.backend);
     if (request_.against_gl) make(Backend::OpenGl);
-    run_.passes = passes_of(benches_.front()->frame());
     hash("first frame");
     each("warming up", &Bench::warm_up);
     for (int n = 0; n < request_.frames; ++n)
       each("frame " + std::to_string(n + 1) + " of " + std::to_string(request_.frames), &Bench::measure);
-    hash("hashing");
+    hash("last frame");
     compare_devices();
+    run_.passes = passes_of(benches_.front()->frame(), benches_.front()->device().counts);
     for (const auto& bench : benches_) run_.devices.push_back(bench->device());
     run_.peak_memory = peak_memory();
     benches_.clear();  // their memory may be needed now
@@ -174,17 +179,20 @@ class Measurement {
     for (const auto& bench : benches_) (*bench.*work)();
   }
 
+  std::string named(const std::string& step) const {
+    return std::to_string(run_.threads) + (run_.threads == 1 ? " thread: " : " threads: ") + step;
+  }
+
   void show(const std::string& step) {
     stop_if_interrupted();
-    progress_.show(std::to_string(run_.threads) + (run_.threads == 1 ? " thread: " : " threads: ") + step);
+    progress_.show(named(step));
   }
 
   // Before the measured frames, and after them.
   void hash(const std::string& step) {
-    show(step);
     const bool again = !hashes_.empty();
     for (std::size_t i = 0; i < benches_.size(); ++i) {
-      const std::vector<AttachmentHash> found = benches_[i]->hashes();
+      const std::vector<AttachmentHash> found = benches_[i]->hashes(named(step));
       if (!again) {
         hashes_.push_back(found);
         continue;

@@ -21,7 +21,7 @@ constexpr Command kCommands[] = {
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
-    {"bench", "what each pass of a frame takes, on one backend or on both by turns", run_bench},
+    {"bench", "what each pass of a frame takes, on one backend or both", run_bench},
     {"reference", "the truth to measure render against, traced ray by ray from the lights", run_reference},
     {"compare", "two images in values and figures, or two dumps of all passes", run_compare},
     {"study", "error against time over many settings, and which of them nothing beats", run_study},
