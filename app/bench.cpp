@@ -85,7 +85,6 @@ ExitCode run_bench(const Arguments& arguments) {
     std::printf("%s", json_text({{"format", 1},
                                  {"program", version_line()},
                                  {"scene", one_line(options.request.frame.scene.string())},
-                                 {"settings", settings_json(options.request.frame.settings)},
                                  {"runs", runs}})
                           .c_str());
   return code;

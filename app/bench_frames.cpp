@@ -140,9 +140,9 @@ std::uint64_t peak_memory() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-class Measurement {
+class BenchSession {
  public:
-  Measurement(const BenchRequest& request, int threads) : request_(request) {
+  BenchSession(const BenchRequest& request, int threads) : request_(request) {
     run_.scene = one_line(request.frame.scene.string());
     run_.threads = request_.frame.backend.threads = threads;
     if (request.against_gl || request.frame.backend.backend == Backend::OpenGl)
@@ -159,6 +159,7 @@ class Measurement {
       each("frame " + std::to_string(n + 1) + " of " + std::to_string(request_.frames), &Bench::measure);
     hash("last frame");
     compare_devices();
+    run_.settings = benches_.front()->frame().settings();
     run_.passes = passes_of(benches_.front()->frame(), benches_.front()->device().counts);
     for (const auto& bench : benches_) run_.devices.push_back(bench->device());
     run_.peak_memory = peak_memory();
@@ -229,7 +230,7 @@ class Measurement {
 }  // namespace
 
 BenchRun measure_frames(const BenchRequest& request, int threads) {
-  return Measurement(request, threads).run();
+  return BenchSession(request, threads).run();
 }
 
 }  // namespace caustics::app

@@ -42,6 +42,7 @@ struct BenchedPass {
 
 struct BenchRun {
   std::string scene;
+  Settings settings;  // with the sides that were chosen
   int threads = 1;
   std::vector<BenchedPass> passes;
   std::vector<BenchedDevice> devices;  // the software device first

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/json.hpp"
+#include "app/output/stats.hpp"
 #include "app/shell/table.hpp"
 #include "app/shell/terminal.hpp"
 #include "lab/study/sentence.hpp"
@@ -171,8 +172,10 @@ Json pass_json(const BenchRun& run, std::size_t i) {
 }  // namespace
 
 std::string bench_text(const BenchRun& run) {
-  std::string text = run.scene + ", " + std::to_string(run.threads) +
-                     (run.threads == 1 ? " thread, " : " threads, ") +
+  const Settings& s = run.settings;
+  std::string text = run.scene + ", " + std::to_string(s.width) + "x" + std::to_string(s.height) + ", grid " +
+                     std::to_string(s.grid) + ", map " + std::to_string(s.map) + ", " +
+                     std::to_string(run.threads) + (run.threads == 1 ? " thread, " : " threads, ") +
                      std::to_string(run.devices.front().frames.wall.size()) + " frames\n";
   Table devices({false, false});
   for (const BenchedDevice& device : run.devices)
@@ -186,6 +189,7 @@ std::string bench_text(const BenchRun& run) {
 
 Json bench_json(const BenchRun& run) {
   Json json = {{"threads", run.threads},
+               {"settings", settings_json(run.settings)},
                {"frames", run.devices.front().frames.wall.size()},
                {"bandwidth_bytes_per_second", run.bandwidth},
                {"peak_memory_bytes", run.peak_memory},

@@ -1,6 +1,7 @@
 """What each pass of a frame takes, by `caustics bench`."""
 
 import json
+import os
 import signal
 import subprocess
 import time
@@ -31,6 +32,7 @@ class Bench(ProgramTest):
 
     def test_each_pass_that_render_runs_is_measured(self):
         run = self.report("-t", "1")["runs"][0]
+        self.assertEqual((run["settings"]["width"], run["settings"]["grid"]), (64, 32))
         self.succeeds("render", "ball.glb", *SMALL, "-o", "ball.png", "--stats", "s.json")
         stats = json.loads((self.folder / "s.json").read_text())
         wanted = {p["pass"]: (p["vertices"], p["primitives"], p["fragments"]) for p in stats["passes"]}
@@ -41,6 +43,7 @@ class Bench(ProgramTest):
             self.check_times(measured["milliseconds"], run["frames"])
             self.check_times(measured["processor_milliseconds"], run["frames"])
             self.assertGreater(measured["milliseconds"]["least"], 0.0)
+        self.assertGreater(sum(p["processor_milliseconds"] for p in stats["passes"]), 0.0)
         picture = next(each for each in run["passes"] if each["pass"] == "tone_map")
         # Reads beauty, 16 bytes a pixel as RGBA32F, and writes the picture, 4; both once.
         self.assertEqual(picture["bytes"], 64 * 48 * (16 + 4))
@@ -75,6 +78,23 @@ class Bench(ProgramTest):
                                     times["milliseconds"]["most"] + 10)
             for each in run["passes"]:
                 self.assertEqual(each["software"]["vertices"], each["gl"]["vertices"])
+
+    def test_other_bits_are_told_and_are_wrong_only_where_the_driver_must_give_the_same(self):
+        same = self.report_against_gl("-t", "1")["runs"][0]
+        if "llvmpipe" not in same["devices"]["gl"]["description"] or same["digest"]["differing"] > 0:
+            self.skipTest("needs the llvmpipe that gives the same bits")
+        command = ["bench", "ball.glb", *SHORT, "--json", "--against", "gl", "-t", "1"]
+        # A driver that leaves blending out: the first pass that blends is the first that differs.
+        wrong = self.run_program(*command, env=dict(os.environ, LP_PERF="no_blend"))
+        self.assertEqual(wrong.returncode, 1)
+        fault = json.loads(wrong.stdout)["runs"][0]["digest"]["fault"]
+        self.assertIn("pass 'caustic_cells[", fault)
+        self.assertIn(f"caustics: {fault}\n", wrong.stderr)
+        # One without fused multiply-add, whose class may differ.
+        other = self.succeeds(*command, env=dict(os.environ, GALLIUM_OVERRIDE_CPU_CAPS="sse4.1"))
+        digest = json.loads(other.stdout)["runs"][0]["digest"]
+        self.assertGreater(digest["differing"], 0)
+        self.assertIsNone(digest["fault"])
 
     def test_the_table_has_a_row_for_each_pass_and_says_that_bits_are_the_same(self):
         text = self.succeeds("bench", "ball.glb", *SHORT, "-t", "1").stdout
