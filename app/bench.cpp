@@ -78,7 +78,7 @@ ExitCode run_bench(const Arguments& arguments) {
     if (options.json) {
       runs.push_back(Json::parse(answer.text));
     } else {
-      std::printf("%s%s", threads == options.threads.front() ? "" : "\n", answer.text.c_str());
+      std::printf("%s%s", &threads == &options.threads.front() ? "" : "\n", answer.text.c_str());
     }
   }
   if (options.json)
