@@ -23,6 +23,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 [[noreturn]] void work_and_end(const std::function<Answer()>& work, std::FILE* answer) {
   setpgid(0, 0);  // the terminal's Ctrl-C reaches the program alone, which hands it on once
   prctl(PR_SET_PDEATHSIG, SIGTERM);
+  signal(SIGTTOU, SIG_IGN);  // it may write to the terminal all the same
   const int code = report_errors([&] {
     const Answer given = work();
     if (std::fputs(given.text.c_str(), answer) < 0 || std::fflush(answer) != 0)
