@@ -29,9 +29,22 @@ void add_several(std::vector<Backend>& backends, const std::string& value) {
   add_one(backends, Backend::OpenGl);
 }
 
+constexpr Limits<int> kThreads{1, 1024};
+
+std::vector<int> parse_thread_counts(const std::string& list) {
+  std::vector<int> counts;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    counts.push_back(parse_number("--threads", list.substr(start, end - start), kThreads));
+    start = end + 1;
+  }
+  return counts;
+}
+
 }  // namespace
 
-void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several) {
+void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several,
+                         std::vector<int>* thread_counts) {
   if (several) {
     parser.repeated("--backend", "NAME",
                     {"what executes the passes; may stand several times", "software|gl|both", "software"},
@@ -46,12 +59,15 @@ void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Ba
                 {"the OpenGL device, as 'caustics doctor' numbers them", "", "the first that works"},
                 Limits<int>{0, 1023}, request.gl_device);
   parser.flag("--gl-debug", request.debug, "an OpenGL debug context: errors name the faulty call");
-  add_threads_option(parser, request.threads);
+  if (!thread_counts) return add_threads_option(parser, request.threads);
+  parser.option("-t,--threads", "N,M",
+                {"measured in turn; llvmpipe has as many", text_of(kThreads), "one a core"},
+                [=](const std::string& list) { *thread_counts = parse_thread_counts(list); });
 }
 
 void add_threads_option(Parser& parser, int& threads) {
   parser.number("-t,--threads", "N", {"change the time, never a bit of the result", "", "one a core"},
-                Limits<int>{1, 1024}, threads);
+                kThreads, threads);
 }
 
 std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request) {

@@ -26,8 +26,10 @@ struct BackendRequest {
 };
 
 // The options; they write into `request`, which must outlive the parser. With `several`, --backend may
-// stand several times or be `both`, and goes there, each backend once.
-void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several = nullptr);
+// stand several times or be `both`, and goes there, each backend once; with `thread_counts`, --threads is a
+// list and goes there.
+void add_backend_options(Parser& parser, BackendRequest& request, std::vector<Backend>* several = nullptr,
+                         std::vector<int>* thread_counts = nullptr);
 // --threads alone.
 void add_threads_option(Parser& parser, int& threads);
 

@@ -14,7 +14,8 @@ void add_moment_options(Parser& parser, FrameRequest& request) {
                 request.seconds);
 }
 
-void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several) {
+void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several,
+                       std::vector<int>* thread_counts) {
   SettingOptions options(parser, request.settings);
   parser.group("View");
   options.add_resolution();
@@ -32,7 +33,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
     options.add(name);
   options.add_any(all_parts());
   parser.group("Running");
-  add_backend_options(parser, request.backend, several);
+  add_backend_options(parser, request.backend, several, thread_counts);
 }
 
 void check_request(const FrameRequest& request, const std::string& command) {

@@ -18,8 +18,9 @@ struct FrameRequest {
 };
 
 // -r, --camera, --grid and so on, and -D; they write into `request`, which must outlive the parser.
-// `several`: see add_backend_options.
-void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several = nullptr);
+// `several`, `thread_counts`: see add_backend_options.
+void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several = nullptr,
+                       std::vector<int>* thread_counts = nullptr);
 
 // --animation and --time alone.
 void add_moment_options(Parser& parser, FrameRequest& request);

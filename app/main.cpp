@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
     {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
+    {"bench", "what each pass of a frame takes, on one backend or both", run_bench},
     {"reference", "the truth to measure render against, traced ray by ray from the lights", run_reference},
     {"compare", "two images in values and figures, or two dumps of all passes", run_compare},
     {"study", "error against time over many settings, and which of them nothing beats", run_study},
@@ -31,9 +32,9 @@ constexpr Command kCommands[] = {
 constexpr std::pair<ExitCode, const char*> kExitCodes[] = {
     {ExitCode::Done, "done"},
     {ExitCode::AnswerIsNo,
-     "the answer is no: compare or parity found a difference, a figure is above --fail-above, a row of paper "
-     "does not "
-     "hold"},
+     "the answer is no: compare, parity or bench found a difference, a figure is above --fail-above, a row "
+     "of "
+     "paper does not hold"},
     {ExitCode::WrongUsage,
      "wrong usage: unknown word, value out of range, sizes or scene beyond this machine's memory"},
     {ExitCode::BadInput, "input unreadable or unsupported"},

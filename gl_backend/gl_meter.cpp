@@ -34,10 +34,10 @@ void RunMeter::begin() {
   if (!measures_) return;
   if (wall_clock_) {
     glFinish();
-    start_ = std::chrono::steady_clock::now();
   } else {
     glBeginQuery(GL_TIME_ELAPSED, time_.id());
   }
+  watch_ = Stopwatch();
   if (!counts_pipeline_) return;
   glBeginQuery(GL_VERTICES_SUBMITTED_ARB, vertices_.id());
   glBeginQuery(GL_PRIMITIVES_SUBMITTED_ARB, primitives_.id());
@@ -59,11 +59,11 @@ void RunMeter::end(PassResult& result) {
   end_queries();
   if (wall_clock_) {
     glFinish();
-    result.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    result.milliseconds = watch_.milliseconds();
   } else {
     result.milliseconds = static_cast<double>(answer(time_)) * 1e-6;
   }
+  result.processor_milliseconds = watch_.processor_milliseconds();
   if (counts_pipeline_) {
     result.vertices = answer(vertices_);
     result.primitives = answer(primitives_);

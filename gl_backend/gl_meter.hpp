@@ -1,14 +1,13 @@
 // What a run cost: its time and the driver's counts.
 #pragma once
-#include <chrono>
-
 #include "gl_backend/gl_object.hpp"
 #include "pipeline/gpu/pass_run.hpp"
+#include "pipeline/gpu/stopwatch.hpp"
 
 namespace caustics::gl {
 
 // Time comes from GL_TIME_ELAPSED on a GPU. Software renderers answer that query before they have
-// drawn, so there the clock runs until glFinish returns.
+// drawn, so there the clock runs until glFinish returns, and processor time is that of their threads too.
 class RunMeter {
  public:
   // One that does not measure does nothing, but to hand each run on to the driver at once.
@@ -24,7 +23,7 @@ class RunMeter {
  private:
   bool measures_, wall_clock_, counts_pipeline_ = false;
   QueryObject time_, vertices_, primitives_, fragments_;
-  std::chrono::steady_clock::time_point start_{};
+  Stopwatch watch_;
 };
 
 }  // namespace caustics::gl

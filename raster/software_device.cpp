@@ -1,10 +1,10 @@
 #include "raster/software_device.hpp"
 
-#include <chrono>
 #include <map>
 #include <string>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/stopwatch.hpp"
 #include "pipeline/gpu/validate.hpp"
 #include "raster/lane_dispatch.hpp"
 #include "raster/primitives.hpp"
@@ -80,11 +80,11 @@ class SoftwareDevice final : public Device {
   }
 
   PassResult run(const PassRun& run) override {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     validate(run, *this);
     PassResult result = execute(run);
-    result.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    result.milliseconds = watch.milliseconds();
+    result.processor_milliseconds = watch.processor_milliseconds();
     return result;
   }
 

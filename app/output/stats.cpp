@@ -5,6 +5,7 @@
 #include "app/json.hpp"
 #include "app/output/light_groups.hpp"
 #include "app/shell/version.hpp"
+#include "lab/study/times.hpp"
 #include "pipeline/gpu/device.hpp"
 
 namespace caustics::app {
@@ -14,17 +15,12 @@ namespace {
 Json pass_json(const PassReport& report) {
   return {{"pass", report.label},
           {"milliseconds", report.result.milliseconds},
+          {"processor_milliseconds", report.result.processor_milliseconds},
           {"vertices", report.result.vertices},
           {"primitives", report.result.primitives},
           {"fragments", report.result.fragments},
           {"samples_passed", report.result.samples_passed},
           {"left_out", report.result.left_out}};
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 Json objects_json(const DeviceObjects& objects) {
@@ -37,7 +33,7 @@ Json objects_json(const DeviceObjects& objects) {
 Json frames_json(const FrameStats& frames, const DeviceObjects& made) {
   return {{"count", frames.milliseconds.size()},
           {"milliseconds", frames.milliseconds},
-          {"median", median(frames.milliseconds)},
+          {"median", study::times_of(frames.milliseconds).median},
           {"made_by_first", objects_json(frames.made_by_first)},
           {"made_by_all", objects_json(made)}};
 }

@@ -22,6 +22,7 @@ ExitCode run_plan_command(const Arguments& arguments);
 ExitCode run_probe(const Arguments& arguments);
 ExitCode run_digest(const Arguments& arguments);
 ExitCode run_parity(const Arguments& arguments);
+ExitCode run_bench(const Arguments& arguments);
 ExitCode run_reference(const Arguments& arguments);
 ExitCode run_compare(const Arguments& arguments);
 ExitCode run_study(const Arguments& arguments);

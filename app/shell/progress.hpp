@@ -1,20 +1,11 @@
 // What a person sees while a frame is rendered: one line that renews itself on a terminal, plain
 // lines elsewhere once a run takes longer than two seconds, nothing when quiet.
 #pragma once
-#include <chrono>
 #include <string>
 
+#include "pipeline/gpu/stopwatch.hpp"
+
 namespace caustics::app {
-
-class Stopwatch {
- public:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 class Progress {
  public:

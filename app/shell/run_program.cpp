@@ -21,9 +21,11 @@ int fail(ExitCode code, const std::string& line) {
   return static_cast<int>(code);
 }
 
-int guarded(const Arguments& arguments, ExitCode (*work)(const Arguments&)) {
+}  // namespace
+
+int report_errors(const std::function<ExitCode()>& work) {
   try {
-    return static_cast<int>(work(arguments));
+    return static_cast<int>(work());
   } catch (const Error& error) {
     return fail(error.code(), error.what());
   } catch (const std::bad_alloc&) {
@@ -36,11 +38,10 @@ int guarded(const Arguments& arguments, ExitCode (*work)(const Arguments&)) {
   }
 }
 
-}  // namespace
-
 int run_program(int count, char** values, ExitCode (*work)(const Arguments& arguments)) {
   watch_for_interruption();
-  const int code = guarded(Arguments(values + std::min(count, 1), values + count), work);
+  const int code =
+      report_errors([&] { return work(Arguments(values + std::min(count, 1), values + count)); });
   // Standard output may be a full disk or a closed pipe; then what was printed did not arrive.
   const bool answered =
       code == static_cast<int>(ExitCode::Done) || code == static_cast<int>(ExitCode::AnswerIsNo);

@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "lab/study/sweep.hpp"
+#include "lab/study/times.hpp"
 
 namespace caustics::study {
-
-// Milliseconds of several frames. All 0 where there was none.
-struct Times {
-  double median = 0.0, least = 0.0, most = 0.0;
-};
-// The middle one of an odd number, the mean of the middle two of an even one.
-Times times_of(std::vector<double> milliseconds);
 
 // A pass, all of its runs in a frame together (one for each light, sample and branch).
 struct PassTime {

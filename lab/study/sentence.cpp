@@ -94,12 +94,4 @@ std::string ratio_text(const std::optional<double>& value) {
 
 std::string figure_text(const std::optional<double>& value) { return value ? short_number(*value) : "n/a"; }
 
-Times times_of(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  const double middle = values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-  return {middle, values.front(), values.back()};
-}
-
 }  // namespace caustics::study

@@ -84,12 +84,3 @@ TEST_CASE("study numbers: short, and whole from a hundred on") {
   CHECK(change_text(1.0, 2.0) == "x 2");
   CHECK(change_text(0.0, 2.0).empty());
 }
-
-TEST_CASE("study times: the median of an even number lies between the middle two") {
-  const Times times = times_of({4.0, 1.0, 3.0, 10.0});
-  CHECK(times.median == 3.5);
-  CHECK(times.least == 1.0);
-  CHECK(times.most == 10.0);
-  CHECK(times_of({5.0, 2.0, 9.0}).median == 5.0);
-  CHECK(times_of({}).median == 0.0);
-}

@@ -63,6 +63,7 @@ struct PassResult {
   // measure and cannot tell.
   bool left_out = false;
   double milliseconds = 0.0;
+  double processor_milliseconds = 0.0;  // of all the process's threads meanwhile, a driver's too
 };
 
 }  // namespace caustics

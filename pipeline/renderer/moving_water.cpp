@@ -51,6 +51,7 @@ WaterReport MovingWater::show(double seconds, bool with_state, const Breath& bre
     work.primitives -= earlier.primitives;
     work.fragments -= earlier.fragments;
     work.milliseconds -= earlier.milliseconds;
+    work.processor_milliseconds -= earlier.processor_milliseconds;
     reports.push_back({std::string(kWaterStep) + "[" + water.name + "]", work});
   }
   return reports;

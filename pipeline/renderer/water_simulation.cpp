@@ -45,6 +45,7 @@ void WaterSimulation::make_step() {
   work_.primitives += result.primitives;
   work_.fragments += result.fragments;
   work_.milliseconds += result.milliseconds;
+  work_.processor_milliseconds += result.processor_milliseconds;
 }
 
 void WaterSimulation::advance_to(double seconds, const Breath& breath) {

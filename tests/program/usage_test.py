@@ -6,7 +6,8 @@ import re
 
 from program import SMALL, ProgramTest, main
 
-COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "reference", "study", "doctor"]
+COMMANDS = ["render", "plan", "probe", "digest", "parity", "compare", "reference", "study", "bench",
+            "doctor"]
 
 
 class Help(ProgramTest):

@@ -1,0 +1,64 @@
+#include "app/memory_bandwidth.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "pipeline/gpu/stopwatch.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+constexpr int kRounds = 5;
+
+// Of each of the three arrays: together four times the last-level cache, within bounds.
+std::size_t values_an_array() {
+  const long cache = sysconf(_SC_LEVEL3_CACHE_SIZE);  // 0 or -1 where it is not known
+  const long bytes = std::clamp(4 * std::max(cache, 0L), 192L << 20, 1L << 30);
+  return static_cast<std::size_t>(bytes) / (3 * sizeof(double));
+}
+
+// Calls work(first, end) for parts of 0 .. count, a thread each.
+void in_parts(int threads, std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) {
+  const auto parts = static_cast<std::size_t>(threads);
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < parts; ++i)
+    others.emplace_back(work, count * i / parts, count * (i + 1) / parts);
+  work(0, count / parts);
+  for (std::thread& other : others) other.join();
+}
+
+}  // namespace
+
+double memory_bandwidth(int threads) {
+  const std::size_t count = values_an_array();
+  const auto array = [&] { return std::unique_ptr<double[]>(new double[count]); };
+  const auto a = array(), b = array(), c = array();
+  in_parts(threads, count, [&](std::size_t first, std::size_t end) {
+    std::fill(a.get() + first, a.get() + end, 0.0);
+    std::fill(b.get() + first, b.get() + end, 1.0);
+    std::fill(c.get() + first, c.get() + end, 2.0);
+  });
+  double best = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    const double factor = 1.0 + round;
+    const Stopwatch watch;
+    in_parts(threads, count, [&](std::size_t first, std::size_t end) {
+      double* const sum = a.get();
+      const double *const x = b.get(), *const y = c.get();
+      for (std::size_t i = first; i < end; ++i) sum[i] = x[i] + factor * y[i];
+    });
+    const double bytes = 3.0 * sizeof(double) * static_cast<double>(count);
+    best = std::max(best, 1e3 * bytes / watch.milliseconds());
+    // Looked at, so that no round can be left out.
+    if (a[count / 2] != 1.0 + 2.0 * factor) return 0.0;
+  }
+  return best;
+}
+
+}  // namespace caustics::app
