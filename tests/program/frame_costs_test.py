@@ -15,7 +15,7 @@ from program import PROGRAM, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 KEPT = pathlib.Path(__file__).with_name("frame_costs.csv")
-SIZES = ["-r", "320x180", "--grid", "128", "--map", "128", "-D", "shadow=512"]
+SIZES = ["-r", "160x90", "--grid", "64", "--map", "64", "-D", "shadow=256"]
 COUNTS = ["passes", "vertices", "primitives", "fragments", "texture_bytes"]
 
 
