@@ -93,8 +93,8 @@ std::vector<std::string> cells_of(const BenchRun& run, const PassRow& row) {
   std::vector<std::string> cells{row.name, std::to_string(row.instances.size())};
   std::vector<PassSum> sums;
   for (const BenchedDevice& device : run.devices) sums.push_back(sum_of(device, row.instances));
-  std::vector<const Costs*> costs;
-  for (const PassSum& sum : sums) costs.push_back(&sum.costs);
+  std::vector<const Costs*> costs(sums.size());
+  std::transform(sums.begin(), sums.end(), costs.begin(), [](const PassSum& sum) { return &sum.costs; });
   add_times(cells, costs);
   const PassResult& counts = sums.front().counts;
   const bool known = row.counts_samples && counts.fragments > 0;

@@ -22,9 +22,9 @@ void fill_texels(float* out, int count, int channels, const Texel& texel) {
   if (channels == 1) {
     std::fill_n(out, count, texel[0]);
   } else if (channels == 4) {
-    for (int i = 0; i < count; ++i) std::memcpy(out + 4 * i, texel.data(), sizeof texel);
+    for (int i = 0; i < count; ++i, out += 4) std::memcpy(out, texel.data(), sizeof texel);
   } else {
-    for (int i = 0; i < count; ++i) std::copy_n(texel.data(), channels, out + i * channels);
+    for (int i = 0; i < count; ++i, out += channels) std::copy_n(texel.data(), channels, out);
   }
 }
 
