@@ -5,6 +5,7 @@
 #include "app/shell/terminal.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/pixel_side.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
@@ -47,40 +48,62 @@ std::vector<int> casters_by_row(const RenderedFrame& frame) {
   return meshes;
 }
 
-// Adds what a light's sample did, `share` times.
-void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
+// What a light's sample wrote, read back.
+struct SampleImages {
+  std::vector<BranchImages> branches;
+  std::vector<CellImages> cells;
+  Image map, far_map, cascade, caster_normal, view_position;
+};
+
+SampleImages images_of(const RenderedFrame& frame, int light) {
   const auto has = [&](const std::string& name) { return frame.has(name); };
   const auto read = [&](const std::string& name) { return frame.read(name); };
-  const std::vector<BranchImages> branches = branch_images(light, frame.effects().branches, has, read);
-  const Image map = frame.read(light_texture(kCausticMap, light));
-  const LightViews& views = frame.views()[static_cast<std::size_t>(light)];
   const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
-  const std::vector<CellImages> cells = cell_images(light, frame.effects().branches, has, read);
-  const Ledger ledger =
-      make_ledger(branches, cells, map, if_any(light_texture(far_texture(kCausticMap), light)), views.caustic,
-                  frame.settings());
-  const double pixel = frame.settings().pixel_means && has(kViewPosition)
-                           ? kJudgedPixels * pixel_side(read(kViewPosition), map, views.caustic)
-                           : 0.0;
+  return {.branches = branch_images(light, frame.effects().branches, has, read),
+          .cells = cell_images(light, frame.effects().branches, has, read),
+          .map = read(light_texture(kCausticMap, light)),
+          .far_map = if_any(light_texture(far_texture(kCausticMap), light)),
+          .cascade = if_any(light_texture(kCascadeMap, light)),
+          .caster_normal = read(light_texture(kCasterNormal, light)),
+          .view_position = frame.settings().pixel_means ? if_any(kViewPosition) : Image{}};
+}
+
+void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vector<Outcome>& sum) {
+  if (sum.empty())
+    for (const Outcome& outcome : outcomes) sum.push_back({.light = outcome.light, .mesh = outcome.mesh});
+  for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum[i], outcomes[i], share);
+}
+
+// Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.
+void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
+  const SampleImages images = images_of(frame, light);
+  const LightViews& views = frame.views()[static_cast<std::size_t>(light)];
+  Ledger ledger;
+  double pixel = 0.0;
+  const std::function<void()> parts[] = {
+      [&] {
+        if (model)
+          model->add({.light = frame.scene().lights[static_cast<std::size_t>(light)],
+                      .caster = views.caster,
+                      .branches = images.branches,
+                      .share = share,
+                      .samples = static_cast<int>(samples_of(frame.scene(), sum.light).size())});
+      },
+      [&] {
+        ledger = make_ledger(images.branches, images.cells, images.map, images.far_map, views.caustic,
+                             frame.settings());
+      },
+      [&] { pixel = kJudgedPixels * pixel_side(images.view_position, images.map, views.caustic); },
+      [&] {
+        add_outcomes(outcomes_of(sum.light, images.branches, images.caster_normal, casters_by_row(frame)),
+                     share, sum.outcomes);
+      }};
+  in_pieces(static_cast<int>(std::size(parts)), 0, [&](int part) { parts[part](); });
   add(sum.ledger, ledger, share);
   add(sum.error,
-      estimate_error(branches, cells, map, if_any(light_texture(kCascadeMap, light)), views, frame.settings(),
+      estimate_error(images.branches, images.cells, images.map, images.cascade, views, frame.settings(),
                      ledger, pixel),
       share);
-  if (model) {
-    const Light& sample = frame.scene().lights[static_cast<std::size_t>(light)];
-    model->add({.light = sample,
-                .caster = views.caster,
-                .branches = branches,
-                .share = share,
-                .samples = static_cast<int>(samples_of(frame.scene(), sum.light).size())});
-  }
-  const std::vector<Outcome> outcomes = outcomes_of(
-      sum.light, branches, frame.read(light_texture(kCasterNormal, light)), casters_by_row(frame));
-  if (sum.outcomes.empty())
-    for (const Outcome& outcome : outcomes)
-      sum.outcomes.push_back({.light = outcome.light, .mesh = outcome.mesh});
-  for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum.outcomes[i], outcomes[i], share);
 }
 
 }  // namespace

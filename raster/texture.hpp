@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -15,18 +16,26 @@ inline bool same_bits(const std::array<float, 4>& a, const std::array<float, 4>&
   return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
+struct FreeTexels {
+  void operator()(float* texels) const { std::free(texels); }
+};
+using Texels = std::unique_ptr<float[], FreeTexels>;
+
+// Of undefined contents. Large ones lie in the system's large pages where it has them: the first touch of
+// small ones takes longer than many a pass.
+Texels allocate_texels(std::size_t values);
+
 // Texels as an Image holds them, but of undefined contents when made, as on a GPU: large targets cost
 // nothing before they are drawn into.
 struct Texture {
   ImageShape shape;
-  std::unique_ptr<float[]> values;
+  Texels values;
   // Tiles where nothing has been drawn since they were cleared to `clear_texel`; empty: none is known to be
   // so.
   std::array<float, 4> clear_texel{};
   std::vector<std::uint8_t> clear_tiles{};
 
-  explicit Texture(const ImageShape& s)
-      : shape(s), values(std::make_unique_for_overwrite<float[]>(value_count())) {}
+  explicit Texture(const ImageShape& s) : shape(s), values(allocate_texels(value_count())) {}
   explicit Texture(const Image& image) : Texture(image.shape) {
     std::copy(image.values.begin(), image.values.end(), values.get());
   }

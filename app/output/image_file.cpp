@@ -1,6 +1,9 @@
 #include "app/output/image_file.hpp"
 
-#include <algorithm>
+#include <png.h>
+
+#include <cstdint>
+#include <vector>
 
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
@@ -11,18 +14,13 @@ namespace caustics::app {
 
 namespace {
 
-// Encodes into memory, row by row from the top; what reaches the disk is left to write_atomically.
-void write_encoded(const std::filesystem::path& path, ImageToEncode image) {
-  image.row = [fill = std::move(image.row)](int row, void* values) {
-    if (row % 256 == 0) stop_if_interrupted();
-    fill(row, values);
-  };
-  std::vector<unsigned char> bytes;
-  const std::string problem = image_io().encode(image, bytes);
-  if (!problem.empty()) {
-    throw Error(ExitCode::CannotWrite, path.string() + ": cannot encode: " + problem);
-  }
-  write_atomically(path, bytes.data(), bytes.size());
+// Wherever it breaks off: what reaches the disk is left to write_atomically.
+void look_for_interruption(int row) {
+  if (row % 256 == 0) stop_if_interrupted();
+}
+
+[[noreturn]] void refuse_to_encode(const std::filesystem::path& path, const std::string& problem) {
+  throw Error(ExitCode::CannotWrite, path.string() + ": cannot encode: " + problem);
 }
 
 float value_of(const ExrChannel& channel, int x, int y) {
@@ -42,29 +40,42 @@ bool is_image_of_size(const std::filesystem::path& path, int width, int height) 
          found_height == height;
 }
 
+// By libpng itself: OpenImageIO takes longer to load than a picture to write.
 void write_png(const std::filesystem::path& path, const Image& picture) {
-  const auto fill = [&](int row, void* values) {
-    auto* bytes = static_cast<std::uint8_t*>(values);
-    for (int x = 0; x < picture.width(); ++x) {
-      for (int c = 0; c < 3; ++c) *bytes++ = unorm8_from_float(picture.at(x, picture.height() - 1 - row, c));
-    }
-  };
-  write_encoded(path, {ImageEncoding::Png, picture.width(), picture.height(), {"R", "G", "B"}, fill});
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(picture.width());
+  png.height = static_cast<png_uint_32>(picture.height());
+  png.format = PNG_FORMAT_RGB;  // 8-bit sRGB
+  std::vector<std::uint8_t> texels(PNG_IMAGE_SIZE(png));
+  std::uint8_t* out = texels.data();
+  for (int row = 0; row < picture.height(); ++row) {
+    look_for_interruption(row);
+    for (int x = 0; x < picture.width(); ++x)
+      for (int c = 0; c < 3; ++c) *out++ = unorm8_from_float(picture.at(x, picture.height() - 1 - row, c));
+  }
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(png));
+  png_alloc_size_t size = bytes.size();
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, texels.data(), 0, nullptr))
+    refuse_to_encode(path, png.message);
+  write_atomically(path, bytes.data(), size);
 }
 
 void write_exr(const std::filesystem::path& path, const std::vector<ExrChannel>& channels) {
   const int width = channels.front().image->width(), height = channels.front().image->height();
-  const auto fill = [&](int row, void* values) {
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-      auto* floats = static_cast<float*>(values) + c;
-      for (int x = 0; x < width; ++x, floats += channels.size()) {
-        *floats = value_of(channels[c], x, height - 1 - row);
-      }
-    }
-  };
-  ImageToEncode image{ImageEncoding::Exr, width, height, {}, fill};
+  ImageToEncode image;
+  image.width = width;
+  image.height = height;
   for (const ExrChannel& channel : channels) image.channels.push_back(channel.name);
-  write_encoded(path, std::move(image));
+  image.row = [&](int row, float* values) {
+    look_for_interruption(row);
+    for (int x = 0; x < width; ++x)
+      for (const ExrChannel& channel : channels) *values++ = value_of(channel, x, height - 1 - row);
+  };
+  std::vector<unsigned char> bytes;
+  const std::string problem = image_io().encode_exr(image, bytes);
+  if (!problem.empty()) refuse_to_encode(path, problem);
+  write_atomically(path, bytes.data(), bytes.size());
 }
 
 std::vector<ExrChannel> channels_of(const Image& image) {

@@ -5,21 +5,6 @@
 
 namespace caustics {
 
-int channel_count(Format format) {
-  switch (format) {
-    case Format::R32F:
-    case Format::Depth32F:
-      return 1;
-    case Format::RG32F:
-      return 2;
-    case Format::RGBA32F:
-    case Format::RGBA16F:
-    case Format::RGBA8:
-      return 4;
-  }
-  return 0;
-}
-
 std::size_t bytes_per_texel(Format format) {
   switch (format) {
     case Format::R32F:

@@ -13,7 +13,20 @@ inline constexpr Format kAllFormats[] = {Format::R32F,    Format::RG32F, Format:
                                          Format::RGBA16F, Format::RGBA8, Format::Depth32F};
 
 // Number of channels, 1 to 4.
-int channel_count(Format format);
+constexpr int channel_count(Format format) {
+  switch (format) {
+    case Format::R32F:
+    case Format::Depth32F:
+      return 1;
+    case Format::RG32F:
+      return 2;
+    case Format::RGBA32F:
+    case Format::RGBA16F:
+    case Format::RGBA8:
+      return 4;
+  }
+  return 0;
+}
 // Bytes of one texel as stored on a GPU.
 std::size_t bytes_per_texel(Format format);
 // The name as it is written in this enumeration, for messages and manifests.

@@ -10,13 +10,6 @@ namespace caustics {
 
 namespace {
 
-std::size_t value_index(const Image& image, int x, int y, int channel) {
-  const auto width = static_cast<std::size_t>(image.width());
-  const auto channels = static_cast<std::size_t>(image.channels());
-  return (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)) * channels +
-         static_cast<std::size_t>(channel);
-}
-
 void append_little_endian(std::vector<std::uint8_t>& bytes, std::uint32_t value, int count) {
   for (int i = 0; i < count; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }
@@ -28,14 +21,17 @@ Image::Image(Format format, int width, int height)
       values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
              static_cast<std::size_t>(channel_count(format))) {}
 
-float& Image::at(int x, int y, int channel) { return values[value_index(*this, x, y, channel)]; }
-float Image::at(int x, int y, int channel) const { return values[value_index(*this, x, y, channel)]; }
-
 std::string sha256(const Image& image) {
   Sha256 hash;
   const std::string header = std::string(format_name(image.shape.format)) + ' ' +
                              std::to_string(image.width()) + ' ' + std::to_string(image.height()) + '\n';
   hash.add(header.data(), header.size());
+  if (std::endian::native == std::endian::little &&
+      bytes_per_texel(image.shape.format) == sizeof(float) * static_cast<std::size_t>(image.channels()) &&
+      image.shape.format != Format::RGBA8) {
+    hash.add(image.values.data(), image.values.size() * sizeof(float));
+    return hash.hexadecimal();
+  }
   std::vector<std::uint8_t> bytes;
   bytes.reserve(1 << 16);
   for (const float value : image.values) {

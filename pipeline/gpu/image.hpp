@@ -29,8 +29,15 @@ struct Image {
   int width() const { return shape.width; }
   int height() const { return shape.height; }
   int channels() const { return channel_count(shape.format); }
-  float& at(int x, int y, int channel);
-  float at(int x, int y, int channel) const;
+  float& at(int x, int y, int channel) { return values[index(x, y, channel)]; }
+  float at(int x, int y, int channel) const { return values[index(x, y, channel)]; }
+
+ private:
+  std::size_t index(int x, int y, int channel) const {
+    const auto texel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(x);
+    return texel * static_cast<std::size_t>(channels()) + static_cast<std::size_t>(channel);
+  }
 };
 
 // SHA-256 in hexadecimal of the texels as a GPU stores them (bytes_per_texel, little endian, row 0

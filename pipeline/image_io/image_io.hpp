@@ -47,16 +47,12 @@ struct ImagePlanes {
   ImagePlanes& operator=(ImagePlanes&&) = default;
 };
 
-// 8-bit sRGB values in a PNG, or 32-bit floats, ZIP-compressed, in an EXR file.
-enum class ImageEncoding : std::uint8_t { Png, Exr };
-
+// What becomes an EXR file of 32-bit floats, ZIP-compressed.
 struct ImageToEncode {
-  ImageEncoding encoding = ImageEncoding::Png;
   int width = 0, height = 0;
-  std::vector<std::string> channels;  // names; PNG files do not keep them
-  // Writes the row's values, channel by channel in each pixel: bytes for PNG, floats for EXR. Row 0 is the
-  // top.
-  std::function<void(int row, void* values)> row;
+  std::vector<std::string> channels;  // names
+  // Writes the row's values, channel by channel in each pixel. Row 0 is the top.
+  std::function<void(int row, float* values)> row;
 };
 
 // The module's functions. Those that return a string say what went wrong; empty: nothing did. What a callback
@@ -72,7 +68,7 @@ struct ImageIo {
                              ImagePlanes& planes) = nullptr;
   // From the head of a file. False: it holds no image.
   bool (*read_size)(const std::filesystem::path& path, int& width, int& height) = nullptr;
-  std::string (*encode)(const ImageToEncode& image, std::vector<unsigned char>& bytes) = nullptr;
+  std::string (*encode_exr)(const ImageToEncode& image, std::vector<unsigned char>& bytes) = nullptr;
 };
 
 // Loads the module at the first call: from beside the program that runs, from the library folder of the

@@ -46,13 +46,18 @@ std::optional<double> area_at(const Image& position, const glm::dvec3& here, con
   return area <= static_cast<double>(map) * static_cast<double>(map) ? std::optional(area) : std::nullopt;
 }
 
+// Every n-th pixel of a row and of a column tells enough of a large picture.
+constexpr double kMostPixels = 1 << 20;
+
 }  // namespace
 
 double pixel_side(const Image& view_position, const Image& caustic_map, const View& caustic) {
   const int map = caustic_map.width();
+  const double pixels = static_cast<double>(view_position.width()) * view_position.height();
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels))));
   double sides = 0.0, weights = 0.0;
-  for (int y = 0; y < view_position.height(); ++y)
-    for (int x = 0; x < view_position.width(); ++x) {
+  for (int y = step / 2; y < view_position.height(); y += step)
+    for (int x = step / 2; x < view_position.width(); x += step) {
       const auto here = surface_at(view_position, x, y);
       if (!here) continue;
       const int face = caustic.cube ? face_of(caustic.coordinates(*here)) : 0;

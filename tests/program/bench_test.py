@@ -82,7 +82,7 @@ class Bench(ProgramTest):
     def test_other_bits_are_told_and_are_wrong_only_where_the_driver_must_give_the_same(self):
         self.report_against_gl("-t", "1")
         lines = self.succeeds("doctor").stdout.splitlines()
-        if not any(line.startswith("gl driver class") and line.endswith(" llvmpipe, fused") for line in lines):
+        if not any(l.startswith("gl driver class") and l.endswith(" llvmpipe, fused") for l in lines):
             self.skipTest("needs the driver class 'llvmpipe, fused', whose bits must be the same")
         command = ["bench", "ball.glb", *SHORT, "--json", "--against", "gl", "-t", "1"]
         # A driver that leaves blending out: the first pass that blends is the first that differs.
