@@ -7,8 +7,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/memory_bandwidth.hpp"
@@ -100,7 +101,7 @@ Drawing large_triangles() {
   return surface(std::move(mesh));
 }
 
-// From the left edge to the right one, a pixel high there and turned about the middle.
+// From a point of the left edge to a pixel of the right one, all through the target's middle.
 Drawing slivers() {
   constexpr int kSlivers = 512;
   MeshData mesh = surface_mesh();
@@ -150,7 +151,8 @@ Drawing small_cells() {
   });
 }
 
-// Two texels wide, from below to above the other diagonal of their rectangle: most of the target.
+// Two texels wide, slanted from the target's lower edge to its upper one: the rectangle around each is more
+// than half of it.
 Drawing elongated_cells() {
   constexpr int kCells = 8;
   return cells(kCells, [](int column, int row) {
@@ -264,6 +266,8 @@ class Runs {
     for (std::size_t i = 0; i < 2; ++i) runs_[i].definition = &definitions_[i];
     if (drawing.keeps) clear_targets();
   }
+  Runs(const Runs&) = delete;  // runs point to definitions
+
   PassResult next() { return device_->run(runs_[++count_ % 2]); }
 
   // Of targets written, and read where they are kept, and of textures read: each once, a float a channel, as
