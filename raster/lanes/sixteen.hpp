@@ -31,10 +31,45 @@ inline void store_ints(std::int32_t* p, Ints v) { __builtin_memcpy(p, &v, sizeof
 inline Floats broadcast(float s) { return s - Floats{}; }
 inline Floats to_floats(Ints v) { return __builtin_convertvector(v, Floats); }
 
+// Comparisons, choices and calls of sixteen: GCC takes them apart one by one where registers are narrower.
+#if defined(__AVX512F__)
+inline constexpr int kRegister = 64;  // bytes
+#elif defined(__AVX2__)
+inline constexpr int kRegister = 32;
+#else
+inline constexpr int kRegister = 16;
+#endif
+using FloatRegister = float __attribute__((vector_size(kRegister)));
+using IntRegister = std::int32_t __attribute__((vector_size(kRegister)));
+
+inline Ints less(Floats a, Floats b) {
+  FloatRegister x[64 / kRegister], y[64 / kRegister];
+  IntRegister result[64 / kRegister];
+  __builtin_memcpy(x, &a, sizeof a);
+  __builtin_memcpy(y, &b, sizeof b);
+  for (int i = 0; i < 64 / kRegister; ++i) result[i] = x[i] < y[i];
+  Ints v;
+  __builtin_memcpy(&v, result, sizeof v);
+  return v;
+}
+
+// Of `a` where the condition is -1, of `b` where it is 0.
+inline Floats chosen(Ints condition, Floats a, Floats b) {
+  return (Floats)(((Ints)a & condition) | ((Ints)b & ~condition));
+}
+
 // a * b + c, rounded once.
 inline Floats fused(Floats a, Floats b, Floats c) {
 #if defined(__AVX512F__)
   return (Floats)_mm512_fmadd_ps((__m512)a, (__m512)b, (__m512)c);
+#elif defined(__AVX2__) && defined(__FMA__)
+  __m256 x[2], y[2], z[2];
+  __builtin_memcpy(x, &a, sizeof a);
+  __builtin_memcpy(y, &b, sizeof b);
+  __builtin_memcpy(z, &c, sizeof c);
+  for (int i = 0; i < 2; ++i) z[i] = _mm256_fmadd_ps(x[i], y[i], z[i]);
+  __builtin_memcpy(&c, z, sizeof c);
+  return c;
 #else
   Floats sum;
   for (int lane = 0; lane < kBlock; ++lane) sum[lane] = __builtin_fmaf(a[lane], b[lane], c[lane]);

@@ -170,9 +170,11 @@ class TileRenderer {
 
   // Which of sixteen neighbours in a row, from `first` to `last`, lie inside the edges.
   static Ints covered(const std::int32_t (&edge)[3], const std::int32_t (&dy)[3], int first, int last) {
-    const Ints inside =
-        (edge[0] - dy[0] * kNeighbours) | (edge[1] - dy[1] * kNeighbours) | (edge[2] - dy[2] * kNeighbours);
-    return (inside >= 0) & (kNeighbours >= first) & (kNeighbours <= last);
+    // The sign of what is negative outside: comparisons of sixteen are taken apart one by one where registers
+    // are narrower.
+    const Ints outside = (edge[0] - dy[0] * kNeighbours) | (edge[1] - dy[1] * kNeighbours) |
+                         (edge[2] - dy[2] * kNeighbours) | (kNeighbours - first) | (last - kNeighbours);
+    return ~(outside >> 31);
   }
 
   void draw_neighbours(int x, int y, Ints inside, const TriangleRecord& t) {
@@ -210,7 +212,7 @@ class TileRenderer {
     const Floats along = fused(broadcast(plane.per_x), to_floats(x + kNeighbours), broadcast(plane.origin));
     const Floats z = fused(broadcast(plane.per_y), broadcast(static_cast<float>(y)), along);
     const Floats nearest{}, farthest = broadcast(1.0f);
-    return z < nearest ? nearest : z > farthest ? farthest : z;
+    return chosen(less(z, nearest), nearest, chosen(less(farthest, z), farthest, z));
   }
 
   // Which of sixteen pass, whose depths are then stored.
@@ -218,14 +220,14 @@ class TileRenderer {
     const Floats before = load_floats(stored);
     Ints passing{};
     if (job_.depth_state.compare == Compare::Less)
-      passing = z < before;
+      passing = less(z, before);
     else if (job_.depth_state.compare == Compare::Greater)
-      passing = z > before;
+      passing = less(before, z);
     else
       for (int lane = 0; lane < kBlock; ++lane)
         passing[lane] = passes(job_.depth_state.compare, z[lane], before[lane]) ? -1 : 0;
     passing &= inside;
-    if (job_.depth_state.write) store_floats(stored, passing ? z : before);
+    if (job_.depth_state.write) store_floats(stored, chosen(passing, z, before));
     return passing;
   }
 

@@ -14,7 +14,7 @@ namespace {
 // Uniform in [-1, 1) from the generator's bits alone: the library's distributions differ.
 float random_value(std::mt19937& bits) { return static_cast<float>(bits() >> 8) * 0x1p-23f - 1.0f; }
 
-std::string digest(Topology topology, SoftwareOptions options) {
+std::string digest(Topology topology, Compare compare, SoftwareOptions options) {
   std::mt19937 bits(20260u + static_cast<unsigned>(topology));
   RasterBench b;
   b.width = 117;
@@ -22,8 +22,9 @@ std::string digest(Topology topology, SoftwareOptions options) {
   b.options = options;
   b.definition.topology = topology;
   b.definition.writes[0] = {.name = "a", .meaning = "m", .blend = kAccumulate};
-  b.definition.depth = DepthWrite{.name = "depth", .meaning = "m"};
-  b.definition.depth_state = {Compare::LessEqual, true};
+  b.definition.depth =
+      DepthWrite{.name = "depth", .meaning = "m", .clear = compare == Compare::Greater ? 0.0f : 1.0f};
+  b.definition.depth_state = {compare, true};
   std::vector<RasterVertex> v(topology == Topology::Points ? 20000 : 9000);
   for (std::size_t i = 0; i < v.size(); ++i) {
     const float spread = i / 3 % 4 == 0 ? 2.5f : 1.05f;
@@ -44,14 +45,15 @@ std::string digest(Topology topology, SoftwareOptions options) {
 }  // namespace
 
 TEST_CASE("lanes: random triangles and points give the same bits on every width and thread count") {
-  for (const Topology topology : {Topology::Triangles, Topology::Points}) {
-    const std::string expected = digest(topology, {.threads = 1, .lanes = Lanes::Scalar});
-    for (const Lanes lanes : supported_lanes())
-      for (const int threads : {1, 2, 7}) {
-        INFO(lanes_name(lanes) << ", " << threads << " threads");
-        CHECK(digest(topology, {.threads = threads, .lanes = lanes}) == expected);
-      }
-  }
+  for (const Topology topology : {Topology::Triangles, Topology::Points})
+    for (const Compare compare : {Compare::LessEqual, Compare::Less, Compare::Greater}) {
+      const std::string expected = digest(topology, compare, {.threads = 1, .lanes = Lanes::Scalar});
+      for (const Lanes lanes : supported_lanes())
+        for (const int threads : {1, 2, 7}) {
+          INFO(lanes_name(lanes) << ", " << threads << " threads");
+          CHECK(digest(topology, compare, {.threads = threads, .lanes = lanes}) == expected);
+        }
+    }
 }
 
 TEST_CASE("lanes: a width that the processor lacks, and a senseless number of threads, are refused") {

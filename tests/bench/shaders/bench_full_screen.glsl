@@ -1,5 +1,5 @@
-// One triangle over the whole target that reads a texture of the same size, as the camera's passes do.
-TEXTURE(0, places)
+// One triangle over the whole target that copies a texture of the same size.
+TEXTURE(0, source)
 
 #ifdef VERTEX_STAGE
 void main() {
@@ -11,8 +11,5 @@ void main() {
 #else
 OUTPUT(0, Vec4, color)
 
-void main() {
-  Vec4 place = texel_fetch(places, Int(frag_x()), Int(frag_y()));
-  color = Vec4(place.x * 2.0f, place.y + place.z, sqrt(place.w), Float(1.0f));
-}
+void main() { color = texel_fetch(source, Int(frag_x()), Int(frag_y())); }
 #endif
