@@ -6,6 +6,7 @@
 // band. The result is the same to the bit for every number of threads and every lane width. It knows no
 // pass, does not multisample, and has no mipmaps, stencil or lines.
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,9 +15,14 @@
 
 namespace caustics {
 
+// A draw of more primitives is drawn in batches of so many, so that its memory does not grow with it: more
+// would not be faster.
+inline constexpr std::size_t kPrimitivesPerBatch = std::size_t{1} << 18;
+
 struct SoftwareOptions {
   int threads = 0;               // 0: all that the machine has
   std::optional<Lanes> lanes{};  // none: CAUSTICS_LANES from the environment, else the widest
+  std::size_t batch = kPrimitivesPerBatch;
 };
 
 // Throws Error (WrongUsage) for lanes that this build or processor lacks, or a negative thread count.

@@ -1,4 +1,4 @@
-// Lane widths and threads never show: random triangles and points, seeded, hashed.
+// Lane widths, threads and batches never show: random triangles and points, seeded, hashed.
 #include <algorithm>
 #include <random>
 
@@ -43,7 +43,7 @@ std::string digest(Topology topology, SoftwareOptions options) {
 
 }  // namespace
 
-TEST_CASE("lanes: random triangles and points give the same bits on every width and thread count") {
+TEST_CASE("lanes: random triangles and points give the same bits on every width, thread count and batch") {
   for (const Topology topology : {Topology::Triangles, Topology::Points}) {
     const std::string expected = digest(topology, {.threads = 1, .lanes = Lanes::Scalar});
     for (const Lanes lanes : supported_lanes())
@@ -51,6 +51,9 @@ TEST_CASE("lanes: random triangles and points give the same bits on every width 
         INFO(lanes_name(lanes) << ", " << threads << " threads");
         CHECK(digest(topology, {.threads = threads, .lanes = lanes}) == expected);
       }
+    // 9000 vertices are 3000 triangles.
+    for (const std::size_t batch : {1u, 999u, 1024u})
+      CHECK(digest(topology, {.threads = 2, .batch = batch}) == expected);
   }
 }
 
