@@ -246,6 +246,18 @@ class SoftwareDevice final : public Device {
 
 }  // namespace raster
 
+std::size_t draw_bytes(const PassDefinition& definition, std::size_t vertices, std::size_t primitives) {
+  using namespace raster;
+  const bool triangles = definition.topology == Topology::Triangles;
+  const auto varyings = static_cast<std::size_t>(interface_of(*definition.shader).varying_components());
+  const std::size_t batch = std::min(primitives, kPrimitivesPerBatch);
+  const std::size_t shaded = vertices > 0 ? vertices : batch * (triangles ? 3 : 1);
+  const std::size_t record =
+      triangles ? sizeof(TriangleRecord) + (2 + varyings) * sizeof(Plane) : sizeof(PointRecord);
+  return shaded * (ShadedVertices::kHeader + varyings) * sizeof(float) +
+         batch * (record + sizeof(std::uint32_t));
+}
+
 std::unique_ptr<Device> make_software_device(const SoftwareOptions& options) {
   if (options.threads < 0)
     throw Error(ExitCode::WrongUsage,
