@@ -20,9 +20,9 @@ namespace caustics {
 inline constexpr std::size_t kPrimitivesPerBatch = std::size_t{1} << 18;
 
 struct SoftwareOptions {
-  int threads = 0;               // 0: all that the machine has
-  std::optional<Lanes> lanes{};  // none: CAUSTICS_LANES from the environment, else the widest
-  std::size_t batch = kPrimitivesPerBatch;
+  int threads = 0;                          // 0: all that the machine has
+  std::optional<Lanes> lanes{};             // none: CAUSTICS_LANES from the environment, else the widest
+  std::size_t batch = kPrimitivesPerBatch;  // primitives; the bits are the same for every number
 };
 
 // Throws Error (WrongUsage) for lanes that this build or processor lacks, or a negative thread count.
