@@ -10,14 +10,6 @@ class LoadedScene;
 struct BackendRequest;
 struct FrameRequest;
 
-// What a frame occupies while it is rendered, in bytes: its textures as the software device holds
-// them, and one more of the largest, read back.
-std::uint64_t memory_needed(const FramePlan& plan);
-// Throws Error (WrongUsage) when the frame needs more than three quarters of this machine's memory.
-void check_memory(const FramePlan& plan);
-// The same of so many bytes; `advice`: what to lower.
-void check_memory(std::uint64_t needed, const std::string& advice);
-
 // The views of every light are fitted on it, whatever device draws.
 std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend);
 

@@ -1,4 +1,5 @@
 #include "app/expectations.hpp"
+#include "app/frame_memory.hpp"
 #include "app/json.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/output/light_groups.hpp"
@@ -131,6 +132,7 @@ std::string plan_json(const PlanReport& report) {
                    {"passes", passes_json(report)},
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
+                   {"memory_bytes", memory_needed(report.plan, scene, report.settings)},
                    {"notes", scene.notes}};
   if (report.loaded.moves()) {
     document["animation"] = {{"seconds", report.loaded.duration()},

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/frame.hpp"
+#include "app/frame_memory.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/reference_layers.hpp"
 #include "app/reference_options.hpp"

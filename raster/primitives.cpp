@@ -13,10 +13,13 @@ constexpr std::size_t kPrimitivesPerChunk = 8192;
 
 class ChunkBuilder {
  public:
-  ChunkBuilder(const PrimitiveStage& stage, const TileGrid& grid)
-      : stage_(stage), grid_(grid), viewport_{grid.width, grid.height} {}
+  ChunkBuilder(const PrimitiveStage& stage, const TileGrid& grid, BinnedChunk& chunk)
+      : stage_(stage), grid_(grid), viewport_{grid.width, grid.height}, chunk_(chunk) {}
 
-  BinnedChunk build(std::size_t first, std::size_t last) {
+  void build(std::size_t first, std::size_t last) {
+    chunk_.triangles.clear();
+    chunk_.points.clear();
+    chunk_.planes.clear();
     const std::size_t planes_each = 2 + static_cast<std::size_t>(stage_.options.varying_count);
     if (stage_.topology == Topology::Triangles) {
       chunk_.triangles.reserve(last - first);
@@ -37,7 +40,6 @@ class ChunkBuilder {
       sort_into_tiles(chunk_.triangles);
     else
       sort_into_tiles(chunk_.points);
-    return std::move(chunk_);
   }
 
  private:
@@ -98,21 +100,19 @@ class ChunkBuilder {
   const PrimitiveStage& stage_;
   const TileGrid& grid_;
   Viewport viewport_;
-  BinnedChunk chunk_;
+  BinnedChunk& chunk_;
 };
 
 }  // namespace
 
-std::vector<BinnedChunk> bin_primitives(const PrimitiveStage& stage, const TileGrid& grid,
-                                        const Workers& workers) {
-  const std::size_t chunks = (stage.primitive_count + kPrimitivesPerChunk - 1) / kPrimitivesPerChunk;
-  std::vector<BinnedChunk> result(chunks);
-  workers.run(static_cast<int>(chunks), [&](int chunk) {
-    const std::size_t first = static_cast<std::size_t>(chunk) * kPrimitivesPerChunk;
-    result[static_cast<std::size_t>(chunk)] =
-        ChunkBuilder(stage, grid).build(first, std::min(first + kPrimitivesPerChunk, stage.primitive_count));
+void bin_primitives(const PrimitiveStage& stage, std::size_t first, std::size_t count, const TileGrid& grid,
+                    const Workers& workers, std::vector<BinnedChunk>& chunks) {
+  chunks.resize((count + kPrimitivesPerChunk - 1) / kPrimitivesPerChunk);
+  workers.run(static_cast<int>(chunks.size()), [&](int chunk) {
+    const std::size_t begin = first + static_cast<std::size_t>(chunk) * kPrimitivesPerChunk;
+    ChunkBuilder(stage, grid, chunks[static_cast<std::size_t>(chunk)])
+        .build(begin, std::min(begin + kPrimitivesPerChunk, first + count));
   });
-  return result;
 }
 
 }  // namespace caustics::raster

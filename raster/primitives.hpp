@@ -1,4 +1,4 @@
-// Primitive assembly, clipping, set-up and binning of one draw.
+// Primitive assembly, clipping, set-up and binning of a draw, batch by batch.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -34,10 +34,10 @@ struct PrimitiveStage {
   TriangleOptions options{};
   const ShadedVertices* vertices = nullptr;
   const std::vector<std::uint32_t>* indices = nullptr;  // null or empty: vertices in order
-  std::size_t primitive_count = 0;
 };
-// The chunks of a draw in API order. `vertices` must outlive them.
-std::vector<BinnedChunk> bin_primitives(const PrimitiveStage& stage, const TileGrid& grid,
-                                        const Workers& workers);
+// The chunks of the primitives `first` to `first` + `count` in API order, in the memory of those that are in
+// `chunks`. The stage's vertices must outlive them.
+void bin_primitives(const PrimitiveStage& stage, std::size_t first, std::size_t count, const TileGrid& grid,
+                    const Workers& workers, std::vector<BinnedChunk>& chunks);
 
 }  // namespace caustics::raster

@@ -23,7 +23,9 @@ constexpr int kMaxTextureSize = 16384;
 class SoftwareDevice final : public Device {
  public:
   explicit SoftwareDevice(const SoftwareOptions& options)
-      : workers_(options.threads), lanes_(options.lanes ? *options.lanes : default_lanes()) {
+      : workers_(options.threads),
+        lanes_(options.lanes ? *options.lanes : default_lanes()),
+        batch_(std::max<std::size_t>(1, options.batch)) {
     if (!is_supported(lanes_))
       throw Error(ExitCode::WrongUsage, "lane width '" + std::string(lanes_name(lanes_)) +
                                             "' is not supported by this processor or build");
@@ -140,10 +142,8 @@ class SoftwareDevice final : public Device {
     const auto condition = run.only_if == OcclusionQuery::None ? samples_.end() : samples_.find(run.only_if);
     result.left_out = condition != samples_.end() && condition->second == 0;
     if (run.draws.empty() || result.left_out) target.clear();
-    for (std::size_t i = 0; !result.left_out && i < run.draws.size(); ++i) {
+    for (std::size_t i = 0; !result.left_out && i < run.draws.size(); ++i)
       execute_draw(run, run.draws[i], target, TileGrid(size.width, size.height), result);
-      target.keep_all();
-    }
     if (!definition.count_samples) result.samples_passed = 0;
     if (run.counts_into != OcclusionQuery::None) samples_[run.counts_into] = result.samples_passed;
     return result;
@@ -156,19 +156,15 @@ class SoftwareDevice final : public Device {
     const std::vector<TextureView> views = bound_textures(draw);
     const MeshData* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
     const auto lanes = static_cast<std::size_t>(lanes_);
-    const ShadedVertices vertices = shade_vertices(
-        {&interface, definition.shader->kernels.vertex[lanes], draw.uniforms.data(), views.data(), mesh,
-         mesh ? mesh->vertex_count() : static_cast<std::size_t>(std::max(0, draw.vertex_count))},
-        workers_);
-    const std::size_t corners = mesh && !mesh->indices.empty() ? mesh->indices.size() : vertices.count;
+    const VertexStage vertex_stage{&interface, definition.shader->kernels.vertex[lanes], draw.uniforms.data(),
+                                   views.data(), mesh};
     const std::vector<std::uint8_t> flat = flat_components(interface);
-    const PrimitiveStage stage{
+    ShadedVertices vertices;
+    const PrimitiveStage primitive_stage{
         .topology = definition.topology,
         .options = {definition.cull, interface.varying_components(), flat.data()},
         .vertices = &vertices,
-        .indices = mesh ? &mesh->indices : nullptr,
-        .primitive_count = definition.topology == Topology::Triangles ? corners / 3 : corners};
-    const std::vector<BinnedChunk> chunks = bin_primitives(stage, grid, workers_);
+        .indices = mesh ? &mesh->indices : nullptr};
     const FragmentWork work{.definition = &definition,
                             .fragment = definition.shader->kernels.fragment[lanes],
                             .uniforms = draw.uniforms.data(),
@@ -178,11 +174,29 @@ class SoftwareDevice final : public Device {
                             .may_discard = interface.discards,
                             .idle_where_zero = idle_where_zero(definition, draw, target.shape()),
                             .kernel = tile_kernel(lanes_)};
-    const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
+    const std::size_t vertex_count =
+        mesh ? mesh->vertex_count() : static_cast<std::size_t>(std::max(0, draw.vertex_count));
+    const bool indexed = mesh && !mesh->indices.empty();
+    const std::size_t corners = indexed ? mesh->indices.size() : vertex_count;
+    const std::size_t corners_each = definition.topology == Topology::Triangles ? 3 : 1;
+    const std::size_t primitives = corners / corners_each;
+    // An index may be of any vertex.
+    if (indexed) shade_vertices(vertex_stage, 0, vertex_count, workers_, vertices);
+    std::vector<BinnedChunk> chunks;
+    std::size_t first = 0;
+    do {  // without a primitive too: what is not kept is cleared
+      const std::size_t count = std::min(batch_, primitives - first);
+      if (!indexed)
+        shade_vertices(vertex_stage, first * corners_each, count * corners_each, workers_, vertices);
+      bin_primitives(primitive_stage, first, count, grid, workers_, chunks);
+      const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
+      target.keep_all();
+      result.fragments += counters.fragments;
+      result.samples_passed += counters.samples_passed;
+      first += count;
+    } while (first < primitives);
     result.vertices += corners;
-    result.primitives += stage.primitive_count;
-    result.fragments += counters.fragments;
-    result.samples_passed += counters.samples_passed;
+    result.primitives += primitives;
   }
 
   std::vector<const Texture*> idle_where_zero(const PassDefinition& definition, const Draw& draw,
@@ -220,6 +234,7 @@ class SoftwareDevice final : public Device {
 
   Workers workers_;
   Lanes lanes_;
+  std::size_t batch_;  // primitives
   std::uint32_t last_texture_ = 0, last_mesh_ = 0;
   DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
@@ -230,6 +245,18 @@ class SoftwareDevice final : public Device {
 }  // namespace
 
 }  // namespace raster
+
+std::size_t draw_bytes(const PassDefinition& definition, std::size_t vertices, std::size_t primitives) {
+  using namespace raster;
+  const bool triangles = definition.topology == Topology::Triangles;
+  const auto varyings = static_cast<std::size_t>(interface_of(*definition.shader).varying_components());
+  const std::size_t batch = std::min(primitives, kPrimitivesPerBatch);
+  const std::size_t shaded = vertices > 0 ? vertices : batch * (triangles ? 3 : 1);
+  const std::size_t record =
+      triangles ? sizeof(TriangleRecord) + (2 + varyings) * sizeof(Plane) : sizeof(PointRecord);
+  return shaded * (ShadedVertices::kHeader + varyings) * sizeof(float) +
+         batch * (record + sizeof(std::uint32_t));
+}
 
 std::unique_ptr<Device> make_software_device(const SoftwareOptions& options) {
   if (options.threads < 0)

@@ -6,6 +6,7 @@
 // band. The result is the same to the bit for every number of threads and every lane width. It knows no
 // pass, does not multisample, and has no mipmaps, stencil or lines.
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,13 +15,22 @@
 
 namespace caustics {
 
+// A draw of more primitives is drawn in batches of so many, so that its memory does not grow with it. A
+// quarter and four times as many take the same time, all at once a third more (4.2 million cells).
+inline constexpr std::size_t kPrimitivesPerBatch = std::size_t{1} << 18;
+
 struct SoftwareOptions {
-  int threads = 0;               // 0: all that the machine has
-  std::optional<Lanes> lanes{};  // none: CAUSTICS_LANES from the environment, else the widest
+  int threads = 0;                          // 0: all that the machine has
+  std::optional<Lanes> lanes{};             // none: CAUSTICS_LANES from the environment, else the widest
+  std::size_t batch = kPrimitivesPerBatch;  // primitives; the bits are the same for every number
 };
 
 // Throws Error (WrongUsage) for lanes that this build or processor lacks, or a negative thread count.
 std::unique_ptr<Device> make_software_device(const SoftwareOptions& options = {});
+
+// What the device takes for a draw beside textures, in bytes: a batch's shaded vertices, and its primitives
+// set up and sorted into tiles. `vertices`: of a mesh with indices, which are shaded all at once; else 0.
+std::size_t draw_bytes(const PassDefinition& definition, std::size_t vertices, std::size_t primitives);
 
 // The lane widths that are compiled in and that this processor can run, narrowest first.
 std::vector<Lanes> supported_lanes();

@@ -31,7 +31,7 @@ void shade_range(const VertexStage& stage, const std::vector<int>& offsets, std:
     }
     stage.kernel({stage.uniforms, stage.textures, attributes, id, position, point_size, varyings});
     for (std::size_t lane = 0; lane < used; ++lane) {
-      float* v = out.values.data() + (block + lane) * static_cast<std::size_t>(out.stride);
+      float* v = out.values.data() + (block - out.first + lane) * static_cast<std::size_t>(out.stride);
       for (int c = 0; c < 4; ++c) v[c] = position[c][lane];
       v[4] = point_size[lane];
       for (int c = 0; c < varying_count; ++c) v[ShadedVertices::kHeader + c] = varyings[c][lane];
@@ -54,20 +54,20 @@ std::vector<int> attribute_offsets(const ShaderInterface& interface, const MeshD
   return offsets;
 }
 
-ShadedVertices shade_vertices(const VertexStage& stage, const Workers& workers) {
-  ShadedVertices out;
+void shade_vertices(const VertexStage& stage, std::size_t first, std::size_t count, const Workers& workers,
+                    ShadedVertices& out) {
   out.stride = ShadedVertices::kHeader + stage.interface->varying_components();
-  out.count = stage.vertex_count;
+  out.first = first;
+  out.count = count;
   // Varyings are read in fours: three more may be behind the last.
-  out.values.resize(out.count * static_cast<std::size_t>(out.stride) + 3);
+  out.values.resize(count * static_cast<std::size_t>(out.stride) + 3);
   const std::vector<int> offsets =
       stage.mesh ? attribute_offsets(*stage.interface, *stage.mesh) : std::vector<int>{};
-  const std::size_t tasks = (out.count + kVerticesPerTask - 1) / kVerticesPerTask;
+  const std::size_t tasks = (count + kVerticesPerTask - 1) / kVerticesPerTask;
   workers.run(static_cast<int>(tasks), [&](int task) {
-    const std::size_t first = static_cast<std::size_t>(task) * kVerticesPerTask;
-    shade_range(stage, offsets, first, std::min(first + kVerticesPerTask, out.count), out);
+    const std::size_t begin = first + static_cast<std::size_t>(task) * kVerticesPerTask;
+    shade_range(stage, offsets, begin, std::min(begin + kVerticesPerTask, first + count), out);
   });
-  return out;
 }
 
 }  // namespace caustics::raster

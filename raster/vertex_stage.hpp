@@ -1,4 +1,4 @@
-// The vertex stage: a pass's vertex kernel over all vertices of a draw.
+// The vertex stage: a pass's vertex kernel over a draw's vertices, all or a stretch of them.
 #pragma once
 #include <vector>
 
@@ -8,14 +8,16 @@
 
 namespace caustics::raster {
 
-// Shaded vertices, one after the other: clip position (4 floats), point size, varyings.
+// A stretch of a draw's vertices, shaded, one after the other: clip position (4 floats), point size,
+// varyings.
 struct ShadedVertices {
   static constexpr int kHeader = 5;
   int stride = kHeader;
-  std::size_t count = 0;
+  std::size_t first = 0, count = 0;
   std::vector<float> values;
+  // By the vertex's number in the draw.
   const float* at(std::size_t vertex) const {
-    return values.data() + vertex * static_cast<std::size_t>(stride);
+    return values.data() + (vertex - first) * static_cast<std::size_t>(stride);
   }
 };
 
@@ -28,8 +30,9 @@ struct VertexStage {
   const void* uniforms = nullptr;
   const TextureView* textures = nullptr;
   const MeshData* mesh = nullptr;  // null: vertices know only their number
-  std::size_t vertex_count = 0;
 };
-ShadedVertices shade_vertices(const VertexStage& stage, const Workers& workers);
+// The vertices `first` to `first` + `count`, into memory that `out` may have from before.
+void shade_vertices(const VertexStage& stage, std::size_t first, std::size_t count, const Workers& workers,
+                    ShadedVertices& out);
 
 }  // namespace caustics::raster

@@ -1,4 +1,4 @@
-// Lane widths and threads never show: random triangles and points, seeded, hashed.
+// Lane widths, threads and batches never show: random triangles and points, seeded, hashed.
 #include <algorithm>
 #include <random>
 
@@ -44,7 +44,7 @@ std::string digest(Topology topology, Compare compare, SoftwareOptions options) 
 
 }  // namespace
 
-TEST_CASE("lanes: random triangles and points give the same bits on every width and thread count") {
+TEST_CASE("lanes: random triangles and points give the same bits on every width, thread count and batch") {
   for (const Topology topology : {Topology::Triangles, Topology::Points})
     for (const Compare compare : {Compare::LessEqual, Compare::Less, Compare::Greater}) {
       const std::string expected = digest(topology, compare, {.threads = 1, .lanes = Lanes::Scalar});
@@ -53,6 +53,9 @@ TEST_CASE("lanes: random triangles and points give the same bits on every width 
           INFO(lanes_name(lanes) << ", " << threads << " threads");
           CHECK(digest(topology, compare, {.threads = threads, .lanes = lanes}) == expected);
         }
+      // 9000 vertices are 3000 triangles.
+      for (const std::size_t batch : {1u, 999u, 1024u})
+        CHECK(digest(topology, compare, {.threads = 2, .batch = batch}) == expected);
     }
 }
 

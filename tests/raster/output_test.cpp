@@ -221,6 +221,74 @@ TEST_CASE("targets: what is kept is drawn onto, what is not is cleared") {
         stored_value(Format::RGBA16F, 0.1f));
 }
 
+TEST_CASE("batches: what comes later is drawn onto what came before, batch after batch") {
+  for (const std::size_t batch : {1u, 2u, 3u}) {
+    INFO(batch << " primitives a batch");
+    // As in "blending: sums run in drawing order"; as triangles and as points.
+    RasterBench sum = with_format(Format::R32F, kAccumulate);
+    sum.options.batch = batch;
+    CHECK(sum.draw(layers(sum, {16777216.0f, 1.0f, 1.0f}))[0].values == std::vector{16777216.0f});
+    CHECK(sum.draw(layers(sum, {1.0f, 1.0f, 16777216.0f}))[0].values == std::vector{16777218.0f});
+    CHECK(sum.result.vertices == 9);
+    CHECK(sum.result.primitives == 3);
+    CHECK(sum.result.fragments == 3);
+    sum.definition.topology = Topology::Points;
+    const auto points = [&](std::vector<float> values) {
+      std::vector<RasterVertex> v;
+      for (const float value : values) v.push_back(sum.at(0.5, 0.5, value));
+      return v;
+    };
+    CHECK(sum.draw(points({16777216.0f, 1.0f, 1.0f}))[0].values == std::vector{16777216.0f});
+    CHECK(sum.draw(points({1.0f, 1.0f, 16777216.0f}))[0].values == std::vector{16777218.0f});
+    sum.definition.writes[0].blend = kReplace;
+    CHECK(sum.draw(points({7.0f, 8.0f, 9.0f}))[0].values == std::vector{9.0f});
+  }
+}
+
+TEST_CASE("batches: depth is tested against that of earlier batches, early and late") {
+  for (const std::size_t batch : {1u, 2u, 4u})
+    for (const Shader* shader : {&raster_probe_shader, &raster_discard_shader}) {
+      INFO(batch << " primitives a batch, " << shader->name);
+      RasterBench b = with_depth(Compare::Less, 1.0f);
+      b.options.batch = batch;
+      b.definition.shader = shader;
+      // The second lies behind the first, the third before it, the fourth behind the third: 4 pixels twice.
+      const std::vector<Image> images = b.draw(layers(b, {1, 2, 3, 4}, {0.5f, 0.75f, 0.25f, 0.375f}));
+      CHECK(images[0].values == std::vector{3.0f, 3.0f, 3.0f, 3.0f});
+      CHECK(images[1].values == std::vector{0.25f, 0.25f, 0.25f, 0.25f});
+      CHECK(b.result.samples_passed == 8);
+    }
+}
+
+TEST_CASE("batches: tiles that no batch, the first or a later one draws into are cleared once") {
+  // Four tiles of 32 pixels a side. The first point lies in the lower left, the second in the lower right,
+  // the third on the first again; each is one pixel.
+  RasterBench b = counting(64, 64);
+  b.options.batch = 1;
+  b.definition.topology = Topology::Points;
+  b.definition.writes[0].clear = {5, 0, 0, 0};
+  Image before(Format::R32F, 64, 64);
+  for (float& value : before.values) value = 9.0f;
+  const Image image = b.draw({b.at(3.5, 3.5, 1.0f), b.at(40.5, 3.5, 2.0f), b.at(3.5, 3.5, 4.0f)}, &before)[0];
+  CHECK(image.at(3, 3, 0) == 10.0f);
+  CHECK(image.at(40, 3, 0) == 7.0f);
+  CHECK(RasterBench::sum(image) == 5.0 * 4096.0 + 7.0);
+  // Nor without any primitive.
+  CHECK(RasterBench::sum(b.draw({}, &before)[0]) == 5.0 * 4096.0);
+}
+
+TEST_CASE("batches: an index of any batch may be of any vertex") {
+  // The pixels of a row, one point each, from the last to the first; the first three twice.
+  RasterBench b = counting(8, 1);
+  b.options.batch = 2;
+  b.definition.topology = Topology::Points;
+  b.indices = {7, 6, 5, 4, 3, 2, 1, 0, 0, 1, 2};
+  std::vector<RasterVertex> row;
+  for (int x = 0; x < 8; ++x) row.push_back(b.at(x + 0.5, 0.5, static_cast<float>(x + 1)));
+  CHECK(b.draw(row)[0].values == std::vector<float>{2, 4, 6, 4, 5, 6, 7, 8});
+  CHECK(b.result.vertices == 11);
+}
+
 TEST_CASE("queries: samples passed count covered texels, layer by layer") {
   RasterBench b = with_depth(Compare::Always, 1.0f, false);
   b.width = b.height = 64;

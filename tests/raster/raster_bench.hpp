@@ -29,7 +29,8 @@ struct RasterBench {
   SoftwareOptions options{.threads = 1};
   Device* on = nullptr;  // none: a software device with these options
   std::vector<bool> keep{};
-  std::vector<bool> absent{};  // colour targets that are not there; empty: all are
+  std::vector<bool> absent{};            // colour targets that are not there; empty: all are
+  std::vector<std::uint32_t> indices{};  // empty: the vertices in order
   PassResult result{};
 
   // A vertex at window coordinates (pixels, y up) and window depth.
@@ -52,6 +53,7 @@ struct RasterBench {
     for (const RasterVertex& v : vertices)
       for (const float f : {v.x, v.y, v.z, v.w, v.red, v.green, v.blue, v.alpha, v.size})
         mesh.vertices.push_back(f);
+    mesh.indices = indices;
     PassRun run;
     run.definition = &definition;
     for (const ColorWrite& write : definition.writes) {

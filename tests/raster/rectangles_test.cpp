@@ -60,6 +60,17 @@ TEST_CASE("rectangles: centres on the left and the lower edge belong to them, on
   CHECK(image.at(3, 4, 0) == 1.0f);
 }
 
+TEST_CASE("rectangles: those of later batches go on counting") {
+  // One above the other: 1 + 2 + 3 + 4 + 5.
+  const Drawn five{
+      .width = 1, .height = 1, .rectangles = std::vector<glm::vec4>(5, {0.0f, 0.0f, 1.0f, 1.0f})};
+  for (const std::size_t batch : {1u, 2u, 3u, 5u}) {
+    const Image numbers = five.on(*make_software_device({.threads = 1, .batch = batch}))["numbers"];
+    CHECK(numbers.at(0, 0, 0) == 15.0f);
+    CHECK(numbers.at(0, 0, 1) == 5.0f);
+  }
+}
+
 TEST_CASE("rectangles: they are cut at the target's edge, however large") {
   CHECK(Drawn{.rectangles = {{-3.0f, 6.0f, 2.0f, 40.0f}}}.covered() == 4.0);
   CHECK(Drawn{.rectangles = {{-1e30f, -1e30f, 1e30f, 1e30f}}}.covered() == 64.0);
