@@ -19,9 +19,8 @@ namespace caustics::app {
 
 namespace {
 
-// Measured, in bytes: the program and its libraries; what the pilot takes before the frame's textures exist;
-// the library that writes pictures, which is loaded last.
-constexpr std::uint64_t kProgram = 40'000'000, kPilot = 40'000'000, kPictureLibrary = 110'000'000;
+// Measured, in bytes: the program and its libraries.
+constexpr std::uint64_t kProgram = 20'000'000;
 
 // The device and images hold floats whatever the format.
 template <class TextureOrMemory>
@@ -70,7 +69,9 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const S
 // double a texel: two for each map that shading looks up, and two while one of them is averaged.
 std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
   static const std::vector<std::string> looked_at = ledger_textures();
-  std::uint64_t images = 0, planes = 2, texels = 0;
+  const int surfaces = plan.find("view_position");
+  std::uint64_t images = surfaces >= 0 ? float_bytes(plan.textures[static_cast<std::size_t>(surfaces)]) : 0;
+  std::uint64_t planes = 2, texels = 0;
   for (const PlannedTexture& texture : plan.textures) {
     const std::string name = texture.name.substr(0, texture.name.find('['));
     if (texture.light != light || !texture.kept_for_light ||
@@ -101,7 +102,7 @@ std::uint64_t machine_memory() {
 }  // namespace
 
 std::uint64_t memory_needed(const FramePlan& plan, const Scene& scene, const Settings& settings) {
-  std::uint64_t held = kProgram + scene_bytes(scene), most = held + kPilot, largest_kept = 0;
+  std::uint64_t held = kProgram + scene_bytes(scene), most = held, largest_kept = 0;
   std::vector<bool> drawn_into(plan.memory.size());
   bool judged = false;
   for (const PlannedPass& pass : plan.passes) {
@@ -122,7 +123,7 @@ std::uint64_t memory_needed(const FramePlan& plan, const Scene& scene, const Set
     judged = true;
     most = std::max(most, held + ledger);
   }
-  return std::max(most, held + largest_kept + kPictureLibrary);
+  return std::max(most, held + largest_kept);
 }
 
 void check_memory(std::uint64_t needed, const std::string& advice) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdlib>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -17,7 +17,8 @@ inline bool same_bits(const std::array<float, 4>& a, const std::array<float, 4>&
 }
 
 struct FreeTexels {
-  void operator()(float* texels) const { std::free(texels); }
+  std::size_t mapped = 0;  // bytes; 0: of the heap
+  void operator()(float* texels) const;
 };
 using Texels = std::unique_ptr<float[], FreeTexels>;
 
