@@ -81,8 +81,7 @@ class FrameCosts(unittest.TestCase):
                 self.assertRegex(line, r"^# \S+ (" + "|".join(COUNTS) + r"): \S+ \S+", "say why it has risen")
 
     def test_plan_says_what_memory_a_frame_takes(self):
-        """Within a tenth; within 20 MB where libraries take most of it. A frame takes most while its ledger is
-        made, or while the picture is written."""
+        """Within a tenth; within 20 MB where libraries take most of it."""
         scene = SCENES / "glass_sphere.glb"
         for sizes in (SMALL, [], ["--grid", 1024, "--map", 1024]):
             with self.subTest(sizes=sizes):
