@@ -2,7 +2,8 @@
 # caustics_pass_times: what equal bits cost (price.sh). Built when they are asked for.
 find_package(CLI11 REQUIRED)
 set(frame_sources "")
-foreach(file backend frame frame_options loaded_scene shell/help_page shell/interrupt shell/parser
+foreach(file backend flux frame frame_memory frame_options loaded_scene output/light_groups shell/help_page
+    shell/interrupt shell/parser shell/progress
     shell/run_program shell/setting_options shell/terminal)
   list(APPEND frame_sources app/${file}.cpp)
 endforeach()
