@@ -112,11 +112,18 @@ CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(In
   casters.caustic = Vec3(0.0f);
   if (u.has_caustic != 0) {
     Reception takes = reception_of(surface, p);
-    if (u.samples_across > 0) {
-      casters = mean_over(footprint_at(surface, p.at, takes.near || takes.far), p, light, takes);
-    } else {
-      casters.shadowed = caster_share(p.at, p.face);
-      casters.caustic = caustic_at(p.at, p.q, light, takes);
+    Bool takes_any = takes.near || takes.far;
+    casters.shadowed = caster_share(p.at, p.face);
+    if (any_lane(takes_any)) {
+      CasterLight taken;
+      if (u.samples_across > 0) {
+        taken = mean_over(footprint_at(surface, p.at, takes_any), p, light, takes);
+      } else {
+        taken.shadowed = casters.shadowed;
+        taken.caustic = caustic_at(p.at, p.q, light, takes);
+      }
+      casters.shadowed = sel(takes_any, taken.shadowed, casters.shadowed);
+      casters.caustic = sel(takes_any, taken.caustic, casters.caustic);
     }
   }
   return casters;
@@ -141,24 +148,42 @@ Vec3 through_medium(Vec3 position) {
 }
 #endif
 
-void main() {
-  SurfacePoint surface = surface_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
+// What arrives at a surface: past what keeps it, and by casters.
+struct Arrival {
+  Vec3 direct;
+  Vec3 caustic;
+};
+
+Arrival arrival_at(IN(SurfacePoint) surface) {
   Incidence light = incidence_at(surface);
   Vec3 triangle_normal = plane_normal(view_position, surface);
   TangentPlane p = tangent_plane(surface.position, triangle_normal);
-
   CasterLight casters = light_of_casters(surface, p, light);
-  caustic = Vec4(Vec3(u.light.intensity) * casters.caustic, Float(0.0f));
+  Arrival arrival;
+  arrival.caustic = Vec3(u.light.intensity) * casters.caustic;
 
   Float lit = lit_share(p, triangle_normal, surface.normal, light.travel);
   if (u.has_caustic != 0) lit = lit * (1.0f - casters.shadowed);
   Float irradiance = light.facing * light.falloff * lit / light.distance_squared;
-  irradiance = sel(surface.visible, irradiance, Float(0.0f));
   Vec3 tint = Vec3(1.0f);
   if (u.has_panes != 0) tint = through_panes(p.at);
 #ifdef HAZE
   tint = tint * through_medium(surface.position);
 #endif
-  direct = Vec4(Vec3(u.light.intensity) * tint * irradiance, Float(0.0f));
+  arrival.direct = Vec3(u.light.intensity) * tint * irradiance;
+  return arrival;
+}
+
+void main() {
+  SurfacePoint surface = surface_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
+  Vec3 arriving = Vec3(0.0f);
+  Vec3 bent = Vec3(0.0f);
+  if (any_lane(surface.visible)) {
+    Arrival arrival = arrival_at(surface);
+    arriving = sel(surface.visible, arrival.direct, arriving);
+    bent = sel(surface.visible, arrival.caustic, bent);
+  }
+  direct = Vec4(arriving, Float(0.0f));
+  caustic = Vec4(bent, Float(0.0f));
 }
 #endif

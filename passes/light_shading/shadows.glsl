@@ -64,11 +64,17 @@ Float covered_by_caster(Int x, Int y, Int face, Float z) {
 // The share of the light that casters take from a point on a face, in view coordinates.
 Float caster_share(Vec3 at, Int face) {
   Corners c = corners_at(caster_position, view_uv(u.caster_view, at));
-  Float z = in_face(u.caster_view, at, face).z;
-  Float share = interpolated(
-      c, covered_by_caster(c.x0, c.y0, face, z), covered_by_caster(c.x0 + 1, c.y0, face, z),
-      covered_by_caster(c.x0, c.y0 + 1, face, z), covered_by_caster(c.x0 + 1, c.y0 + 1, face, z));
-  return sel(view_w(u.caster_view, at) > 0.0f, share, Float(0.0f));
+  Bool reaches = c.x0 >= -1 && c.x0 < texture_width(caster_position) && c.y0 >= -1 &&
+                 c.y0 < texture_height(caster_position) && view_w(u.caster_view, at) > 0.0f;
+  Float share = Float(0.0f);
+  if (any_lane(reaches)) {
+    Float z = in_face(u.caster_view, at, face).z;
+    Float within = interpolated(
+        c, covered_by_caster(c.x0, c.y0, face, z), covered_by_caster(c.x0 + 1, c.y0, face, z),
+        covered_by_caster(c.x0, c.y0 + 1, face, z), covered_by_caster(c.x0 + 1, c.y0 + 1, face, z));
+    share = sel(reaches, within, share);
+  }
+  return share;
 }
 
 // What thin panes leave of the light at a point in view coordinates.

@@ -10,6 +10,8 @@ inline bool sel(bool c, bool a, bool b) { return c ? a : b; }
 inline float sqrt(float a) { return __builtin_sqrtf(a); }
 inline float floor(float a) { return __builtin_floorf(a); }
 inline float abs(float a) { return __builtin_fabsf(a); }
+inline float intBitsToFloat(int bits) { return __builtin_bit_cast(float, bits); }
+inline int floatBitsToInt(float a) { return __builtin_bit_cast(int, a); }
 
 inline bool any_lane(bool c) { return c; }
 

@@ -32,12 +32,12 @@ namespace caustics::CAUSTICS_LANE_NAMESPACE {
 
 using Texture = const TextureView&;
 
-inline Vec4 texel_fetch(const TextureView& t, Int x, Int y) {
+[[gnu::always_inline]] inline Vec4 texel_fetch(const TextureView& t, Int x, Int y) {
   Float c[4];
   gather_texel(t, x, y, c);
   return Vec4(c[0], c[1], c[2], c[3]);
 }
-inline Vec4 table_fetch(const TextureView& t, Int index, int offset) {
+[[gnu::always_inline]] inline Vec4 table_fetch(const TextureView& t, Int index, int offset) {
   Float c[4];
   gather_table(t, index, offset, c);
   return Vec4(c[0], c[1], c[2], c[3]);

@@ -59,6 +59,9 @@ struct Float {
 };
 inline Int::Int(const Float& f) : v(__builtin_convertvector(f.v, IntVector)) {}
 
+inline Float intBitsToFloat(Int bits) { return (FloatVector)bits.v; }
+inline Int floatBitsToInt(Float a) { return (IntVector)a.v; }
+
 inline Float sel(Bool c, Float a, Float b) { return c.v ? a.v : b.v; }
 inline Int sel(Bool c, Int a, Int b) { return c.v ? a.v : b.v; }
 inline Bool sel(Bool c, Bool a, Bool b) { return (c.v & a.v) | (~c.v & b.v); }
@@ -130,7 +133,7 @@ inline Int stack_at(const Stack& stack, Int depth) {
 #if defined(__SSE2__)
 // A texel of four channels each of lanes i, i + 4, i + 8 and i + 12, as far as there are so many.
 template <class TexelOf>
-FloatVector every_fourth(const TexelOf& texel, int i) {
+[[gnu::always_inline]] inline FloatVector every_fourth(const TexelOf& texel, int i) {
 #if CAUSTICS_LANES == 16
   __m512 four = _mm512_castps128_ps512(_mm_loadu_ps(texel(i)));
   four = _mm512_insertf32x4(four, _mm_loadu_ps(texel(i + 4)), 1);
@@ -163,9 +166,9 @@ inline FloatVector upper_in_turn(FloatVector a, FloatVector b) {
 }
 #endif
 
-// Fetches one texel of four channels a lane: loaded whole and transposed within each 128 bits.
+// Fetches one texel of four channels a lane, whose values would pass through memory to a caller: loaded whole and transposed within each 128 bits.
 template <class TexelOf>
-void gather_whole_texels(const TexelOf& texel, Float out[4]) {
+[[gnu::always_inline]] inline void gather_whole_texels(const TexelOf& texel, Float out[4]) {
 #if defined(__SSE2__)
   const FloatVector a = every_fourth(texel, 0), b = every_fourth(texel, 1), c = every_fourth(texel, 2),
                     d = every_fourth(texel, 3);
@@ -182,14 +185,14 @@ void gather_whole_texels(const TexelOf& texel, Float out[4]) {
 }
 
 // Likewise of a table: texels in one row, offset by as many.
-inline void gather_table(const TextureView& t, Int index, int offset, Float out[4]) {
+[[gnu::always_inline]] inline void gather_table(const TextureView& t, Int index, int offset, Float out[4]) {
   const float* const texels = t.texels + 4 * offset;
   gather_whole_texels(
       [&](int lane) { return texels + 4 * static_cast<std::ptrdiff_t>(lane_of(index, lane)); }, out);
 }
 
 // A texture has less than 2^29 texels.
-inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
+[[gnu::always_inline]] inline void gather_texel(const TextureView& t, Int x, Int y, Float out[4]) {
   const Int index = y * Int(t.width) + x;
   if (t.channels == 4) {
     // Twice, because a processor's addresses take steps of eight bytes at most without a shift.

@@ -88,11 +88,6 @@ inline void round_to_bytes(float (&values)[kBlock]) {
   }
 }
 
-// A block's colours into sixteen neighbours in a row of texels.
-inline void replace_row(float (*texels)[4], const float (*outputs)[kBlock]) {
-  for (int lane = 0; lane < kBlock; ++lane)
-    for (int c = 0; c < 4; ++c) texels[lane][c] = outputs[c][lane];
-}
 
 inline void merge_texel(const TileColor& target, Merging merging, float* texel,
                         const float (*outputs)[kBlock], int lane) {

@@ -115,4 +115,22 @@ inline void transpose_four(const float* const* places, int first, float (*rows)[
 #endif
 }
 
+// Four rows of sixteen as sixteen neighbours of four values each.
+inline void replace_row(float (*texels)[4], const float (*rows)[kBlock]) {
+#if defined(__SSE2__)
+  for (int lane = 0; lane < kBlock; lane += 4) {
+    __m128 a = _mm_loadu_ps(rows[0] + lane), b = _mm_loadu_ps(rows[1] + lane);
+    __m128 c = _mm_loadu_ps(rows[2] + lane), d = _mm_loadu_ps(rows[3] + lane);
+    _MM_TRANSPOSE4_PS(a, b, c, d);
+    _mm_storeu_ps(texels[lane], a);
+    _mm_storeu_ps(texels[lane + 1], b);
+    _mm_storeu_ps(texels[lane + 2], c);
+    _mm_storeu_ps(texels[lane + 3], d);
+  }
+#else
+  for (int lane = 0; lane < kBlock; ++lane)
+    for (int c = 0; c < 4; ++c) texels[lane][c] = rows[c][lane];
+#endif
+}
+
 }  // namespace caustics::raster::CAUSTICS_TILE_NAMESPACE

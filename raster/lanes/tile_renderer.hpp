@@ -237,16 +237,22 @@ class TileRenderer {
     store_floats(x_, to_floats(x + kNeighbours));
     store_floats(y_, broadcast(static_cast<float>(y)));
     store_floats(z_, z);
+    if (row_of_ != &t) take_triangle(t);
+    count_ = kBlock;
+    in_row_ = !job_.depth || !job_.test_depth_late;
+    run_block();
+    in_row_ = false;
+  }
+
+  // Of all sixteen: what a triangle's neighbouring blocks need once.
+  void take_triangle(const TriangleRecord& t) {
     for (int lane = 0; lane < kBlock; ++lane) {
       planes_[lane] = t.planes;
       constant_[lane] = t.provoking;
       front_[lane] = t.front_facing;
       primitive_[lane] = t.primitive;
     }
-    count_ = kBlock;
-    in_row_ = !job_.depth || !job_.test_depth_late;
-    run_block();
-    in_row_ = false;
+    row_of_ = &t;
   }
 
   int pixel_at(int x, int y) const { return (y - job_.y) * kTile + (x - job_.x); }
@@ -275,6 +281,7 @@ class TileRenderer {
     constant_[lane] = constant;
     front_[lane] = front;
     primitive_[lane] = primitive;
+    row_of_ = nullptr;
     if (count_ == kBlock) flush();
   }
 
@@ -384,6 +391,7 @@ class TileRenderer {
   TileCounters& counters_;
   Merging merging_[kMaxColors] = {};
   int count_ = 0;
+  const TriangleRecord* row_of_ = nullptr;  // whose planes and constants all sixteen lanes have
   bool in_row_ = false;  // the block is of neighbours in a row that no depth test can take out any more
   // Twice as long where rows are put at once.
   std::int32_t pixel_[2 * kBlock];
