@@ -1,5 +1,7 @@
 #include "pipeline/scene/gltf/body.hpp"
 
+#include <utility>
+
 namespace caustics::gltf {
 
 namespace {
@@ -15,8 +17,8 @@ void add_scaled(glm::dvec3& sum, const Affine& part, double weight, Affine& blen
 
 class Poser {
  public:
-  Poser(const Context& context, const Body& body, const Pose& pose)
-      : context_(context), body_(body), pose_(pose), shape_(body.shape) {}
+  Poser(const Context& context, const Body& body, Shape shape, const Pose& pose)
+      : context_(context), body_(body), pose_(pose), shape_(std::move(shape)) {}
 
   Shape run() {
     for (std::size_t t = 0; t < body_.targets.size(); ++t)
@@ -88,7 +90,11 @@ class Poser {
 }  // namespace
 
 Shape posed(const Context& context, const Body& body, const Pose& pose) {
-  return Poser(context, body, pose).run();
+  return Poser(context, body, body.shape, pose).run();
+}
+
+Shape posed(const Context& context, Body&& body, const Pose& pose) {
+  return Poser(context, body, std::move(body.shape), pose).run();
 }
 
 }  // namespace caustics::gltf

@@ -34,5 +34,7 @@ struct Pose {
 // The body in the world: morphed, then skinned or placed. Triangles of mirrored places are turned
 // round, so that outside stays outside. Fails when a vertex comes beyond max_coordinate.
 Shape posed(const Context& context, const Body& body, const Pose& pose);
+// Of a body that is not needed any more: its shape is taken, not copied.
+Shape posed(const Context& context, Body&& body, const Pose& pose);
 
 }  // namespace caustics::gltf

@@ -65,7 +65,7 @@ std::optional<Part> read_part(const Source& source, std::size_t placement, std::
     part.shape = gltf::posed(source.context, *body, pose);
     part.body = std::move(body);
   } else {
-    part.shape = gltf::posed(source.context, *body, pose);
+    part.shape = gltf::posed(source.context, std::move(*body), pose);
   }
   return part;
 }

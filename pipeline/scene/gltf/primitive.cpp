@@ -63,6 +63,7 @@ std::vector<std::uint32_t> read_indices(const Context& context, const Model& mod
 std::vector<std::array<std::uint32_t, 3>> assemble(const std::vector<std::uint32_t>& index, int mode) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (index.size() < 3) return triangles;
+  triangles.reserve(mode == kTriangles ? index.size() / 3 : index.size() - 2);
   if (mode == kTriangles) {
     for (std::size_t i = 0; i + 2 < index.size(); i += 3) {
       triangles.push_back({index[i], index[i + 1], index[i + 2]});
@@ -108,6 +109,7 @@ class Gather {
   // Returns which vertices of the accessors are used, in their new order.
   std::vector<std::uint32_t> run(Shape& shape) {
     std::vector<std::uint32_t> renumbered(positions_.size(), kUnused), used;
+    reserve(shape, used);
     for (auto& triangle : shape.triangles) {
       for (std::uint32_t& corner : triangle) {
         if (renumbered[corner] == kUnused) {
@@ -122,6 +124,16 @@ class Gather {
   }
 
  private:
+  // For as many vertices as there can be: lists that grow are copied again and again.
+  void reserve(Shape& shape, std::vector<std::uint32_t>& used) const {
+    const std::size_t most = std::min(positions_.size(), 3 * shape.triangles.size());
+    used.reserve(most);
+    shape.positions.reserve(most);
+    if (normals_) shape.normals.reserve(most);
+    if (tangents_) shape.tangents.reserve(most);
+    if (uvs_) shape.uvs.reserve(most);
+  }
+
   void check_count(const std::optional<Accessor>& accessor, const std::string& name) const {
     if (accessor && accessor->size() != positions_.size()) {
       context_.fail(accessor->path(),

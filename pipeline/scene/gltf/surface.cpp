@@ -150,6 +150,7 @@ Mesh finish_mesh(const Shape& shape, const glm::dvec3& origin) {
   constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
   std::vector<std::uint32_t> renumbered(shape.positions.size(), kUnused);
   mesh.indices.reserve(shape.triangles.size() * 3);
+  mesh.vertices.reserve(std::min(shape.positions.size(), shape.triangles.size() * 3));
   for (const auto& triangle : shape.triangles) {
     for (const std::uint32_t corner : triangle) {
       if (renumbered[corner] == kUnused) {

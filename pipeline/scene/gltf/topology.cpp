@@ -22,12 +22,14 @@ struct Face {
 struct HalfEdge {
   std::uint32_t low, high, face;
   bool forward;  // runs from low to high
-  bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
 std::vector<Face> faces_of(const std::vector<Shape*>& group) {
   const std::vector<std::uint32_t> welded = weld(group);
   std::vector<Face> faces;
+  std::size_t count = 0;
+  for (const Shape* shape : group) count += shape->triangles.size();
+  faces.reserve(count);
   std::uint32_t offset = 0;
   for (std::uint32_t s = 0; s < group.size(); ++s) {
     for (std::uint32_t t = 0; t < group[s]->triangles.size(); ++t) {
@@ -39,6 +41,25 @@ std::vector<Face> faces_of(const std::vector<Shape*>& group) {
   return faces;
 }
 
+// Numbers of things by a key of each, one list after the other: those of key k are in `numbers` from start[k]
+// to start[k + 1], in their order. Unlike sorting it takes twice the time for twice the things.
+struct Buckets {
+  std::vector<std::uint32_t> start, numbers;
+
+  // `each` calls its argument with the key and the number of everything, in order.
+  template <class Each>
+  explicit Buckets(const Each& each) {
+    each([&](std::uint32_t key, std::uint32_t) {
+      if (start.size() < std::size_t{key} + 2) start.resize(std::size_t{key} + 2, 0);
+      ++start[std::size_t{key} + 1];
+    });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    numbers.resize(start.empty() ? 0 : start.back());
+    std::vector<std::uint32_t> next = start;
+    each([&](std::uint32_t key, std::uint32_t number) { numbers[next[key]++] = number; });
+  }
+};
+
 // The triangle turned so that its lowest corner comes first, winding kept.
 Triangle rotated(const Triangle& t) {
   if (t[0] <= t[1] && t[0] <= t[2]) return t;
@@ -48,18 +69,23 @@ Triangle rotated(const Triangle& t) {
 
 // Removes the later of two faces with equal corners and winding, from `faces` and from the shapes.
 std::size_t drop_doubles(const std::vector<Shape*>& group, std::vector<Face>& faces) {
-  std::vector<std::uint32_t> order(faces.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Triangle p = rotated(faces[a].corners), q = rotated(faces[b].corners);
-    return p != q ? p < q : a < b;
+  Buckets faces_at([&](const auto& visit) {
+    for (std::uint32_t f = 0; f < faces.size(); ++f) visit(rotated(faces[f].corners)[0], f);
   });
   std::vector<bool> doubled(faces.size(), false);
   std::size_t count = 0;
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (rotated(faces[order[i]].corners) != rotated(faces[order[i - 1]].corners)) continue;
-    doubled[order[i]] = true;
-    ++count;
+  for (std::size_t corner = 0; corner + 1 < faces_at.start.size(); ++corner) {
+    const auto begin = faces_at.numbers.begin() + faces_at.start[corner];
+    const auto end = faces_at.numbers.begin() + faces_at.start[corner + 1];
+    std::sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
+      const Triangle p = rotated(faces[a].corners), q = rotated(faces[b].corners);
+      return p != q ? p < q : a < b;
+    });
+    for (auto i = begin; i != end; ++i) {
+      if (i == begin || rotated(faces[*i].corners) != rotated(faces[*(i - 1)].corners)) continue;
+      doubled[*i] = true;
+      ++count;
+    }
   }
   if (count == 0) return 0;
   std::vector<std::vector<Triangle>> kept(group.size());
@@ -76,22 +102,38 @@ std::size_t drop_doubles(const std::vector<Shape*>& group, std::vector<Face>& fa
   return count;
 }
 
-std::vector<HalfEdge> sorted_edges(const std::vector<Face>& faces) {
+// The half-edge of a face that runs from its corner k to the next.
+HalfEdge half_edge(const std::vector<Face>& faces, std::uint32_t face, std::uint32_t k) {
+  const std::uint32_t a = faces[face].corners[k], b = faces[face].corners[(k + 1) % 3];
+  return {std::min(a, b), std::max(a, b), face, a < b};
+}
+
+// Calls `visit` with the half-edges of each edge, by their corners, then by the faces' order.
+template <class Visit>
+void each_edge(const std::vector<Face>& faces, const Visit& visit) {
+  // Numbers alone, face * 3 + k: the half-edges themselves would be the most of what loading takes.
+  const Buckets edges_at([&](const auto& put) {
+    for (std::uint32_t f = 0; f < faces.size(); ++f)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const HalfEdge edge = half_edge(faces, f, k);
+        if (edge.low != edge.high) put(edge.low, 3 * f + k);  // else shorter than the welding tolerance
+      }
+  });
   std::vector<HalfEdge> edges;
-  edges.reserve(faces.size() * 3);
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = faces[f].corners[k], b = faces[f].corners[(k + 1) % 3];
-      if (a == b) continue;  // shorter than the welding tolerance
-      edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
+  for (std::size_t corner = 0; corner + 1 < edges_at.start.size(); ++corner) {
+    edges.clear();
+    for (std::uint32_t i = edges_at.start[corner]; i < edges_at.start[corner + 1]; ++i)
+      edges.push_back(half_edge(faces, edges_at.numbers[i] / 3, edges_at.numbers[i] % 3));
+    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+      return a.high != b.high ? a.high < b.high : a.face < b.face;
+    });
+    for (std::size_t i = 0; i < edges.size();) {
+      std::size_t end = i + 1;
+      while (end < edges.size() && edges[end].high == edges[i].high) ++end;
+      visit(edges.data() + i, end - i);
+      i = end;
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    if (a.low != b.low) return a.low < b.low;
-    if (a.high != b.high) return a.high < b.high;
-    return a.face < b.face;
-  });
-  return edges;
 }
 
 // Two faces that share an edge; `agree` when they run through it in opposite directions.
@@ -162,18 +204,14 @@ double hole_share(const std::vector<Shape*>& group, const std::vector<Face>& fac
 }
 
 Edges examine_edges(const std::vector<Shape*>& group, const std::vector<Face>& faces) {
-  const std::vector<HalfEdge> edges = sorted_edges(faces);
   Edges result;
+  result.pairs.reserve(faces.size() / 2 * 3);
   std::vector<HalfEdge> borders;
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
-    if (end - i == 2) {
-      result.pairs.push_back({edges[i].face, edges[i + 1].face, edges[i].forward != edges[i + 1].forward});
-    }
-    if (end - i == 1) borders.push_back(edges[i]);
-    i = end;
-  }
+  each_edge(faces, [&](const HalfEdge* sides, std::size_t count) {
+    if (count == 2)
+      result.pairs.push_back({sides[0].face, sides[1].face, sides[0].forward != sides[1].forward});
+    if (count == 1) borders.push_back(sides[0]);
+  });
   if (!faces.empty()) {
     result.closedness = static_cast<float>(1.0 - hole_share(group, faces, borders));
   }

@@ -10,13 +10,30 @@ namespace {
 
 constexpr double kTolerance = 1e-6;  // of the extent
 
-using Cell = std::array<std::int64_t, 3>;
+// A cell's three numbers in one, in the order x, y, z. Positions are at most a million cells from the corner;
+// 1 is added to each number, so that those of neighbours are not below 0 and need no more than 21 bits.
+using Cell = std::uint64_t;
+constexpr int kBits = 21;
+
+Cell cell_of(const glm::dvec3& p) {
+  const auto number = [](double c) { return static_cast<Cell>(c) + 1; };
+  return number(p.x) << 2 * kBits | number(p.y) << kBits | number(p.z);
+}
+
+// What lies between a cell and the one that is so many further.
+Cell step(int x, int y, int z) {
+  const auto part = [](int n) { return static_cast<Cell>(static_cast<std::int64_t>(n)); };
+  return (part(x) << 2 * kBits) + (part(y) << kBits) + part(z);
+}
 
 // The vertices sorted into cells as wide as the tolerance. All vertices of a cell are one place;
 // cells that touch are one place when their first vertices are within the tolerance.
 class Grid {
  public:
   explicit Grid(const std::vector<Shape*>& group) {
+    std::size_t count = 0;
+    for (const Shape* shape : group) count += shape->positions.size();
+    positions_.reserve(count);
     glm::dvec3 lower(std::numeric_limits<double>::infinity()), upper = -lower;
     for (const Shape* shape : group) {
       for (const glm::dvec3& p : shape->positions) {
@@ -25,55 +42,53 @@ class Grid {
         upper = glm::max(upper, p);
       }
     }
-    lower_ = lower;
     width_ = std::max(kTolerance * exact::length(upper - lower), 1e-300);
-    order_.resize(positions_.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const Cell p = cell(a), q = cell(b);
-      return p != q ? p < q : a < b;
+    order_.reserve(count);
+    // The cells lie round the grid's nodes.
+    for (std::uint32_t i = 0; i < count; ++i)
+      order_.push_back({cell_of((*positions_[i] - lower) / width_ + 0.5), i});
+    std::sort(order_.begin(), order_.end(), [](const Place& a, const Place& b) {
+      return a.cell != b.cell ? a.cell < b.cell : a.vertex < b.vertex;
     });
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
-      if (i == 0 || cell(order_[i]) != cell(order_[i - 1])) first_.push_back(i);
+      if (i == 0 || order_[i].cell != order_[i - 1].cell) first_.push_back(i);
     }
     parent_.resize(first_.size());
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
   std::vector<std::uint32_t> places() {
-    for (std::uint32_t c = 0; c < first_.size(); ++c) join_neighbours(c);
+    join_neighbours();
     std::vector<std::uint32_t> result(positions_.size());
     for (std::uint32_t c = 0; c < first_.size(); ++c) {
       const std::uint32_t end =
           c + 1 < first_.size() ? first_[c + 1] : static_cast<std::uint32_t>(order_.size());
-      const std::uint32_t place = order_[first_[root(c)]];
-      for (std::uint32_t i = first_[c]; i < end; ++i) result[order_[i]] = place;
+      const std::uint32_t place = order_[first_[root(c)]].vertex;
+      for (std::uint32_t i = first_[c]; i < end; ++i) result[order_[i].vertex] = place;
     }
     return result;
   }
 
  private:
-  Cell cell(std::uint32_t vertex) const {
-    // The cells lie round the grid's nodes; positions are at most a million cells from the corner.
-    const glm::dvec3 p = (*positions_[vertex] - lower_) / width_ + 0.5;
-    return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y), static_cast<std::int64_t>(p.z)};
-  }
+  struct Place {
+    Cell cell;
+    std::uint32_t vertex;
+  };
 
-  const glm::dvec3& place_of(std::uint32_t c) const { return *positions_[order_[first_[c]]]; }
+  const glm::dvec3& place_of(std::uint32_t c) const { return *positions_[order_[first_[c]].vertex]; }
+  Cell cell(std::uint32_t c) const { return order_[first_[c]].cell; }
 
-  // Joins cell c with those of its 13 neighbours that come later in the order.
-  void join_neighbours(std::uint32_t c) {
-    const Cell here = cell(order_[first_[c]]);
-    for (std::int64_t dx = 0; dx <= 1; ++dx) {
-      for (std::int64_t dy = -dx; dy <= 1; ++dy) {
-        // The three cells along z are neighbours in the order: one search finds them.
-        const bool own_column = dx == 0 && dy == 0;
-        const Cell from{here[0] + dx, here[1] + dy, own_column ? here[2] + 1 : here[2] - 1};
-        const Cell last{here[0] + dx, here[1] + dy, here[2] + 1};
-        auto next = std::lower_bound(first_.begin() + c, first_.end(), from,
-                                     [&](std::uint32_t i, const Cell& key) { return cell(order_[i]) < key; });
-        for (; next != first_.end() && cell(order_[*next]) <= last; ++next) {
-          join(c, static_cast<std::uint32_t>(next - first_.begin()));
+  // Joins every cell with those of its 13 neighbours that come later in the order. The three along z follow
+  // each other; as the cell goes on, so does each row of three: none is searched for.
+  void join_neighbours() {
+    const auto count = static_cast<std::uint32_t>(first_.size());
+    for (int dx = 0; dx <= 1; ++dx) {
+      for (int dy = -dx; dy <= 1; ++dy) {
+        const Cell from = step(dx, dy, dx == 0 && dy == 0 ? 1 : -1), last = step(dx, dy, 1);
+        std::uint32_t next = 0;
+        for (std::uint32_t c = 0; c < count; ++c) {
+          while (next < count && cell(next) < cell(c) + from) ++next;
+          for (std::uint32_t i = next; i < count && cell(i) <= cell(c) + last; ++i) join(c, i);
         }
       }
     }
@@ -92,9 +107,8 @@ class Grid {
   }
 
   std::vector<const glm::dvec3*> positions_;
-  glm::dvec3 lower_{0};
   double width_ = 1;
-  std::vector<std::uint32_t> order_;   // vertices by cell
+  std::vector<Place> order_;           // by cell
   std::vector<std::uint32_t> first_;   // where each cell begins in order_
   std::vector<std::uint32_t> parent_;  // of each cell: the cell that it was joined to
 };
