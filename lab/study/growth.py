@@ -194,7 +194,8 @@ def told(quantity, rows):
     first, last = rows[0], rows[-1]
     off = max((abs(row['planned_mb'] / row['peak_mb'] - 1), row['size']) for row in rows)
     print(f'| {quantity.name} {first["size"]} to {last["size"]} | ' + ' | '.join(
-        f'{first[cost]:.4g} to {last[cost]:.4g} | {slope(rows[-2], last, cost):.2f}, {steepest(rows, cost):.2f}'
+        f'{first[cost]:.4g} to {last[cost]:.4g} | '
+        f'{slope(rows[-2], last, cost):.2f}, {steepest(rows, cost):.2f}'
         for cost in COSTS) + f' | {100 * off[0]:.0f} % at {off[1]} |', flush=True)
 
 
@@ -241,7 +242,8 @@ def plot(results):
     lines = (len(results) + columns - 1) // columns
     size = columns * (width + 70) + 20, lines * (height + 75) + 40
     text = ['<svg xmlns="http://www.w3.org/2000/svg" font-family="sans-serif" font-size="13" '
-            f'viewBox="0 0 {size[0]} {size[1]}">', f'<rect width="{size[0]}" height="{size[1]}" fill="white"/>']
+            f'viewBox="0 0 {size[0]} {size[1]}">',
+            f'<rect width="{size[0]}" height="{size[1]}" fill="white"/>']
     for (name, color), x in zip(zip(COSTS.values(), ('#1f6fb4', '#c8501e')), (60, 240)):
         text.append(f'<text x="{x}" y="24" fill="{color}">{name}</text>')
     for i, (quantity, rows) in enumerate(results):
@@ -266,7 +268,8 @@ def main():
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     bench, results, all_rows, all_passes = Bench(options.program, options.output), [], [], []
-    print('| | processor s | slope: last, steepest | peak MB | slope: last, steepest | plan off by at most |\n'
+    print('| | processor s | slope: last, steepest | peak MB | slope: last, steepest | '
+          'plan off by at most |\n'
           '|---|---|---|---|---|---|')
     for quantity in QUANTITIES:
         if options.only and quantity.name not in options.only:
@@ -279,8 +282,8 @@ def main():
             rows.append(row)
             passes.append((size, times))
             print(row, file=sys.stderr, flush=True)
-            all_passes += [{'quantity': quantity.name, 'size': size, 'pass': name, 'processor_ms': round(ms, 2)}
-                           for name, ms in times.items()]
+            all_passes += [{'quantity': quantity.name, 'size': size, 'pass': name,
+                            'processor_ms': round(ms, 2)} for name, ms in times.items()]
         told(quantity, rows)
         tell_steep_passes(quantity, passes)
         all_rows += rows
