@@ -48,24 +48,24 @@ std::vector<int> casters_by_row(const RenderedFrame& frame) {
   return meshes;
 }
 
-// What a light's sample wrote, read back.
+// What a light's sample wrote, as it is until the next pass.
 struct SampleImages {
   std::vector<BranchImages> branches;
   std::vector<CellImages> cells;
-  Image map, far_map, cascade, caster_normal, view_position;
+  ImageView map, far_map, cascade, caster_normal, view_position;
 };
 
 SampleImages images_of(const RenderedFrame& frame, int light) {
   const auto has = [&](const std::string& name) { return frame.has(name); };
-  const auto read = [&](const std::string& name) { return frame.read(name); };
-  const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : Image{}; };
+  const auto read = [&](const std::string& name) { return frame.look_at(name); };
+  const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : ImageView{}; };
   return {.branches = branch_images(light, frame.effects().branches, has, read),
           .cells = cell_images(light, frame.effects().branches, has, read),
           .map = read(light_texture(kCausticMap, light)),
           .far_map = if_any(light_texture(far_texture(kCausticMap), light)),
           .cascade = if_any(light_texture(kCascadeMap, light)),
           .caster_normal = read(light_texture(kCasterNormal, light)),
-          .view_position = frame.settings().pixel_means ? if_any(kViewPosition) : Image{}};
+          .view_position = frame.settings().pixel_means ? if_any(kViewPosition) : ImageView{}};
 }
 
 void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vector<Outcome>& sum) {
@@ -120,13 +120,14 @@ double LightLedger::leaves() const {
   return entered > 0.0 ? (sum(ledger.outside) + sum(ledger.kernel_edge)) / entered : 0.0;
 }
 
-// What a frame's light is judged by, beside the frame itself.
+// What a frame's light is judged by, beside the frame itself. It looks at the picture's surfaces where
+// the frame has them: its lights are judged before it is drawn again.
 struct LedgerReader::Judge {
   LightPaths paths;
   PictureBlocks blocks;
   std::map<int, ModelError> models{};  // by source
   explicit Judge(const RenderedFrame& frame)
-      : paths(frame.scene(), frame.effects()), blocks(frame.read(kViewPosition), frame.inputs().camera) {}
+      : paths(frame.scene(), frame.effects()), blocks(frame.look_at(kViewPosition), frame.inputs().camera) {}
 };
 
 LedgerReader::LedgerReader() = default;

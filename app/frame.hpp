@@ -36,6 +36,7 @@ class RenderedFrame {
   Image read(const NameOrIndex& texture) const {
     return renderer_->read(texture);
   }
+  ImageView look_at(const std::string& texture) const { return renderer_->look_at(texture); }
   PassRun prepare(const PlannedPass& pass) const { return renderer_->prepare(pass); }
 
   const Scene& scene() const { return renderer_->scene(); }

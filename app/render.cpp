@@ -154,7 +154,7 @@ std::set<std::string> shaders_of(const FramePlan& plan) {
 
 // A picture with a hole in it is not written: the fault is named instead.
 void refuse_non_finite(const RenderedFrame& frame, const std::string& texture, const std::string& which) {
-  const Image image = frame.read(texture);
+  const ImageView image = frame.look_at(texture);
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       for (int c = 0; c < image.channels(); ++c) {

@@ -41,7 +41,7 @@ bool is_image_of_size(const std::filesystem::path& path, int width, int height) 
 }
 
 // By libpng itself: OpenImageIO takes longer to load than a picture to write.
-void write_png(const std::filesystem::path& path, const Image& picture) {
+void write_png(const std::filesystem::path& path, const ImageView& picture) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(picture.width());

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/gpu/image.hpp"
+#include "pipeline/gpu/image_view.hpp"
 
 namespace caustics::app {
 
 // An 8-bit RGB picture from the first three channels of an image; its values are already encoded
 // for display (sRGB).
-void write_png(const std::filesystem::path& path, const Image& picture);
+void write_png(const std::filesystem::path& path, const ImageView& picture);
 
 // Is there an image file whose head can be read, of this size? Its contents are not looked at.
 bool is_image_of_size(const std::filesystem::path& path, int width, int height);

@@ -145,7 +145,7 @@ void write_outputs(const OutputRequest& request, const RenderedFrame& frame,
                    const std::vector<LightLedger>& ledgers) {
   for (const std::filesystem::path& file : request.files) {
     if (lower_extension(file) == ".png") {
-      write_png(file, frame.read("picture"));
+      write_png(file, frame.look_at("picture"));
     } else if (!is_video(file)) {
       write_layers(file, request, frame, ledgers);
     }

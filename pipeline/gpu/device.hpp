@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/gpu/image.hpp"
+#include "pipeline/gpu/image_view.hpp"
 #include "pipeline/gpu/pass_run.hpp"
 
 namespace caustics {
@@ -42,6 +42,9 @@ class Device {
   // Returns once everything that was asked for is done.
   virtual void finish() = 0;
   virtual Image read_back(TextureId texture) = 0;
+  // Likewise, to look at until the texture is drawn into or destroyed: where its texels lie, if they are in
+  // this memory.
+  virtual ImageView look_at(TextureId texture) { return read_back(texture); }
   // What a texture is, for validation and tools.
   virtual ImageShape shape(TextureId texture) const = 0;
   virtual const MeshData::Attribute* find_attribute(MeshId mesh, std::string_view name) const = 0;

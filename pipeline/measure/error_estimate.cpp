@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <optional>
 
 #include "pipeline/measure/shown_light.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/scene/in_pieces.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
@@ -27,13 +30,13 @@ constexpr double kOfPoints = 0.5;
 // measure it.
 constexpr double kOfFootprints = 0.125;
 
-double sum_rgb(const Image& image, int x, int y) {
+double sum_rgb(const ImageView& image, int x, int y) {
   if (image.channels() == 1) return 3.0 * static_cast<double>(image.at(x, y, 0));
   return static_cast<double>(image.at(x, y, 0)) + static_cast<double>(image.at(x, y, 1)) +
          static_cast<double>(image.at(x, y, 2));
 }
 
-TexelPlane plane_of(const Image& image) {
+TexelPlane plane_of(const ImageView& image) {
   TexelPlane plane(image.width());
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) plane.at(x, y) = sum_rgb(image, x, y);
@@ -67,19 +70,23 @@ TexelPlane texel_error(const TexelPlane& map, Counts counts) {
 // A tile's guard is not shown, and what two texels of a face's edge are interpolated from lies in part in it.
 constexpr int kBesideGuard = 2;
 
-double map_error(const Image& caustic_map, const Image& cascade_map, const ShownMaps& maps, const View& view,
-                 double pixel) {
-  double sum = texel_error(plane_of(caustic_map), [&](int x, int y) {
-                 if (view.cube) return view.cube->in_face(x, y, kBesideGuard);
-                 return !maps.cascade_shows({x + 0.5, y + 0.5});
-               }).absolute_sum(glm::dvec2(pixel));
-  if (maps.has_cascade) {
-    const double lowest = maps.border, highest = maps.side - maps.border;
-    sum += texel_error(plane_of(cascade_map), [&](int x, int y) {
-             return x + 0.5 >= lowest && y + 0.5 >= lowest && x + 0.5 <= highest && y + 0.5 <= highest;
-           }).absolute_sum(pixel * maps.scale);
-  }
-  return sum;
+double map_error(const ImageView& caustic_map, const ShownMaps& maps, const View& view, double pixel) {
+  return texel_error(plane_of(caustic_map),
+                     [&](int x, int y) {
+                       if (view.cube) return view.cube->in_face(x, y, kBesideGuard);
+                       return !maps.cascade_shows({x + 0.5, y + 0.5});
+                     })
+      .absolute_sum(glm::dvec2(pixel));
+}
+
+double cascade_error(const ImageView& cascade_map, const ShownMaps& maps, double pixel) {
+  const double lowest = maps.border, highest = maps.side - maps.border;
+  return texel_error(plane_of(cascade_map),
+                     [&](int x, int y) {
+                       return x + 0.5 >= lowest && y + 0.5 >= lowest && x + 0.5 <= highest &&
+                              y + 0.5 <= highest;
+                     })
+      .absolute_sum(pixel * maps.scale);
 }
 
 struct Cell {
@@ -92,9 +99,9 @@ double triangle_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2&
   return 0.5 * std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-Cell cell_at(const CellImages& cells, const Image& flux, int x, int y) {
+Cell cell_at(const CellImages& cells, const ImageView& flux, int x, int y) {
   if (!(flux.at(x, y, 3) == 1.0f)) return {};
-  const auto corner = [&](const Image& image, int c) {
+  const auto corner = [&](const ImageView& image, int c) {
     return glm::dvec2(image.at(x, y, c), image.at(x, y, c + 1));
   };
   const glm::dvec2 a = corner(cells.near, 0), b = corner(cells.near, 2), c = corner(cells.far, 0),
@@ -104,7 +111,7 @@ Cell cell_at(const CellImages& cells, const Image& flux, int x, int y) {
 
 // Each block of two by two cells taken for one with even light: what each of the four has more or less than
 // that. Of a grid in tiles, blocks of one face.
-void compare_cells(const CellImages& cells, const Image& flux, const View& caster, ShownLight& moved) {
+void compare_cells(const CellImages& cells, const ImageView& flux, const View& caster, ShownLight& moved) {
   for (int y = 0; y + 2 < flux.height(); y += 2)
     for (int x = 0; x + 2 < flux.width(); x += 2) {
       if (caster.cube && !(caster.cube->in_face(x, y) && caster.cube->in_face(x + 2, y + 2))) continue;
@@ -135,7 +142,7 @@ double flux_of_points(const BranchImages& images) {
 // Where the vertices' light lands, in texels of the caustic map.
 class Landings {
  public:
-  Landings(const Image& landing, const View& view, int map) : landing_(landing), view_(view), map_(map) {}
+  Landings(const ImageView& landing, const View& view, int map) : landing_(landing), view_(view), map_(map) {}
   std::optional<glm::dvec2> at(int x, int y) const {
     if (x < 0 || y < 0 || x >= landing_.width() || y >= landing_.height()) return {};
     if (!is_drawn(static_cast<LandingStatus>(landing_.at(x, y, 3)))) return {};
@@ -153,7 +160,7 @@ class Landings {
   }
 
  private:
-  const Image& landing_;
+  const ImageView& landing_;
   const View& view_;
   int map_;
 };
@@ -196,6 +203,37 @@ void compare_splats(const BranchImages& images, const View& view, const SplatKer
     }
 }
 
+bool in_cells(const BranchImages& images) { return !images.cell_flux.values.empty(); }
+
+double cells_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
+                   const View& caster, const ShownMaps& maps, double pixel) {
+  ShownLight moved(maps);
+  for (std::size_t b = 0; b < branches.size(); ++b)
+    if (in_cells(branches[b])) compare_cells(cells[b], branches[b].cell_flux, caster, moved);
+  return moved.sum(pixel);
+}
+
+double splats_error(const std::vector<BranchImages>& branches, const View& caustic, const SplatKernel& kernel,
+                    const ShownMaps& maps, double pixel) {
+  ShownLight splats(maps);
+  for (const BranchImages& images : branches)
+    if (!in_cells(images)) compare_splats(images, caustic, kernel, maps.side, splats);
+  return splats.sum(pixel);
+}
+
+double grid_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
+                  const LightViews& views, const Settings& settings, const ShownMaps& maps, double pixel) {
+  double error = 0.0, points = 0.0;
+  if (std::any_of(branches.begin(), branches.end(), in_cells))
+    error = kOfGrid * cells_error(branches, cells, views.caster, maps, pixel);
+  if (!std::all_of(branches.begin(), branches.end(), in_cells))
+    error += splats_error(branches, views.caustic, splat_kernel(settings), maps, pixel);
+  for (const BranchImages& images : branches)
+    if (in_cells(images))
+      points += (images.footprint.values.empty() ? kOfPoints : kOfFootprints) * flux_of_points(images);
+  return error + points;
+}
+
 double total(const FluxRgb& flux) { return flux[0] + flux[1] + flux[2]; }
 
 }  // namespace
@@ -209,29 +247,24 @@ void add(ErrorEstimate& sum, const ErrorEstimate& other, double share) {
 }
 
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
-                             const Image& caustic_map, const Image& cascade_map, const LightViews& views,
-                             const Settings& settings, const Ledger& ledger, double pixel) {
+                             const ImageView& caustic_map, const ImageView& cascade_map,
+                             const LightViews& views, const Settings& settings, const Ledger& ledger,
+                             double pixel) {
   ErrorEstimate estimate;
-  const bool spots = std::any_of(branches.begin(), branches.end(),
-                                 [](const BranchImages& images) { return images.cell_flux.values.empty(); });
+  const bool spots = !std::all_of(branches.begin(), branches.end(), in_cells);
   if (views.caustic.cube && spots) return estimate;
   const ShownMaps maps(views, settings, caustic_map.width(), !cascade_map.values.empty());
   estimate.landed = total(ledger.in_map);
-  estimate.map = kOfTexels * map_error(caustic_map, cascade_map, maps, views.caustic, pixel);
   estimate.missing = total(ledger.outside) + total(ledger.kernel_edge) + total(ledger.not_converged) +
                      total(ledger.exit_not_found) + total(ledger.given_up);
-  ShownLight moved(maps), splats(maps);
-  double points = 0.0;
-  for (std::size_t b = 0; b < branches.size(); ++b) {
-    if (branches[b].cell_flux.values.empty()) {
-      compare_splats(branches[b], views.caustic, splat_kernel(settings), maps.side, splats);
-    } else {
-      compare_cells(cells[b], branches[b].cell_flux, views.caster, moved);
-      const double of_points = branches[b].footprint.values.empty() ? kOfPoints : kOfFootprints;
-      points += of_points * flux_of_points(branches[b]);
-    }
-  }
-  estimate.grid = kOfGrid * moved.sum(pixel) + splats.sum(pixel) + points;
+  double of_map = 0.0, of_cascade = 0.0, of_grid = 0.0;
+  const std::function<void()> parts[] = {
+      [&] { of_map = map_error(caustic_map, maps, views.caustic, pixel); },
+      [&] { of_cascade = maps.has_cascade ? cascade_error(cascade_map, maps, pixel) : 0.0; },
+      [&] { of_grid = grid_error(branches, cells, views, settings, maps, pixel); }};
+  in_pieces(static_cast<int>(std::size(parts)), 0, [&](int part) { parts[part](); });
+  estimate.map = kOfTexels * (of_map + of_cascade);
+  estimate.grid = of_grid;
   return estimate;
 }
 

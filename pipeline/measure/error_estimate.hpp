@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "pipeline/effects/effects.hpp"
-#include "pipeline/gpu/image.hpp"
+#include "pipeline/gpu/image_view.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/plan/pass.hpp"
 
@@ -36,7 +36,8 @@ void add(ErrorEstimate& sum, const ErrorEstimate& other, double share);
 // maps' own texels are judged; `cells` by branch, `cascade_map` without values where the light has none. Of
 // lights that see all around only cells are judged: landed is 0 where their landings are splatted one by one.
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
-                             const Image& caustic_map, const Image& cascade_map, const LightViews& views,
-                             const Settings& settings, const Ledger& ledger, double pixel);
+                             const ImageView& caustic_map, const ImageView& cascade_map,
+                             const LightViews& views, const Settings& settings, const Ledger& ledger,
+                             double pixel);
 
 }  // namespace caustics

@@ -22,26 +22,25 @@ struct Bench {
   Ledger ledger;
   double pixel = 1.0;
   Image map = grey(8, 0.0f);
-  BranchImages branch{};
-  CellImages cells{filled(3, 3, glm::vec4(0.0f)), filled(3, 3, glm::vec4(0.0f))};
+  Image landing = filled(3, 3, glm::vec4(0.0f)), flux = landing, cell_flux = landing;
+  Image near = landing, far = landing;  // corners of cells
 
-  Bench() {
-    branch.landing = filled(3, 3, glm::vec4(0.0f));
-    branch.flux = filled(3, 3, glm::vec4(0.0f));
-    branch.cell_flux = filled(3, 3, glm::vec4(0.0f));
-    ledger.in_map = {1.0, 1.0, 1.0};
-  }
+  Bench() { ledger.in_map = {1.0, 1.0, 1.0}; }
   // A cell from (x, y) to (x + w, y + 1), texels, with this flux in each channel.
   void put(int column, int row, float x, float y, float w, float flux) {
-    set(cells.near, column, row, {x, y, x + w, y});
-    set(cells.far, column, row, {x, y + 1, x + w, y + 1});
-    set(branch.cell_flux, column, row, {flux, flux, flux, 1.0f});
+    set(near, column, row, {x, y, x + w, y});
+    set(far, column, row, {x, y + 1, x + w, y + 1});
+    set(cell_flux, column, row, {flux, flux, flux, 1.0f});
   }
   static void set(Image& image, int x, int y, const glm::vec4& value) {
     for (int c = 0; c < 4; ++c) image.at(x, y, c) = value[c];
   }
   ErrorEstimate estimate() const {
-    return estimate_error({branch}, {cells}, map, Image{}, views, settings, ledger, pixel);
+    BranchImages branch{};
+    branch.landing = landing;
+    branch.flux = flux;
+    branch.cell_flux = cell_flux;
+    return estimate_error({branch}, {{near, far}}, map, Image{}, views, settings, ledger, pixel);
   }
 };
 
@@ -81,8 +80,8 @@ TEST_CASE("error estimate: cells of one block that differ from each other") {
 TEST_CASE("error estimate: half of the light that cells leave to points counts") {
   // A landing of 0.25 in each channel, of which no cell has taken anything: 0.75 of 3.
   Bench bench;
-  Bench::set(bench.branch.landing, 1, 1, {0.0f, 0.0f, 0.0f, 1.0f});
-  Bench::set(bench.branch.flux, 1, 1, {0.25f, 0.25f, 0.25f, 0.0f});
+  Bench::set(bench.landing, 1, 1, {0.0f, 0.0f, 0.0f, 1.0f});
+  Bench::set(bench.flux, 1, 1, {0.25f, 0.25f, 0.25f, 0.0f});
   CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(0.125));
 }
 
@@ -92,12 +91,11 @@ TEST_CASE("error estimate: points against their light spread evenly between them
   // moved.
   Bench bench;
   bench.settings.splat = Splat::Point;
-  bench.branch.cell_flux = Image{};
+  bench.cell_flux = Image{};
   for (int y = 0; y < 2; ++y)
     for (int x = 0; x < 2; ++x) {
-      Bench::set(bench.branch.landing, x, y,
-                 {-0.25f + 0.5f * float(x), -0.25f + 0.5f * float(y), 0.0f, 1.0f});
-      Bench::set(bench.branch.flux, x, y, {0.25f, 0.25f, 0.25f, 0.0f});
+      Bench::set(bench.landing, x, y, {-0.25f + 0.5f * float(x), -0.25f + 0.5f * float(y), 0.0f, 1.0f});
+      Bench::set(bench.flux, x, y, {0.25f, 0.25f, 0.25f, 0.0f});
     }
   CHECK(bench.estimate().relative(bench.estimate().grid) == Approx(1.5));
   // Over a pixel of two texels a quarter of each point's light lies as it would.
@@ -107,9 +105,8 @@ TEST_CASE("error estimate: points against their light spread evenly between them
   bench.pixel = 1.0;
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 3; ++x) {
-      Bench::set(bench.branch.landing, x, y,
-                 {-0.125f + 0.25f * float(x), -0.125f + 0.25f * float(y), 0.0f, 1.0f});
-      Bench::set(bench.branch.flux, x, y, {1.0f / 9.0f, 1.0f / 9.0f, 1.0f / 9.0f, 0.0f});
+      Bench::set(bench.landing, x, y, {-0.125f + 0.25f * float(x), -0.125f + 0.25f * float(y), 0.0f, 1.0f});
+      Bench::set(bench.flux, x, y, {1.0f / 9.0f, 1.0f / 9.0f, 1.0f / 9.0f, 0.0f});
     }
   CHECK(bench.estimate().grid == Approx(0.0).margin(1e-9));
 }
@@ -138,7 +135,7 @@ TEST_CASE(
   CHECK(bench.estimate().total() == 0.0);
   bench.ledger.in_map = {1.0, 1.0, 1.0};
   bench.views.caustic.cube = CubeAtlas{};
-  bench.branch.cell_flux = Image{};
+  bench.cell_flux = Image{};
   CHECK(bench.estimate().landed == 0.0);
 }
 

@@ -6,7 +6,7 @@
 
 namespace caustics {
 
-double share_of_points(const Image& cell_flux, int x, int y) {
+double share_of_points(const ImageView& cell_flux, int x, int y) {
   if (cell_flux.values.empty()) return 1.0;
   double share = 1.0;
   for (int dy = 0; dy < 2; ++dy)
@@ -17,66 +17,66 @@ double share_of_points(const Image& cell_flux, int x, int y) {
 
 namespace {
 
-void copy_texel(Image& to, const Image& from, std::size_t texel) {
+void copy_texel(Image& to, const ImageView& from, std::size_t texel) {
   const auto channels = static_cast<std::size_t>(to.channels());
   std::copy_n(from.values.begin() + static_cast<std::ptrdiff_t>(texel * channels), channels,
               to.values.begin() + static_cast<std::ptrdiff_t>(texel * channels));
 }
 
+// With the farther texels where the last channel of `where` is not 0.
+Image merged(const ImageView& image, const ImageView& far, const ImageView& where) {
+  Image both = image.copy();
+  for (std::size_t i = 0; 4 * i < where.values.size(); ++i)
+    if (where.values[4 * i + 3] != 0.0f) copy_texel(both, far, i);
+  return both;
+}
+
 // Where the farther landing has a status, its values; cells of both, which never overlap.
 void merge_far(BranchImages& images, const BranchImages& far) {
-  for (std::size_t i = 0; 4 * i < images.landing.values.size(); ++i) {
-    if (far.landing.values[4 * i + 3] != 0.0f) {
-      copy_texel(images.landing, far.landing, i);
-      copy_texel(images.flux, far.flux, i);
-      copy_texel(images.fresnel, far.fresnel, i);
-      copy_texel(images.absorbed, far.absorbed, i);
-    }
-    if (!far.cell_flux.values.empty() && far.cell_flux.values[4 * i + 3] != 0.0f)
-      copy_texel(images.cell_flux, far.cell_flux, i);
-  }
+  for (ImageView BranchImages::*image :
+       {&BranchImages::flux, &BranchImages::fresnel, &BranchImages::absorbed, &BranchImages::landing})
+    images.*image = merged(images.*image, far.*image, far.landing);
+  if (!far.cell_flux.values.empty())
+    images.cell_flux = merged(images.cell_flux, far.cell_flux, far.cell_flux);
 }
 
 }  // namespace
 
 std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
                                         const std::function<bool(const std::string&)>& has,
-                                        const std::function<Image(const std::string&)>& read) {
+                                        const std::function<ImageView(const std::string&)>& read) {
   std::vector<BranchImages> result;
   for (const Branch& branch : branches) {
     const auto own = [&](const char* name) { return read(branch_texture(name, light, branch)); };
     const auto if_any = [&](const char* name) {
-      return has(branch_texture(name, light, branch)) ? own(name) : Image{};
+      return has(branch_texture(name, light, branch)) ? own(name) : ImageView{};
     };
     result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel), own(kLandingAbsorbed),
                       if_any(kCellFlux), if_any(kLandingMedium), if_any(kLandingFootprint)});
     if (!has(branch_texture(far_texture(kLanding), light, branch))) continue;
     const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
     const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
-    merge_far(result.back(), {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel),
-                              far(kLandingAbsorbed), cells ? far(kCellFlux) : Image{}, Image{}, Image{}});
+    merge_far(result.back(),
+              {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
+               cells ? far(kCellFlux) : ImageView{}, ImageView{}, ImageView{}});
   }
   return result;
 }
 
 std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
                                     const std::function<bool(const std::string&)>& has,
-                                    const std::function<Image(const std::string&)>& read) {
+                                    const std::function<ImageView(const std::string&)>& read) {
   std::vector<CellImages> result;
   for (const Branch& branch : branches) {
     const auto own = [&](const std::string& name) {
       const std::string full = branch_texture(name, light, branch);
-      return has(full) ? read(full) : Image{};
+      return has(full) ? read(full) : ImageView{};
     };
     CellImages cells{own(kCellNear), own(kCellFar)};
-    const Image far_flux = own(far_texture(kCellFlux));
+    const ImageView far_flux = own(far_texture(kCellFlux));
     if (!far_flux.values.empty()) {
-      const Image near = own(far_texture(kCellNear)), far = own(far_texture(kCellFar));
-      for (std::size_t i = 0; i < far_flux.values.size(); ++i)
-        if (far_flux.values[i - i % 4 + 3] != 0.0f) {
-          cells.near.values[i] = near.values[i];
-          cells.far.values[i] = far.values[i];
-        }
+      cells.near = merged(cells.near, own(far_texture(kCellNear)), far_flux);
+      cells.far = merged(cells.far, own(far_texture(kCellFar)), far_flux);
     }
     result.push_back(std::move(cells));
   }

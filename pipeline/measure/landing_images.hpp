@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "pipeline/effects/effects.hpp"
-#include "pipeline/gpu/image.hpp"
+#include "pipeline/gpu/image_view.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
 
 // Where cells lie: the textures of the `cells` pass, without values where landings are splatted one by one.
 struct CellImages {
-  Image near, far;
+  ImageView near, far;
 };
 
 // What one branch's passes hold.
 struct BranchImages {
   Branch branch;
-  Image landing, flux, fresnel, absorbed;
-  Image cell_flux;  // without values where landings are splatted one by one
-  Image medium;     // without values where there is no medium
-  Image footprint;  // likewise where light is not followed from surface to surface
+  ImageView landing, flux, fresnel, absorbed;
+  ImageView cell_flux;  // without values where landings are splatted one by one
+  ImageView medium;     // without values where there is no medium
+  ImageView footprint;  // likewise where light is not followed from surface to surface
 };
 
 // What a light's passes hold, of all its branches; what the search on the farthest receivers found stands in
@@ -30,15 +30,15 @@ struct BranchImages {
 // the frame holds it.
 std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
                                         const std::function<bool(const std::string&)>& has,
-                                        const std::function<Image(const std::string&)>& read);
+                                        const std::function<ImageView(const std::string&)>& read);
 
 // By branch; those of the farthest receivers among them. `has` and `read` as for branch_images.
 std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
                                     const std::function<bool(const std::string&)>& has,
-                                    const std::function<Image(const std::string&)>& read);
+                                    const std::function<ImageView(const std::string&)>& read);
 
 // The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken. 1 where
 // landings are not joined to cells: `cell_flux` without values.
-double share_of_points(const Image& cell_flux, int x, int y);
+double share_of_points(const ImageView& cell_flux, int x, int y);
 
 }  // namespace caustics

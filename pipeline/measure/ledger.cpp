@@ -37,7 +37,7 @@ std::string_view name_of(LandingStatus status) {
 
 namespace {
 
-FluxRgb rgb(const Image& image, int x, int y) {
+FluxRgb rgb(const ImageView& image, int x, int y) {
   if (image.channels() == 1) {
     const double grey = image.at(x, y, 0);
     return {grey, grey, grey};
@@ -143,7 +143,7 @@ constexpr double kUnitRoundoff = 0x1p-24;  // of single precision, to nearest
 }  // namespace
 
 Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
-                   const Image& caustic_map, const Image& far_map, const View& caustic_view,
+                   const ImageView& caustic_map, const ImageView& far_map, const View& caustic_view,
                    const Settings& settings) {
   Ledger ledger;
   const SplatKernel kernel = splat_kernel(settings);
@@ -156,7 +156,7 @@ Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<
   const std::vector<std::uint32_t> counts = caustic_view.cube
                                                 ? std::vector<std::uint32_t>{}
                                                 : splat_counts(branches, cells, kernel, caustic_view, side);
-  for (const Image* map : {&caustic_map, &far_map})
+  for (const ImageView* map : {&caustic_map, &far_map})
     for (int y = 0; y < map->height(); ++y)
       for (int x = 0; x < map->width(); ++x) {
         const FluxRgb flux = rgb(*map, x, y);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/gpu/image.hpp"
+#include "pipeline/gpu/image_view.hpp"
 #include "pipeline/measure/landing_images.hpp"
 #include "pipeline/scene/view.hpp"
 #include "pipeline/shader/constants.hpp"
@@ -68,7 +68,7 @@ void add(Ledger& sum, const Ledger& other, double share);
 // Adds up, in double precision and texel order, what the landing passes of all branches and the caustic map
 // hold; `cells` by branch. `far_map`: that of the farthest receivers, where there is one.
 Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
-                   const Image& caustic_map, const Image& far_map, const View& caustic_view,
+                   const ImageView& caustic_map, const ImageView& far_map, const View& caustic_view,
                    const Settings& settings);
 
 }  // namespace caustics

@@ -18,11 +18,11 @@ namespace {
 
 double sum_of(const glm::dvec3& v) { return (v.x + v.y) + v.z; }
 
-bool is_covered(const Image& landing, int x, int y) {
+bool is_covered(const ImageView& landing, int x, int y) {
   return landing.at(x, y, 3) != static_cast<float>(LandingStatus::Empty);
 }
 
-glm::dvec3 texel_rgb(const Image& image, int x, int y) {
+glm::dvec3 texel_rgb(const ImageView& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
@@ -35,7 +35,7 @@ ModelError::ModelError(const LightPaths& paths, const PictureBlocks& blocks, int
 
 // Every n-th vertex along both sides of the grid, so that about as many covered ones are left as asked for.
 void ModelError::add(const Sample& sample) {
-  const Image& landing = sample.branches.front().landing;
+  const ImageView& landing = sample.branches.front().landing;
   std::size_t covered = 0;
   for (int y = 0; y < landing.height(); ++y)
     for (int x = 0; x < landing.width(); ++x) covered += is_covered(landing, x, y) ? 1u : 0u;

@@ -9,7 +9,7 @@ namespace {
 // Less than this share is no caustic that anyone would see.
 constexpr double kLeastShare = 1e-3;
 
-double mean(const Image& image, int x, int y) {
+double mean(const ImageView& image, int x, int y) {
   return (double(image.at(x, y, 0)) + double(image.at(x, y, 1)) + double(image.at(x, y, 2))) / 3.0;
 }
 
@@ -40,7 +40,7 @@ std::string reason_of(LandingStatus status) {
 }  // namespace
 
 std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& branches,
-                                 const Image& caster_normal, const std::vector<int>& mesh_of_row) {
+                                 const ImageView& caster_normal, const std::vector<int>& mesh_of_row) {
   std::vector<Outcome> outcomes;
   outcomes.reserve(mesh_of_row.size());
   for (const int mesh : mesh_of_row) outcomes.push_back({.light = light, .mesh = mesh});

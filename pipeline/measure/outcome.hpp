@@ -24,7 +24,7 @@ struct Outcome {
 // One for each mesh of `mesh_of_row` (by the row of caster_normal's fourth channel), in that order. Where a
 // light's way ends otherwise than on a receiver, all that is left of its flux there is booked.
 std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& branches,
-                                 const Image& caster_normal, const std::vector<int>& mesh_of_row);
+                                 const ImageView& caster_normal, const std::vector<int>& mesh_of_row);
 
 // Adds `share` of another's flux on the same caster.
 void add(Outcome& sum, const Outcome& other, double share);

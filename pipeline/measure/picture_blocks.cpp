@@ -17,7 +17,7 @@ int blocks(int pixels, int side) { return (pixels + side - 1) / side; }
 
 }  // namespace
 
-PictureBlocks::PictureBlocks(Image view_position, const View& camera)
+PictureBlocks::PictureBlocks(ImageView view_position, const View& camera)
     : position_(std::move(view_position)),
       camera_(camera),
       side_(std::max(kLeastSide, blocks(std::max(position_.width(), position_.height()), kMostBlocks))),

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/gpu/image.hpp"
+#include "pipeline/gpu/image_view.hpp"
 #include "pipeline/scene/view.hpp"
 
 namespace caustics {
@@ -14,7 +14,7 @@ namespace caustics {
 class PictureBlocks {
  public:
   // `view_position`: of what the camera sees without casters, scene space, w != 0 where there is a surface.
-  PictureBlocks(Image view_position, const View& camera);
+  PictureBlocks(ImageView view_position, const View& camera);
 
   struct Place {
     std::size_t block = 0;
@@ -30,7 +30,7 @@ class PictureBlocks {
   const View& camera() const { return camera_; }
 
  private:
-  Image position_;
+  ImageView position_;
   View camera_;
   int side_;
   std::size_t across_, upward_;

@@ -1,5 +1,8 @@
 #include "pipeline/measure/shown_light.hpp"
 
+#include <array>
+#include <utility>
+
 #include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
@@ -10,33 +13,61 @@ void TexelPlane::add(const glm::dvec2& texel, double value) {
 }
 
 double TexelPlane::absolute_sum(const glm::dvec2& box) const {
-  const TexelPlane averaged = along(std::max(box.x, 1.0), 1, 0).along(std::max(box.y, 1.0), 0, 1);
+  TexelPlane averaged = *this;
+  const auto row = static_cast<std::size_t>(side_);
+  averaged.average(std::max(box.x, 1.0), 1, row);
+  averaged.average(std::max(box.y, 1.0), row, 1);
   double sum = 0.0;
   for (const double v : averaged.values_) sum += std::fabs(v);
   return sum;
 }
 
-// Means over `side` texels along an axis, by running sums; the outermost texels of a box count by the share
-// that lies in it, and beyond the map there is nothing.
-TexelPlane TexelPlane::along(double side, int dx, int dy) const {
-  if (side <= 1.0) return *this;
-  TexelPlane result(side_);
-  std::vector<double> sums(static_cast<std::size_t>(side_) + 1);
-  const double box = std::min(side, 2.0 * side_);
-  for (int line = 0; line < side_; ++line) {
-    const auto value = [&](int k) { return at(dx ? k : line, dy ? k : line); };
-    for (int k = 0; k < side_; ++k)
-      sums[static_cast<std::size_t>(k) + 1] = sums[static_cast<std::size_t>(k)] + value(k);
-    const auto up_to = [&](double t) {
-      const double inside = std::clamp(t, 0.0, static_cast<double>(side_));
-      const int whole = std::min(static_cast<int>(inside), side_ - 1);
-      return sums[static_cast<std::size_t>(whole)] + (inside - whole) * value(whole);
-    };
-    for (int k = 0; k < side_; ++k)
-      result.at(dx ? k : line, dy ? k : line) =
-          (up_to(k + 0.5 + 0.5 * box) - up_to(k + 0.5 - 0.5 * box)) / side;
+namespace {
+
+// Lines that are averaged together: where they run along columns, as many texels lie side by side.
+constexpr std::size_t kTogether = 8;
+
+// A place between the texels of a line: so many whole ones before it, and of the next one a part.
+struct LinePlace {
+  std::size_t whole = 0;
+  double part = 0.0;
+
+  LinePlace(double place, int side) {
+    const double inside = std::clamp(place, 0.0, static_cast<double>(side));
+    whole = static_cast<std::size_t>(std::min(static_cast<int>(inside), side - 1));
+    part = inside - static_cast<double>(whole);
   }
-  return result;
+};
+
+}  // namespace
+
+// Means over `side` texels along an axis, by running sums; the outermost texels of a box count by the share
+// that lies in it, and beyond the map there is nothing. From a texel of a line to its next, and from a line
+// to its next, it is so far.
+void TexelPlane::average(double side, std::size_t along, std::size_t across) {
+  if (side <= 1.0) return;
+  const double reach = 0.5 * std::min(side, 2.0 * side_);
+  const auto length = static_cast<std::size_t>(side_);
+  std::vector<std::pair<LinePlace, LinePlace>> boxes;
+  for (int k = 0; k < side_; ++k) boxes.push_back({{k + 0.5 - reach, side_}, {k + 0.5 + reach, side_}});
+  using Values = std::array<double, kTogether>;
+  std::vector<Values> values(length), sums(length + 1);
+  for (std::size_t first = 0; first < length; first += kTogether) {
+    const std::size_t lines = std::min(kTogether, length - first);
+    for (std::size_t k = 0; k < length; ++k)
+      for (std::size_t i = 0; i < lines; ++i) {
+        values[k][i] = values_[k * along + (first + i) * across];
+        sums[k + 1][i] = sums[k][i] + values[k][i];
+      }
+    for (std::size_t k = 0; k < length; ++k) {
+      const auto& [from, to] = boxes[k];
+      for (std::size_t i = 0; i < lines; ++i)
+        values_[k * along + (first + i) * across] =
+            ((sums[to.whole][i] + to.part * values[to.whole][i]) -
+             (sums[from.whole][i] + from.part * values[from.whole][i])) /
+            side;
+    }
+  }
 }
 
 ShownMaps::ShownMaps(const LightViews& views, const Settings& settings, int map_side, bool cascade)

@@ -25,7 +25,7 @@ class TexelPlane {
   double absolute_sum(const glm::dvec2& box) const;
 
  private:
-  TexelPlane along(double side, int dx, int dy) const;
+  void average(double side, std::size_t along, std::size_t across);
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(x);
   }

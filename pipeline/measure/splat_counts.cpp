@@ -54,7 +54,7 @@ class RectangleCounts {
 
 // How far a footprint reaches from its middle, texels, and a little farther
 // (passes/caustic_footprints/caustic_footprints.glsl).
-glm::dvec2 footprint_reach(const Image& footprint, int x, int y, int map) {
+glm::dvec2 footprint_reach(const ImageView& footprint, int x, int y, int map) {
   const glm::dvec2 steps(std::fabs(footprint.at(x, y, 0)) + std::fabs(footprint.at(x, y, 2)),
                          std::fabs(footprint.at(x, y, 1)) + std::fabs(footprint.at(x, y, 3)));
   return glm::min(0.5 * map * steps, glm::dvec2(kLargestFootprint / 2.0)) + 1.0;
@@ -76,7 +76,7 @@ void add_landings(const BranchImages& images, const SplatKernel& kernel, const V
 
 void add_cells(const BranchImages& images, const CellImages& cells, RectangleCounts& counts) {
   if (images.cell_flux.values.empty() || cells.near.values.empty()) return;
-  const auto corner = [](const Image& image, int x, int y, int channel) {
+  const auto corner = [](const ImageView& image, int x, int y, int channel) {
     return glm::dvec2(image.at(x, y, channel), image.at(x, y, channel + 1));
   };
   for (int y = 0; y < cells.near.height(); ++y)

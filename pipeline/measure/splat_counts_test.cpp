@@ -11,10 +11,11 @@ using namespace caustics::test;
 TEST_CASE("splat counts: a splat counts in every texel that it touches, and in no other") {
   // On a map of 8 x 8 texels of 1 m: a landing in the middle of texel (5, 2), and one that did not land.
   BranchImages branch{};
-  branch.landing = Image(Format::RGBA32F, 2, 1);
+  Image landing(Format::RGBA32F, 2, 1);
   const float places[2][4] = {{1.5f, 0.0f, 1.5f, STATUS_LANDED}, {-2.5f, 0.0f, 1.5f, STATUS_MISSED}};
   for (int x = 0; x < 2; ++x)
-    for (int c = 0; c < 4; ++c) branch.landing.at(x, 0, c) = places[x][c];
+    for (int c = 0; c < 4; ++c) landing.at(x, 0, c) = places[x][c];
+  branch.landing = landing;
   for (const double radius : {0.0, 1.2}) {
     SplatKernel kernel;
     kernel.radius = radius;

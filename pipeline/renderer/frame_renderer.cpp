@@ -132,19 +132,23 @@ std::vector<PassReport> FrameRenderer::run(const AfterPass& after) {
   return reports;
 }
 
-Image FrameRenderer::read(int texture) const {
+TextureId FrameRenderer::held(int texture) const {
   const PlannedTexture& planned = frame_.plan.textures[static_cast<std::size_t>(texture)];
   if (!planned.external && planned.until < done_)
     throw Error(ExitCode::InternalError,
                 "texture '" + planned.name + "' is not kept for so long; name it in the goal");
-  return device_.read_back(planned.external ? on_device_->external(planned.name) : (*targets_)[texture]);
+  return planned.external ? on_device_->external(planned.name) : (*targets_)[texture];
 }
 
-Image FrameRenderer::read(const std::string& texture) const {
+TextureId FrameRenderer::held(const std::string& texture) const {
   const int index = frame_.plan.find(texture);
   if (index < 0) throw Error(ExitCode::InternalError, "the frame has no texture '" + texture + "'");
-  return read(index);
+  return held(index);
 }
+
+Image FrameRenderer::read(int texture) const { return device_.read_back(held(texture)); }
+Image FrameRenderer::read(const std::string& texture) const { return device_.read_back(held(texture)); }
+ImageView FrameRenderer::look_at(const std::string& texture) const { return device_.look_at(held(texture)); }
 
 PassRun FrameRenderer::prepare(const PlannedPass& pass) const {
   return prepare_pass(frame_.plan, pass, registry_, *on_device_, *targets_, inputs_);

@@ -63,6 +63,8 @@ class FrameRenderer {
   // Throws Error (InternalError) for other names, and where it no longer is to hold its contents.
   Image read(const std::string& texture) const;
   Image read(int texture) const;
+  // Likewise, to look at until the next pass runs.
+  ImageView look_at(const std::string& texture) const;
   // A pass of the plan with everything bound to it, as run() hands it to the device. What it reads is there
   // until the next pass runs, and longer where the goal keeps it.
   PassRun prepare(const PlannedPass& pass) const;
@@ -79,6 +81,9 @@ class FrameRenderer {
   bool has_waters() const { return water_ != nullptr; }
 
  private:
+  // A texture of the plan, if it still is to hold its contents.
+  TextureId held(int texture) const;
+  TextureId held(const std::string& texture) const;
   void judge_and_plan();
   void make_targets();
 
