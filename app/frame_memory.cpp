@@ -65,20 +65,19 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const S
   return most;
 }
 
-// Of the light that a pass ends: its textures, read back together; and the error estimate's planes of one
-// double a texel: two for each map that shading looks up, and two while one of them is averaged.
+// Of the light that a pass ends, beside its textures, which are looked at where they lie: where the farthest
+// receivers are searched, its landings merged; and the error estimate's planes of one double a texel, three
+// for each map that shading looks up: its own, what is coarser, and one that is averaged.
 std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
   static const std::vector<std::string> looked_at = ledger_textures();
-  const int surfaces = plan.find("view_position");
-  std::uint64_t images = surfaces >= 0 ? float_bytes(plan.textures[static_cast<std::size_t>(surfaces)]) : 0;
-  std::uint64_t planes = 2, texels = 0;
+  std::uint64_t images = 0, planes = 0, texels = 0;
   for (const PlannedTexture& texture : plan.textures) {
     const std::string name = texture.name.substr(0, texture.name.find('['));
     if (texture.light != light || !texture.kept_for_light ||
         std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end())
       continue;
-    images += float_bytes(texture);
-    if (name == kCausticMap || name == kCascadeMap) planes += 2;
+    if (name.ends_with(".far") && name != far_texture(kCausticMap)) images += float_bytes(texture);
+    if (name == kCausticMap || name == kCascadeMap) planes += 3;
     if (name == kCausticMap)
       texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   }
@@ -102,9 +101,8 @@ std::uint64_t machine_memory() {
 }  // namespace
 
 std::uint64_t memory_needed(const FramePlan& plan, const Scene& scene, const Settings& settings) {
-  std::uint64_t held = kProgram + scene_bytes(scene), most = held, largest_kept = 0;
+  std::uint64_t held = kProgram + scene_bytes(scene), most = held, largest_kept = 0, drawing = 0;
   std::vector<bool> drawn_into(plan.memory.size());
-  bool judged = false;
   for (const PlannedPass& pass : plan.passes) {
     for (const int index : pass.attachments()) {
       // A texture takes no memory before the first pass that draws into it.
@@ -114,14 +112,12 @@ std::uint64_t memory_needed(const FramePlan& plan, const Scene& scene, const Set
       if (texture.memory >= 0) drawn_into[memory] = true;
       if (texture.kept) largest_kept = std::max(largest_kept, float_bytes(texture));
     }
-    most = std::max(most, held + drawing_bytes(pass, scene, settings));
+    const std::uint64_t draw = drawing_bytes(pass, scene, settings);
+    most = std::max(most, held + draw);
+    drawing = std::max(drawing, std::min<std::uint64_t>(draw, kMostKeptOfDraw));
     const std::uint64_t ledger = pass.ends_light ? ledger_bytes(plan, pass.light) : 0;
     if (ledger == 0) continue;
-    // The judge keeps an image of the surfaces that the picture shows.
-    const int surfaces = judged ? -1 : plan.find("view_position");
-    if (surfaces >= 0) held += float_bytes(plan.textures[static_cast<std::size_t>(surfaces)]);
-    judged = true;
-    most = std::max(most, held + ledger);
+    most = std::max(most, held + drawing + ledger);
   }
   return std::max(most, held + largest_kept);
 }

@@ -142,6 +142,9 @@ class SoftwareDevice final : public Device {
       target.depth_clear = definition.depth->clear;
       target.keep_depth = !run.keep.empty() && run.keep.back();
     }
+    for (const RenderTarget::Color& color : target.colors)
+      if (color.texture) color.texture->bring_in(workers_);
+    if (target.depth) target.depth->bring_in(workers_);
     const ImageShape size = target.shape();
     PassResult result;
     const auto condition = run.only_if == OcclusionQuery::None ? samples_.end() : samples_.find(run.only_if);
@@ -164,7 +167,7 @@ class SoftwareDevice final : public Device {
     const VertexStage vertex_stage{&interface, definition.shader->kernels.vertex[lanes], draw.uniforms.data(),
                                    views.data(), mesh};
     const std::vector<std::uint8_t> flat = flat_components(interface);
-    ShadedVertices vertices;
+    ShadedVertices& vertices = shaded_;
     const PrimitiveStage primitive_stage{
         .topology = definition.topology,
         .options = {definition.cull, interface.varying_components(), flat.data()},
@@ -187,7 +190,7 @@ class SoftwareDevice final : public Device {
     const std::size_t primitives = corners / corners_each;
     // An index may be of any vertex.
     if (indexed) shade_vertices(vertex_stage, 0, vertex_count, workers_, vertices);
-    std::vector<BinnedChunk> chunks;
+    std::vector<BinnedChunk>& chunks = chunks_;
     std::size_t first = 0;
     do {  // without a primitive too: what is not kept is cleared
       const std::size_t count = std::min(batch_, primitives - first);
@@ -202,6 +205,14 @@ class SoftwareDevice final : public Device {
     } while (first < primitives);
     result.vertices += corners;
     result.primitives += primitives;
+    forget_much();
+  }
+
+  // The next draw finds the memory of this one there, unless it was much.
+  void forget_much() {
+    if (shaded_.room * sizeof(float) <= kMostKeptOfDraw) return;
+    shaded_ = {};
+    chunks_ = {};
   }
 
   std::vector<const Texture*> idle_where_zero(const PassDefinition& definition, const Draw& draw,
@@ -244,6 +255,8 @@ class SoftwareDevice final : public Device {
   DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
   std::map<MeshId, MeshData> meshes_;
+  ShadedVertices shaded_;                            // of the last draw
+  std::vector<BinnedChunk> chunks_;                  // likewise
   std::map<OcclusionQuery, std::uint64_t> samples_;  // that passed, by the query they were counted into
 };
 

@@ -19,6 +19,9 @@ namespace caustics {
 // quarter and four times as many take the same time, all at once a third more (4.2 million cells).
 inline constexpr std::size_t kPrimitivesPerBatch = std::size_t{1} << 18;
 
+// Bytes of shaded vertices: a draw that takes more gives its memory back, instead of leaving it to the next.
+inline constexpr std::size_t kMostKeptOfDraw = std::size_t{32} << 20;
+
 struct SoftwareOptions {
   int threads = 0;                          // 0: all that the machine has
   std::optional<Lanes> lanes{};             // none: CAUSTICS_LANES from the environment, else the widest

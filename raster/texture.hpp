@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/gpu/image.hpp"
+#include "raster/workers.hpp"
 
 namespace caustics::raster {
 
@@ -39,7 +40,12 @@ struct Texture {
   explicit Texture(const ImageShape& s) : shape(s), values(allocate_texels(value_count())) {}
   explicit Texture(const Image& image) : Texture(image.shape) {
     std::copy(image.values.begin(), image.values.end(), values.get());
+    is_in_ = true;
   }
+
+  // Before it is drawn into for the first time: has its large pages made, each by one thread. Two that touch
+  // the same page at once would both be given a cleared one, and one of these be thrown away.
+  void bring_in(const Workers& workers);
 
   bool is_clear(std::size_t tile, const std::array<float, 4>& texel) const {
     return !clear_tiles.empty() && clear_tiles[tile] != 0 && same_bits(clear_texel, texel);
@@ -62,6 +68,9 @@ struct Texture {
     copy.values.assign(values.get(), values.get() + value_count());
     return copy;
   }
+
+ private:
+  bool is_in_ = false;
 };
 
 }  // namespace caustics::raster

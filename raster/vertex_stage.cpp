@@ -31,7 +31,7 @@ void shade_range(const VertexStage& stage, const std::vector<int>& offsets, std:
     }
     stage.kernel({stage.uniforms, stage.textures, attributes, id, position, point_size, varyings});
     for (std::size_t lane = 0; lane < used; ++lane) {
-      float* v = out.values.data() + (block - out.first + lane) * static_cast<std::size_t>(out.stride);
+      float* v = out.values.get() + (block - out.first + lane) * static_cast<std::size_t>(out.stride);
       for (int c = 0; c < 4; ++c) v[c] = position[c][lane];
       v[4] = point_size[lane];
       for (int c = 0; c < varying_count; ++c) v[ShadedVertices::kHeader + c] = varyings[c][lane];
@@ -40,6 +40,18 @@ void shade_range(const VertexStage& stage, const std::vector<int>& offsets, std:
 }
 
 }  // namespace
+
+void ShadedVertices::hold(std::size_t vertices) {
+  // Varyings are read in fours: three more may be behind the last.
+  constexpr std::size_t kBehind = 3;
+  const std::size_t used = vertices * static_cast<std::size_t>(stride);
+  if (room < used + kBehind) {
+    values.reset();  // not both at once
+    values = allocate_texels(used + kBehind);
+    room = used + kBehind;
+  }
+  std::fill_n(values.get() + used, kBehind, 0.0f);
+}
 
 std::vector<int> attribute_offsets(const ShaderInterface& interface, const MeshData& mesh) {
   std::vector<int> offsets;
@@ -59,8 +71,7 @@ void shade_vertices(const VertexStage& stage, std::size_t first, std::size_t cou
   out.stride = ShadedVertices::kHeader + stage.interface->varying_components();
   out.first = first;
   out.count = count;
-  // Varyings are read in fours: three more may be behind the last.
-  out.values.resize(count * static_cast<std::size_t>(out.stride) + 3);
+  out.hold(count);
   const std::vector<int> offsets =
       stage.mesh ? attribute_offsets(*stage.interface, *stage.mesh) : std::vector<int>{};
   const std::size_t tasks = (count + kVerticesPerTask - 1) / kVerticesPerTask;

@@ -4,6 +4,7 @@
 
 #include "pipeline/gpu/pass_run.hpp"
 #include "pipeline/shader/kernel.hpp"
+#include "raster/texture.hpp"
 #include "raster/workers.hpp"
 
 namespace caustics::raster {
@@ -14,10 +15,13 @@ struct ShadedVertices {
   static constexpr int kHeader = 5;
   int stride = kHeader;
   std::size_t first = 0, count = 0;
-  std::vector<float> values;
+  Texels values{};
+  std::size_t room = 0;  // floats in `values`
+  // For so many vertices, in memory of before where that is enough. Undefined contents.
+  void hold(std::size_t vertices);
   // By the vertex's number in the draw.
   const float* at(std::size_t vertex) const {
-    return values.data() + (vertex - first) * static_cast<std::size_t>(stride);
+    return values.get() + (vertex - first) * static_cast<std::size_t>(stride);
   }
 };
 
