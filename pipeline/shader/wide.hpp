@@ -166,7 +166,8 @@ inline FloatVector upper_in_turn(FloatVector a, FloatVector b) {
 }
 #endif
 
-// Fetches one texel of four channels a lane, whose values would pass through memory to a caller: loaded whole and transposed within each 128 bits.
+// Fetches one texel of four channels a lane, whose values would pass through memory to a caller: loaded whole
+// and transposed within each 128 bits.
 template <class TexelOf>
 [[gnu::always_inline]] inline void gather_whole_texels(const TexelOf& texel, Float out[4]) {
 #if defined(__SSE2__)

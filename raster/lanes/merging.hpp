@@ -88,7 +88,6 @@ inline void round_to_bytes(float (&values)[kBlock]) {
   }
 }
 
-
 inline void merge_texel(const TileColor& target, Merging merging, float* texel,
                         const float (*outputs)[kBlock], int lane) {
   if (merging == Merging::AddOneChannel) {
