@@ -49,6 +49,7 @@ void TexelPlane::average(double side, std::size_t along, std::size_t across) {
   const double reach = 0.5 * std::min(side, 2.0 * side_);
   const auto length = static_cast<std::size_t>(side_);
   std::vector<std::pair<LinePlace, LinePlace>> boxes;
+  boxes.reserve(length);
   for (int k = 0; k < side_; ++k) boxes.push_back({{k + 0.5 - reach, side_}, {k + 0.5 + reach, side_}});
   using Values = std::array<double, kTogether>;
   std::vector<Values> values(length), sums(length + 1);
