@@ -1,4 +1,4 @@
-// Exact functions of the common subset: +, -, *, / and sqrt in a fixed order, nothing else, so that
+// Exact functions of the common subset: +, -, *, /, sqrt and bits of numbers in a fixed order, so that
 // every compiler, lane width and conforming GPU gives the same bits. Included first in every stage.
 
 // Comparisons choose, so NaN gives b (min, max) or lo (clamp) everywhere.
