@@ -9,7 +9,7 @@ extern const Shader caustic_cells_shader;
 
 namespace {
 
-std140::CausticCells cells_uniforms(const PassContext& context) {
+std140::CausticCells caustic_cells_uniforms(const PassContext& context) {
   const View& map = context.views->caustic;
   const View& drawn = context.cascade() ? *context.views->cascade : map;
   const double texels = context.settings->map;
@@ -39,7 +39,7 @@ Pass caustic_cells_pass() {
       .owner = Each::Light,
       .topology = Topology::Rectangles,
       .zero_outside_quad = 0,
-      .shaders = {{&caustic_cells_shader, block_of<cells_uniforms>}},
+      .shaders = {{&caustic_cells_shader, block_of<caustic_cells_uniforms>}},
   };
 }
 

@@ -20,7 +20,7 @@ extern const Shader compose_shader;
 
 namespace {
 
-std140::Compose uniforms(const PassContext& context) {
+std140::Compose compose_uniforms(const PassContext& context) {
   const Environment& environment = context.scene->environment;
   const std::array<glm::vec3, 9> ambient =
       environment.image ? environment_irradiance(*environment.image) : std::array<glm::vec3, 9>{};
@@ -68,7 +68,7 @@ Pass compose_pass() {
       .writes = {{.name = "scene_color",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .texture_by = shaded}},
-      .shaders = {{&compose_shader, block_of<uniforms>}},
+      .shaders = {{&compose_shader, block_of<compose_uniforms>}},
   };
 }
 

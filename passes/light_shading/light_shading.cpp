@@ -43,7 +43,7 @@ glm::vec2 tile_reach(const View& view) {
                    static_cast<double>(view.cube->side));
 }
 
-std140::LightShading uniforms(const PassContext& context) {
+std140::LightShading light_shading_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
   const bool cascade = has_finer_map(context);
@@ -114,8 +114,9 @@ Pass light_shading_pass() {
                   .blend = kAccumulate,
                   .needed_with = &Effects::caustics}},
       .owner = Each::Frame,
-      .shaders = {{&light_shading_shader, block_of<uniforms>},
-                  {&light_shading_in_medium_shader, block_of<in_medium<uniforms>>, with<&Effects::medium>}},
+      .shaders = {{&light_shading_shader, block_of<light_shading_uniforms>},
+                  {&light_shading_in_medium_shader, block_of<in_medium<light_shading_uniforms>>,
+                   with<&Effects::medium>}},
       .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>},
                   {"has_panes", chosen_by<&Effects::thin_panes>},
                   {"has_caustic", throws_caustic},

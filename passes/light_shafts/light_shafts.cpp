@@ -13,7 +13,7 @@ namespace {
 // Beams are drawn no wider than this share of the picture's larger side.
 constexpr float kWidest = 0.0625f;
 
-std140::LightShafts uniforms(const PassContext& context) {
+std140::LightShafts light_shafts_uniforms(const PassContext& context) {
   const float width = static_cast<float>(context.width), height = static_cast<float>(context.height);
   const double pixels = static_cast<double>(context.width) * static_cast<double>(context.height);
   return {.view = shader_view(*context.camera),
@@ -44,7 +44,7 @@ Pass light_shafts_pass() {
                   .meaning = "rgb: radiance that the medium scatters towards the camera, nit",
                   .blend = kAccumulate}},
       .owner = Each::Frame,
-      .shaders = {{&light_shafts_shader, block_of<uniforms>}},
+      .shaders = {{&light_shafts_shader, block_of<light_shafts_uniforms>}},
   };
 }
 

@@ -8,7 +8,7 @@ extern const Shader pane_light_shader;
 
 namespace {
 
-std140::Pane uniforms(const PassContext& context) {
+std140::Pane pane_light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   std140::Pane u = pane_uniforms(views.panes, context.light->position, context);
   u.shadow_view = shader_view(views.shadow);
@@ -34,7 +34,7 @@ Pass pane_light_pass() {
                   .meaning = "rgb: what all panes together let through, 0..1; a: 1",
                   .clear = {1.0f, 1.0f, 1.0f, 1.0f},
                   .blend = kMultiply}},
-      .shaders = {{&pane_light_shader, block_of<uniforms>}},
+      .shaders = {{&pane_light_shader, block_of<pane_light_uniforms>}},
       .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>}},
   };
 }

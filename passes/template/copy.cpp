@@ -16,7 +16,7 @@ extern const Shader copy_shader;
 
 namespace {
 
-std140::Copy uniforms(const PassContext& context) { return {.factor = context.exposure}; }
+std140::Copy copy_uniforms(const PassContext& context) { return {.factor = context.exposure}; }
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Pass copy_pass() {
       .writes = {{.name = "copy",
                   .format = Format::RGBA32F,
                   .meaning = "beauty * factor, channel by channel"}},
-      .shaders = {{&copy_shader, block_of<uniforms>}},
+      .shaders = {{&copy_shader, block_of<copy_uniforms>}},
   };
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr DrawnFor kMirrored{
     .label = "mirrored", .own_textures = false, .reason = "thin panes mirror the environment"};
 
-std140::Pane uniforms(const PassContext& context) {
+std140::Pane view_panes_uniforms(const PassContext& context) {
   return pane_uniforms(*context.camera, context.camera->origin, context);
 }
 
@@ -43,7 +43,7 @@ Pass view_panes_pass() {
                   .mask = {true, true, true, false}}},
       // What panes mirror is added to what they let through.
       .states = {{.label = kMirrored.label, .blend = kAccumulate}},
-      .shaders = {{&view_panes_shader, block_of<uniforms>}},
+      .shaders = {{&view_panes_shader, block_of<view_panes_uniforms>}},
       .choices = {{"shows_mirror", shows_mirror}},
   };
 }

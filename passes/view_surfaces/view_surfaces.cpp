@@ -16,7 +16,7 @@ extern const Shader view_surfaces_shader;
 
 namespace {
 
-std140::ViewSurfaces uniforms(const PassContext& context) {
+std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   const Material& m = *context.material;
   return {
       .view = shader_view(*context.camera),
@@ -57,7 +57,7 @@ Pass view_surfaces_pass() {
                   .needed_with = &Effects::emission}},
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
-      .shaders = {{&view_surfaces_shader, block_of<uniforms>}},
+      .shaders = {{&view_surfaces_shader, block_of<view_surfaces_uniforms>}},
   };
 }
 

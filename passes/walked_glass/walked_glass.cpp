@@ -13,7 +13,7 @@ namespace {
 
 // Steps to each surface, all together fewer than the rounds that llvmpipe grants an invocation's loops; and
 // surfaces behind the first. What total reflection sends through more is a different place for each pixel.
-constexpr int kMostSteps = 2048, kMostSurfaces = 6;
+constexpr int kMostStepsInGlass = 2048, kMostSurfaces = 6;
 
 std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
   return {
@@ -23,7 +23,7 @@ std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
       .eye = context.camera->origin,
       .surfaces = std::min(context.settings->bounces, kMostSurfaces),
       .forward = context.camera->forward,
-      .most_steps = kMostSteps,
+      .most_steps = kMostStepsInGlass,
       .first_receiver = context.first_receiver,
       .touch = context.touch,
   };
