@@ -85,7 +85,7 @@ std::unique_ptr<GlDevice> make_gl_device(const BackendRequest& request) {
 
 std::unique_ptr<Device> make_device(const BackendRequest& request) {
   if (request.backend == Backend::OpenGl) return make_gl_device(request);
-  return make_software_device({.threads = request.threads});
+  return make_software_device({.threads = request.threads, .lanes = request.lanes});
 }
 
 }  // namespace caustics::app

@@ -2,8 +2,11 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "pipeline/gpu/shader.hpp"
 
 namespace caustics {
 class Device;
@@ -18,8 +21,9 @@ enum class Backend : std::uint8_t { Software, OpenGl };
 
 struct BackendRequest {
   Backend backend = Backend::Software;
-  int gl_device = -1;  // of `caustics doctor`; -1: the first that works
-  int threads = 0;     // of the software device; 0: one for each core that the process may use
+  int gl_device = -1;               // of `caustics doctor`; -1: the first that works
+  int threads = 0;                  // of the software device; 0: one for each core that the process may use
+  std::optional<Lanes> lanes = {};  // likewise; none: as SoftwareOptions has it
   // Of the OpenGL device (GlOptions); the software device measures always, and compiles nothing.
   bool measure = false, debug = false;
   std::function<void(std::string_view shader)> compiling = {};

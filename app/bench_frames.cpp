@@ -4,12 +4,13 @@
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "app/flux.hpp"
 #include "app/frame.hpp"
 #include "app/loaded_scene.hpp"
-#include "app/memory_bandwidth.hpp"
+#include "app/machine_limits.hpp"
 #include "app/output/attachments.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/shell/progress.hpp"
@@ -45,8 +46,10 @@ std::uint64_t bytes_bound(const PassRun& run, const Device& device, bool left_ou
 // The frame that `render` draws for a picture, on one device.
 class Bench {
  public:
-  Bench(FrameRequest request, Backend backend, Progress& progress) : progress_(progress) {
+  Bench(FrameRequest request, Backend backend, Progress& progress, std::optional<Lanes> lanes = {})
+      : progress_(progress) {
     request.backend.backend = backend;
+    request.backend.lanes = lanes;
     request.backend.measure = true;
     request.backend.compiling = [this](std::string_view shader) {
       progress_.show("compiling shader " + std::string(shader));
@@ -107,7 +110,7 @@ std::vector<BenchedPass> passes_of(const RenderedFrame& frame, const std::vector
   for (const PlannedPass& pass : frame.plan().passes) {
     const bool left_out = counts[passes.size()].left_out;
     passes.push_back({pass.label, pass.definition.name, pass.definition.count_samples,
-                      bytes_bound(frame.prepare(pass), frame.device(), left_out)});
+                      bytes_bound(frame.prepare(pass), frame.device(), left_out), 0});
   }
   return passes;
 }
@@ -164,8 +167,11 @@ class BenchSession {
     for (const auto& bench : benches_) run_.devices.push_back(bench->device());
     run_.peak_memory = peak_memory();
     benches_.clear();  // their memory may be needed now
-    progress_.show("measuring the memory's bandwidth");
+    count_operations();
+    show("measuring the memory's bandwidth");
     run_.bandwidth = memory_bandwidth(run_.threads);
+    show("measuring the arithmetic's peak");
+    run_.peak = arithmetic_peak(run_.threads);
     return run_;
   }
 
@@ -173,6 +179,14 @@ class BenchSession {
   void make(Backend backend) {
     show("finding where the light goes");
     benches_.push_back(std::make_unique<Bench>(request_.frame, backend, progress_));
+  }
+
+  void count_operations() {
+    show("counting operations");
+    Bench scalar(request_.frame, Backend::Software, progress_, Lanes::Scalar);
+    scalar.measure();
+    for (std::size_t i = 0; i < run_.passes.size(); ++i)
+      run_.passes[i].operations = scalar.device().counts[i].operations;
   }
 
   void each(const std::string& step, void (Bench::*work)()) {

@@ -37,7 +37,8 @@ struct BenchedDevice {
 struct BenchedPass {
   std::string label, name;  // "landing[sun].far" of "landing"
   bool counts_samples = false;
-  std::uint64_t bytes = 0;  // of its attachments and of the textures bound for reading, each once
+  std::uint64_t bytes = 0;       // of its attachments and of the textures bound for reading, each once
+  std::uint64_t operations = 0;  // of its shaders on floats, as one lane does them (kernel.hpp)
 };
 
 struct BenchRun {
@@ -47,6 +48,7 @@ struct BenchRun {
   std::vector<BenchedPass> passes;
   std::vector<BenchedDevice> devices;  // the software device first
   double bandwidth = 0.0;              // bytes a second
+  double peak = 0.0;                   // operations a second (machine_limits.hpp)
   std::uint64_t peak_memory = 0;       // bytes of this process, of all devices together
   // All attachments of the frame before the measured ones, and of the one after them.
   std::size_t attachments = 0;

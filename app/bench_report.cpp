@@ -30,7 +30,7 @@ struct PassSum {
 struct PassRow {
   std::string name;
   std::vector<std::size_t> instances;
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0, operations = 0;
   bool counts_samples = true;  // every instance does
 };
 
@@ -42,6 +42,7 @@ std::vector<PassRow> rows_of(const BenchRun& run) {
     if (row == rows.end()) row = rows.insert(rows.end(), {.name = pass.name, .instances = {}});
     row->instances.push_back(i);
     row->bytes += pass.bytes;
+    row->operations += pass.operations;
     row->counts_samples = row->counts_samples && pass.counts_samples;
   }
   return rows;
@@ -67,9 +68,17 @@ PassSum sum_of(const BenchedDevice& device, const std::vector<std::size_t>& inst
 
 double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
-// Of the wall time, the share that moving so many bytes would take at the memory's bandwidth.
-double share_of_bound(const BenchRun& run, std::uint64_t bytes, double milliseconds) {
-  return share(1e3 * static_cast<double>(bytes), run.bandwidth * milliseconds);
+// Of the wall time, the share that moving so many bytes would take at the memory's bandwidth, or so many
+// operations at the arithmetic's peak: the larger.
+double share_of_bound(const BenchRun& run, std::uint64_t bytes, std::uint64_t operations,
+                      double milliseconds) {
+  return 1e3 * std::max(share(static_cast<double>(bytes), run.bandwidth * milliseconds),
+                        share(static_cast<double>(operations), run.peak * milliseconds));
+}
+
+// "12.3 M"
+std::string operations_text(double operations) {
+  return operations < 1e9 ? short_number(1e-6 * operations) + " M" : short_number(1e-9 * operations) + " G";
 }
 
 // "12.3 ±2%"
@@ -103,7 +112,9 @@ std::vector<std::string> cells_of(const BenchRun& run, const PassRow& row) {
                                         static_cast<double>(counts.fragments)))
                         : "-");
   cells.push_back(bytes_text(static_cast<double>(row.bytes)));
-  cells.push_back(percent(share_of_bound(run, row.bytes, times_of(costs.front()->wall).median)));
+  cells.push_back(operations_text(static_cast<double>(row.operations)));
+  cells.push_back(
+      percent(share_of_bound(run, row.bytes, row.operations, times_of(costs.front()->wall).median)));
   return cells;
 }
 
@@ -117,14 +128,14 @@ std::vector<std::string> total_cells(const BenchRun& run, const std::string& nam
 }
 
 std::string table_text(const BenchRun& run) {
-  Table table({false, true, true, true, true, true, true, true, true, true, true});
+  Table table({false, true, true, true, true, true, true, true, true, true, true, true});
   std::vector<std::string> head{"pass", "instances"};
   for (const BenchedDevice& device : run.devices) {
     head.push_back(std::string(name_of(device.backend)) + " ms");
     head.emplace_back("cpu ms");
   }
   if (run.devices.size() > 1) head.emplace_back("ratio");
-  for (const char* name : {"fragments", "useful", "bytes", "of bound"}) head.emplace_back(name);
+  for (const char* name : {"fragments", "useful", "bytes", "operations", "of bound"}) head.emplace_back(name);
   table.row(head);
   for (const PassRow& row : rows_of(run)) table.row(cells_of(run, row));
   table.row(total_cells(run, "all passes", &BenchedDevice::sums));
@@ -154,7 +165,8 @@ Json costs_json(const Costs& costs) {
 
 Json pass_json(const BenchRun& run, std::size_t i) {
   const BenchedPass& pass = run.passes[i];
-  Json json = {{"pass", pass.label}, {"name", pass.name}, {"bytes", pass.bytes}};
+  Json json = {
+      {"pass", pass.label}, {"name", pass.name}, {"bytes", pass.bytes}, {"operations", pass.operations}};
   for (const BenchedDevice& device : run.devices) {
     Json of_device = costs_json(device.passes[i]);
     const PassResult& counts = device.counts[i];
@@ -163,7 +175,8 @@ Json pass_json(const BenchRun& run, std::size_t i) {
     of_device["fragments"] = counts.fragments;
     of_device["samples_passed"] = pass.counts_samples ? Json(counts.samples_passed) : Json();
     of_device["left_out"] = counts.left_out;
-    of_device["share_of_bound"] = share_of_bound(run, pass.bytes, times_of(device.passes[i].wall).median);
+    of_device["share_of_bound"] =
+        share_of_bound(run, pass.bytes, pass.operations, times_of(device.passes[i].wall).median);
     json[name_of(device.backend)] = of_device;
   }
   return json;
@@ -184,6 +197,7 @@ std::string bench_text(const BenchRun& run) {
   text += devices.text() + "\n" + table_text(run) + "\n";
   text += "  memory: " + bytes_text(run.bandwidth) + "/s; peak " +
           bytes_text(static_cast<double>(run.peak_memory)) + "\n";
+  text += "  arithmetic: " + operations_text(run.peak) + " operations/s\n";
   return text + "  digest: " + digest_text(run) + "\n";
 }
 
@@ -192,6 +206,7 @@ Json bench_json(const BenchRun& run) {
                {"settings", settings_json(run.settings)},
                {"frames", run.devices.front().frames.wall.size()},
                {"bandwidth_bytes_per_second", run.bandwidth},
+               {"operations_per_second", run.peak},
                {"peak_memory_bytes", run.peak_memory},
                {"digest",
                 {{"attachments", run.attachments},

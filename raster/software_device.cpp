@@ -189,18 +189,20 @@ class SoftwareDevice final : public Device {
     const std::size_t corners_each = definition.topology == Topology::Triangles ? 3 : 1;
     const std::size_t primitives = corners / corners_each;
     // An index may be of any vertex.
-    if (indexed) shade_vertices(vertex_stage, 0, vertex_count, workers_, vertices);
+    if (indexed) result.operations += shade_vertices(vertex_stage, 0, vertex_count, workers_, vertices);
     std::vector<BinnedChunk>& chunks = chunks_;
     std::size_t first = 0;
     do {  // without a primitive too: what is not kept is cleared
       const std::size_t count = std::min(batch_, primitives - first);
       if (!indexed)
-        shade_vertices(vertex_stage, first * corners_each, count * corners_each, workers_, vertices);
+        result.operations +=
+            shade_vertices(vertex_stage, first * corners_each, count * corners_each, workers_, vertices);
       bin_primitives(primitive_stage, first, count, grid, workers_, chunks);
       const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
       target.keep_all();
       result.fragments += counters.fragments;
       result.samples_passed += counters.samples_passed;
+      result.operations += counters.operations;
       first += count;
     } while (first < primitives);
     result.vertices += corners;

@@ -252,13 +252,16 @@ TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>
         work.idle_where_zero.begin(), work.idle_where_zero.end(),
         [&](const Texture* read) { return read->is_clear(static_cast<std::size_t>(index), Texel{}); });
     tile.load_depth();
+    const std::uint64_t before = operations_of_thread;
     if (!idle) work.kernel(tile.job(work, touching), counted);
+    counted.operations = operations_of_thread - before;
     tile.store(counted.samples_passed > 0);
   });
   TileCounters sum;
   for (const TileCounters& c : counters) {
     sum.fragments += c.fragments;
     sum.samples_passed += c.samples_passed;
+    sum.operations += c.operations;
   }
   return sum;
 }

@@ -86,6 +86,7 @@ struct TileJob {
 struct TileCounters {
   std::uint64_t fragments = 0;
   std::uint64_t samples_passed = 0;
+  std::uint64_t operations = 0;  // of the shader
 };
 
 using TileKernel = void (*)(const TileJob&, TileCounters&);

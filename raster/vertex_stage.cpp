@@ -1,6 +1,7 @@
 #include "raster/vertex_stage.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace caustics::raster {
 
@@ -66,8 +67,8 @@ std::vector<int> attribute_offsets(const ShaderInterface& interface, const MeshD
   return offsets;
 }
 
-void shade_vertices(const VertexStage& stage, std::size_t first, std::size_t count, const Workers& workers,
-                    ShadedVertices& out) {
+std::uint64_t shade_vertices(const VertexStage& stage, std::size_t first, std::size_t count,
+                             const Workers& workers, ShadedVertices& out) {
   out.stride = ShadedVertices::kHeader + stage.interface->varying_components();
   out.first = first;
   out.count = count;
@@ -75,10 +76,14 @@ void shade_vertices(const VertexStage& stage, std::size_t first, std::size_t cou
   const std::vector<int> offsets =
       stage.mesh ? attribute_offsets(*stage.interface, *stage.mesh) : std::vector<int>{};
   const std::size_t tasks = (count + kVerticesPerTask - 1) / kVerticesPerTask;
+  std::atomic<std::uint64_t> operations = 0;
   workers.run(static_cast<int>(tasks), [&](int task) {
     const std::size_t begin = first + static_cast<std::size_t>(task) * kVerticesPerTask;
+    const std::uint64_t before = operations_of_thread;
     shade_range(stage, offsets, begin, std::min(begin + kVerticesPerTask, first + count), out);
+    operations += operations_of_thread - before;
   });
+  return operations;
 }
 
 }  // namespace caustics::raster

@@ -35,8 +35,9 @@ struct VertexStage {
   const TextureView* textures = nullptr;
   const MeshData* mesh = nullptr;  // null: vertices know only their number
 };
-// The vertices `first` to `first` + `count`, into memory that `out` may have from before.
-void shade_vertices(const VertexStage& stage, std::size_t first, std::size_t count, const Workers& workers,
-                    ShadedVertices& out);
+// The vertices `first` to `first` + `count`, into memory that `out` may have from before. Returns what the
+// shader's operations were counted to.
+std::uint64_t shade_vertices(const VertexStage& stage, std::size_t first, std::size_t count,
+                             const Workers& workers, ShadedVertices& out);
 
 }  // namespace caustics::raster

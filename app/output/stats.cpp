@@ -20,6 +20,7 @@ Json pass_json(const PassReport& report) {
           {"primitives", report.result.primitives},
           {"fragments", report.result.fragments},
           {"samples_passed", report.result.samples_passed},
+          {"operations", report.result.operations},
           {"left_out", report.result.left_out}};
 }
 

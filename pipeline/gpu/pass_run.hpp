@@ -59,6 +59,7 @@ struct PassResult {
   std::uint64_t primitives = 0;      // triangles or points assembled
   std::uint64_t fragments = 0;       // fragments shaded (0 where a device cannot tell)
   std::uint64_t samples_passed = 0;  // when the definition counts samples
+  std::uint64_t operations = 0;      // of its shaders on floats (kernel.hpp), 0 but for the scalar lanes
   // Its draws were, by its occlusion query (PassRun::only_if). False too where a device was not asked to
   // measure and cannot tell.
   bool left_out = false;

@@ -7,6 +7,10 @@ namespace caustics {
 
 inline constexpr int kBlock = 16;
 
+// Operations on floats that this thread's scalar kernels have done: sums, products, quotients, signs, square
+// roots, roundings, comparisons and choices, each as one. Wider lanes do not count.
+extern constinit thread_local std::uint64_t operations_of_thread;
+
 // A texture as shaders see it. Row 0 is the bottom row; `channels` floats a texel (1, 2 or 4).
 struct TextureView {
   const float* texels = nullptr;

@@ -170,17 +170,17 @@ struct FragmentStage {
     store_mask(block.discarded + lane, before || condition);
   }
 #if CAUSTICS_LANES == 1
-  void trace(const char* label, float v) const {
-    if (block.trace) block.trace->record(label, &v, 1);
+  void trace(const char* label, Float v) const {
+    if (block.trace) block.trace->record(label, &v.v, 1);
   }
   void trace(const char* label, const Vec2& v) const {
-    if (block.trace) block.trace->record(label, &v.x, 2);
+    if (block.trace) block.trace->record(label, &v.x.v, 2);
   }
   void trace(const char* label, const Vec3& v) const {
-    if (block.trace) block.trace->record(label, &v.x, 3);
+    if (block.trace) block.trace->record(label, &v.x.v, 3);
   }
   void trace(const char* label, const Vec4& v) const {
-    if (block.trace) block.trace->record(label, &v.x, 4);
+    if (block.trace) block.trace->record(label, &v.x.v, 4);
   }
 #endif
 };

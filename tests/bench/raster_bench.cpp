@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/memory_bandwidth.hpp"
+#include "app/machine_limits.hpp"
 #include "passes/caustic_cells/caustic_cells.hpp"
 #include "raster/software_device.hpp"
 

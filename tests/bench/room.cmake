@@ -1,7 +1,7 @@
 # Benchmarks, built with -DCAUSTICS_BUILD_BENCH=ON and run by hand on a quiet machine.
 find_package(benchmark QUIET)
 if(benchmark_FOUND)
-  add_executable(raster_bench ${PROJECT_SOURCE_DIR}/tests/bench/raster_bench.cpp app/memory_bandwidth.cpp)
+  add_executable(raster_bench ${PROJECT_SOURCE_DIR}/tests/bench/raster_bench.cpp app/machine_limits.cpp)
   caustics_target_options(raster_bench)
   target_link_libraries(raster_bench PRIVATE caustics_raster caustics_pipeline benchmark::benchmark)
   foreach(shader surface splat full_screen)

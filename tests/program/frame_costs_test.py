@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a frame of each sample scene takes, counted, not timed: passes, vertices, primitives, fragments and
-bytes of textures of the software device. frame_costs.csv has the counts; with --update it is written anew. A
+"""What a frame of each sample scene takes, counted, not timed: passes, vertices, primitives, fragments,
+operations on floats and bytes of textures of the software device. frame_costs.csv has the counts; with --update it is written anew. A
 count that rises needs a line at its head, `# SCENE COUNT: why`. And the memory, against what `plan` says."""
 
 import csv
@@ -17,17 +17,17 @@ from program import PROGRAM, SMALL, main
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 KEPT = pathlib.Path(__file__).with_name("frame_costs.csv")
 SIZES = ["-r", "160x90", "--grid", "64", "--map", "64", "-D", "shadow=256"]
-COUNTS = ["passes", "vertices", "primitives", "fragments", "texture_bytes"]
+COUNTS = ["passes", "vertices", "primitives", "fragments", "operations", "texture_bytes"]
 
 
 def counted(scene):
     with tempfile.TemporaryDirectory() as folder:
         stats = pathlib.Path(folder) / "stats.json"
         subprocess.run([PROGRAM, scene, *SIZES, "-o", pathlib.Path(folder) / "picture.exr", "--stats", stats],
-                       check=True, capture_output=True)
+                       check=True, capture_output=True, env=os.environ | {"CAUSTICS_LANES": "scalar"})
         said = json.loads(stats.read_text())
     drawn = [each for each in said["passes"] if not each["left_out"]]
-    sums = {count: sum(each[count] for each in drawn) for count in COUNTS[1:4]}
+    sums = {count: sum(each[count] for each in drawn) for count in COUNTS[1:5]}
     return {"passes": len(drawn), "texture_bytes": said["texture_bytes"]} | sums
 
 

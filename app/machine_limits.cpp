@@ -1,8 +1,9 @@
-#include "app/memory_bandwidth.hpp"
+#include "app/machine_limits.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -33,7 +34,63 @@ void in_parts(int threads, std::size_t count, const std::function<void(std::size
   for (std::thread& other : others) other.join();
 }
 
+// Independent chains of products and sums, enough to hide what each waits for.
+constexpr int kChains = 10, kSteps = 200'000;
+
+template <class Vector>
+[[gnu::always_inline]] inline float chains() {
+  Vector values[kChains] = {};
+  Vector factor = Vector{} + 0.5f, term = Vector{} + 1.0f;
+  for (int step = 0; step < kSteps; ++step) {
+    // Held in registers, and not known to the compiler.
+    __asm__ volatile("" : "+m"(factor), "+m"(term));
+    const Vector by = factor, plus = term;
+    for (Vector& value : values) value = value * by + plus;
+  }
+  float sum = 0.0f;
+  for (const Vector& value : values) sum += value[0];
+  return sum;
+}
+
+using Four = float __attribute__((vector_size(16)));
+float four_wide() { return chains<Four>(); }
+#if defined(__x86_64__)
+using Eight = float __attribute__((vector_size(32)));
+using Sixteen = float __attribute__((vector_size(64)));
+[[gnu::target("avx2")]] float eight_wide() { return chains<Eight>(); }
+[[gnu::target("avx512f")]] float sixteen_wide() { return chains<Sixteen>(); }
+#endif
+
+struct Width {
+  int lanes;
+  float (*work)();
+};
+
+Width widest() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f")) return {16, sixteen_wide};
+  if (__builtin_cpu_supports("avx2")) return {8, eight_wide};
+#endif
+  return {4, four_wide};
+}
+
 }  // namespace
+
+double arithmetic_peak(int threads) {
+  const Width width = widest();
+  double best = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::atomic<bool> sound = true;
+    const Stopwatch watch;
+    // Each value ends at the sum of 1, 1/2, 1/4 ...: 2.
+    in_parts(threads, static_cast<std::size_t>(threads),
+             [&](std::size_t, std::size_t) { sound = sound && width.work() == 2.0f * kChains; });
+    const double operations = 2.0 * kChains * kSteps * width.lanes * threads;
+    best = std::max(best, 1e3 * operations / watch.milliseconds());
+    if (!sound) return 0.0;
+  }
+  return best;
+}
 
 double memory_bandwidth(int threads) {
   const std::size_t count = values_an_array();
