@@ -5,19 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-// The narrowest header that does: <immintrin.h> takes GCC longer than most shaders. Its parts want to be
-// included by it, of which they ask no more than this name.
-#if defined(__SSE2__) && CAUSTICS_LANES >= 8 && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(_IMMINTRIN_H_INCLUDED)
-#include <smmintrin.h>
-#define _IMMINTRIN_H_INCLUDED
-#include <avxintrin.h>
-#if CAUSTICS_LANES == 16
-#include <avx2intrin.h>
-#include <avx512fintrin.h>
-#endif
-#undef _IMMINTRIN_H_INCLUDED
-#elif defined(__SSE2__) && CAUSTICS_LANES >= 8
+// The narrowest header that does: <immintrin.h> takes GCC longer than most shaders.
+#if defined(__SSE2__) && CAUSTICS_LANES >= 8
 #include <immintrin.h>
 #elif defined(__SSE4_1__)
 #include <smmintrin.h>
