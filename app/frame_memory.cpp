@@ -12,6 +12,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/scene.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "raster/software_device.hpp"
 
@@ -36,6 +37,13 @@ std::uint64_t scene_bytes(const Scene& scene) {
     sum += mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
   for (const Image& image : scene.images) sum += image.values.size() * sizeof(float);
   return 2 * sum;
+}
+
+// Of the trees of casters and receivers, which rays for the model's error are followed through.
+std::uint64_t tree_bytes(const Scene& scene) {
+  std::uint64_t indices = 0;
+  for (const Mesh& mesh : scene.meshes) indices += mesh.indices.size();
+  return TriangleTree::building_bytes(indices / 3);
 }
 
 // The largest of the pass's draws, beside textures.
@@ -119,7 +127,7 @@ std::uint64_t memory_needed(const FramePlan& plan, const Scene& scene, const Set
     if (ledger == 0) continue;
     most = std::max(most, held + drawing + ledger);
   }
-  return std::max(most, held + largest_kept);
+  return std::max({most, held + largest_kept, held + drawing + tree_bytes(scene)});
 }
 
 void check_memory(std::uint64_t needed, const std::string& advice) {

@@ -19,7 +19,7 @@ struct Functions {
 };
 
 Functions f;
-const float kNaN = std::numeric_limits<float>::quiet_NaN();
+const Float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 // The largest error over evenly spaced arguments.
 template <class Error>
@@ -72,7 +72,7 @@ TEST_CASE("exact functions: comparisons choose the second of two where one is no
   CHECK(f.min_of(kNaN, 2.0f) == 2.0f);
   CHECK(f.max_of(kNaN, 2.0f) == 2.0f);
   CHECK(f.clamp_to(kNaN, 1.0f, 2.0f) == 1.0f);
-  CHECK(f.clamp_to(3.0f, 1.0f, 2.0f) == 2.0f);
+  CHECK(f.clamp_to(Float(3.0f), 1.0f, 2.0f) == 2.0f);
   CHECK(f.floor_to_int(-0.5f) == -1);
   CHECK(f.floor_to_int(kNaN) == -16777216);
   CHECK(f.inside_unit(0.0f, 0.999f));
@@ -81,7 +81,7 @@ TEST_CASE("exact functions: comparisons choose the second of two where one is no
 }
 
 TEST_CASE("exact functions: a matrix' columns are summed by a point's components") {
-  const mat4 m{{Vec4(1, 2, 3, 4), Vec4(5, 6, 7, 8), Vec4(9, 10, 11, 12), Vec4(13, 14, 15, 16)}};
+  const mat4 m{{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}}};
   const Vec4 p = f.transform_point(m, Vec3(1.0f, 10.0f, 100.0f));
   const Vec3 v = f.transform_vector(m, Vec3(1.0f, 10.0f, 100.0f));
   CHECK(p.x == 964.0f);
