@@ -6,11 +6,8 @@
 #include <mutex>
 
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/shader/kernel.hpp"
 
 namespace caustics {
-
-constinit thread_local std::uint64_t operations_of_thread = 0;
 
 std::string_view lanes_name(Lanes lanes) {
   switch (lanes) {
