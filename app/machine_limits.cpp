@@ -34,22 +34,32 @@ void in_parts(int threads, std::size_t count, const std::function<void(std::size
   for (std::thread& other : others) other.join();
 }
 
-// Independent chains of products and sums, enough to hide what each waits for.
+// Independent chains of products and sums, enough to hide what each waits for, by name: an array's would lie
+// in memory.
 constexpr int kChains = 10, kSteps = 200'000;
 
 template <class Vector>
 [[gnu::always_inline]] inline float chains() {
-  Vector values[kChains] = {};
   Vector factor = Vector{} + 0.5f, term = Vector{} + 1.0f;
+  // Each starts elsewhere: equal ones would be worked out once.
+  Vector a = term, b = a + term, c = b + term, d = c + term, e = d + term, f = e + term, g = f + term,
+         h = g + term, i = h + term, j = i + term;
   for (int step = 0; step < kSteps; ++step) {
-    // Held in registers, and not known to the compiler.
+    // Not known to the compiler.
     __asm__ volatile("" : "+m"(factor), "+m"(term));
     const Vector by = factor, plus = term;
-    for (Vector& value : values) value = value * by + plus;
+    a = a * by + plus;
+    b = b * by + plus;
+    c = c * by + plus;
+    d = d * by + plus;
+    e = e * by + plus;
+    f = f * by + plus;
+    g = g * by + plus;
+    h = h * by + plus;
+    i = i * by + plus;
+    j = j * by + plus;
   }
-  float sum = 0.0f;
-  for (const Vector& value : values) sum += value[0];
-  return sum;
+  return a[0] + b[0] + c[0] + d[0] + e[0] + f[0] + g[0] + h[0] + i[0] + j[0];
 }
 
 using Four = float __attribute__((vector_size(16)));
