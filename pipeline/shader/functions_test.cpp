@@ -3,6 +3,7 @@
 // is for the tests of determinism and parity.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #define CAUSTICS_LANES 1
@@ -91,6 +92,19 @@ TEST_CASE("exact functions: a matrix' columns are summed by a point's components
   CHECK(v.x == 951.0f);
   CHECK(v.y == 1062.0f);
   CHECK(v.z == 1173.0f);
+}
+
+TEST_CASE("exact functions: one lane counts its operations on floats, and none of whole numbers") {
+  const auto counted = [](auto work) {
+    const std::uint64_t before = operations_of_thread;
+    work();
+    return operations_of_thread - before;
+  };
+  const Vec3 v(1.0f, 2.0f, 3.0f);
+  CHECK(counted([&] { f.dot3(v, v); }) == 5);        // three products, two sums
+  CHECK(counted([&] { f.length3(v); }) == 6);        // and a root
+  CHECK(counted([&] { f.min_of(v.x, v.y); }) == 2);  // a comparison, a choice
+  CHECK(counted([&] { f.min_of(1, 2); }) == 0);
 }
 
 TEST_CASE("exact functions: what has no length has the fallback's direction") {
