@@ -65,6 +65,15 @@ inline Rendering render(const Scene& scene, const Settings& settings,
   return render_on(*make_software_device(options), scene, settings, textures);
 }
 
+// These textures and no others, in the memory and time of a frame.
+inline Rendering render_alone(const Scene& given, const Settings& settings,
+                              const std::vector<std::string>& textures) {
+  Scene scene = given;
+  const auto device = make_software_device({});
+  FrameRenderer renderer(scene, settings, pass_registry(), *device, {.goal = {textures}});
+  return rendering_of(renderer);
+}
+
 inline Ledger ledger_of(const Rendering& r, const Settings& settings, int light = 0) {
   const auto has = [&](const std::string& name) { return r.images.count(name) > 0; };
   const auto read = [&](const std::string& name) { return r[name]; };

@@ -25,7 +25,7 @@ std::vector<double> floor_irradiance(const Rendering& r, const Settings& setting
 }
 
 std::vector<double> floor_irradiance(const Scene& scene, const Settings& settings) {
-  return floor_irradiance(render(scene, settings, {"aov_direct", "aov_caustic"}), settings);
+  return floor_irradiance(render_alone(scene, settings, {"aov_direct", "aov_caustic"}), settings);
 }
 
 // What the passes of these names took together, whatever light they ran for.
