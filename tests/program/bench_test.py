@@ -9,11 +9,15 @@ import time
 from program import PROGRAM, SMALL, ProgramTest, main
 
 SHORT = [*SMALL, "--frames", "3"]
+# By arguments: half of a run's time is the measuring of the memory's bandwidth.
+REPORTS = {}
 
 
 class Bench(ProgramTest):
     def report(self, *arguments):
-        return json.loads(self.succeeds("bench", "ball.glb", *SHORT, "--json", *arguments).stdout)
+        if arguments not in REPORTS:
+            REPORTS[arguments] = self.succeeds("bench", "ball.glb", *SHORT, "--json", *arguments).stdout
+        return json.loads(REPORTS[arguments])
 
     def report_against_gl(self, *arguments):
         result = self.run_program("bench", "ball.glb", *SHORT, "--json", "--against", "gl", *arguments)
@@ -83,8 +87,10 @@ class Bench(ProgramTest):
                 self.assertEqual(each["software"]["vertices"], each["gl"]["vertices"])
 
     def test_other_bits_are_told_and_are_wrong_only_where_the_driver_must_give_the_same(self):
-        self.report_against_gl("-t", "1")
         lines = self.succeeds("doctor").stdout.splitlines()
+        backend = next(l for l in lines if l.startswith("gl backend"))
+        if "OpenGL" not in backend:
+            self.skip_without_gl(backend)
         if not any(l.startswith("gl driver class") and l.endswith(" llvmpipe, fused") for l in lines):
             self.skipTest("needs the driver class 'llvmpipe, fused', whose bits must be the same")
         command = ["bench", "ball.glb", *SHORT, "--json", "--against", "gl", "-t", "1"]
