@@ -76,6 +76,9 @@ add_test(NAME architecture.faults
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/faults/faults.py)
 set_tests_properties(architecture.format architecture.shaders_are_precise_glsl PROPERTIES
   SKIP_RETURN_CODE 77)
+# Begun early, since they are long; as those in tests/program.
+set_tests_properties(architecture.headers_compile_alone architecture.shaders_are_precise_glsl
+  PROPERTIES COST 1)
 if(CAUSTICS_BUILD_APP)
   include(${PROJECT_SOURCE_DIR}/tests/program/room.cmake OPTIONAL)
 endif()

@@ -8,8 +8,9 @@ if(TARGET caustics_app)
       add_test(NAME program_${name} COMMAND Python3::Interpreter ${test})
       set_tests_properties(program_${name} PROPERTIES
         ENVIRONMENT "CAUSTICS_PROGRAM=$<TARGET_FILE:caustics_app>;PYTHONDONTWRITEBYTECODE=1"
-        TIMEOUT 900 SKIP_RETURN_CODE 4)
+        TIMEOUT 900 SKIP_RETURN_CODE 4 COST 1)
     endforeach()
+    set_tests_properties(program_gl_test PROPERTIES COST 2)  # the longest, begun first
   else()
     message(STATUS "Python 3 not found: the program is not tested from outside")
   endif()
