@@ -84,12 +84,17 @@ struct CasterLight {
   Vec3 caustic;    // irradiance, relative to the light's intensity
 };
 
+CasterLight nothing_of_casters() {
+  CasterLight none;
+  none.shadowed = Float(0.0f);
+  none.caustic = Vec3(0.0f);
+  return none;
+}
+
 // The mean over what a pixel sees: at the point alone where that is hardly wider than a texel. The casters'
 // shadow is averaged with their light, so that glass that bends nothing leaves no trace.
 CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(Incidence) light, IN(Reception) takes) {
-  CasterLight sum;
-  sum.shadowed = Float(0.0f);
-  sum.caustic = Vec3(0.0f);
+  CasterLight sum = nothing_of_casters();
   for (int j = 0; any_lane(float(j) < f.rows); j++) {
     Float along = (float(j) + 0.5f) / f.rows - 0.5f;
     for (int i = 0; any_lane(float(j) < f.rows && float(i) < f.columns); i++) {
@@ -106,24 +111,25 @@ CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(Incidence) light, 
   return sum;
 }
 
+// Of points that take a caustic's light, where the map reaches; elsewhere the casters only keep light.
 CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(Incidence) light) {
-  CasterLight casters;
-  casters.shadowed = Float(0.0f);
-  casters.caustic = Vec3(0.0f);
+  CasterLight casters = nothing_of_casters();
   if (u.has_caustic != 0) {
     Reception takes = reception_of(surface, p);
-    Bool takes_any = takes.near || takes.far;
-    casters.shadowed = caster_share(p.at, p.face);
-    if (any_lane(takes_any)) {
-      CasterLight taken;
+    Bool reached = takes.near || takes.far;
+    if (any_lane(reached)) {
       if (u.samples_across > 0) {
-        taken = mean_over(footprint_at(surface, p.at, takes_any), p, light, takes);
+        Footprint f = footprint_at(surface, p.at, reached);
+        reached = f.in_map;
+        if (any_lane(reached)) casters = mean_over(f, p, light, takes);
       } else {
-        taken.shadowed = casters.shadowed;
-        taken.caustic = caustic_at(p.at, p.q, light, takes);
+        casters.shadowed = caster_share(p.at, p.face);
+        casters.caustic = caustic_at(p.at, p.q, light, takes);
       }
-      casters.shadowed = sel(takes_any, taken.shadowed, casters.shadowed);
-      casters.caustic = sel(takes_any, taken.caustic, casters.caustic);
+    }
+    if (any_lane(!reached)) {
+      casters.shadowed = sel(reached, casters.shadowed, caster_share(p.at, p.face));
+      casters.caustic = sel(reached, casters.caustic, Vec3(0.0f));
     }
   }
   return casters;

@@ -6,6 +6,7 @@ struct Footprint {
   Vec3 upward;
   Float columns;
   Float rows;
+  Bool in_map;  // any of it
 };
 
 // The step to a neighbouring pixel in view coordinates; none where that pixel shows something else.
@@ -56,8 +57,9 @@ Footprint footprint_at(IN(SurfacePoint) surface, Vec3 at, Bool receives) {
   f.upward = step_on_surface(surface, 0, 1);
   Float columns = texels_along(caustic_map, u.caustic_view, at, f.across);
   Float rows = texels_along(caustic_map, u.caustic_view, at, f.upward);
+  Bool finer = Bool(false);
   if (u.has_cascade != 0) {
-    Bool finer = in_cascade(at);
+    finer = in_cascade(at);
     columns = sel(finer, texels_along(caustic_map, u.cascade_view, at, f.across), columns);
     rows = sel(finer, texels_along(caustic_map, u.cascade_view, at, f.upward), rows);
   }
@@ -70,5 +72,6 @@ Footprint footprint_at(IN(SurfacePoint) surface, Vec3 at, Bool receives) {
   f.upward = f.upward * (high / max_of(rows, 1.0f));
   f.columns = samples_over(wide, columns);
   f.rows = samples_over(high, rows);
+  f.in_map = counts || (receives && finer);
   return f;
 }
