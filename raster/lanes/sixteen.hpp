@@ -25,6 +25,11 @@ inline Floats load_floats(const float* p) {
   __builtin_memcpy(&v, p, sizeof v);
   return v;
 }
+inline Ints load_ints(const std::int32_t* p) {
+  Ints v;
+  __builtin_memcpy(&v, p, sizeof v);
+  return v;
+}
 inline void store_floats(float* p, Floats v) { __builtin_memcpy(p, &v, sizeof v); }
 inline void store_ints(std::int32_t* p, Ints v) { __builtin_memcpy(p, &v, sizeof v); }
 

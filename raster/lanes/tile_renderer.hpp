@@ -5,6 +5,7 @@
 // that small triangles fill the lanes too; within a pixel the order stays the API's because depth is
 // tested while collecting, or after shading lane by lane, and blending runs lane by lane.
 #pragma once
+#include "raster/lanes/interpolation.hpp"
 #include "raster/lanes/merging.hpp"
 #include "raster/lanes/sixteen.hpp"
 #include "raster/tile_job.hpp"
@@ -13,10 +14,6 @@ namespace caustics::raster::CAUSTICS_TILE_NAMESPACE {
 
 inline int larger(int a, int b) { return a > b ? a : b; }
 inline int smaller(int a, int b) { return a < b ? a : b; }
-
-inline float evaluate(const Plane& plane, float x, float y) {
-  return __builtin_fmaf(plane.per_y, y, __builtin_fmaf(plane.per_x, x, plane.origin));
-}
 
 inline bool passes(Compare compare, float incoming, float stored) {
   switch (compare) {
@@ -78,7 +75,7 @@ class TileRenderer {
  public:
   TileRenderer(const TileJob& job, TileCounters& counters) : job_(job), counters_(counters) {
     for (int i = 0; i < job.color_count; ++i) merging_[i] = merging_of(job.colors[i]);
-    for (int lane = 0; lane < kBlock; ++lane) front_[lane] = -1;
+    for (int lane = 0; lane < kBlock; ++lane) collected_.front[lane] = -1;
   }
 
   void run() {
@@ -121,14 +118,12 @@ class TileRenderer {
     }
     // Sixteen are put, as many as there are count.
     for (int x = x_first; x <= x_last;) {
-      const int count = smaller(x_last + 1 - x, kBlock - count_);
-      store_ints(pixel_ + count_, pixel_at(x, y) + kNeighbours);
-      store_floats(x_ + count_, to_floats(x + kNeighbours));
-      store_floats(y_ + count_, broadcast(static_cast<float>(y)));
-      for (int lane = 0; lane < kBlock; ++lane) constant_[count_ + lane] = point.varyings;
-      count_ += count;
+      const int before = collected_.count, count = smaller(x_last + 1 - x, kBlock - before);
+      place_neighbours(collected_, before, x, y);
+      for (int lane = 0; lane < kBlock; ++lane) collected_.constant[before + lane] = point.varyings;
+      collected_.count += count;
       x += count;
-      if (count_ == kBlock) flush();
+      if (collected_.count == kBlock) flush();
     }
   }
 
@@ -185,9 +180,10 @@ class TileRenderer {
     }
     unsigned drawn = bits_of(inside);
     if (job_.discards_where_zero.texels) drawn = kept(drawn, x, y);
-    if (drawn == 0xffffu && count_ == 0) return shade_row(x, y, z, t);
+    if (drawn == 0xffffu) return shade_row(x, y, z, t);
     for (; drawn != 0; drawn &= drawn - 1) {
       const int lane = __builtin_ctz(drawn);
+      if (collected_.count == 0) oldest_of_ = &t;
       collect(x + lane, y, z[lane], t.planes, t.provoking, t.front_facing, t.primitive);
     }
   }
@@ -209,8 +205,7 @@ class TileRenderer {
 
   // Rounding leads thin triangles out of the range of window depth (13.6.1), to which it is clamped.
   static Floats depth_of(int x, int y, const Plane& plane) {
-    const Floats along = fused(broadcast(plane.per_x), to_floats(x + kNeighbours), broadcast(plane.origin));
-    const Floats z = fused(broadcast(plane.per_y), broadcast(static_cast<float>(y)), along);
+    const Floats z = evaluate(plane, to_floats(x + kNeighbours), broadcast(static_cast<float>(y)));
     const Floats nearest{}, farthest = broadcast(1.0f);
     return chosen(less(z, nearest), nearest, chosen(less(farthest, z), farthest, z));
   }
@@ -231,28 +226,31 @@ class TileRenderer {
     return passing;
   }
 
-  // A block of sixteen neighbours.
+  // Sixteen neighbours at once. What has been collected of other triangles comes first; of the same one it
+  // lies at other pixels, and may wait.
   void shade_row(int x, int y, Floats z, const TriangleRecord& t) {
-    store_ints(pixel_, pixel_at(x, y) + kNeighbours);
-    store_floats(x_, to_floats(x + kNeighbours));
-    store_floats(y_, broadcast(static_cast<float>(y)));
-    store_floats(z_, z);
+    if (oldest_of_ != &t) flush();
     if (row_of_ != &t) take_triangle(t);
-    count_ = kBlock;
-    in_row_ = !job_.depth || !job_.test_depth_late;
-    run_block();
-    in_row_ = false;
+    place_neighbours(row_, 0, x, y);
+    interpolate(job_, t, row_, varyings_);
+    shade(row_);
+    merge_row(pixel_at(x, y), z);
+    counters_.fragments += static_cast<std::uint64_t>(kBlock);
   }
 
-  // Of all sixteen: what a triangle's neighbouring blocks need once.
   void take_triangle(const TriangleRecord& t) {
     for (int lane = 0; lane < kBlock; ++lane) {
-      planes_[lane] = t.planes;
-      constant_[lane] = t.provoking;
-      front_[lane] = t.front_facing;
-      primitive_[lane] = t.primitive;
+      row_.front[lane] = t.front_facing;
+      row_.primitive[lane] = t.primitive;
     }
     row_of_ = &t;
+  }
+
+  // From lane `first` on.
+  void place_neighbours(Fragments& f, int first, int x, int y) const {
+    store_ints(f.pixel + first, pixel_at(x, y) + kNeighbours);
+    store_floats(f.x + first, to_floats(x + kNeighbours));
+    store_floats(f.y + first, broadcast(static_cast<float>(y)));
   }
 
   int pixel_at(int x, int y) const { return (y - job_.y) * kTile + (x - job_.x); }
@@ -272,133 +270,92 @@ class TileRenderer {
 
   void collect(int x, int y, float z, const Plane* planes, const float* constant, std::int32_t front,
                std::int32_t primitive) {
-    const int lane = count_++;
-    pixel_[lane] = pixel_at(x, y);
-    x_[lane] = static_cast<float>(x);
-    y_[lane] = static_cast<float>(y);
-    z_[lane] = z;
-    planes_[lane] = planes;
-    constant_[lane] = constant;
-    front_[lane] = front;
-    primitive_[lane] = primitive;
-    row_of_ = nullptr;
-    if (count_ == kBlock) flush();
+    Fragments& f = collected_;
+    const int lane = f.count++;
+    f.pixel[lane] = pixel_at(x, y);
+    f.x[lane] = static_cast<float>(x);
+    f.y[lane] = static_cast<float>(y);
+    f.z[lane] = z;
+    f.planes[lane] = planes;
+    f.constant[lane] = constant;
+    f.front[lane] = front;
+    f.primitive[lane] = primitive;
+    if (f.count == kBlock) flush();
   }
 
   void flush() {
-    if (count_ == 0) return;
-    for (int lane = count_; lane < kBlock; ++lane) {
-      x_[lane] = x_[0];
-      y_[lane] = y_[0];
-      planes_[lane] = planes_[0];
-      constant_[lane] = constant_[0];
-      front_[lane] = front_[0];
-      primitive_[lane] = primitive_[0];
+    Fragments& f = collected_;
+    if (f.count == 0) return;
+    fill_up(f);
+    interpolate(job_, f, varyings_);
+    shade(f);
+    for (int lane = 0; lane < f.count; ++lane) {
+      if (discarded_[lane]) continue;
+      if (job_.test_depth_late && !depth_passes(f.pixel[lane], f.z[lane])) continue;
+      merge_lane(lane, f.pixel[lane]);
     }
-    run_block();
+    counters_.fragments += static_cast<std::uint64_t>(f.count);
+    f.count = 0;
   }
 
-  void run_block() {
-    interpolate();
-    shade();
-    merge();
-    counters_.fragments += static_cast<std::uint64_t>(count_);
-    count_ = 0;
-  }
-
-  void interpolate() {
-    if (job_.varying_count == 0) return;
-    bool one_triangle = planes_[0] != nullptr;
-    for (int lane = 1; lane < kBlock; ++lane) one_triangle &= planes_[lane] == planes_[0];
-    float w[kBlock];
-    if (planes_[0])
-      for (int lane = 0; lane < kBlock; ++lane)
-        w[lane] = 1.0f / evaluate(planes_[lane][1], x_[lane], y_[lane]);
-    bool one_constant = true;
-    for (int lane = 1; lane < kBlock; ++lane) one_constant &= constant_[lane] == constant_[0];
-    for (int c = 0; c < job_.varying_count; ++c) {
-      float* out = varyings_[c];
-      const bool flat = !planes_[0] || job_.varying_flat[c];
-      if (flat && one_constant) {
-        const float value = constant_[0][c];
-        for (int lane = 0; lane < kBlock; ++lane) out[lane] = value;
-      } else if (flat && !planes_[0]) {
-        transpose_four(constant_, c, varyings_ + c);
-        c += 3;
-      } else if (flat) {
-        for (int lane = 0; lane < kBlock; ++lane) out[lane] = constant_[lane][c];
-      } else if (one_triangle) {
-        const Plane plane = planes_[0][2 + c];
-        for (int lane = 0; lane < kBlock; ++lane) out[lane] = evaluate(plane, x_[lane], y_[lane]) * w[lane];
-      } else {
-        for (int lane = 0; lane < kBlock; ++lane)
-          out[lane] = evaluate(planes_[lane][2 + c], x_[lane], y_[lane]) * w[lane];
-      }
-    }
-  }
-
-  void shade() {
+  void shade(const Fragments& f) {
     float center_x[kBlock], center_y[kBlock];
     for (int lane = 0; lane < kBlock; ++lane) {
-      center_x[lane] = x_[lane] + 0.5f;
-      center_y[lane] = y_[lane] + 0.5f;
+      center_x[lane] = f.x[lane] + 0.5f;
+      center_y[lane] = f.y[lane] + 0.5f;
       discarded_[lane] = 0;
     }
-    job_.fragment({job_.uniforms, job_.textures, center_x, center_y, front_, primitive_, varyings_, outputs_,
-                   discarded_, nullptr});
-  }
-
-  void merge() {
+    job_.fragment({job_.uniforms, job_.textures, center_x, center_y, f.front, f.primitive, varyings_,
+                   outputs_, discarded_, nullptr});
     for (int i = 0; i < job_.color_count; ++i)
       if (merging_[i] == Merging::ReplaceByte)
         for (int c = 0; c < 4; ++c) round_to_bytes(outputs_[4 * i + c]);
-    if (in_row_ && count_ == kBlock && nothing_discarded()) {
-      merge_row();
+  }
+
+  // Of neighbours from `pixel` on.
+  void merge_row(int pixel, Floats z) {
+    Ints passing = ~load_ints(discarded_);
+    if (job_.depth && job_.test_depth_late) passing = test_depth(job_.depth + pixel, z, passing);
+    unsigned merged = bits_of(passing);
+    if (merged == 0xffffu) {
+      merge_whole_row(pixel);
       return;
     }
-    for (int lane = 0; lane < count_; ++lane) {
-      if (discarded_[lane]) continue;
-      if (job_.test_depth_late && !depth_passes(pixel_[lane], z_[lane])) continue;
-      if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
-      ++counters_.samples_passed;
-      for (int i = 0; i < job_.color_count; ++i) merge_into(i, lane);
+    for (; merged != 0; merged &= merged - 1) {
+      const int lane = __builtin_ctz(merged);
+      merge_lane(lane, pixel + lane);
     }
   }
 
-  bool nothing_discarded() const {
-    std::int32_t any = 0;
-    for (int lane = 0; lane < kBlock; ++lane) any |= discarded_[lane];
-    return any == 0;
-  }
-
-  // All sixteen of a block in a row.
-  void merge_row() {
+  void merge_whole_row(int pixel) {
     if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
     counters_.samples_passed += static_cast<std::uint64_t>(kBlock);
     for (int i = 0; i < job_.color_count; ++i) {
       if (merging_[i] == Merging::Replace || merging_[i] == Merging::ReplaceByte)
-        replace_row(job_.colors[i].texels + pixel_[0], outputs_ + 4 * i);
+        replace_row(job_.colors[i].texels + pixel, outputs_ + 4 * i);
       else
-        for (int lane = 0; lane < kBlock; ++lane) merge_into(i, lane);
+        for (int lane = 0; lane < kBlock; ++lane) merge_into(i, lane, pixel + lane);
     }
   }
 
-  void merge_into(int i, int lane) {
-    merge_texel(job_.colors[i], merging_[i], job_.colors[i].texels[pixel_[lane]], outputs_ + 4 * i, lane);
+  void merge_lane(int lane, int pixel) {
+    if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
+    ++counters_.samples_passed;
+    for (int i = 0; i < job_.color_count; ++i) merge_into(i, lane, pixel);
+  }
+
+  void merge_into(int i, int lane, int pixel) {
+    merge_texel(job_.colors[i], merging_[i], job_.colors[i].texels[pixel], outputs_ + 4 * i, lane);
   }
 
   const TileJob& job_;
   TileCounters& counters_;
   Merging merging_[kMaxColors] = {};
-  int count_ = 0;
-  const TriangleRecord* row_of_ = nullptr;  // whose planes and constants all sixteen lanes have
-  bool in_row_ = false;  // the block is of neighbours in a row that no depth test can take out any more
-  // Twice as long where rows are put at once.
-  std::int32_t pixel_[2 * kBlock];
-  alignas(64) float x_[2 * kBlock], y_[2 * kBlock], z_[kBlock] = {};
-  const float* constant_[2 * kBlock];
-  const Plane* planes_[kBlock] = {};  // null: of points
-  alignas(64) std::int32_t front_[kBlock], primitive_[kBlock] = {}, discarded_[kBlock];
+  Fragments collected_;                        // of any primitives
+  const TriangleRecord* oldest_of_ = nullptr;  // whose the first collected fragment is
+  Fragments row_;                              // sixteen neighbours
+  const TriangleRecord* row_of_ = nullptr;     // whose they are
+  alignas(64) std::int32_t discarded_[kBlock];
   alignas(64) float varyings_[64 + 3][kBlock];
   alignas(64) float outputs_[4 * kMaxColors][kBlock];
 };

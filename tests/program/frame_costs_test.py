@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What a frame of each sample scene takes, counted, not timed: passes, vertices, primitives, fragments,
-operations on floats and bytes of textures of the software device. frame_costs.csv has the counts; with
+operations on floats, textures and buffers made, and bytes of textures of the software device. frame_costs.csv has the counts; with
 --update it is written anew. A count that rises needs a line at its head, `# SCENE COUNT: why`. And the
 memory, against what `plan` says."""
 
@@ -18,7 +18,9 @@ from program import PROGRAM, SMALL, main
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 KEPT = pathlib.Path(__file__).with_name("frame_costs.csv")
 SIZES = ["-r", "160x90", "--grid", "64", "--map", "64", "-D", "shadow=256"]
-COUNTS = ["passes", "vertices", "primitives", "fragments", "operations", "texture_bytes"]
+OF_PASSES = ["vertices", "primitives", "fragments", "operations"]
+MADE = ["textures", "buffers"]
+COUNTS = ["passes", *OF_PASSES, *MADE, "texture_bytes"]
 
 
 def counted(scene):
@@ -28,8 +30,9 @@ def counted(scene):
                        check=True, capture_output=True, env=os.environ | {"CAUSTICS_LANES": "scalar"})
         said = json.loads(stats.read_text())
     drawn = [each for each in said["passes"] if not each["left_out"]]
-    sums = {count: sum(each[count] for each in drawn) for count in COUNTS[1:5]}
-    return {"passes": len(drawn), "texture_bytes": said["texture_bytes"]} | sums
+    counts = {"passes": len(drawn), "texture_bytes": said["texture_bytes"]}
+    counts |= {count: sum(each[count] for each in drawn) for count in OF_PASSES}
+    return counts | {count: said["frames"]["made_by_first"][count] for count in MADE}
 
 
 def counted_all():
