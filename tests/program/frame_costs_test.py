@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What a frame of each sample scene takes, counted, not timed: passes, vertices, primitives, fragments,
-operations on floats, textures and buffers made, and bytes of textures of the software device. frame_costs.csv has the counts; with
---update it is written anew. A count that rises needs a line at its head, `# SCENE COUNT: why`. And the
-memory, against what `plan` says."""
+operations on floats, textures and buffers made, and bytes of textures of the software device. frame_costs.csv
+has the counts; with --update it is written anew. A count that rises needs a line at its head,
+`# SCENE COUNT: why`. And the memory, against what `plan` says."""
 
 import csv
 import json
