@@ -180,7 +180,9 @@ class TileRenderer {
     }
     unsigned drawn = bits_of(inside);
     if (job_.discards_where_zero.texels) drawn = kept(drawn, x, y);
-    if (drawn == 0xffffu) return shade_row(x, y, z, t);
+    // What waits of the same triangle lies at other pixels.
+    const bool may_go_first = collected_.count == 0 || oldest_of_ == &t;
+    if (drawn == 0xffffu && may_go_first) return shade_row(x, y, z, t);
     for (; drawn != 0; drawn &= drawn - 1) {
       const int lane = __builtin_ctz(drawn);
       if (collected_.count == 0) oldest_of_ = &t;
@@ -226,10 +228,8 @@ class TileRenderer {
     return passing;
   }
 
-  // Sixteen neighbours at once. What has been collected of other triangles comes first; of the same one it
-  // lies at other pixels, and may wait.
+  // Sixteen neighbours at once.
   void shade_row(int x, int y, Floats z, const TriangleRecord& t) {
-    if (oldest_of_ != &t) flush();
     if (row_of_ != &t) take_triangle(t);
     place_neighbours(row_, 0, x, y);
     interpolate(job_, t, row_, varyings_);
