@@ -74,22 +74,22 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const S
 }
 
 // Of the light that a pass ends, beside its textures, which are looked at where they lie: where the farthest
-// receivers are searched, its landings merged; and the error estimate's planes of one double a texel, three
-// for each map that shading looks up: its own, what is coarser, and one that is averaged.
+// receivers are searched, its landings merged; and the error estimate's planes of one double a texel for each
+// map that shading looks up: its own, what is coarser (a quarter), and their difference.
 std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
   static const std::vector<std::string> looked_at = ledger_textures();
-  std::uint64_t images = 0, planes = 0, texels = 0;
+  std::uint64_t images = 0, quarter_planes = 0, texels = 0;
   for (const PlannedTexture& texture : plan.textures) {
     const std::string name = texture.name.substr(0, texture.name.find('['));
     if (texture.light != light || !texture.kept_for_light ||
         std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end())
       continue;
     if (name.ends_with(".far") && name != far_texture(kCausticMap)) images += float_bytes(texture);
-    if (name == kCausticMap || name == kCascadeMap) planes += 3;
+    if (name == kCausticMap || name == kCascadeMap) quarter_planes += 9;
     if (name == kCausticMap)
       texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   }
-  return images + planes * texels * sizeof(double);
+  return images + quarter_planes * texels / 4 * sizeof(double);
 }
 
 // The memory of the machine, or of the container that the process runs in.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "pipeline/measure/shown_light.hpp"
 #include "pipeline/plan/frame_plan.hpp"
@@ -210,7 +211,7 @@ double cells_error(const std::vector<BranchImages>& branches, const std::vector<
   ShownLight moved(maps);
   for (std::size_t b = 0; b < branches.size(); ++b)
     if (in_cells(branches[b])) compare_cells(cells[b], branches[b].cell_flux, caster, moved);
-  return moved.sum(pixel);
+  return std::move(moved).sum(pixel);
 }
 
 double splats_error(const std::vector<BranchImages>& branches, const View& caustic, const SplatKernel& kernel,
@@ -218,7 +219,7 @@ double splats_error(const std::vector<BranchImages>& branches, const View& caust
   ShownLight splats(maps);
   for (const BranchImages& images : branches)
     if (!in_cells(images)) compare_splats(images, caustic, kernel, maps.side, splats);
-  return splats.sum(pixel);
+  return std::move(splats).sum(pixel);
 }
 
 double grid_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "pipeline/settings/settings.hpp"
@@ -21,8 +22,9 @@ class TexelPlane {
   double clamped(int x, int y) const { return at(std::clamp(x, 0, side_ - 1), std::clamp(y, 0, side_ - 1)); }
   // Adds to the texel that holds a point, if the plane has it.
   void add(const glm::dvec2& texel, double value);
-  // Sum of |mean over a box around each texel|; boxes of these sides, texels, and not below one.
-  double absolute_sum(const glm::dvec2& box) const;
+  // Sum of |mean over a box around each texel|; boxes of these sides, texels, and not below one. Uses the
+  // plane up: the means take its place.
+  double absolute_sum(const glm::dvec2& box) &&;
 
  private:
   void average(double side, std::size_t along, std::size_t across);
@@ -52,8 +54,9 @@ struct ShownLight {
   explicit ShownLight(const ShownMaps& m) : map(m.side), cascade(m.has_cascade ? m.side : 0), maps(m) {}
   void add(const glm::dvec2& texel, double flux);  // `texel` of the caustic map
   // Sum of |means over pixels| of this side, texels of the caustic map.
-  double sum(double pixel) const {
-    return map.absolute_sum(glm::dvec2(pixel)) + cascade.absolute_sum(pixel * maps.scale);
+  double sum(double pixel) && {
+    return std::move(map).absolute_sum(glm::dvec2(pixel)) +
+           std::move(cascade).absolute_sum(pixel * maps.scale);
   }
 };
 
