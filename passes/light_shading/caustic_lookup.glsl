@@ -107,7 +107,8 @@ Deposit deposit_at(Vec3 at) {
     if (u.has_cascade != 0) {
       Vec2 finer = view_uv(u.cascade_view, at);
       Bool reaches = in_cascade(at);
-      if (any_lane(reaches)) d.flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), d.flux);
+      if (any_lane(reaches))
+        d.flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), d.flux);
       d.texel_area = sel(reaches, Float(u.cascade_texel_area), d.texel_area);
       d.inside = d.inside || reaches;
     }
