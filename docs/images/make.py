@@ -51,6 +51,8 @@ TRACED = {
                                                     ('glass_figure', 'view'))
                               for options in ('--interfaces 2', '', 'traced')]),
 }
+# By lab/study/growth.py, of what it measures.
+MEASURED = {'growth'}
 
 
 def read_png(data):
