@@ -18,7 +18,8 @@ namespace {
 constexpr Command kCommands[] = {
     {"render", "render a scene to a picture (the default: caustics SCENE)", run_render},
     {"plan", "what a scene holds, which passes run, and which caustics to expect", run_plan_command},
-    {"probe", "follow one ray: every intermediate value of one grid vertex", run_probe},
+    {"inspect", "a page that shows every pass, and where a pixel gets its light", run_inspect},
+    {"probe", "one grid vertex, pixel or texel: every value, and where it comes from", run_probe},
     {"digest", "hash of every attachment of every pass", run_digest},
     {"parity", "draw every pass on both backends, and compare", run_parity},
     {"bench", "what each pass of a frame takes, on one backend or both", run_bench},

@@ -2,6 +2,7 @@
 # pipeline/room.cmake has found nlohmann_json.
 find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 
 file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
 list(FILTER app_sources EXCLUDE REGEX "_test[.]cpp$")
@@ -15,11 +16,13 @@ set_source_files_properties(app/json.cpp PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRE
   SKIP_UNITY_BUILD_INCLUSION ON)
 target_link_libraries(caustics_app PRIVATE caustics_passes caustics_raster caustics_gl_backend caustics_gltf
   caustics_reference caustics_metrics caustics_study caustics_paper
-  caustics_image_io PNG::PNG nlohmann_json::nlohmann_json CLI11::CLI11)
+  caustics_image_io PNG::PNG ZLIB::ZLIB nlohmann_json::nlohmann_json CLI11::CLI11)
 target_compile_definitions(caustics_app PRIVATE CAUSTICS_VERSION="${PROJECT_VERSION}")
 if(TARGET TBB::tbb)
   target_compile_definitions(caustics_app PRIVATE CAUSTICS_TBB_VERSION="${TBB_VERSION}")
 endif()
+
+include(app/inspect/room.cmake)
 
 include(GNUInstallDirs)
 install(TARGETS caustics_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

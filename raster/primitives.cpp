@@ -50,6 +50,7 @@ class ChunkBuilder {
   void add_point(std::size_t i) {
     const auto set_up = stage_.topology == Topology::Points ? set_up_point : set_up_rectangle;
     PointRecord record;
+    record.primitive = static_cast<std::int32_t>(i);
     if (set_up(stage_.vertices->at(vertex_index(i)), viewport_, record)) chunk_.points.push_back(record);
   }
 

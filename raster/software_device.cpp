@@ -7,9 +7,7 @@
 #include "pipeline/gpu/stopwatch.hpp"
 #include "pipeline/gpu/validate.hpp"
 #include "raster/lane_dispatch.hpp"
-#include "raster/primitives.hpp"
-#include "raster/target.hpp"
-#include "raster/texture.hpp"
+#include "raster/texel_replay.hpp"
 #include "raster/workers.hpp"
 
 namespace caustics {
@@ -86,6 +84,20 @@ class SoftwareDevice final : public Device {
     return nullptr;
   }
 
+  void replay(const PassRun& run, const TargetsBefore& before, const TexelRectangle& where,
+              const FragmentVisitor& visit) const {
+    validate(run, *this);
+    const TextureId target = run.depth != TextureId::None
+                                 ? run.depth
+                                 : *std::find_if(run.colors.begin(), run.colors.end(),
+                                                 [](TextureId id) { return id != TextureId::None; });
+    TexelReplay replay(*run.definition, before, shape(target), where, workers_);
+    for (std::size_t i = 0; i < run.draws.size(); ++i) {
+      ShadedVertices shaded;
+      replay.draw(i, prepared_draw(*run.definition, run.draws[i], shaded), shaded, visit);
+    }
+  }
+
   PassResult run(const PassRun& run) override {
     const Stopwatch watch;
     validate(run, *this);
@@ -160,54 +172,29 @@ class SoftwareDevice final : public Device {
   void execute_draw(const PassRun& run, const Draw& draw, RenderTarget& target, const TileGrid& grid,
                     PassResult& result) {
     const PassDefinition& definition = *run.definition;
-    const ShaderInterface& interface = interface_of(*definition.shader);
-    const std::vector<TextureView> views = bound_textures(draw);
-    const MeshData* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
-    const auto lanes = static_cast<std::size_t>(lanes_);
-    const VertexStage vertex_stage{&interface, definition.shader->kernels.vertex[lanes], draw.uniforms.data(),
-                                   views.data(), mesh};
-    const std::vector<std::uint8_t> flat = flat_components(interface);
-    ShadedVertices& vertices = shaded_;
-    const PrimitiveStage primitive_stage{
-        .topology = definition.topology,
-        .options = {definition.cull, interface.varying_components(), flat.data()},
-        .vertices = &vertices,
-        .indices = mesh ? &mesh->indices : nullptr};
-    const FragmentWork work{.definition = &definition,
-                            .fragment = definition.shader->kernels.fragment[lanes],
-                            .uniforms = draw.uniforms.data(),
-                            .textures = views.data(),
-                            .varying_count = interface.varying_components(),
-                            .varying_flat = flat.data(),
-                            .may_discard = interface.discards,
-                            .idle_where_zero = idle_where_zero(definition, draw, target.shape()),
-                            .kernel = tile_kernel(lanes_)};
-    const std::size_t vertex_count =
-        mesh ? mesh->vertex_count() : static_cast<std::size_t>(std::max(0, draw.vertex_count));
-    const bool indexed = mesh && !mesh->indices.empty();
-    const std::size_t corners = indexed ? mesh->indices.size() : vertex_count;
-    const std::size_t corners_each = definition.topology == Topology::Triangles ? 3 : 1;
-    const std::size_t primitives = corners / corners_each;
-    // An index may be of any vertex.
-    if (indexed) result.operations += shade_vertices(vertex_stage, 0, vertex_count, workers_, vertices);
-    std::vector<BinnedChunk>& chunks = chunks_;
+    PreparedDraw prepared = prepared_draw(definition, draw, shaded_);
+    prepared.work.idle_where_zero = idle_where_zero(definition, draw, target.shape());
     std::size_t first = 0;
     do {  // without a primitive too: what is not kept is cleared
-      const std::size_t count = std::min(batch_, primitives - first);
-      if (!indexed)
-        result.operations +=
-            shade_vertices(vertex_stage, first * corners_each, count * corners_each, workers_, vertices);
-      bin_primitives(primitive_stage, first, count, grid, workers_, chunks);
-      const TileCounters counters = fill_tiles(work, chunks, grid, target, workers_);
+      const std::size_t count = std::min(batch_, prepared.primitives - first);
+      result.operations += prepared.shade(first, count, workers_, shaded_);
+      bin_primitives(prepared.primitive_stage, first, count, grid, workers_, chunks_);
+      const TileCounters counters = fill_tiles(prepared.work, chunks_, grid, target, workers_);
       target.keep_all();
       result.fragments += counters.fragments;
       result.samples_passed += counters.samples_passed;
       result.operations += counters.operations;
       first += count;
-    } while (first < primitives);
-    result.vertices += corners;
-    result.primitives += primitives;
+    } while (first < prepared.primitives);
+    result.vertices += prepared.corners;
+    result.primitives += prepared.primitives;
     forget_much();
+  }
+
+  PreparedDraw prepared_draw(const PassDefinition& definition, const Draw& draw,
+                             const ShadedVertices& shaded) const {
+    const MeshData* mesh = draw.mesh == MeshId::None ? nullptr : &mesh_of(draw.mesh);
+    return prepare_draw(definition, draw, bound_textures(draw), mesh, lanes_, shaded);
   }
 
   // The next draw finds the memory of this one there, unless it was much.
@@ -242,14 +229,6 @@ class SoftwareDevice final : public Device {
     return views;
   }
 
-  static std::vector<std::uint8_t> flat_components(const ShaderInterface& interface) {
-    std::vector<std::uint8_t> flat;
-    for (const ShaderVariable& varying : interface.varyings)
-      flat.insert(flat.end(), static_cast<std::size_t>(varying.components),
-                  varying.interpolation == Interpolation::Flat ? 1 : 0);
-    return flat;
-  }
-
   Workers workers_;
   Lanes lanes_;
   std::size_t batch_;  // primitives
@@ -265,6 +244,13 @@ class SoftwareDevice final : public Device {
 }  // namespace
 
 }  // namespace raster
+
+void replay_fragments(const Device& software, const PassRun& run, const TargetsBefore& before,
+                      const TexelRectangle& where, const FragmentVisitor& visit) {
+  const auto* device = dynamic_cast<const raster::SoftwareDevice*>(&software);
+  if (!device) throw Error(ExitCode::InternalError, "texels are drawn again by the software device alone");
+  device->replay(run, before, where, visit);
+}
 
 std::size_t draw_bytes(const PassDefinition& definition, std::size_t vertices, std::size_t primitives) {
   using namespace raster;

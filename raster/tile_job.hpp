@@ -36,6 +36,7 @@ struct TriangleRecord {
 struct PointRecord {
   std::int32_t x_first, x_last, y_first, y_last;  // pixels, inclusive
   float z;
+  std::int32_t primitive;  // its place in the draw
   const float* varyings;
 };
 

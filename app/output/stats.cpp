@@ -39,19 +39,6 @@ Json frames_json(const FrameStats& frames, const DeviceObjects& made) {
           {"made_by_all", objects_json(made)}};
 }
 
-// Relative L1 of the caustic; null where it is not estimated, and of the model where it is not judged.
-Json error_json(const ErrorEstimate& error) {
-  if (!(error.landed > 0.0)) return nullptr;
-  const auto judged = [&](double value) { return error.judged ? Json(error.relative(value)) : Json(); };
-  return {{"total", error.total()},
-          {"map", error.relative(error.map)},
-          {"grid", error.relative(error.grid)},
-          {"missing", error.relative(error.missing)},
-          {"model", judged(error.model)},
-          {"sampling", judged(error.sampling)},
-          {"not_followed", judged(error.not_followed)}};
-}
-
 Json ledger_json(const Scene& scene, const LightLedger& entry) {
   const Light& light = scene.sources[static_cast<std::size_t>(entry.light)];
   Json flux = {{"unit", flux_unit(light)}};
@@ -76,6 +63,18 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
 }
 
 }  // namespace
+
+Json error_json(const ErrorEstimate& error) {
+  if (!(error.landed > 0.0)) return nullptr;
+  const auto judged = [&](double value) { return error.judged ? Json(error.relative(value)) : Json(); };
+  return {{"total", error.total()},
+          {"map", error.relative(error.map)},
+          {"grid", error.relative(error.grid)},
+          {"missing", error.relative(error.missing)},
+          {"model", judged(error.model)},
+          {"sampling", judged(error.sampling)},
+          {"not_followed", judged(error.not_followed)}};
+}
 
 Json settings_json(const Settings& settings, const std::vector<Setting::Part>& parts) {
   Json json = Json::object();

@@ -24,6 +24,9 @@ struct FrameStats {
 // Keys and values as -D has them.
 nlohmann::ordered_json settings_json(const Settings& settings,
                                      const std::vector<Setting::Part>& parts = all_parts());
+// Relative L1 of the caustic, by parts; null where it is not estimated, and of the model where it is not
+// judged.
+nlohmann::ordered_json error_json(const ErrorEstimate& error);
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
                        const std::vector<LightLedger>& ledgers, const Timing& timing,
                        const FrameStats& frames);

@@ -20,6 +20,7 @@ struct Command {
 ExitCode run_render(const Arguments& arguments);
 ExitCode run_plan_command(const Arguments& arguments);
 ExitCode run_probe(const Arguments& arguments);
+ExitCode run_inspect(const Arguments& arguments);
 ExitCode run_digest(const Arguments& arguments);
 ExitCode run_parity(const Arguments& arguments);
 ExitCode run_bench(const Arguments& arguments);

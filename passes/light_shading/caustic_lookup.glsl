@@ -74,6 +74,7 @@ Vec3 flux_all_around(Vec3 q) {
       Vec3 there = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
       Float share = own / texel_area(in_window, t, Float(1.0f));
       flux = flux + sel(reaches, there * share, Vec3(0.0f));
+      if (any_lane(reaches)) TRACE(caustic_map_at, Vec3(uv.x, uv.y, share));
     }
   }
   return flux;
@@ -104,11 +105,14 @@ Deposit deposit_at(Vec3 at) {
     Vec2 uv = view_uv(u.caustic_view, at);
     d.inside = inside_unit(uv.x, uv.y);
     d.flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
+    TRACE(caustic_map_at, Vec3(uv.x, uv.y, Float(1.0f)));
     if (u.has_cascade != 0) {
       Vec2 finer = view_uv(u.cascade_view, at);
       Bool reaches = in_cascade(at);
-      if (any_lane(reaches))
+      if (any_lane(reaches)) {
         d.flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), d.flux);
+        TRACE(cascade_map_at, Vec3(finer.x, finer.y, Float(1.0f)));
+      }
       d.texel_area = sel(reaches, Float(u.cascade_texel_area), d.texel_area);
       d.inside = d.inside || reaches;
     }
@@ -124,6 +128,7 @@ Deposit far_deposit_at(Vec3 at) {
   d.inside = inside_unit(uv.x, uv.y);
   d.texel_area = Float(u.caustic_texel_area);
   d.flux = flux_by_channel(Vec3(fetch_bilinear(far_caustic_map, uv.x, uv.y)));
+  TRACE(far_caustic_map_at, Vec3(uv.x, uv.y, Float(1.0f)));
   return d;
 }
 
@@ -131,12 +136,18 @@ Deposit far_deposit_at(Vec3 at) {
 Vec3 caustic_at(Vec3 at, Vec3 q, IN(Incidence) light, IN(Reception) takes) {
   Deposit d = deposit_at(at);
   Float area = texel_area(d.texel_area, q, light.distance_squared);
-  Vec3 irradiance = sel(takes.near && d.inside, d.flux * (light.facing / area), Vec3(0.0f));
+  Float per_flux = light.facing / area;
+  Vec3 irradiance = sel(takes.near && d.inside, d.flux * per_flux, Vec3(0.0f));
+  TRACE(irradiance_of_flux, per_flux);
+  TRACE(irradiance, irradiance);
   if (u.receivers_are_layered != 0) {
     Deposit behind = far_deposit_at(at);
     Float far_area = texel_area(behind.texel_area, q, light.distance_squared);
-    Vec3 added = behind.flux * (light.facing / far_area);
-    irradiance = irradiance + sel(takes.far && behind.inside, added, Vec3(0.0f));
+    Float far_per_flux = light.facing / far_area;
+    Vec3 added = sel(takes.far && behind.inside, behind.flux * far_per_flux, Vec3(0.0f));
+    irradiance = irradiance + added;
+    TRACE(irradiance_of_flux, far_per_flux);
+    TRACE(irradiance, added);
   }
   return irradiance;
 }

@@ -1,0 +1,30 @@
+// Numbers in a page: compressed, as text that a script of the page reads without fetching anything.
+#pragma once
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace caustics::app {
+
+// Each array becomes the base64 of a zlib stream. Values of several bytes lie in it as planes, all lowest
+// bytes first, then all second ones, little endian: neighbours are alike then.
+class Blobs {
+ public:
+  // What the recording says of an array: { "blob", "type", "count" }.
+  nlohmann::ordered_json add(std::span<const std::uint8_t> values);
+  nlohmann::ordered_json add(std::span<const std::uint16_t> values);
+  nlohmann::ordered_json add(std::span<const std::uint32_t> values);
+  nlohmann::ordered_json add_floats(std::span<const float> values);
+  nlohmann::ordered_json add_halves(std::span<const float> values);  // each rounded
+
+  const std::vector<std::string>& texts() const { return texts_; }
+
+ private:
+  nlohmann::ordered_json add(const std::uint8_t* bytes, std::size_t count, std::size_t size,
+                             const char* type);
+  std::vector<std::string> texts_;
+};
+
+}  // namespace caustics::app

@@ -1,0 +1,136 @@
+// caustics inspect: one page that shows every pass of a frame, or of two.
+#include <cstdio>
+#include <optional>
+
+#include "app/frame_options.hpp"
+#include "app/inspect/page.hpp"
+#include "app/inspect/run_recorder.hpp"
+#include "app/inspect/setting_sweeps.hpp"
+#include "app/inspect/vertex_paths.hpp"
+#include "app/json.hpp"
+#include "app/loaded_scene.hpp"
+#include "app/shell/atomic_file.hpp"
+#include "app/shell/interrupt.hpp"
+#include "app/shell/parser.hpp"
+#include "app/shell/progress.hpp"
+#include "app/shell/setting_options.hpp"
+#include "app/shell/terminal.hpp"
+#include "app/shell/version.hpp"
+#include "pipeline/gpu/error.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+struct InspectRequest {
+  FrameRequest frame;
+  std::filesystem::path output;
+  std::vector<std::string> against;
+  RecordingLimits limits;
+  bool quiet = false;
+};
+
+bool parse(const Arguments& arguments, InspectRequest& request) {
+  Settings& settings = request.frame.settings;
+  settings.width = 640;
+  settings.height = 360;
+  settings.grid = 256;
+  settings.map = 512;
+  settings.shadow = 512;
+  Parser parser("inspect",
+                "Writes one page that shows every pass of a frame: its attachments by their meaning, where\n"
+                "a pixel gets its light, the way of a ray, the history of a texel, where the flux goes. It\n"
+                "needs no network and no server. Sizes are moderate unless given: " +
+                    differing(settings) + ".",
+                "  caustics inspect scene.glb -o scene.html\n"
+                "  caustics inspect scene.glb --against gl\n"
+                "  caustics inspect scene.glb --against iterations=1 --against estimator=paper\n");
+  std::string scene;
+  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.group("Page");
+  parser.option("-o,--output", "FILE.html", {"the page", ".html", "SCENE.html in the current folder"},
+                [&](const std::string& value) { request.output = value; });
+  parser.repeated("--against", "WHAT",
+                  {"a second run beside the first: by OpenGL, or with this key of -D changed; several keys "
+                   "change together",
+                   "gl|KEY=VALUE", "none"},
+                  [&](const std::string& value) { request.against.push_back(value); });
+  parser.flag("--exact", request.limits.exact, "values as 32-bit floats instead of half: twice as large");
+  parser.flag("--quiet", request.quiet, "say nothing but errors");
+  add_frame_options(parser, request.frame);
+  if (!parser.parse(arguments)) return false;
+  request.frame.scene = scene;
+  check_request(request.frame, "inspect");
+  if (request.output.empty()) request.output = request.frame.scene.stem().string() + ".html";
+  if (request.output.extension() != ".html" && request.output.extension() != ".htm")
+    throw Error(ExitCode::WrongUsage, "-o " + one_line(request.output.string()) + ": a page is a file .html");
+  return true;
+}
+
+// The first request with what --against changes.
+FrameRequest other_request(const InspectRequest& request) {
+  FrameRequest other = request.frame;
+  for (const std::string& what : request.against) {
+    const std::size_t equals = what.find('=');
+    if (what == "gl")
+      other.backend.backend = Backend::OpenGl;
+    else if (equals == std::string::npos)
+      throw Error(ExitCode::WrongUsage,
+                  "--against cannot be '" + one_line(what) + "': gl, or key=value, as in iterations=1");
+    else
+      set_option(other.settings, what.substr(0, equals), what.substr(equals + 1));
+  }
+  return other;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+Json record(const std::string& name, const FrameRequest& request, const RecordingLimits& limits,
+            Progress& progress, Blobs& blobs) {
+  progress.show("finding where the light goes");
+  RenderedFrame frame(request, load_scene(request), goal_with_ledgers({"picture"}));
+  RunRecorder recorder(name, frame, limits, blobs);
+  recorder.draw([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t total) {
+    progress.show("taking pass " + std::to_string(done) + " of " + std::to_string(total) + ": " + pass.label);
+    return true;
+  });
+  return std::move(recorder.json());
+}
+
+}  // namespace
+
+ExitCode run_inspect(const Arguments& arguments) {
+  InspectRequest request;
+  if (!parse(arguments, request)) return ExitCode::Done;
+  require_writable(request.output);
+  Progress progress(request.quiet);
+  Blobs blobs;
+  Json runs = Json::array();
+  runs.push_back(
+      record(request.against.empty() ? "this run" : "A", request.frame, request.limits, progress, blobs));
+  progress.show("following single rays by every estimator");
+  for (auto& [light, paths] : vertex_paths(request.frame))
+    runs[0]["lights"][static_cast<std::size_t>(light)]["paths"] = std::move(paths);
+  if (request.against.empty()) {
+    progress.show("drawing over iterations and grid sizes");
+    runs[0]["sweeps"] = setting_sweeps(request.frame, blobs);
+  } else {
+    runs.push_back(
+        record("B: " + joined(request.against), other_request(request), request.limits, progress, blobs));
+  }
+  const Json recording = {{"format", 1}, {"program", version_line()}, {"runs", runs}};
+  const std::string page =
+      inspect_page(request.frame.scene.filename().string() + " - caustics inspect", recording, blobs);
+  write_atomically(request.output, page);
+  progress.clear();
+  if (!request.quiet)
+    std::fprintf(stderr, "%s: %.1f MB; open it in a browser\n", one_line(request.output.string()).c_str(),
+                 static_cast<double>(page.size()) / 1e6);
+  return ExitCode::Done;
+}
+
+}  // namespace caustics::app

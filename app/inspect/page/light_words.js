@@ -1,0 +1,128 @@
+// What lies behind a pixel, a texel of a caustic map or a grid vertex, in words with links.
+
+const kGiversAtFirst = 8;
+
+class LightWords {
+  constructor(page) {
+    this.page = page;
+  }
+
+  // What light `index` gives to a pixel: {direct, caustic} in lux, null where the page does not hold it.
+  async irradiance(run, index, x, y) {
+    const found = {};
+    for (const texture of ["direct", "caustic"]) found[texture] = await this.addedBy(run, index, texture, x, y);
+    return found;
+  }
+
+  // All lights add to one texture: a light's part is what its pass left there less what was there before.
+  async addedBy(run, index, texture, x, y) {
+    const after = run.attachments.findLast((one) => one.texture === texture && run.passes[one.pass]?.light === index);
+    const here = await this.brightnessAt(run, after, x, y);
+    if (here === null) return null;
+    const before = run.attachmentBefore(after.pass, texture);
+    return Math.max(0, here - (await this.brightnessAt(run, before, x, y) ?? 0));
+  }
+
+  async brightnessAt(run, attachment, x, y) {
+    const values = await run.values(attachment);
+    if (!values || x >= attachment.width || y >= attachment.height) return null;
+    const channels = channelsOf(attachment);
+    return brightness(values, (y * attachment.width + x) * channels, channels);
+  }
+
+  // What the camera gets from a pixel, where the page holds it.
+  async radianceParagraph(run, x, y) {
+    const beauty = run.attachments.findLast((one) => one.texture === "beauty");
+    const radiance = await this.brightnessAt(run, beauty, x, y);
+    return radiance === null ? null : paragraph(`It sends ${formatWithUnit(radiance, "nit")} to the camera.`);
+  }
+
+  irradianceParagraph(lights, run, chosen) {
+    const lux = (value) => value === null ? "not kept" : formatWithUnit(value, "lux");
+    return make("ul", {class: "lights"}, lights.map(({direct, caustic}, index) => {
+      const {name} = run.lights[index];
+      return make("li", {}, make("strong", {}, name), `: direct light ${lux(direct)}, caustic ${lux(caustic)} `,
+        index !== chosen && run.lights.length > 1 ? linkTo("look into it", () => this.page.set({light: index})) : null);
+    }));
+  }
+
+  // "12 texels, 31 cells; the largest gives 8 %", and the list of the largest.
+  async giversOf(links, map, {list}, texelCount) {
+    if (!list.length) {
+      const missing = links.leftOut(map);
+      return [missing.length ? paragraph("Which cells gave this light is not in this page: ", missing.join(" ")) :
+        paragraph("No cell of the grid puts light there.")];
+    }
+    const noun = list[0].history.vertices_of === "vertex" ? "grid vertex" : "cell";
+    const many = noun === "cell" ? "cells" : "grid vertices";
+    const table = make("div", {});
+    await this.fillGivers(table, links, map, list, kGiversAtFirst);
+    return [
+      paragraph(`${plural(list.length, noun, many)} of the grid gave light to ` +
+        (texelCount === 1 ? "this texel" : `these ${texelCount} texels`) +
+        (list.length > 1 ? `; the largest gives ${formatShare(list[0].share)}: ` : ": "), this.giverLink(list[0]), "."),
+      table];
+  }
+
+  async fillGivers(element, links, map, list, count) {
+    const rows = [];
+    for (const giver of list.slice(0, count)) rows.push(await this.giverRow(links, giver));
+    element.replaceChildren(
+      table(["share", "from", "enters at, m", "lands at, m"], rows, {class: "givers"}),
+      list.length > count ? linkTo(`Show ${list.length > 200 ? "200 of" : "all"} ${wholeNumber(list.length)}`,
+        () => this.fillGivers(element, links, map, list, 200)) : "");
+  }
+
+  async giverRow(links, giver) {
+    const share = formatShare(giver.share);
+    if (!giver.vertex) return [share, this.giverLink(giver), "–", "–"];
+    const branch = links.branchOf(giver.history);
+    const kind = giver.history.vertices_of;
+    const entry = await this.pointOf(links, [branch?.entry], kind, giver.vertex);
+    const landing = await this.pointOf(links, branch?.landing ?? [], kind, giver.vertex);
+    return [share, this.giverLink(giver, `by ${links.run.passes[giver.history.pass]?.label}`),
+      formatPoint(entry), formatPoint(landing)];
+  }
+
+  giverLink(giver, title = null) {
+    if (!giver.vertex) return `primitive ${giver.primitive}`;
+    const kind = giver.history.vertices_of;
+    return linkTo(`${kind} (${giver.vertex.join(",\u00a0")})`, () => this.page.set({pick: [kind, ...giver.vertex]}), title);
+  }
+
+  async pointOf(links, ids, kind, vertex) {
+    if (kind === "cell") return links.cellPoint(ids, vertex);
+    let point = null;
+    for (const id of ids) point = await links.texel(id, ...vertex) ?? point;
+    return point && point.w !== 0 ? point.at : null;
+  }
+
+  // What is known of one grid vertex: where it enters, leaves and lands, and what became of it.
+  async vertexParagraph(links, i, j) {
+    const lines = [];
+    for (const way of await links.vertexWay(i, j)) {
+      const name = way.branch.name ? `${way.branch.name}: ` : "";
+      if (!way.entry && !way.landing) continue;
+      if (way.entry?.w === 0) {
+        lines.push(paragraph(`${name}No caster lies under this vertex: its light goes straight on.`));
+        continue;
+      }
+      lines.push(paragraph(name, way.entry ? `Its light enters at ${formatPoint(way.entry.at)} m. ` : "",
+        way.landing ? landingText(way.landing) : ""));
+    }
+    return lines.length ? lines : [paragraph("Where its light enters and lands is not in this page.")];
+  }
+
+  pathLink(links, i, j) {
+    const nearest = links.nearestPath(i, j);
+    if (nearest < 0) return null;
+    const [x, y] = links.light.paths.vertices[nearest];
+    return paragraph(linkTo("Its way through the scene, in a section", () => this.page.set({panel: "path", vertex: [i, j]})),
+      x === i && y === j ? "" : ` (the nearest way that is recorded: vertex (${x}, ${y}))`);
+  }
+}
+
+function landingText(landing) {
+  if (!kDrawn.has(landing.w)) return `It does not reach the map: ${landing.name ?? "status " + landing.w}.`;
+  return `It lands at ${formatPoint(landing.at)} m.`;
+}

@@ -1,0 +1,437 @@
+#include "app/inspect/run_recorder.hpp"
+
+#include <algorithm>
+
+#include "app/inspect/channel_meanings.hpp"
+#include "app/inspect/pixel_footprints.hpp"
+#include "app/json.hpp"
+#include "app/output/attachment_kind.hpp"
+#include "app/output/light_groups.hpp"
+#include "app/output/stats.hpp"
+#include "app/plan_report.hpp"
+#include "app/probe/pixel_light.hpp"
+#include "passes/registry.hpp"
+#include "pipeline/gpu/device.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+std::string text_of(Topology topology) {
+  return topology == Topology::Triangles ? "triangles"
+         : topology == Topology::Points  ? "points"
+                                         : "rectangles";
+}
+
+std::string text_of(Compare compare) {
+  constexpr const char* kNames[] = {"always",           "less",  "less or equal", "greater",
+                                    "greater or equal", "equal", "never"};
+  return kNames[static_cast<std::size_t>(compare)];
+}
+
+std::string text_of(BlendEquation equation) {
+  return equation == BlendEquation::Add ? "add" : equation == BlendEquation::Min ? "min" : "max";
+}
+
+Json state_json(const PassDefinition& definition) {
+  Json depth, cull, blend;
+  const DepthState& state = definition.depth_state;
+  if (definition.depth) depth = text_of(state.compare) + (state.write ? ", written" : "");
+  if (definition.cull != Cull::None) cull = definition.cull == Cull::Back ? "back" : "front";
+  for (const ColorWrite& write : definition.writes)
+    if (write.blend.enabled)
+      blend = write.blend == kMultiply ? std::string("multiply") : text_of(write.blend.equation);
+  return {{"topology", text_of(definition.topology)}, {"depth", depth}, {"cull", cull}, {"blend", blend}};
+}
+
+DrawSet draws_of(const PlannedPass& pass) {
+  return pass_registry()[static_cast<std::size_t>(pass.pass)].draws;
+}
+
+std::vector<float> triple(const glm::dvec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+Json status_names() {
+  Json names = Json::array();
+  for (int s = 0; s < kLandingStatuses; ++s)
+    names.push_back(std::string(name_of(static_cast<LandingStatus>(s))));
+  return names;
+}
+
+// What a ledger's accounts mean.
+constexpr std::pair<const char*, const char*> kAccountMeanings[] = {
+    {"entered", "light that meets the casters"},
+    {"in_map", "light that is in the caustic map"},
+    {"fresnel", "light mirrored at the surfaces, and not followed"},
+    {"absorbed", "light that the material takes"},
+    {"total_reflection", "light that cannot leave the caster at its second surface"},
+    {"medium", "light that the haze takes"},
+    {"missed", "light that meets no receiver"},
+    {"outside", "light that lands beyond the maps"},
+    {"not_converged", "light whose search for a receiver did not end on one"},
+    {"exit_not_found", "light whose way out of the caster was not found"},
+    {"given_up", "light too weak, or through too many surfaces, to be followed"},
+    {"kernel_edge", "parts of splats beyond the map's edge"}};
+
+Json ledger_of(const Ledger& ledger) {
+  Json list = Json::array();
+  for (const auto& [name, flux] : accounts(ledger)) {
+    std::string meaning;
+    for (const auto& [account, text] : kAccountMeanings)
+      if (std::string(name) == account) meaning = text;
+    list.push_back({{"account", name}, {"meaning", meaning}, {"flux", flux}});
+  }
+  return list;
+}
+
+// As bytes 0..255, of a picture for screens.
+std::vector<std::uint8_t> display_bytes(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  for (const float value : image.values)
+    bytes.push_back(static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f));
+  return bytes;
+}
+
+// The fragments of a pass, sorted by texel; of one texel in the order drawn.
+struct Fragments {
+  std::vector<std::uint32_t> texel, primitive;
+  std::vector<std::uint16_t> draw;
+  std::vector<std::uint8_t> outcome;
+  std::vector<float> depth;
+  std::vector<std::vector<float>> values;  // by colour attachment
+
+  std::vector<std::uint32_t> sort(std::size_t texels) {
+    std::vector<std::uint32_t> start(texels + 1, 0);
+    for (const std::uint32_t t : texel) ++start[t + 1];
+    for (std::size_t t = 1; t < start.size(); ++t) start[t] += start[t - 1];
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1), place;
+    for (const std::uint32_t t : texel) place.push_back(next[t]++);
+    move_to(place, primitive);
+    move_to(place, draw);
+    move_to(place, outcome);
+    move_to(place, depth);
+    for (std::vector<float>& v : values) move_to(place, v);
+    return start;
+  }
+
+ private:
+  template <class T>
+  static void move_to(const std::vector<std::uint32_t>& place, std::vector<T>& values) {
+    std::vector<T> moved(values.size());
+    const std::size_t each = place.empty() ? 0 : values.size() / place.size();  // 0: not taken
+    for (std::size_t i = 0; i < place.size(); ++i)
+      for (std::size_t k = 0; k < each; ++k) moved[place[i] * each + k] = values[i * each + k];
+    values = std::move(moved);
+  }
+};
+
+}  // namespace
+
+RunRecorder::RunRecorder(const std::string& name, RenderedFrame& frame, const RecordingLimits& limits,
+                         Blobs& blobs)
+    : frame_(frame), limits_(limits), blobs_(blobs), run_(std::make_unique<Json>()) {
+  *run_ = {{"name", name},
+           {"scene", frame.scene().file},
+           {"device", frame.device().description()},
+           {"settings", settings_json(frame.settings())},
+           {"notes", frame.scene().notes},
+           {"effects", Json::array()},
+           {"passes", Json::array()},
+           {"skipped", Json::array()},
+           {"attachments", Json::array()},
+           {"histories", Json::array()},
+           {"lights", Json::array()},
+           {"meshes", Json::array()},
+           {"sweeps", Json::array()},
+           {"left_out", Json::array()}};
+  for (const NamedEffect& named : named_effects()) {
+    const Effect& effect = frame.effects().*named.effect;
+    (*run_)["effects"].push_back(
+        {{"name", named.name}, {"active", effect.active}, {"reason", effect.reason}});
+  }
+  for (const SkippedPass& pass : frame.plan().skipped)
+    (*run_)["skipped"].push_back({{"pass", pass.name}, {"reason", pass.reason}});
+}
+
+RunRecorder::~RunRecorder() = default;
+
+void RunRecorder::leave_out(const std::string& sentence) { (*run_)["left_out"].push_back(sentence); }
+
+Json RunRecorder::stored(std::span<const float> values) {
+  return limits_.exact ? blobs_.add_floats(values) : blobs_.add_halves(values);
+}
+
+void RunRecorder::draw(const AfterPass& after) {
+  frame_.run([&](const PlannedPass& pass, const PassResult& result, std::size_t done, std::size_t total) {
+    ledgers_.look(frame_, pass);
+    look(pass, result);
+    before_ = done < total ? targets_before(frame_, frame_.plan().passes[done]) : TargetsBefore{};
+    return !after || after(pass, result, done, total);
+  });
+  (*run_)["lights"] = lights();
+  (*run_)["meshes"] = meshes();
+}
+
+void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
+  const PassRun prepared = frame_.prepare(pass);
+  Json reads = Json::array(), writes = Json::array(), draws = Json::array();
+  for (const int read : pass.reads)
+    if (read >= 0) reads.push_back(frame_.plan().textures[static_cast<std::size_t>(read)].name);
+  for (const Draw& draw : prepared.draws) {
+    const std::string mesh = mesh_of(frame_, draw);
+    draws.push_back({{"mesh", mesh.empty() ? Json() : Json(mesh)}, {"material", Json()}});
+  }
+  const std::size_t index = (*run_)["passes"].size();
+  std::vector<int> attachments;
+  const auto take = [&](int texture, const std::string& name, const std::string& meaning) {
+    attachments.push_back(-1);
+    if (texture < 0) return;
+    attachments.back() = static_cast<int>((*run_)["attachments"].size());
+    writes.push_back(attachments.back());
+    (*run_)["attachments"].push_back(attachment(pass, index,
+                                                frame_.plan().textures[static_cast<std::size_t>(texture)],
+                                                name, meaning, frame_.read(texture)));
+  };
+  for (std::size_t i = 0; i < pass.writes.size(); ++i)
+    take(pass.writes[i], pass.definition.writes[i].name, pass.definition.writes[i].meaning);
+  if (pass.depth >= 0) take(pass.depth, pass.definition.depth->name, pass.definition.depth->meaning);
+  (*run_)["passes"].push_back({{"label", pass.label},
+                               {"name", pass.definition.name},
+                               {"purpose", pass.definition.purpose},
+                               {"reason", pass.reason},
+                               {"light", pass.light < 0 ? Json() : Json(pass.light)},
+                               {"milliseconds", result.milliseconds},
+                               {"processor_milliseconds", result.processor_milliseconds},
+                               {"vertices", result.vertices},
+                               {"primitives", result.primitives},
+                               {"fragments", result.fragments},
+                               {"samples_passed", result.samples_passed},
+                               {"left_out", result.left_out},
+                               {"reads", reads},
+                               {"writes", writes},
+                               {"state", state_json(pass.definition)},
+                               {"uniforms", Json::array()},
+                               {"draws", draws}});
+  if (draws_of(pass) != DrawSet::FullScreen) add_history(pass, index, result, attachments);
+  if (shades_picture(pass)) add_pixels(pass);
+}
+
+Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, const PlannedTexture& texture,
+                             const std::string& name, const std::string& meaning, const Image& image) {
+  Json channels = Json::array(), codes, data, left_out;
+  for (const ChannelMeaning& c : channel_meanings(meaning, image.channels()))
+    channels.push_back({{"name", c.name}, {"meaning", c.meaning}, {"unit", c.unit}});
+  const int status = status_channel_of(meaning);
+  if (status >= 0) codes = {{std::to_string(status), status_names()}};
+  const AttachmentKind kind = kind_of(image.shape.format, meaning);
+  const std::string hash = sha256(image);
+  const auto texels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
+  if (texels > limits_.texels) {
+    left_out = std::to_string(image.width()) + "x" + std::to_string(image.height()) +
+               " texels are more than the page holds; caustics render --dump writes them";
+    leave_out(pass.label + " " + texture.name + ": " + left_out.get<std::string>());
+  } else {
+    std::unique_ptr<Json>& known = by_hash_[hash];
+    if (!known)
+      known = std::make_unique<Json>(kind == AttachmentKind::Display && !limits_.exact
+                                         ? blobs_.add(std::span<const std::uint8_t>(display_bytes(image)))
+                                         : stored(image.values));
+    data = *known;
+  }
+  return {{"id", (*run_)["attachments"].size()},
+          {"pass", pass_index},
+          {"texture", texture.name},
+          {"name", name},
+          {"format", format_name(texture.format)},
+          {"width", image.width()},
+          {"height", image.height()},
+          {"meaning", meaning},
+          {"kind", status >= 0 ? "status" : std::string(name_of(kind))},
+          {"channels", channels},
+          {"codes", codes},
+          {"sha256", hash},
+          {"data", data},
+          {"left_out", left_out}};
+}
+
+void RunRecorder::add_history(const PlannedPass& pass, std::size_t pass_index, const PassResult& result,
+                              const std::vector<int>& attachments) {
+  const auto texels = static_cast<std::size_t>(pass.width) * static_cast<std::size_t>(pass.height);
+  const DrawSet set = draws_of(pass);
+  Json vertices_of, left_out, values = Json::object(), before = Json::object();
+  if (set == DrawSet::GridCells) vertices_of = "cell";
+  if (set == DrawSet::GridVertices) vertices_of = "vertex";
+  const bool software = frame_.device().description().starts_with("software");
+  Json history = {{"pass", pass_index},
+                  {"width", pass.width},
+                  {"height", pass.height},
+                  {"vertices_of", vertices_of},
+                  {"branch", pass.branch < 0 ? Json() : Json(pass.branch)},
+                  {"cascade", pass.drawn_for->window == MapWindow::Cascade}};
+  for (const char* name : {"start", "draw", "primitive", "outcome", "depth"}) history[name] = Json();
+  if (!software) {
+    left_out = "only the software device tells what happened to a texel";
+  } else if (texels > limits_.texels || result.fragments > limits_.fragments) {
+    left_out = std::to_string(result.fragments) + " fragments on " + std::to_string(texels) +
+               " texels are more than the page holds; caustics probe SCENE --history '" + pass.label +
+               ":X,Y' tells one texel's";
+    leave_out(pass.label + ": " + left_out.get<std::string>());
+  } else {
+    Fragments all;
+    all.values.resize(pass.writes.size());
+    if (!result.left_out)
+      replay_fragments(frame_.device(), frame_.prepare(pass), before_, {0, 0, pass.width, pass.height},
+                       [&](const FragmentOnTexel& f) {
+                         all.texel.push_back(static_cast<std::uint32_t>(f.y * pass.width + f.x));
+                         all.primitive.push_back(f.primitive);
+                         all.draw.push_back(static_cast<std::uint16_t>(f.draw));
+                         all.outcome.push_back(static_cast<std::uint8_t>(f.outcome));
+                         if (pass.depth >= 0) all.depth.push_back(f.depth);
+                         for (std::size_t i = 0; i < all.values.size(); ++i) {
+                           const int channels = channel_count(pass.definition.writes[i].format);
+                           if (attachments[i] >= 0)
+                             all.values[i].insert(all.values[i].end(), f.given[i].begin(),
+                                                  f.given[i].begin() + channels);
+                         }
+                       });
+    history["start"] = blobs_.add(std::span<const std::uint32_t>(all.sort(texels)));
+    history["draw"] = blobs_.add(std::span<const std::uint16_t>(all.draw));
+    history["primitive"] = blobs_.add(std::span<const std::uint32_t>(all.primitive));
+    history["outcome"] = blobs_.add(std::span<const std::uint8_t>(all.outcome));
+    if (pass.depth >= 0) history["depth"] = stored(all.depth);
+    for (std::size_t i = 0; i < all.values.size(); ++i) {
+      if (attachments[i] < 0) continue;
+      const std::string id = std::to_string(attachments[i]);
+      const ColorWrite& write = pass.definition.writes[i];
+      values[id] = stored(all.values[i]);
+      const bool kept = i < before_.colors.size() && !before_.colors[i].values.empty();
+      before[id] = kept ? stored(before_.colors[i].values)
+                        : Json(std::vector<float>(write.clear.begin(),
+                                                  write.clear.begin() + channel_count(write.format)));
+    }
+  }
+  history["values"] = values;
+  history["before"] = before;
+  history["left_out"] = left_out;
+  (*run_)["histories"].push_back(std::move(history));
+}
+
+void RunRecorder::add_pixels(const PlannedPass& pass) {
+  const PixelFootprints footprints = pixel_footprints(frame_, pass);
+  if (std::all_of(footprints.map.begin(), footprints.map.end(),
+                  [](std::uint8_t map) { return map == PixelFootprints::kNone; }))
+    return;
+  pixels_[pass.light] =
+      std::make_unique<Json>(Json{{"width", footprints.width},
+                                  {"height", footprints.height},
+                                  {"map", blobs_.add(std::span<const std::uint8_t>(footprints.map))},
+                                  {"rectangle", blobs_.add_floats(footprints.rectangle)}});
+}
+
+Json RunRecorder::lights() {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < frame_.scene().lights.size(); ++i) list.push_back(light(static_cast<int>(i)));
+  for (const LightLedger& entry : ledgers_.ledgers()) {
+    // Of a light with a size all its samples' sum: told with the first.
+    const std::vector<int> samples = samples_of(frame_.scene(), entry.light);
+    if (samples.empty()) continue;
+    Json& first = list[static_cast<std::size_t>(samples.front())];
+    first["ledger"] = ledger_of(entry.ledger);
+    first["estimated_error"] = error_json(entry.error);
+  }
+  return list;
+}
+
+// By wavelength, and by what glass mirrors.
+Json RunRecorder::branches_of(int number) {
+  std::map<int, Json> branches;
+  Json entry, exit;
+  for (const Json& a : (*run_)["attachments"]) {
+    const auto pass = a["pass"].get<std::size_t>();
+    if ((*run_)["passes"][pass]["light"] != Json(number)) continue;
+    if (a["name"] == "caster_position" && entry.is_null()) entry = a["id"];
+    if (a["name"] == "caster_exit_position" && exit.is_null()) exit = a["id"];
+    if (a["name"] != kLanding) continue;
+    const int branch = std::max(0, frame_.plan().passes[pass].branch);
+    Json& json = branches[branch];
+    if (json.is_null()) {
+      json["name"] = frame_.effects().branches[static_cast<std::size_t>(branch)].name;
+      json["landing"] = Json::array();
+    }
+    json["landing"].push_back(a["id"]);
+  }
+  Json list = Json::array();
+  for (auto& [branch, json] : branches) {
+    json["entry"] = entry;
+    json["exit"] = exit;
+    list.push_back(json);
+  }
+  return list;
+}
+
+// In the order of kFootprintMaps.
+Json RunRecorder::maps_of(int number) {
+  Json maps = Json::array();
+  for (const char* map : {"caustic_map", kCascadeMap, "caustic_map.far"}) {
+    Json last, histories = Json::array();
+    for (const Json& a : (*run_)["attachments"]) {
+      if (a["texture"] != light_texture(map, number)) continue;
+      last = a["id"];
+      for (std::size_t h = 0; h < (*run_)["histories"].size(); ++h)
+        if ((*run_)["histories"][h]["pass"] == a["pass"]) histories.push_back(h);
+    }
+    maps.push_back({{"attachment", last}, {"histories", histories}});
+  }
+  return maps;
+}
+
+Json RunRecorder::light(int number) {
+  const Light& light = frame_.scene().lights[static_cast<std::size_t>(number)];
+  const bool directional = light.type == LightType::Directional;
+  const auto pixels = pixels_.find(number);
+  Json json;
+  json["index"] = number;
+  json["name"] = light.name;
+  json["type"] = name_of(light.type);
+  json["intensity"] = light.intensity;
+  json["unit"] = intensity_unit(light);
+  json["color"] = triple(light.color);
+  json["position"] = directional ? Json() : Json(triple(light.position));
+  json["direction"] = light.type == LightType::Point ? Json() : Json(triple(light.direction));
+  json["flux_unit"] = flux_unit(light);
+  json["ledger"] = json["estimated_error"] = json["paths"] = Json();
+  json["grid"] = static_cast<int>(frame_.settings().grid);
+  json["branches"] = branches_of(number);
+  json["maps"] = maps_of(number);
+  json["pixels"] = pixels == pixels_.end() ? Json() : *pixels->second;
+  return json;
+}
+
+Json RunRecorder::meshes() {
+  Json list = Json::array();
+  std::size_t triangles = 0;
+  for (std::size_t i = 0; i < frame_.scene().meshes.size(); ++i) {
+    const Mesh& mesh = frame_.scene().meshes[i];
+    Json positions, indices;
+    triangles += mesh.indices.size() / 3;
+    if (triangles <= limits_.triangles) {
+      std::vector<float> values;
+      for (const Vertex& v : mesh.vertices)
+        values.insert(values.end(), {v.position.x, v.position.y, v.position.z});
+      positions = blobs_.add_floats(values);
+      indices = blobs_.add(std::span<const std::uint32_t>(mesh.indices));
+    } else {
+      leave_out("mesh '" + mesh.name + "': sections do not show it, the scene has more than " +
+                std::to_string(limits_.triangles) + " triangles");
+    }
+    list.push_back({{"name", mesh.name},
+                    {"material", frame_.scene().materials[static_cast<std::size_t>(mesh.material)].name},
+                    {"role", std::string(name_of(frame_.effects().surfaces[i].role))},
+                    {"positions", positions},
+                    {"indices", indices}});
+  }
+  return list;
+}
+
+}  // namespace caustics::app

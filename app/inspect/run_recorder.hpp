@@ -1,0 +1,63 @@
+// One run for the page: everything that its passes leave, taken while the frame is drawn.
+#pragma once
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/flux.hpp"
+#include "app/frame.hpp"
+#include "app/inspect/blobs.hpp"
+#include "app/probe/before_pass.hpp"
+
+namespace caustics::app {
+
+struct RecordingLimits {
+  bool exact = false;                            // 32-bit floats instead of half
+  std::size_t texels = std::size_t{1} << 20;     // of an attachment; larger ones are left out
+  std::size_t fragments = std::size_t{2} << 20;  // of a pass whose history is kept
+  std::size_t triangles = 200'000;               // of a mesh that sections show
+};
+
+class RunRecorder {
+ public:
+  // `name`: how the page calls the run. All must outlive it.
+  RunRecorder(const std::string& name, RenderedFrame& frame, const RecordingLimits& limits, Blobs& blobs);
+  RunRecorder(const RunRecorder&) = delete;
+  RunRecorder& operator=(const RunRecorder&) = delete;
+  ~RunRecorder();
+
+  // Draws the frame and takes what it leaves; `after` as RenderedFrame::run has it.
+  void draw(const AfterPass& after);
+  // The run as the page reads it.
+  nlohmann::ordered_json& json() { return *run_; }
+
+ private:
+  using Json = nlohmann::ordered_json;
+
+  void look(const PlannedPass& pass, const PassResult& result);
+  Json attachment(const PlannedPass& pass, std::size_t pass_index, const PlannedTexture& texture,
+                  const std::string& name, const std::string& meaning, const Image& image);
+  void add_history(const PlannedPass& pass, std::size_t pass_index, const PassResult& result,
+                   const std::vector<int>& attachments);
+  void add_pixels(const PlannedPass& pass);
+  Json lights();
+  Json light(int number);
+  Json branches_of(int number);
+  Json maps_of(int number);
+  Json meshes();
+  Json stored(std::span<const float> values);
+  void leave_out(const std::string& sentence);
+
+  RenderedFrame& frame_;
+  RecordingLimits limits_;
+  Blobs& blobs_;
+  LedgerReader ledgers_;
+  TargetsBefore before_;                                  // of the pass that runs next
+  std::map<std::string, std::unique_ptr<Json>> by_hash_;  // arrays of equal images
+  std::map<int, std::unique_ptr<Json>> pixels_;           // by light
+  std::unique_ptr<Json> run_;
+};
+
+}  // namespace caustics::app

@@ -1,0 +1,13 @@
+// Small pictures of the same frame over one setting, for the page's sliders.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/frame_options.hpp"
+#include "app/inspect/blobs.hpp"
+
+namespace caustics::app {
+
+// Over iterations, and over grid sizes: what the page reads as Run.sweeps, with each frame's stated error.
+nlohmann::ordered_json setting_sweeps(const FrameRequest& request, Blobs& blobs);
+
+}  // namespace caustics::app

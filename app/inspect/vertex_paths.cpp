@@ -1,0 +1,140 @@
+#include "app/inspect/vertex_paths.hpp"
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "app/frame.hpp"
+#include "app/json.hpp"
+#include "app/loaded_scene.hpp"
+#include "app/probe/probe_texel.hpp"
+#include "pipeline/gpu/text.hpp"
+#include "pipeline/measure/ledger.hpp"
+#include "pipeline/settings/setting.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// Vertices a side of the lattice: their ways are half of what the rest of a page takes.
+constexpr int kLattice = 20;
+
+using Point = std::array<double, 3>;
+
+Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Point operator*(const Point& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
+
+// Seven digits, as a float has.
+double shortened(double value) { return std::strtod(significant(value, 7).c_str(), nullptr); }
+Json shortened(const Point& p) { return {shortened(p[0]), shortened(p[1]), shortened(p[2])}; }
+
+// Follows a trace from surface to surface.
+class PathReader {
+ public:
+  void read(const std::vector<NamedValues>& trace) {
+    for (const NamedValues& v : trace) take(v, {v.values[0], v.values[1], v.values[2]});
+  }
+
+  Json path(const std::string& status) {
+    return {{"points", points_}, {"iterates", iterates_}, {"status", status}};
+  }
+
+ private:
+  void take(const NamedValues& v, const Point& p) {
+    if (v.name == "entry_point") {
+      arrive(p, "entry", "inside");
+    } else if (v.name == "exit_point") {
+      arrive(p, "exit", "outside");
+    } else if (v.name == "surface_point") {
+      arrive(p, "surface " + std::to_string(points_.size() + 1), "inside");
+    } else if (v.name == "landing_point") {
+      arrive(p, "landing", "outside");
+    } else if (v.name == "inside_direction" || v.name == "outside_direction") {
+      direction_ = p;
+    } else if (v.name == "distance" && start_ && direction_) {
+      searched_.push_back(p[0]);
+    }
+  }
+
+  // The iterates of the search for this point lie on the ray that comes to it.
+  void arrive(const Point& p, const std::string& surface, const char* medium) {
+    const double end = searched_.empty() ? 0.0 : searched_.back();
+    for (std::size_t i = 0; i < searched_.size(); ++i)
+      iterates_.push_back({{"label", surface + " " + std::to_string(i + 1)},
+                           {"at", shortened(*start_ + *direction_ * searched_[i])},
+                           {"distance", shortened(searched_[i])},
+                           {"error", shortened(std::abs(searched_[i] - end))}});
+    points_.push_back({{"at", shortened(p)}, {"surface", surface}, {"medium", medium}});
+    searched_.clear();
+    start_ = p;
+  }
+
+  Json points_ = Json::array(), iterates_ = Json::array();
+  std::optional<Point> start_, direction_;
+  std::vector<double> searched_;
+};
+
+// One light's ways by one estimator.
+struct Ways {
+  std::vector<PathReader> readers{std::size_t{kLattice} * kLattice};
+  std::vector<std::string> status{std::size_t{kLattice} * kLattice, "empty"};
+};
+
+// Vertices in the middle of equal parts of the grid.
+int on_lattice(int i, int grid) { return (2 * i + 1) * grid / (2 * kLattice); }
+
+bool is_on_the_way(const PlannedPass& pass) {
+  return pass.light >= 0 && (pass.surface > 0 || pass.definition.writes.front().name == kLanding) &&
+         pass.drawn_for->receivers == ReceiverLayer::Nearest;
+}
+
+std::map<int, Ways> ways_by(const FrameRequest& request, int& grid) {
+  RenderedFrame frame(request, load_scene(request), {{kLanding}});
+  grid = frame.settings().grid;
+  std::map<int, Ways> ways;
+  frame.run([&](const PlannedPass& pass, const PassResult& result, std::size_t, std::size_t) {
+    // Of light that parts, the way of the first branch.
+    if (!is_on_the_way(pass) || pass.branch != 0 || result.left_out) return true;
+    Ways& of_light = ways[pass.light];
+    const ProbedPass probe(frame, pass);
+    for (int j = 0; j < kLattice; ++j)
+      for (int i = 0; i < kLattice; ++i) {
+        const ProbedTexel texel = probe.at(on_lattice(i, grid), on_lattice(j, grid));
+        if (texel.discarded) continue;
+        const auto at = static_cast<std::size_t>(j * kLattice + i);
+        of_light.readers[at].read(texel.trace);
+        if (!texel.stored.empty() && texel.stored.front().name == kLanding)
+          of_light.status[at] = name_of(static_cast<LandingStatus>(texel.stored.front().values[3]));
+      }
+    return true;
+  });
+  return ways;
+}
+
+}  // namespace
+
+std::map<int, Json> vertex_paths(const FrameRequest& request) {
+  std::map<int, Json> paths;
+  for (const std::string estimator : {"secant", "newton", "paper", "impostor"}) {
+    FrameRequest with = request;
+    with.backend.backend = Backend::Software;
+    const Setting& row = setting("estimator");
+    row.set(row, with.settings, estimator);
+    int grid = 0;
+    for (auto& [light, ways] : ways_by(with, grid)) {
+      Json& json = paths[light];
+      if (json.is_null()) {
+        json = {{"vertices", Json::array()}, {"estimators", Json::object()}};
+        for (int j = 0; j < kLattice; ++j)
+          for (int i = 0; i < kLattice; ++i)
+            json["vertices"].push_back({on_lattice(i, grid), on_lattice(j, grid)});
+      }
+      Json& list = json["estimators"][estimator] = Json::array();
+      for (std::size_t at = 0; at < ways.readers.size(); ++at)
+        list.push_back(ways.readers[at].path(ways.status[at]));
+    }
+  }
+  return paths;
+}
+
+}  // namespace caustics::app

@@ -1,0 +1,14 @@
+// The ways of a lattice of grid vertices, by every estimator: each surface that their light meets, and each
+// iterate of the search for it.
+#pragma once
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/frame_options.hpp"
+
+namespace caustics::app {
+
+// By index into Scene::lights what the page reads as Light.paths; none of lights that throw no caustic.
+std::map<int, nlohmann::ordered_json> vertex_paths(const FrameRequest& request);
+
+}  // namespace caustics::app

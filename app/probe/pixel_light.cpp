@@ -1,0 +1,199 @@
+#include "app/probe/pixel_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "app/probe/before_pass.hpp"
+#include "passes/registry.hpp"
+
+namespace caustics::app {
+
+namespace {
+
+// Which texture of the plan a pass reads under this name; none where it has nothing there.
+int read_as(const PlannedPass& pass, const std::string& name) {
+  const std::vector<TextureRead>& reads = pass.definition.reads;
+  for (std::size_t i = 0; i < reads.size(); ++i)
+    if (reads[i].name == name) return pass.reads[i];
+  return PlannedPass::kNothing;
+}
+
+// Weights of texels by the bilinear fetches of all samples of a pixel.
+class Weights {
+ public:
+  explicit Weights(const RenderedFrame& frame) : plan_(frame.plan()) {}
+
+  // As fetch_bilinear (pipeline/shader/functions.glsl): texels around a point, those beyond the edges
+  // clamped.
+  void add(int texture, double u, double v, double weight) {
+    const PlannedTexture& map = plan_.textures[static_cast<std::size_t>(texture)];
+    const double x = u * map.width - 0.5, y = v * map.height - 0.5;
+    const double left = std::floor(x), below = std::floor(y);
+    for (int dy = 0; dy < 2; ++dy)
+      for (int dx = 0; dx < 2; ++dx) {
+        const double part =
+            (dx ? x - left : 1.0 - (x - left)) * (dy ? y - below : 1.0 - (y - below)) * weight;
+        if (part == 0.0) continue;
+        const int column = std::clamp(static_cast<int>(left) + dx, 0, map.width - 1);
+        const int row = std::clamp(static_cast<int>(below) + dy, 0, map.height - 1);
+        by_texel_[{texture, row, column}] += part;
+      }
+  }
+
+  std::vector<MapTexel> texels(double samples) const {
+    std::vector<MapTexel> result;
+    for (const auto& [place, weight] : by_texel_)
+      result.push_back({std::get<0>(place), std::get<2>(place), std::get<1>(place), weight / samples});
+    return result;
+  }
+
+ private:
+  const FramePlan& plan_;
+  std::map<std::tuple<int, int, int>, double> by_texel_;  // texture, row, column
+};
+
+double sum_of(const TexelValue& value, int channels) {
+  return std::accumulate(value.begin(), value.begin() + std::min(channels, 3), 0.0);
+}
+
+// What the primitives of the passes that draw into maps put on the texels of one light's pixel.
+class Gatherer {
+ public:
+  Gatherer(const RenderedFrame& frame, LightOnPixel& light) : frame_(frame), light_(light) {}
+
+  void look(const PlannedPass& pass) {
+    for (std::size_t w = 0; w < pass.writes.size(); ++w) {
+      TexelRectangle around{};
+      if (pass.writes[w] >= 0 && find_texels(pass.writes[w], around)) take(pass, w, around);
+    }
+  }
+
+  void finish() {
+    double sum = 0.0, expected = 0.0;
+    for (Contribution& each : light_.contributions) sum += each.share;
+    for (const auto& [texture, flux] : flux_) expected += flux;
+    for (Contribution& each : light_.contributions) each.share = sum > 0.0 ? each.share / sum : 0.0;
+    light_.accounted = expected > 0.0 ? sum / expected : 1.0;
+    std::stable_sort(light_.contributions.begin(), light_.contributions.end(),
+                     [](const Contribution& a, const Contribution& b) { return a.share > b.share; });
+  }
+
+ private:
+  bool find_texels(int texture, TexelRectangle& around) const {
+    int left = 1 << 30, right = -1, below = 1 << 30, top = -1;
+    for (const MapTexel& texel : light_.texels) {
+      if (texel.texture != texture) continue;
+      left = std::min(left, texel.x);
+      right = std::max(right, texel.x);
+      below = std::min(below, texel.y);
+      top = std::max(top, texel.y);
+    }
+    around = {left, below, right - left + 1, top - below + 1};
+    return right >= 0;
+  }
+
+  double weight_at(int texture, int x, int y) const {
+    for (const MapTexel& texel : light_.texels)
+      if (texel.texture == texture && texel.x == x && texel.y == y) return texel.weight;
+    return 0.0;
+  }
+
+  void take(const PlannedPass& pass, std::size_t write, const TexelRectangle& around) {
+    const int texture = pass.writes[write];
+    const Format format = pass.definition.writes[write].format;
+    const bool cells = pass_registry()[static_cast<std::size_t>(pass.pass)].draws == DrawSet::GridCells;
+    const auto columns = static_cast<std::uint32_t>(frame_.settings().grid - (cells ? 1 : 0));
+    std::map<std::uint32_t, double> by_primitive;
+    replay_fragments(frame_.device(), frame_.prepare(pass), {}, around, [&](const FragmentOnTexel& fragment) {
+      const double light =
+          weight_at(texture, fragment.x, fragment.y) * sum_of(fragment.given[write], channel_count(format));
+      if (light != 0.0) by_primitive[fragment.primitive] += light;
+    });
+    for (const auto& [primitive, light] : by_primitive)
+      light_.contributions.push_back({pass.label, cells ? "cell" : "vertex",
+                                      static_cast<int>(primitive % columns),
+                                      static_cast<int>(primitive / columns), light});
+    // As the last pass that draws there leaves it.
+    const Image map = frame_.read(texture);
+    double flux = 0.0;
+    for (const MapTexel& texel : light_.texels)
+      for (int c = 0; texel.texture == texture && c < std::min(map.channels(), 3); ++c)
+        flux += texel.weight * static_cast<double>(map.at(texel.x, texel.y, c));
+    flux_[texture] = flux;
+  }
+
+  const RenderedFrame& frame_;
+  LightOnPixel& light_;
+  std::map<int, double> flux_;  // by texture: all its texels' flux times their weights
+};
+
+std::array<float, 3> color_of(const std::vector<NamedValues>& values, const std::string& name) {
+  for (const NamedValues& each : values)
+    if (each.name == name) return {each.values[0], each.values[1], each.values[2]};
+  return {};
+}
+
+}  // namespace
+
+bool shades_picture(const PlannedPass& pass) {
+  return pass.definition.name == "light_shading" && pass.drawn_for->camera == CameraView::Picture;
+}
+
+std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& light_shading,
+                                 const ProbedTexel& pixel) {
+  Weights weights(frame);
+  std::vector<std::array<double, 3>> at;  // u, v and share of the fetches that the next irradiance comes from
+  std::string map = "caustic_map";
+  double per_flux = 0.0, samples = 0.0;
+  for (const NamedValues& traced : pixel.trace) {
+    const std::array<double, 3> values = {traced.values[0], traced.values[1], traced.values[2]};
+    if (traced.name == "irradiance_of_flux") {
+      per_flux = values[0];
+    } else if (traced.name == "irradiance") {
+      const int texture = read_as(light_shading, map);
+      if (values != std::array<double, 3>{} && texture >= 0)
+        for (const auto& [u, v, share] : at) weights.add(texture, u, v, share * per_flux);
+      if (map != "far_caustic_map") samples += 1.0;
+      at.clear();
+      map = "caustic_map";
+    } else if (traced.name.ends_with("map_at")) {
+      const std::string fetched = traced.name.substr(0, traced.name.size() - 3);
+      if (fetched != map) at.clear();  // the cascade takes the whole map's place
+      map = fetched;
+      at.push_back(values);
+    }
+  }
+  return weights.texels(std::max(samples, 1.0));
+}
+
+std::vector<LightOnPixel> light_on_pixel(RenderedFrame& frame, int x, int y) {
+  std::vector<LightOnPixel> lights;
+  std::vector<Image> before;
+  frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t total) {
+    if (shades_picture(pass)) {
+      const ProbedTexel pixel = ProbedPass(frame, pass, std::move(before)).at(x, y);
+      lights.push_back({.light = pass.light,
+                        .direct = color_of(pixel.given, "direct"),
+                        .caustic = color_of(pixel.given, "caustic"),
+                        .texels = map_texels(frame, pass, pixel),
+                        .agrees = pixel.agrees});
+    }
+    if (done < total && shades_picture(frame.plan().passes[done]))
+      before = colors_before(frame, frame.plan().passes[done]);
+    return true;
+  });
+  std::vector<Gatherer> gatherers;
+  for (LightOnPixel& light : lights) gatherers.emplace_back(frame, light);
+  frame.run([&](const PlannedPass& pass, const PassResult& result, std::size_t, std::size_t) {
+    for (std::size_t i = 0; !result.left_out && i < lights.size(); ++i)
+      if (lights[i].light == pass.light) gatherers[i].look(pass);
+    return true;
+  });
+  for (Gatherer& gatherer : gatherers) gatherer.finish();
+  return lights;
+}
+
+}  // namespace caustics::app

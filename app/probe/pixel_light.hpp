@@ -1,0 +1,49 @@
+// Where a pixel of the picture gets its light: of each light directly and by its caustics, the texels of the
+// caustic maps that it reads, and the primitives that put light there.
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/frame.hpp"
+#include "app/probe/probe_texel.hpp"
+
+namespace caustics::app {
+
+// A texel of a caustic map that a pixel reads.
+struct MapTexel {
+  int texture = 0;      // index into FramePlan::textures
+  int x = 0, y = 0;     // from the left and the bottom
+  double weight = 0.0;  // irradiance that the pixel has of each unit of the texel's flux, 1 / m2 or 1 / sr
+};
+
+// A cell or a vertex of the grid that put light on those texels.
+struct Contribution {
+  std::string pass;    // its label
+  std::string kind;    // "cell": of vertices x, y to x + 1, y + 1; else "vertex"
+  int x = 0, y = 0;    // of the grid, from the left and the bottom
+  double share = 0.0;  // of the pixel's caustic light of this light
+};
+
+struct LightOnPixel {
+  int light = 0;                              // index into Scene::lights
+  std::array<float, 3> direct{}, caustic{};   // lux, as light_shading gives them
+  std::vector<MapTexel> texels{};             // those that count; by map, rows, columns
+  std::vector<Contribution> contributions{};  // largest first
+  double accounted = 0.0;  // what the contributions' light is of the texels': 1 but for rounding
+  bool agrees = true;      // recomputed and rendered are the same bits
+};
+
+// From the values that light_shading's text hands out for one pixel.
+std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& light_shading,
+                                 const ProbedTexel& pixel);
+
+// Is this the pass that gives the picture one light's light?
+bool shades_picture(const PlannedPass& pass);
+
+// Draws the frame twice: the maps' texels are known when the first is done. `x`, `y`: from the left and the
+// bottom. Lights that give nothing are there too.
+std::vector<LightOnPixel> light_on_pixel(RenderedFrame& frame, int x, int y);
+
+}  // namespace caustics::app

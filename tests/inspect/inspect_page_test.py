@@ -1,0 +1,262 @@
+"""The inspect page in a real browser, on a recording whose every share can be computed in the head (tiny_recording.py).
+
+Needs Debian's chromium, chromium-driver and python3-selenium. SHOTS=DIR keeps screenshots.
+"""
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from page_file import page  # noqa: E402
+from tiny_recording import HEIGHT, WIDTH, bare_recording, tiny_recording  # noqa: E402
+
+PANELS = ["picture", "passes", "path", "ledger", "sweep", "compare"]
+
+
+def start_browser():
+    options = webdriver.ChromeOptions()
+    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1440,1000"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
+
+
+class InspectPage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.page = pathlib.Path(cls.folder.name) / "page.html"
+        cls.page.write_text(page(*tiny_recording(), title="<script> in the title"), encoding="utf-8")
+        cls.bare = pathlib.Path(cls.folder.name) / "bare.html"
+        cls.bare.write_text(page(*bare_recording(), title="bare"), encoding="utf-8")
+        cls.browser = start_browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.clicks = 0
+        self.open()
+
+    def tearDown(self):
+        severe = [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+        self.assertEqual(severe, [], "the page writes errors to the console")
+        if os.environ.get("SHOTS"):
+            self.browser.save_screenshot(str(pathlib.Path(os.environ["SHOTS"]) / f"{self._testMethodName}.png"))
+
+    def open(self, state="", file=None):
+        # Another address first: one that differs after "#" only would not load the page anew.
+        self.browser.get("about:blank")
+        self.browser.get(f"{(file or self.page).as_uri()}#{state}")
+        self.wait(lambda: self.find("main .panel"))
+
+    def wait(self, condition, what="the page did not get there"):
+        def quietly(_):
+            try:
+                return condition()
+            except Exception:  # not there yet
+                return False
+        return WebDriverWait(self.browser, 15, 0.05).until(quietly, what)
+
+    def find(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def text(self, selector):
+        return self.find(selector).text
+
+    def wait_text(self, selector, wanted):
+        self.wait(lambda: wanted in self.text(selector), f"{selector} never says {wanted!r}")
+
+    def click(self, element):
+        self.clicks += 1
+        element.click()
+
+    def click_texel(self, view, width, height, x, y):
+        """A real click at the middle of a texel, of a picture that is shown whole."""
+        canvas = self.find(f"{view} canvas")
+        side = min(canvas.size["width"] / width, canvas.size["height"] / height)
+        right, up = side * (x + 0.5 - width / 2), side * (y + 0.5 - height / 2)
+        self.clicks += 1
+        ActionChains(self.browser).move_to_element_with_offset(canvas, round(right), round(-up)).click().perform()
+
+    def press(self, *keys):
+        ActionChains(self.browser).send_keys(*keys).perform()
+
+    def colors_shown(self, view):
+        """All colours of a view's canvas, as (red, green, blue)."""
+        words = self.browser.execute_script(
+            "const c = document.querySelector(arguments[0] + ' canvas');"
+            "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; const s = new Set();"
+            "for (let i = 0; i < d.length; i += 4) s.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]); return [...s];", view)
+        return {(word >> 16, (word >> 8) & 255, word & 255) for word in words}
+
+    def test_why_is_this_pixel_bright_is_answered_by_one_click(self):
+        self.wait_text(".answer", "Why is this pixel bright?")
+        self.click_texel(".picture-panel > .texture-view", WIDTH, HEIGHT, 2, 2)
+        self.wait_text(".answer", "Pixel (2, 2)")
+        self.assertLessEqual(self.clicks, 3)
+        answer = self.text(".answer")
+        self.assertIn("lamp: direct light 64 lux, caustic 200 lux", answer)
+        self.assertIn("reads 4 texels of caustic_map[lamp]", answer)
+        self.assertIn("3 cells of the grid gave light to these 4 texels; the largest gives 60 %", answer)
+        rows = [[cell.text.replace("\u00a0", " ") for cell in row.find_elements(By.TAG_NAME, "td")] for row in self.all(".givers tbody tr")]
+        self.assertEqual([row[:2] for row in rows], [["60 %", "cell (1, 1)"], ["30 %", "cell (2, 1)"], ["10 %", "cell (4, 5)"]])
+        # The middles of the cell's four vertices: (1.5 / 8, 1, 1.5 / 8), and 1.5 / 4 where they land. Half floats.
+        self.assertEqual(rows[0][2:], ["(0.188, 1, 0.188)", "(0.375, 0, 0.375)"])
+
+    def test_a_texel_counts_by_the_share_that_the_pixel_covers(self):
+        self.open("pick=pixel:3,2")
+        self.wait_text(".answer", "Pixel (3, 2)")
+        self.assertEqual(self.all(".givers tbody tr")[0].text.replace("\u00a0", " ").split(" (0")[0], "100 % cell (2, 1)")
+
+    def test_a_cell_leads_to_the_pixels_that_see_its_light(self):
+        self.open("light=1&pick=cell:4,5")
+        self.wait_text(".answer", "Cell (4, 5)")
+        answer = self.text(".answer")
+        self.assertIn("It gave 3 sr (lumen per candela) to 2 texels of the caustic map; the brightest texel has 66.7 % of that", answer)
+        # Texel (3, 3) is read by pixels (3, 3) and (2, 2), texel (5, 5) by pixel (5, 5).
+        self.assertIn("3 pixels of the picture show its light; most of it (5, 5)", answer)
+
+    def test_a_texel_of_the_map_leads_to_pixels_and_to_its_history(self):
+        self.open("light=1&pick=texel:7,7")
+        self.wait_text(".answer", "Texel (7, 7) of caustic_map[lamp]")
+        self.assertIn("1 pixel of the picture shows its light", self.text(".answer"))
+        self.find(".answer").find_element(By.XPATH, ".//button[contains(., 'in order')]").click()
+        self.wait_text(".texel-history", "3 fragments, 3 passed")
+        rows = [row.text.replace("\u00a0", " ") for row in self.all(".texel-history tbody tr")]
+        self.assertEqual(rows, ["1 cell (0, 0) 4 0 4 passed", "2 cell (1, 0) 0.5 4 4.5 passed", "3 cell (2, 0) 0.25 4.5 4.75 passed"])
+
+    def test_a_history_says_what_the_depth_test_did(self):
+        self.open("panel=passes&pass=shadow_map[sun]&texel=1,1")
+        self.wait_text(".texel-history", "4 fragments, 2 passed")
+        rows = [[cell.text for cell in row.find_elements(By.TAG_NAME, "td")] for row in self.all(".texel-history tbody tr")]
+        self.assertEqual([row[2:] for row in rows], [
+            ["0.5", "1", "0.5", "0.5", "passed"], ["0.75", "0.5", "0.5", "0.75", "failed: behind (depth test)"],
+            ["0.125", "0.5", "0.5", "0.125", "failed: discarded by the shader"], ["0.25", "0.5", "0.25", "0.25", "passed"]])
+        self.assertIn("leaf, masked", rows[2][1])
+
+    def test_which_pass_went_wrong_first_takes_one_click(self):
+        self.click(self.find("#panel-compare"))
+        self.wait_text(".compare-list", "First to differ: landing[sun]")
+        self.wait_text(".summary", "1 texel differs, by at most 0.25 at (10, 12)")
+        self.assertLessEqual(self.clicks, 2)
+        self.assertEqual([pair.find_element(By.TAG_NAME, "strong").text for pair in self.all(".compare-list > ul .pair")],
+                         ["landing[sun]", "light_shading[sun]", "light_shading[lamp]", "compose", "tone_map"])
+
+    def test_nan_and_infinity_are_marked_and_counted(self):
+        self.open("panel=passes&pass=landing[sun]&texture=landing_flux[sun]")
+        self.wait_text(".legend", "NaN: 3 values")
+        self.assertIn("infinite: 1 value", self.text(".legend"))
+        shown = self.colors_shown(".passes-panel .middle")
+        self.assertIn((255, 0, 255), shown)
+        self.assertIn((0, 255, 255), shown)
+        self.find(".not-finite .link").click()
+        self.wait_text(".reading", "Texel (5, 1). flux that is left: (NaN, NaN, 0) m2")
+
+    def test_statuses_have_names_and_counts(self):
+        self.open("panel=passes&pass=landing[lamp]")
+        self.wait_text(".codes", "1 landed: 64")
+
+    def test_names_are_text(self):
+        self.assertIn("<script>", self.text("h1"))
+        for panel in PANELS:
+            self.open(f"panel={panel}")
+            self.assertIsNone(self.browser.execute_script("return window.wasRun ?? null"))
+
+    def test_what_is_missing_is_said(self):
+        self.open("panel=passes&pass=glass")
+        self.wait_text(".missing", "it would add 40 MB; caustics render tiny.glb --dump DIR writes it")
+        self.open("panel=path&light=1")
+        self.wait_text(".path-panel", "No ways of lamp are in this page.")
+        self.open("panel=sweep&run=1")
+        self.wait_text(".sweep-panel", "No pictures at other settings are in this page.")
+
+    def test_a_page_that_holds_nothing_says_so_everywhere(self):
+        for panel, selector, says in [("picture", ".missing", "Not in this page"), ("passes", ".missing", "too large"),
+                                      ("path", ".path-panel", "No ways of sun"), ("ledger", ".ledger-panel", "no ledger"),
+                                      ("sweep", ".sweep-panel", "--sweep makes them"), ("compare", ".summary", "one run")]:
+            for pick in ("", "pixel:3,3", "texel:3,3", "cell:3,3", "vertex:3,3"):
+                self.open(f"panel={panel}&texel=1,1" + (f"&pick={pick}" if pick else ""), self.bare)
+                self.wait_text(selector, says)
+                self.assertEqual(self.all(".failure"), [])
+
+    def test_keys_reach_all_panels(self):
+        for number, panel in enumerate(PANELS, 1):
+            self.press(str(number))
+            self.wait(lambda: self.find(f".{panel}-panel"))
+        self.press("?")
+        self.wait(lambda: self.find("dialog[open]"))
+        self.press(Keys.ESCAPE)
+        self.press("p")
+        self.wait(lambda: "projector" in self.find("html").get_attribute("class"))
+
+    def test_arrows_move_between_passes_and_textures(self):
+        self.press("2")
+        self.wait_text(".pass-row[aria-current=true]", "view_surfaces")
+        self.press(Keys.ARROW_RIGHT)
+        self.wait_text(".texture-view h3", "view_normal")
+        self.press(Keys.ARROW_DOWN)
+        self.wait_text(".pass-row[aria-current=true]", "shadow_map[sun]")
+        self.assertIn("pass=shadow_map", self.browser.current_url)
+
+    def test_tab_reaches_every_control_with_a_visible_focus(self):
+        for panel in PANELS:
+            self.open(f"panel={panel}")
+            self.wait(lambda: self.find(f".{panel}-panel"))
+            wanted = self.browser.execute_script(
+                "return [...document.querySelectorAll('button, select, input, summary, canvas')].filter("
+                "e => e.checkVisibility() && !e.closest('dialog')).length")
+            seen = set()
+            for _ in range(wanted + 5):
+                self.press(Keys.TAB)
+                focused = self.browser.switch_to.active_element
+                if focused.tag_name != "body":
+                    seen.add(focused.id)
+                    self.assertNotEqual(focused.value_of_css_property("outline-style"), "none", focused.get_attribute("outerHTML")[:200])
+            self.assertGreaterEqual(len(seen), wanted, panel)
+
+    def test_a_slider_moves_over_the_values_of_a_setting(self):
+        self.press("5")
+        self.wait_text(".says", "iterations 5, error 4 %")
+        slider = self.find("input.long")
+        slider.send_keys(Keys.ARROW_LEFT)
+        self.wait_text(".says", "iterations 3, error 4.5 %")
+
+    def test_a_way_is_drawn_with_every_estimator(self):
+        self.open("panel=path&vertex=19,15")
+        self.wait_text(".path-panel", "Vertex (19, 15) is not recorded; this is the nearest that is, (20, 14).")
+        self.wait(lambda: len(self.all(".section .met")) == 3)
+        self.assertTrue(self.all(".section .cut.refractor")[0].get_attribute("d"))
+        self.assertEqual([name.text for name in self.all(".line-name")], ["paper", "newton", "secant"])
+
+    def test_the_ledger_names_every_account(self):
+        self.press("4")
+        self.wait_text(".ledger", "landed 87.1 %")
+        self.assertIn("Nothing went to: not converged, exit not found.", self.text(".ledger-panel"))
+        self.assertIn("The accounts add up to what entered.", self.text(".ledger-panel"))
+
+    def test_an_address_shows_the_same_again(self):
+        self.click_texel(".picture-panel > .texture-view", WIDTH, HEIGHT, 5, 5)
+        self.wait_text(".answer", "Pixel (5, 5)")
+        address = self.browser.current_url
+        self.browser.get("about:blank")
+        self.browser.get(address)
+        self.wait_text(".answer", "Pixel (5, 5)")
+
+
+if __name__ == "__main__":
+    unittest.main()
