@@ -76,6 +76,14 @@ TileJob job_of(const FragmentWork& work, const TexelRectangle& where, const Prim
   return job;
 }
 
+// As an attachment holds it: channels that the format lacks are 0, 0, 0, 1.
+TexelValue value_in(Format format, const float* texel) {
+  TexelValue value{0.0f, 0.0f, 0.0f, 1.0f};
+  for (int c = 0; c < channel_count(format); ++c)
+    value[static_cast<std::size_t>(c)] = stored_value(format, texel[c]);
+  return value;
+}
+
 }  // namespace
 
 class TexelReplay::Texels {
@@ -141,10 +149,8 @@ class TexelReplay::Texels {
     TileCounters counters;
     work.kernel(job_of(work, {fragment.x, fragment.y, 1, 1}, chunk, pixel_), counters);
     fragment.outcome = counters.samples_passed > 0 ? FragmentOutcome::Passed : FragmentOutcome::Behind;
-    for (std::size_t i = 0; i < colors_.size(); ++i) {
-      std::copy_n(pixel_.color[i][0], 4, colors_[i][at].begin());
-      fragment.after[i] = colors_[i][at];
-    }
+    for (std::size_t i = 0; i < colors_.size(); ++i)
+      fragment.after[i] = colors_[i][at] = value_in(work.definition->writes[i].format, pixel_.color[i][0]);
     if (!depth_.empty()) depth_[at] = pixel_.depth[0];
   }
 

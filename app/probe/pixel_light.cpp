@@ -65,6 +65,7 @@ class Gatherer {
   Gatherer(const RenderedFrame& frame, LightOnPixel& light) : frame_(frame), light_(light) {}
 
   void look(const PlannedPass& pass) {
+    if (pass.light != light_.light) return;
     for (std::size_t w = 0; w < pass.writes.size(); ++w) {
       TexelRectangle around{};
       if (pass.writes[w] >= 0 && find_texels(pass.writes[w], around)) take(pass, w, around);
@@ -169,27 +170,32 @@ std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& 
   return weights.texels(std::max(samples, 1.0));
 }
 
-std::vector<LightOnPixel> light_on_pixel(RenderedFrame& frame, int x, int y) {
-  std::vector<LightOnPixel> lights;
+std::vector<std::vector<LightOnPixel>> light_on_pixels(RenderedFrame& frame, const std::vector<Pair>& pixels) {
+  std::vector<std::vector<LightOnPixel>> lights(pixels.size());
   std::vector<Image> before;
   frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t total) {
     if (shades_picture(pass)) {
-      const ProbedTexel pixel = ProbedPass(frame, pass, std::move(before)).at(x, y);
-      lights.push_back({.light = pass.light,
-                        .direct = color_of(pixel.given, "direct"),
-                        .caustic = color_of(pixel.given, "caustic"),
-                        .texels = map_texels(frame, pass, pixel),
-                        .agrees = pixel.agrees});
+      const ProbedPass probe(frame, pass, std::move(before));
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const ProbedTexel pixel = probe.at(pixels[i].first, pixels[i].second);
+        lights[i].push_back({.light = pass.light,
+                             .direct = color_of(pixel.given, "direct"),
+                             .caustic = color_of(pixel.given, "caustic"),
+                             .texels = map_texels(frame, pass, pixel),
+                             .agrees = pixel.agrees});
+      }
     }
+    before.clear();
     if (done < total && shades_picture(frame.plan().passes[done]))
       before = colors_before(frame, frame.plan().passes[done]);
     return true;
   });
   std::vector<Gatherer> gatherers;
-  for (LightOnPixel& light : lights) gatherers.emplace_back(frame, light);
+  for (std::vector<LightOnPixel>& of_pixel : lights)
+    for (LightOnPixel& light : of_pixel) gatherers.emplace_back(frame, light);
   frame.run([&](const PlannedPass& pass, const PassResult& result, std::size_t, std::size_t) {
-    for (std::size_t i = 0; !result.left_out && i < lights.size(); ++i)
-      if (lights[i].light == pass.light) gatherers[i].look(pass);
+    for (Gatherer& gatherer : gatherers)
+      if (!result.left_out) gatherer.look(pass);
     return true;
   });
   for (Gatherer& gatherer : gatherers) gatherer.finish();

@@ -58,8 +58,8 @@ std::string plural(std::size_t count, const std::string& name) {
 
 }  // namespace
 
-bool ProbedVertex::agrees() const {
-  return std::all_of(passes.begin(), passes.end(), [](const auto& pass) { return pass.second.agrees; });
+bool agrees(const ProbedVertex& vertex) {
+  return std::all_of(vertex.passes.begin(), vertex.passes.end(), [](const auto& pass) { return pass.second.agrees; });
 }
 
 void print(const RenderedFrame& frame, const ProbedVertex& vertex) {
@@ -79,7 +79,7 @@ void print(const RenderedFrame& frame, const ProbedVertex& vertex) {
   }
   if (vertex.passes.empty()) std::printf("\nno caster is there\n");
   std::printf("the probe and the rendered %s %s\n", vertex.passes.size() == 1 ? "texel" : "texels",
-              vertex.agrees() ? "agree to the bit" : "DIFFER");
+              agrees(vertex) ? "agree to the bit" : "DIFFER");
 }
 
 Json json_of(const ProbedVertex& vertex) {
@@ -92,7 +92,7 @@ Json json_of(const ProbedVertex& vertex) {
     if (const std::string status = status_of(texel); !status.empty()) pass["status"] = status;
     json["passes"].push_back(std::move(pass));
   }
-  json["agrees"] = vertex.agrees();
+  json["agrees"] = agrees(vertex);
   return json;
 }
 
@@ -135,7 +135,7 @@ void print(const TexelHistory& history) {
                                     [](const auto& f) { return f.outcome == FragmentOutcome::Passed; });
   std::printf("\n%s, of which %td passed%s\n", plural(history.fragments.size(), "fragment").c_str(), passed,
               history.left_out ? ": the pass drew nothing, since no light gets so far" : "");
-  std::printf("the history and the rendered texel %s\n", history.agrees ? "agree to the bit" : "DIFFER");
+  std::printf("the history and the rendered texel %s\n", history.equal ? "agree to the bit" : "DIFFER");
 }
 
 Json json_of(const TexelHistory& history) {
@@ -163,12 +163,12 @@ Json json_of(const TexelHistory& history) {
                                  {"gives", values(f.given)},
                                  {"after", values(f.after)}});
   json["rendered"] = values(history.stored);
-  json["agrees"] = history.agrees;
+  json["agrees"] = history.equal;
   return json;
 }
 
-bool ProbedPixel::agrees() const {
-  return std::all_of(lights.begin(), lights.end(), [](const LightOnPixel& light) { return light.agrees; });
+bool agrees(const ProbedPixel& pixel) {
+  return std::all_of(pixel.lights.begin(), pixel.lights.end(), [](const LightOnPixel& light) { return light.agrees; });
 }
 
 namespace {
@@ -200,7 +200,7 @@ void print(const RenderedFrame& frame, const ProbedPixel& pixel) {
   print_values("beauty, nit", pixel.beauty.data(), 3);
   print_values("as displayed, 0..1", pixel.picture.data(), 3);
   for (const LightOnPixel& light : pixel.lights) print_light(frame, light);
-  std::printf("\nthe probe and the rendered pixel %s\n", pixel.agrees() ? "agree to the bit" : "DIFFER");
+  std::printf("\nthe probe and the rendered pixel %s\n", agrees(pixel) ? "agree to the bit" : "DIFFER");
 }
 
 Json json_of(const RenderedFrame& frame, const ProbedPixel& pixel) {
@@ -224,7 +224,7 @@ Json json_of(const RenderedFrame& frame, const ProbedPixel& pixel) {
                               {"contributions", std::move(contributions)},
                               {"accounted", light.accounted}});
   }
-  json["agrees"] = pixel.agrees();
+  json["agrees"] = agrees(pixel);
   return json;
 }
 

@@ -15,8 +15,8 @@ namespace caustics::app {
 struct ProbedVertex {
   int x = 0, y = 0, source = 0;                               // of the grid; index into Scene::sources
   std::vector<std::pair<std::string, ProbedTexel>> passes{};  // label, values
-  bool agrees() const;
 };
+bool agrees(const ProbedVertex& vertex);
 void print(const RenderedFrame& frame, const ProbedVertex& vertex);
 nlohmann::ordered_json json_of(const ProbedVertex& vertex);
 
@@ -32,8 +32,9 @@ struct TexelHistory {
   std::uint32_t columns = 0;          // of the grid's cells or vertices; 0: primitives are not of the grid
   std::vector<FragmentOnTexel> fragments{};
   bool left_out = false;  // nothing was drawn: no light reached it
-  bool agrees = true;     // the last value is the rendered one, to the bit
+  bool equal = true;      // the last value is the rendered one, to the bit
 };
+inline bool agrees(const TexelHistory& history) { return history.equal; }
 void print(const TexelHistory& history);
 nlohmann::ordered_json json_of(const TexelHistory& history);
 
@@ -42,8 +43,8 @@ struct ProbedPixel {
   std::string shows;  // what the camera sees there
   std::array<float, 3> beauty{}, picture{};
   std::vector<LightOnPixel> lights{};
-  bool agrees() const;
 };
+bool agrees(const ProbedPixel& pixel);
 void print(const RenderedFrame& frame, const ProbedPixel& pixel);
 nlohmann::ordered_json json_of(const RenderedFrame& frame, const ProbedPixel& pixel);
 

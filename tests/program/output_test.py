@@ -1,4 +1,4 @@
-"""What render, digest and probe write: complete files, equal bytes, and nothing beside them."""
+"""What render and digest write: complete files, equal bytes, and nothing beside them."""
 
 import json
 import os
@@ -184,20 +184,6 @@ class Tools(ProgramTest):
         for line in lines:
             self.assertRegex(line, r"\Atwo%20balls\.glb \S+ \S+ [0-9a-f]{64}\Z")
         self.assertIn("[the%20high%20sun%20", " ".join(lines))
-
-    def test_probe_agrees_with_the_rendered_texel(self):
-        for texel in ("16,16", "10,20", "0,0", "31,31"):
-            text = self.succeeds("probe", "ball.glb", *SMALL, "--texel", texel).stdout
-            self.assertIn("agree to the bit", text)
-        self.assertIn("status: landed", self.succeeds(
-            "probe", "ball.glb", *SMALL, "--texel", "16,16").stdout)
-
-    def test_probe_refuses_what_is_not_there(self):
-        self.fails(2, "probe", "ball.glb", *SMALL, "--texel", "32,0", saying="0..31")
-        self.fails(2, "probe", "ball.glb", *SMALL, saying="--texel")
-        self.fails(2, "probe", "ball.glb", "--texel", "1,1", "--light", "1", saying="0..0")
-        (self.folder / "thin.glb").write_bytes(glb.scene(glb.glass()))
-        self.fails(2, "probe", "thin.glb", "--texel", "1,1", saying="throws no caustic")
 
 
 if __name__ == "__main__":
