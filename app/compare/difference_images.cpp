@@ -51,7 +51,7 @@ Image color_picture(const std::vector<Image>& images, double largest) {
   Image picture(Format::RGBA32F, images[0].width(), images[0].height());
   for (int y = 0; y < picture.height(); ++y) {
     for (int x = 0; x < picture.width(); ++x) {
-      const Color color = logarithmic_color(magnitude_at(images, x, y), largest);
+      const Color color = logarithmic_color(magnitude_at(images, x, y), darkest_of(largest), largest);
       picture.at(x, y, 0) = static_cast<float>(color.r);
       picture.at(x, y, 1) = static_cast<float>(color.g);
       picture.at(x, y, 2) = static_cast<float>(color.b);

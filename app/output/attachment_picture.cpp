@@ -195,14 +195,24 @@ AttachmentPicture by_colors(const Attachment& attachment, int channels) {
           text};
 }
 
+// The least light there is, within what a logarithmic scale shows.
+double least_in(const Attachment& attachment, double largest) {
+  double least = largest;
+  for_each_texel(attachment, [&](const Texel& texel) {
+    if (texel.is_finite() && texel.largest() > 0.0) least = std::min(least, texel.largest());
+  });
+  return std::max(least, darkest_of(largest));
+}
+
 AttachmentPicture flux_picture(const Attachment& attachment) {
-  const double largest = largest_in(attachment);
+  const double largest = largest_in(attachment), least = least_in(attachment, largest);
   return {"",
           painted(attachment, Cleared::Shown,
-                  [&](const Texel& texel) { return logarithmic_color(texel.largest(), largest); }),
+                  [&](const Texel& texel) { return logarithmic_color(texel.largest(), least, largest); }),
           largest == 0.0 ? "0 everywhere"
-                         : "largest channel, logarithmic: white is " + significant(largest, 4) +
-                               ", darkest " + significant(darkest_of(largest), 2) + " and less, black is 0"};
+                         : "largest channel, logarithmic from " + significant(least, 4) +
+                               (least > darkest_of(largest) ? "" : " and less") + ", dark, to " +
+                               significant(largest, 4) + ", white; black is 0"};
 }
 
 AttachmentPicture radiance_picture(const Attachment& attachment) {

@@ -14,14 +14,15 @@ Color cubehelix(double level) {
           level + amplitude * 1.97294 * c};
 }
 
-Color logarithmic_color(double magnitude, double largest) {
-  constexpr double kDarkest = 0.1;  // still seen beside black
+Color logarithmic_color(double magnitude, double darkest, double largest) {
+  constexpr double kDarkest = 0.1;
   if (!std::isfinite(magnitude)) return kFaultColor;
   if (magnitude == 0.0) return {0.0, 0.0, 0.0};
-  const double level = 1.0 + (1.0 - kDarkest) * std::log10(magnitude / largest) / kScaleDecades;
-  return cubehelix(std::clamp(level, kDarkest, 1.0));
+  if (magnitude >= largest) return cubehelix(1.0);
+  const double level = 1.0 - (1.0 - kDarkest) * std::log(largest / magnitude) / std::log(largest / darkest);
+  return cubehelix(std::max(level, kDarkest));
 }
 
-double darkest_of(double largest) { return largest * std::pow(10.0, -kScaleDecades); }
+double darkest_of(double largest) { return 1e-6 * largest; }
 
 }  // namespace caustics::app

@@ -16,11 +16,10 @@ inline constexpr Color kFaultColor{1.0, 0.0, 1.0};
 // images", 2011, eq. 2 with its defaults.
 Color cubehelix(double level);
 
-// A logarithmic scale of six powers of ten below `largest`, which is white; black is kept for 0, kFaultColor
-// for what is not finite.
-inline constexpr double kScaleDecades = 6.0;
-Color logarithmic_color(double magnitude, double largest);
-// What the darkest colour beside black stands for, and all below it.
+// A logarithmic scale from `darkest`, still seen beside black, to `largest`, which is white; black is kept
+// for 0, kFaultColor for what is not finite.
+Color logarithmic_color(double magnitude, double darkest, double largest);
+// Six powers of ten below: as far as a logarithmic scale goes.
 double darkest_of(double largest);
 
 }  // namespace caustics::app

@@ -1,6 +1,8 @@
 #include "app/output/contact_sheet.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "app/output/color_scale.hpp"
 #include "app/output/dot_font.hpp"
@@ -14,7 +16,7 @@ constexpr int kRoomWidth = 176, kRoomHeight = 120, kSheetMargin = 8, kSheetDot =
 constexpr int kLineHeight = (kDotRows + 2) * kSheetDot;
 constexpr int kCellWidth = kRoomWidth + kSheetMargin;
 constexpr int kCellHeight = kRoomHeight + kSheetMargin + 2 * kLineHeight + kSheetMargin;
-constexpr int kColumns = 6;
+constexpr int kLeastColumns = 6;
 constexpr Color kSheetPaper{0.1, 0.1, 0.1}, kSheetInk{0.9, 0.9, 0.9};
 
 void set(Image& picture, int x, int from_top, const Color& color) {
@@ -71,15 +73,15 @@ void ContactSheet::add(const Image& picture, const std::string& line, const std:
 
 Image ContactSheet::picture() const {
   const int count = static_cast<int>(cells_.size());
-  const int rows = (count + kColumns - 1) / kColumns;
-  Image sheet(Format::RGBA32F, std::min(count, kColumns) * kCellWidth + kSheetMargin,
+  const int columns = std::max(kLeastColumns, static_cast<int>(std::sqrt(static_cast<double>(count))));
+  const int rows = (count + columns - 1) / columns;
+  Image sheet(Format::RGBA32F, std::min(count, columns) * kCellWidth + kSheetMargin,
               rows * kCellHeight + kSheetMargin);
   for (int y = 0; y < sheet.height(); ++y)
     for (int x = 0; x < sheet.width(); ++x) set(sheet, x, y, kSheetPaper);
   for (int i = 0; i < count; ++i) {
     const Cell& cell = cells_[static_cast<std::size_t>(i)];
-    const int left = kSheetMargin + i % kColumns * kCellWidth,
-              top = kSheetMargin + i / kColumns * kCellHeight;
+    const int left = kSheetMargin + i % columns * kCellWidth, top = kSheetMargin + i / columns * kCellHeight;
     const int x0 = left + (kRoomWidth - cell.small.width()) / 2;
     const int y0 = top + (kRoomHeight - cell.small.height()) / 2;
     for (int y = 0; y < cell.small.height(); ++y)
