@@ -68,8 +68,8 @@ class Bench {
     std::vector<AttachmentHash> result;
     frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
       progress_.show(step + ", hashing pass " + std::to_string(done) + " of " + std::to_string(of));
-      for_each_attachment(*frame_, pass, [&](const PlannedTexture& texture, const Image& image) {
-        result.push_back({pass.label, texture.name, sha256(image)});
+      for_each_attachment(*frame_, pass, [&](const Attachment& attachment) {
+        result.push_back({pass.label, attachment.texture.name, sha256(attachment.image)});
       });
       return true;
     });

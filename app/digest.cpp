@@ -37,8 +37,8 @@ void digest(const FrameRequest& request, const Use& use) {
   RenderedFrame frame(request, load_scene(request), {.light_by_light = true});
   const std::string scene = word(request.scene.filename().string());
   frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
-    for_each_attachment(frame, pass, [&](const PlannedTexture& texture, const Image& image) {
-      use(scene + " " + word(pass.label) + " " + word(texture.name), sha256(image));
+    for_each_attachment(frame, pass, [&](const Attachment& attachment) {
+      use(scene + " " + word(pass.label) + " " + word(attachment.texture.name), sha256(attachment.image));
     });
     return true;
   });

@@ -44,6 +44,7 @@ struct RenderRequest {
   double rate = 24.0;  // frames a second
   bool timed = false, resume = false;
   std::string stats, dump;
+  bool pictures = false;  // of the dump
   Demand demand;
   bool quiet = false;
 
@@ -104,8 +105,11 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
                 [&](const std::string& list) { request.outputs.layers = parse_layers(list); });
   parser.option("--stats", "F.json", {"times, counters and flux ledgers", "", "none"},
                 [&](const std::string& file) { request.stats = file; });
-  parser.option("--dump", "DIR", {"every attachment of every pass, as EXR", "", "none"},
+  parser.option("--dump", "DIR",
+                {"every attachment of every pass, as EXR, and what each pass was fed with", "", "none"},
                 [&](const std::string& folder) { request.dump = folder; });
+  parser.flag("--pictures", request.pictures,
+              "beside --dump: the attachments to look at, index.html shows them");
   add_frame_row_options(parser, request);
   parser.flag("--quiet", request.quiet, "say nothing but errors");
   list_layers(parser);
@@ -132,6 +136,8 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   }
   if (request.demand.error && request.demand.milliseconds)
     throw Error(ExitCode::WrongUsage, "--target-error and --time-budget exclude each other");
+  if (request.pictures && request.dump.empty())
+    throw Error(ExitCode::WrongUsage, "--pictures needs --dump DIR, the folder that they are put in");
   check_frames(request);
   return true;
 }
@@ -286,7 +292,7 @@ class Renderer {
     progress_.show("finding where the light goes");
     frame_.emplace(request_.frame, std::move(loaded), goal_of(request_));
     timing_.prepare = total_.milliseconds() - timing_.load;
-    if (!request_.dump.empty()) dump_.emplace(request_.dump);
+    if (!request_.dump.empty()) dump_.emplace(request_.dump, request_.pictures);
     const Settings& size = request_.frame.settings;
     for (const std::filesystem::path& file : request_.outputs.files)
       if (is_video(file))

@@ -9,6 +9,7 @@
 #include "app/compare/difference_images.hpp"
 #include "app/compare/difference_report.hpp"
 #include "app/compare/flip_picture.hpp"
+#include "app/compare/likeness.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/image_layers.hpp"
 #include "app/shell/atomic_file.hpp"
@@ -81,12 +82,12 @@ bool check(const CompareRequest& request) {
     throw Error(ExitCode::WrongUsage, (folders ? a : b) + " is a folder and " + (folders ? b : a) +
                                           " is not; compare two images, or two folders of --dump");
   }
-  if (folders && (!request.prefix.empty() || request.is_about_images())) {
+  if (folders && request.is_about_images()) {
     throw Error(ExitCode::WrongUsage,
-                "--diff, --layer, --mask, --region, --blocks, --flip and --fail-above need two images; name "
-                "the files in the folders");
+                "--layer, --mask, --region, --blocks, --flip and --fail-above need two images; name the "
+                "files in the folders");
   }
-  if (request.prefix.empty()) return folders;
+  if (request.prefix.empty() || folders) return folders;
   const DifferencePaths paths(request.prefix);
   for (const fs::path& output : {paths.signed_exr, paths.color_png}) {
     require_output(request, output);
@@ -124,14 +125,63 @@ void draw_flip(const CompareRequest& request, const Measurement& measurement) {
   }
 }
 
-void draw(const std::string& prefix, const PlanesDifference& difference, const Selection& selection) {
+// `of`: what differs, before a reason why there are no images.
+void draw(const DifferencePaths& paths, const std::string& of, const PlanesDifference& difference,
+          const Selection& selection) {
   if (const std::string reason = why_not_drawable(difference); !reason.empty()) {
-    complain("no difference images: " + reason);
+    complain(of + "no difference images: " + reason);
     return;
   }
-  const DifferencePaths paths(prefix);
   const std::string scale = write_difference_images(paths, difference, selection);
   std::fprintf(stderr, "%s: %s\n", one_line(paths.color_png.string()).c_str(), scale.c_str());
+}
+
+// Does --diff name a folder, rather than how files' names begin?
+bool is_folder(const std::string& diff) { return diff.back() == '/' || fs::is_directory(diff); }
+
+// Where the pictures of two dumps' attachment go: DIR/FILE_..., or PREFIX_FILE_...
+DifferencePaths dump_pictures(const std::string& diff, const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return DifferencePaths(is_folder(diff) ? (fs::path(diff) / stem).string() : diff + "_" + stem);
+}
+
+// Before anything is compared: the pictures can be written, and replace no file of the dumps.
+void check_dump_pictures(const CompareRequest& request) {
+  if (request.prefix.empty()) return;
+  const std::vector<DumpedAttachment> in_a = read_manifest(request.comparison.a);
+  std::vector<DumpedAttachment> inputs = read_manifest(request.comparison.b);
+  inputs.insert(inputs.end(), in_a.begin(), in_a.end());
+  for (const DumpedAttachment& attachment : in_a) {
+    const DifferencePaths paths = dump_pictures(request.prefix, attachment.file);
+    for (const DumpedAttachment& input : inputs) {
+      std::error_code error;
+      if (fs::equivalent(paths.signed_exr, input.file, error) ||
+          fs::equivalent(paths.color_png, input.file, error))
+        throw Error(ExitCode::WrongUsage, input.file.string() + ": --diff would replace an input");
+    }
+  }
+  // A folder that is to be made could be a file, too.
+  const bool missing = is_folder(request.prefix) && !fs::exists(request.prefix);
+  require_writable(missing ? fs::path(request.prefix).parent_path()
+                           : dump_pictures(request.prefix, "pass.exr").color_png);
+}
+
+void draw_dumps(const CompareRequest& request, const fs::path& file, const AttachmentDifference& attachment) {
+  if (request.prefix.empty()) return;
+  std::error_code error;
+  if (is_folder(request.prefix)) fs::create_directories(request.prefix, error);
+  draw(dump_pictures(request.prefix, file), one_line(attachment.name) + ": ", attachment.planes, {});
+}
+
+ExitCode compare_dumps(const CompareRequest& request) {
+  const Comparison& comparison = request.comparison;
+  check_dump_pictures(request);
+  const FolderDifference difference =
+      compare_folders(comparison.a, comparison.b, comparison.tolerance,
+                      [&](const fs::path& file, const AttachmentDifference& attachment) {
+                        draw_dumps(request, file, attachment);
+                      });
+  return answer(request, difference, difference.verdict() != Verdict::Different);
 }
 
 ExitCode compare_images(const CompareRequest& request) {
@@ -146,11 +196,13 @@ ExitCode compare_images(const CompareRequest& request) {
   Selection selection = select(a, request.mask, request.region);
   ImageAnswer result;
   result.difference = compare_planes(a, b, comparison.tolerance, selection);
+  if (result.difference.verdict() == Verdict::Different)
+    result.looks_like = likenesses(result.difference, selection);
   require_flip_outputs(request, result.difference);
   result.measurement = measure(result.difference, std::move(selection), request.needs_flip());
   result.bounds = judge(request.bounds, result.measurement);
   if (!request.prefix.empty()) {
-    draw(request.prefix, result.difference, result.measurement.selection);
+    draw(DifferencePaths(request.prefix), "", result.difference, result.measurement.selection);
     draw_flip(request, result.measurement);
   }
   return answer(request, result, result.passed());
@@ -196,7 +248,9 @@ void add_options(Parser& parser, CompareRequest& request) {
   parser.group("Output");
   parser.flag("--json", request.json, "the report as JSON");
   parser.option("--diff", "PREFIX",
-                {"writes PREFIX_signed.exr, A-B of each channel, and PREFIX_color.png", "", "none"},
+                {"writes PREFIX_signed.exr, A-B of each channel, and PREFIX_color.png; of two dumps "
+                 "DIR/FILE_... or PREFIX_FILE_... for each attachment that differs",
+                 "", "none"},
                 [&](const std::string& value) { request.prefix = value; });
   parser.footer(
       "Channels are lined up by name, values taken as stored; one that only one image has, another "
@@ -220,10 +274,7 @@ ExitCode run_compare(const Arguments& arguments) {
   CompareRequest request;
   add_options(parser, request);
   if (!parser.parse(arguments)) return ExitCode::Done;
-  if (!check(request)) return compare_images(request);
-  const Comparison& comparison = request.comparison;
-  const FolderDifference difference = compare_folders(comparison.a, comparison.b, comparison.tolerance);
-  return answer(request, difference, difference.verdict() != Verdict::Different);
+  return check(request) ? compare_dumps(request) : compare_images(request);
 }
 
 }  // namespace caustics::app

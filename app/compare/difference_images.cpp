@@ -13,19 +13,6 @@ namespace caustics::app {
 
 namespace {
 
-// The colours span this many powers of ten below the largest difference; the darkest is still seen
-// beside black.
-constexpr double kDecades = 6.0;
-constexpr double kDarkest = 0.1;
-
-// Black is kept for equal values, magenta for NaN and infinities.
-Color color_of(double magnitude, double largest) {
-  if (!std::isfinite(magnitude)) return {1.0, 0.0, 1.0};
-  if (magnitude == 0.0) return {0.0, 0.0, 0.0};
-  const double level = 1.0 + (1.0 - kDarkest) * std::log10(magnitude / largest) / kDecades;
-  return cubehelix(std::clamp(level, kDarkest, 1.0));
-}
-
 // Channels that were compared.
 std::vector<const ChannelDifference*> drawable(const PlanesDifference& difference) {
   std::vector<const ChannelDifference*> channels;
@@ -64,7 +51,7 @@ Image color_picture(const std::vector<Image>& images, double largest) {
   Image picture(Format::RGBA32F, images[0].width(), images[0].height());
   for (int y = 0; y < picture.height(); ++y) {
     for (int x = 0; x < picture.width(); ++x) {
-      const Color color = color_of(magnitude_at(images, x, y), largest);
+      const Color color = logarithmic_color(magnitude_at(images, x, y), darkest_of(largest), largest);
       picture.at(x, y, 0) = static_cast<float>(color.r);
       picture.at(x, y, 1) = static_cast<float>(color.g);
       picture.at(x, y, 2) = static_cast<float>(color.b);
@@ -86,8 +73,7 @@ double largest_magnitude(const std::vector<Image>& images) {
 std::string scale_text(double largest) {
   if (largest == 0.0) return "black is equal, magenta is NaN or infinite";
   return "black is equal, white is a difference of " + significant(largest, 3) + ", darkest before black " +
-         significant(largest * std::pow(10.0, -kDecades), 3) +
-         " and less, logarithmic; magenta is NaN or infinite";
+         significant(darkest_of(largest), 3) + " and less, logarithmic; magenta is NaN or infinite";
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ std::string report_json(const Comparison& comparison, const ImageAnswer& answer)
     if (!answer.difference.channels[i].mismatch.empty()) continue;
     document["channels"][i]["metrics"] = metrics_json(answer.measurement.channels[i]);
   }
+  document["looks_like"] = answer.looks_like;
   document["layers"] = layers_json(answer.measurement);
   if (!answer.bounds.empty()) document["bounds"] = bounds_json(answer.bounds);
   return json_text(document);
@@ -100,6 +101,7 @@ std::string report_json(const Comparison& comparison, const FolderDifference& di
     Json json = {{"attachment", attachment.name}, {"verdict", name_of(attachment.verdict())}};
     if (attachment.mismatch.empty()) {
       json["channels"] = channels_json(attachment.planes);
+      json["looks_like"] = attachment.looks_like;
     } else {
       json["mismatch"] = attachment.mismatch;
     }

@@ -154,6 +154,14 @@ TextRow attachment_row(const AttachmentDifference& attachment) {
           worst == nullptr ? "-" : worst_text(*worst)};
 }
 
+// A line for each cause that explains a difference; `of` is what differs, or "".
+std::string looks_text(const std::string& of, const std::vector<std::string>& causes) {
+  std::string text;
+  for (const std::string& cause : causes)
+    text += (of.empty() ? "" : one_line(of) + " ") + "looks like: " + cause + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string ImageAnswer::fatal() const {
@@ -183,19 +191,22 @@ std::string report_text(const Comparison& comparison, const ImageAnswer& answer)
   }
   return table(rows) + non_finite + "x,y counts from the top left\n" +
          measurement_text(difference, answer.measurement) + tolerance_text(comparison.tolerance) +
-         verdict_line(difference) + (answer.bounds.empty() ? "" : bounds_line(answer.bounds, answer.fatal()));
+         looks_text("", answer.looks_like) + verdict_line(difference) +
+         (answer.bounds.empty() ? "" : bounds_line(answer.bounds, answer.fatal()));
 }
 
 std::string report_text(const Comparison& comparison, const FolderDifference& difference) {
   std::vector<TextRow> rows = {
       {"attachment", "differing", "failing", "max |A-B|", "max relative", "max ULPs", "worst"}};
   std::size_t different = 0;
+  std::string looks;
   for (const AttachmentDifference& attachment : difference.attachments) {
     rows.push_back(attachment_row(attachment));
+    looks += looks_text(attachment.name, attachment.looks_like);
     different += attachment.verdict() == Verdict::Different;
   }
   std::string text = table(rows) + "x,y counts from the top left\n" + tolerance_text(comparison.tolerance) +
-                     name_of(difference.verdict()) + ": ";
+                     looks + name_of(difference.verdict()) + ": ";
   const std::string attachments = counted(difference.attachments.size(), "attachment");
   if (different == 0) return text + attachments + "\n";
   return text + std::to_string(different) + " of " + attachments +

@@ -1,6 +1,7 @@
 // What `caustics compare` prints: tables for people, JSON for programs. No locale has a say.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "app/compare/folder_difference.hpp"
 #include "app/compare/image_difference.hpp"
@@ -18,6 +19,7 @@ struct Comparison {
 // Two images: value by value, in figures, and under --fail-above.
 struct ImageAnswer {
   PlanesDifference difference;
+  std::vector<std::string> looks_like;  // likenesses() of what is different
   Measurement measurement;
   std::vector<BoundAnswer> bounds;
 

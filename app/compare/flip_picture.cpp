@@ -1,10 +1,10 @@
 #include "app/compare/flip_picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "app/output/color_scale.hpp"
+#include "app/output/dot_font.hpp"
 
 namespace caustics::app {
 
@@ -16,17 +16,6 @@ constexpr int kMargin = 12, kGap = 6, kBar = 12, kDot = 2;
 constexpr int kLeastWidth = 180;
 constexpr int kLegend = kGap + kBar + kGap + 5 * kDot + kGap;
 
-// Characters of 3 x 5 dots, row by row from the top.
-struct Glyph {
-  char character;
-  std::array<const char*, 5> rows;
-};
-constexpr Glyph kFont[] = {
-    {'0', {"###", "# #", "# #", "# #", "###"}}, {'1', {" # ", "## ", " # ", " # ", "###"}},
-    {'2', {"###", "  #", "###", "#  ", "###"}}, {'5', {"###", "#  ", "###", "  #", "###"}},
-    {'7', {"###", "  #", "  #", " # ", " # "}}, {'.', {"   ", "   ", "   ", "   ", " # "}},
-};
-
 void put(Image& picture, int x, int from_top, const Color& color) {
   if (x < 0 || x >= picture.width()) return;
   const int y = picture.height() - 1 - from_top;
@@ -35,20 +24,11 @@ void put(Image& picture, int x, int from_top, const Color& color) {
   picture.at(x, y, 2) = static_cast<float>(color.b);
 }
 
-int width_of(std::string_view text) { return (static_cast<int>(text.size()) * 4 - 1) * kDot; }
-
 void write(Image& picture, int left, int top, std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto* glyph = std::find_if(std::begin(kFont), std::end(kFont),
-                                     [&](const Glyph& each) { return each.character == text[i]; });
-    if (glyph == std::end(kFont)) continue;
-    for (int y = 0; y < 5 * kDot; ++y) {
-      for (int x = 0; x < 3 * kDot; ++x) {
-        if (glyph->rows[static_cast<std::size_t>(y / kDot)][x / kDot] != '#') continue;
-        put(picture, left + static_cast<int>(i) * 4 * kDot + x, top + y, kInk);
-      }
-    }
-  }
+  draw_dots(text, [&](int column, int row) {
+    for (int y = 0; y < kDot; ++y)
+      for (int x = 0; x < kDot; ++x) put(picture, left + column * kDot + x, top + row * kDot + y, kInk);
+  });
 }
 
 // The bar with its numbers, `top` rows below the picture's top.
@@ -62,7 +42,7 @@ void draw_scale(Image& picture, int top) {
   for (int i = 0; i < 5; ++i) {
     const int x = kMargin + (length - 1) * i / 4;
     for (int y = 0; y < kGap - 2; ++y) put(picture, x, top + kGap + kBar + y, kInk);
-    write(picture, x - width_of(kLabels[i]) / 2, top + 2 * kGap + kBar, kLabels[i]);
+    write(picture, x - dot_width(kLabels[i]) * kDot / 2, top + 2 * kGap + kBar, kLabels[i]);
   }
 }
 

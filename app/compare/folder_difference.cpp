@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 
+#include "app/compare/likeness.hpp"
 #include "app/json.hpp"
 #include "app/shell/interrupt.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -49,13 +50,17 @@ std::string mismatch_of(const DumpedAttachment* a, const DumpedAttachment* b) {
 }
 
 AttachmentDifference compare_attachment(const DumpedAttachment* a, const DumpedAttachment* b,
-                                        const Tolerance& tolerance) {
+                                        const Tolerance& tolerance, const LookAtDifferent& look) {
   AttachmentDifference result;
   result.name = (a != nullptr ? a : b)->name;
   result.mismatch = mismatch_of(a, b);
   if (!result.mismatch.empty()) return result;
   const ImagePlanes planes_a = read_planes(a->file), planes_b = read_planes(b->file);
   result.planes = compare_planes(planes_a, planes_b, tolerance);
+  if (result.verdict() == Verdict::Different) {
+    result.looks_like = likenesses(result.planes);
+    if (look) look(a->file, result);
+  }
   for (ChannelDifference& channel : result.planes.channels) channel.a = channel.b = nullptr;
   return result;
 }
@@ -107,16 +112,17 @@ Verdict FolderDifference::verdict() const {
   return worst;
 }
 
-FolderDifference compare_folders(const fs::path& a, const fs::path& b, const Tolerance& tolerance) {
+FolderDifference compare_folders(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
+                                 const LookAtDifferent& look) {
   const std::vector<DumpedAttachment> list_a = read_manifest(a), list_b = read_manifest(b);
   FolderDifference result;
   for (const DumpedAttachment& each : list_a) {
-    result.attachments.push_back(compare_attachment(&each, find(list_b, each.name), tolerance));
+    result.attachments.push_back(compare_attachment(&each, find(list_b, each.name), tolerance, look));
     stop_if_interrupted();
   }
   for (const DumpedAttachment& each : list_b) {
     if (find(list_a, each.name) == nullptr) {
-      result.attachments.push_back(compare_attachment(nullptr, &each, tolerance));
+      result.attachments.push_back(compare_attachment(nullptr, &each, tolerance, look));
     }
   }
   for (const AttachmentDifference& each : result.attachments) {

@@ -1,6 +1,7 @@
 // Two folders of `render --dump`, compared attachment by attachment.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct AttachmentDifference {
   std::string name;
   std::string mismatch;  // only in one folder, or of another format
   PlanesDifference planes;
+  std::vector<std::string> looks_like;  // likenesses() of what is different
 
   Verdict verdict() const;
 };
@@ -38,9 +40,13 @@ struct FolderDifference {
   Verdict verdict() const;
 };
 
+// Sees an attachment that is different while its planes are in memory. `in_a`: its file in the first folder.
+using LookAtDifferent =
+    std::function<void(const std::filesystem::path& in_a, const AttachmentDifference& attachment)>;
+
 // Throws Error (BadInput) where an image cannot be read. Two images are in memory at a time, so the
 // planes of the result are null.
 FolderDifference compare_folders(const std::filesystem::path& a, const std::filesystem::path& b,
-                                 const Tolerance& tolerance);
+                                 const Tolerance& tolerance, const LookAtDifferent& look = {});
 
 }  // namespace caustics::app

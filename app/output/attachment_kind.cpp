@@ -28,7 +28,7 @@ const WordsOfKind kWords[] = {
     {AttachmentKind::Radiance, {"radiance"}},
     {AttachmentKind::Color, {"albedo", "0..1"}},
     {AttachmentKind::Depth, {"depth", "distance of"}},
-    {AttachmentKind::Position, {"scene space", "places in"}},
+    {AttachmentKind::Position, {"scene space", "places"}},
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/output/color_scale.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,5 +13,16 @@ Color cubehelix(double level) {
   return {level + amplitude * (-0.14861 * c + 1.78277 * s), level + amplitude * (-0.29227 * c - 0.90649 * s),
           level + amplitude * 1.97294 * c};
 }
+
+Color logarithmic_color(double magnitude, double darkest, double largest) {
+  constexpr double kDarkest = 0.1;
+  if (!std::isfinite(magnitude)) return kFaultColor;
+  if (magnitude == 0.0) return {0.0, 0.0, 0.0};
+  if (magnitude >= largest) return cubehelix(1.0);
+  const double level = 1.0 - (1.0 - kDarkest) * std::log(largest / magnitude) / std::log(largest / darkest);
+  return cubehelix(std::max(level, kDarkest));
+}
+
+double darkest_of(double largest) { return 1e-6 * largest; }
 
 }  // namespace caustics::app

@@ -1,10 +1,13 @@
-// --dump: every attachment of every pass as an EXR file, and a manifest of their hashes.
+// --dump: every attachment of every pass as an EXR file, the tables that passes read, and a manifest that
+// says what each pass was fed with.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
-#include "app/frame.hpp"
+#include "app/output/dump_pictures.hpp"
 
 namespace caustics::app {
 
@@ -16,8 +19,8 @@ void make_dump_folder(const std::filesystem::path& folder);
 
 class Dump {
  public:
-  // Makes the folder; throws Error (CannotWrite).
-  explicit Dump(const std::filesystem::path& folder);
+  // Makes the folder; throws Error (CannotWrite). `pictures`: to look at, too.
+  Dump(const std::filesystem::path& folder, bool pictures);
   Dump(const Dump&) = delete;
   Dump& operator=(const Dump&) = delete;
   ~Dump();
@@ -27,8 +30,17 @@ class Dump {
   void finish();
 
  private:
+  void add_attachment(const PlannedPass& pass, const Attachment& attachment);
+  // The file that holds a texture as it is now.
+  nlohmann::ordered_json file_of(const RenderedFrame& frame, int texture);
+  nlohmann::ordered_json material_file(const RenderedFrame& frame, TextureId texture);
+  std::string table_file(const RenderedFrame& frame, TextureId texture, const std::string& name);
+
   std::filesystem::path folder_;
   std::unique_ptr<nlohmann::ordered_json> manifest_;
+  std::map<int, std::string> latest_;          // of each texture of the plan: the file written last
+  std::map<std::string, std::string> tables_;  // file, by name
+  std::optional<DumpPictures> pictures_;
 };
 
 }  // namespace caustics::app

@@ -57,7 +57,7 @@ Pass cells_pass() {
       .writes = {{.name = kCellNear,
                   .meaning = "places in the caustic map, texels, of the landings of grid vertices "
                              "(x, y) in xy and (x + 1, y) in zw"},
-                 {.name = kCellFar, .meaning = "likewise of (x, y + 1) and (x + 1, y + 1)"},
+                 {.name = kCellFar, .meaning = "places likewise of (x, y + 1) and (x + 1, y + 1)"},
                  {.name = kCellFlux,
                   .meaning = "rgb: flux of the cell, as landing_flux; w: 1 where the four are one "
                              "cell, else 0"}},

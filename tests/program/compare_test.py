@@ -178,6 +178,71 @@ class DifferenceImages(CompareTest):
         self.fails(2, "compare", "d_signed.exr", "d_signed.exr", "--diff", "d", saying="input")
 
 
+class Likenesses(CompareTest):
+    """Of an image of 8 x 4 texels, whose values are a third of 1, 2, 3, ..."""
+
+    values = {c: [(32 * i + j + 1) / 3 for j in range(32)] for i, c in enumerate("RGB")}
+
+    def looks(self, a, b=None, *options):
+        for name, channels in (("a", a), ("b", b or self.values)):
+            self.write(name + ".exr", channels, 8, 4)
+        result = self.run_program("compare", "a.exr", "b.exr", *options)
+        lines = [line for line in result.stdout.splitlines() if line.startswith("looks like: ")]
+        document = json.loads(self.run_program("compare", "a.exr", "b.exr", *options, "--json").stdout)
+        self.assertEqual(["looks like: " + each for each in document["looks_like"]], lines)
+        return [line.removeprefix("looks like: ") for line in lines]
+
+    def changed(self, change):
+        return {c: [change(c, i, v) for i, v in enumerate(values)] for c, values in self.values.items()}
+
+    def test_upside_down(self):
+        turned = self.changed(lambda c, i, v: self.values[c][8 * (3 - i // 8) + i % 8])
+        self.assertEqual(self.looks(turned), ["upside down (A's rows from below are B's from above)"])
+        rounded = {c: [v * (1 + 1e-6) for v in values] for c, values in turned.items()}
+        self.assertEqual(len(self.looks(rounded)), 1)
+
+    def test_swapped_channels(self):
+        r, g, b = self.values.values()
+        self.assertEqual(self.looks({"R": b, "G": g, "B": r}), ["swapped channels (R and B)"])
+        self.assertEqual(self.looks({"R": g, "G": b, "B": r}),
+                         ["channels in another order (B of A is R of B, R of A is G of B, G of A is B of B)"])
+
+    def test_half_precision(self):
+        half = self.changed(lambda c, i, v: struct.unpack("<e", struct.pack("<e", v))[0])
+        self.assertEqual(self.looks(half), ["half precision (A is B rounded to 16-bit floats)"])
+        self.assertEqual(self.looks(self.values, half), ["half precision (B is A rounded to 16-bit floats)"])
+
+    def test_a_constant_factor(self):
+        self.assertEqual(self.looks(self.changed(lambda c, i, v: 2.5 * v)),
+                         ["off by a factor of 2.5 (A is 2.5 times B, in R, G and B)"])
+        one = self.changed(lambda c, i, v: v / 4 if c == "G" else v)
+        self.assertEqual(self.looks(one), ["off by a factor of 0.25 (A is 0.25 times B, in G)"])
+
+    def test_nothing_is_seen_where_nothing_is(self):
+        self.assertEqual(self.looks(self.values), [])
+        unrelated = self.changed(lambda c, i, v: (i * 7919 + ord(c) * 104729) % 101 / 7)
+        noisy = self.changed(lambda c, i, v: v * (1 + 1e-3 * ((i * 7919) % 11 - 5)))
+        last_bits = self.changed(lambda c, i, v: v * (1 + (i % 3 - 1) * 2**-23))
+        shifted = self.changed(lambda c, i, v: v + 1)
+        one_texel = self.changed(lambda c, i, v: v if i else 2 * v)
+        black = self.changed(lambda c, i, v: 0.0)
+        for image in (unrelated, noisy, last_bits, shifted, one_texel, black):
+            self.assertEqual(self.looks(image), [])
+            self.assertEqual(self.looks(self.values, image), [])
+        broken = self.changed(lambda c, i, v: math.nan if i == 5 else 2 * v)
+        self.assertEqual(self.looks(broken), [])
+        self.assertEqual(self.looks(self.changed(lambda c, i, v: 1.001 * v), None, "--relative", "0.01"), [])
+
+    def test_in_folders(self):
+        for folder, channels in (("a", self.values), ("b", self.changed(lambda c, i, v: 3 * v))):
+            (self.folder / folder).mkdir()
+            self.write(folder + "/z.exr", channels, 8, 4)
+            (self.folder / folder / "manifest.json").write_text(json.dumps(
+                {"attachments": [{"pass": "p", "attachment": "z", "file": "z.exr"}]}))
+        text = self.run_program("compare", "b", "a").stdout
+        self.assertIn("p/z looks like: off by a factor of 3 (", text)
+
+
 class Dumps(CompareTest):
     def dump(self, folder, *options):
         self.succeeds("ball.glb", *SMALL, "--quiet", "--dump", folder, *options)
@@ -230,9 +295,51 @@ class Dumps(CompareTest):
             (self.folder / "a" / "manifest.json").write_text(text)
             self.fails(3, "compare", "a", "a", saying="manifest.json")
 
-    def test_diff_needs_images(self):
+    def write_dump(self, folder, **attachments):
+        """A folder of 2x2 texels of Z each."""
+        (self.folder / folder).mkdir()
+        for name, values in attachments.items():
+            self.write(f"{folder}/{name}.exr", {"Z": values})
+        (self.folder / folder / "manifest.json").write_text(json.dumps(
+            {"attachments": [{"pass": "p", "attachment": n, "file": n + ".exr"} for n in attachments]}))
+
+    def test_pictures_of_the_attachments_that_differ(self):
+        self.write_dump("a", same=[1, 2, 3, 4], other=[1, 2, 3, 4])
+        self.write_dump("b", same=[1, 2, 3, 4], other=[1, 2, 5, 4])
+        self.write("expected.exr", {"Z": [0, 0, -2, 0]})
+        before = self.files()
+        for diff, stem in (("d", "d_other"), ("e/", "e/other"), ("e", "e/other")):
+            result = self.run_program("compare", "a", "b", "--diff", diff)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn(stem + "_color.png: black is equal, white is a difference of 2,", result.stderr)
+            self.equal(stem + "_signed.exr", "expected.exr")
+        self.assertEqual(self.files(), sorted(before + ["d_other_color.png", "d_other_signed.exr", "e"]))
+        self.assertEqual(sorted(p.name for p in (self.folder / "e").iterdir()),
+                         ["other_color.png", "other_signed.exr"])
+        self.fails(2, "compare", "a", "b", "--layer", "x", saying="two images")
+
+    def test_pictures_that_cannot_be_written_or_would_replace_an_input(self):
+        self.write_dump("a", p=[1, 2, 3, 4], p_signed=[1, 2, 3, 4])
+        self.write_dump("b", p=[1, 2, 3, 5], p_signed=[1, 2, 3, 4])
+        self.fails(2, "compare", "a", "b", "--diff", "a", saying="replace an input")
+        self.fails(4, "compare", "a", "b", "--diff", "missing/d", saying="no folder")
+        self.fails(4, "compare", "a", "b", "--diff", "missing/d/", saying="no folder")
+
+    def test_dumps_of_two_sizes(self):
+        self.dump("a")
+        self.dump("b", "--grid", "16")
+        self.different("a", "b")
+        result = self.run_program("compare", "a", "b", "--diff", "d")
+        self.assertIn("/landing[0]: no difference images: ", result.stderr)
+        self.assertIn("channel R: A is 32x32, B is 16x16", result.stdout)
+        self.assertNotIn("looks like", result.stdout)
+
+    def test_a_folder_that_is_no_dump(self):
         (self.folder / "a").mkdir()
-        self.fails(2, "compare", "a", "a", "--diff", "d", saying="--diff")
+        self.write_dump("b", z=[1, 2, 3, 4])
+        for diff in ((), ("--diff", "d/")):
+            self.fails(3, "compare", "a", "b", *diff, saying="a: has no manifest.json")
+            self.fails(3, "compare", "b", "a", *diff, saying="a: has no manifest.json")
 
 
 class Mistakes(CompareTest):

@@ -58,8 +58,8 @@ class Outputs(ProgramTest):
         self.assertAlmostEqual(lost / flux["entered"][0], 1.0, places=3)
         folder = self.folder / "passes/of/ball"
         manifest = json.loads((folder / "manifest.json").read_text())
-        self.assertEqual(sorted(a["file"] for a in manifest["attachments"]) + ["manifest.json"],
-                         sorted(p.name for p in folder.iterdir()))
+        self.assertEqual(sorted(each["file"] for each in manifest["attachments"] + manifest["tables"]),
+                         sorted(p.name for p in folder.iterdir() if p.suffix == ".exr"))
         for attachment in manifest["attachments"]:
             self.assertRegex(attachment["sha256"], r"\A[0-9a-f]{64}\Z")
 
