@@ -81,5 +81,6 @@ set_tests_properties(architecture.headers_compile_alone architecture.shaders_are
   PROPERTIES COST 1)
 if(CAUSTICS_BUILD_APP)
   include(${PROJECT_SOURCE_DIR}/tests/program/room.cmake OPTIONAL)
+  include(${PROJECT_SOURCE_DIR}/tests/inspect/room.cmake OPTIONAL)
 endif()
 include(${PROJECT_SOURCE_DIR}/tests/package/room.cmake OPTIONAL)

@@ -8,6 +8,7 @@
 #include "app/output/attachment_kind.hpp"
 #include "app/output/light_groups.hpp"
 #include "app/output/stats.hpp"
+#include "app/output/uniform_values.hpp"
 #include "app/plan_report.hpp"
 #include "app/probe/pixel_light.hpp"
 #include "passes/registry.hpp"
@@ -57,6 +58,17 @@ Json status_names() {
   for (int s = 0; s < kLandingStatuses; ++s)
     names.push_back(std::string(name_of(static_cast<LandingStatus>(s))));
   return names;
+}
+
+// Of its first draw.
+Json uniforms_json(const PassDefinition& definition, const PassRun& run) {
+  Json list = Json::array();
+  if (run.draws.empty()) return list;
+  for (const NamedUniform& uniform : uniform_values(definition, run.draws.front()))
+    list.push_back({{"name", uniform.name},
+                    {"value", uniform.values.size() == 1 ? Json(uniform.values.front()) : Json(uniform.values)},
+                    {"meaning", uniform.meaning}});
+  return list;
 }
 
 // What a ledger's accounts mean.
@@ -179,8 +191,10 @@ void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
   for (const int read : pass.reads)
     if (read >= 0) reads.push_back(frame_.plan().textures[static_cast<std::size_t>(read)].name);
   for (const Draw& draw : prepared.draws) {
-    const std::string mesh = mesh_of(frame_, draw);
-    draws.push_back({{"mesh", mesh.empty() ? Json() : Json(mesh)}, {"material", Json()}});
+    const Mesh* mesh = mesh_of(frame_, draw);
+    draws.push_back({{"mesh", mesh ? Json(mesh->name) : Json()},
+                     {"material", mesh ? Json(frame_.scene().materials[static_cast<std::size_t>(mesh->material)].name)
+                                       : Json()}});
   }
   const std::size_t index = (*run_)["passes"].size();
   std::vector<int> attachments;
@@ -211,7 +225,7 @@ void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
                                {"reads", reads},
                                {"writes", writes},
                                {"state", state_json(pass.definition)},
-                               {"uniforms", Json::array()},
+                               {"uniforms", uniforms_json(pass.definition, prepared)},
                                {"draws", draws}});
   if (draws_of(pass) != DrawSet::FullScreen) add_history(pass, index, result, attachments);
   if (shades_picture(pass)) add_pixels(pass);

@@ -7,7 +7,6 @@
 #include "app/json.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/shell/on_demand.hpp"
-#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -30,8 +29,7 @@ Json sweep(const FrameRequest& request, const Row& row, Blobs& blobs) {
   small.settings.width = std::max(1, small.settings.width * kLongerSide / longer);
   small.settings.height = std::max(1, small.settings.height * kLongerSide / longer);
   for (const char* value : row.values) {
-    const Setting& varied = setting(row.setting);
-    varied.set(varied, small.settings, value);
+    set_option(small.settings, row.setting, value);
     RenderedFrame frame(small, load_scene(small), goal_with_ledgers({"picture"}));
     LedgerReader ledgers;
     frame.run(ledgers.watch(frame));

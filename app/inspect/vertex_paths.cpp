@@ -10,7 +10,7 @@
 #include "app/probe/probe_texel.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/measure/ledger.hpp"
-#include "pipeline/settings/setting.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
 
@@ -18,6 +18,8 @@ namespace {
 
 // Vertices a side of the lattice: their ways are half of what the rest of a page takes.
 constexpr int kLattice = 20;
+// Steps of the secant after which it stands still: what all iterates are held against.
+constexpr int kConverged = 64;
 
 using Point = std::array<double, 3>;
 
@@ -35,8 +37,16 @@ class PathReader {
     for (const NamedValues& v : trace) take(v, {v.values[0], v.values[1], v.values[2]});
   }
 
-  Json path(const std::string& status) {
-    return {{"points", points_}, {"iterates", iterates_}, {"status", status}};
+  // Errors are those against another way's distances, surface by surface.
+  Json path(const std::string& status, const PathReader& truth) const {
+    Json iterates = Json::array();
+    for (const Iterate& i : iterates_) {
+      Json error;
+      if (i.surface < truth.ends_.size()) error = shortened(std::abs(i.distance - truth.ends_[i.surface]));
+      iterates.push_back(
+          {{"label", i.label}, {"at", shortened(i.at)}, {"distance", shortened(i.distance)}, {"error", error}});
+    }
+    return {{"points", points_}, {"iterates", iterates}, {"status", status}};
   }
 
  private:
@@ -58,18 +68,25 @@ class PathReader {
 
   // The iterates of the search for this point lie on the ray that comes to it.
   void arrive(const Point& p, const std::string& surface, const char* medium) {
-    const double end = searched_.empty() ? 0.0 : searched_.back();
     for (std::size_t i = 0; i < searched_.size(); ++i)
-      iterates_.push_back({{"label", surface + " " + std::to_string(i + 1)},
-                           {"at", shortened(*start_ + *direction_ * searched_[i])},
-                           {"distance", shortened(searched_[i])},
-                           {"error", shortened(std::abs(searched_[i] - end))}});
+      iterates_.push_back({surface + " " + std::to_string(i + 1), ends_.size(),
+                           *start_ + *direction_ * searched_[i], searched_[i]});
+    ends_.push_back(searched_.empty() ? 0.0 : searched_.back());
     points_.push_back({{"at", shortened(p)}, {"surface", surface}, {"medium", medium}});
     searched_.clear();
     start_ = p;
   }
 
-  Json points_ = Json::array(), iterates_ = Json::array();
+  struct Iterate {
+    std::string label;
+    std::size_t surface;  // which of those on the way is searched for
+    Point at;
+    double distance;
+  };
+
+  Json points_ = Json::array();
+  std::vector<Iterate> iterates_;
+  std::vector<double> ends_;  // where the search for each surface ended
   std::optional<Point> start_, direction_;
   std::vector<double> searched_;
 };
@@ -115,13 +132,17 @@ std::map<int, Ways> ways_by(const FrameRequest& request, int& grid) {
 
 std::map<int, Json> vertex_paths(const FrameRequest& request) {
   std::map<int, Json> paths;
-  for (const std::string estimator : {"secant", "newton", "paper", "impostor"}) {
-    FrameRequest with = request;
-    with.backend.backend = Backend::Software;
-    const Setting& row = setting("estimator");
-    row.set(row, with.settings, estimator);
-    int grid = 0;
-    for (auto& [light, ways] : ways_by(with, grid)) {
+  int grid = 0;
+  FrameRequest with = request;
+  with.backend.backend = Backend::Software;
+  const auto by = [&](const char* estimator, int iterations) {
+    set_option(with.settings, "estimator", estimator);
+    set_option(with.settings, "iterations", std::to_string(iterations));
+    return ways_by(with, grid);
+  };
+  std::map<int, Ways> truth = by("secant", kConverged);
+  for (const char* estimator : {"secant", "newton", "paper", "impostor"}) {
+    for (auto& [light, ways] : by(estimator, request.settings.iterations)) {
       Json& json = paths[light];
       if (json.is_null()) {
         json = {{"vertices", Json::array()}, {"estimators", Json::object()}};
@@ -131,7 +152,7 @@ std::map<int, Json> vertex_paths(const FrameRequest& request) {
       }
       Json& list = json["estimators"][estimator] = Json::array();
       for (std::size_t at = 0; at < ways.readers.size(); ++at)
-        list.push_back(ways.readers[at].path(ways.status[at]));
+        list.push_back(ways.readers[at].path(ways.status[at], truth[light].readers[at]));
     }
   }
   return paths;

@@ -29,12 +29,12 @@ std::vector<Image> colors_before(const RenderedFrame& frame, const PlannedPass& 
   return colors;
 }
 
-std::string mesh_of(const RenderedFrame& frame, const Draw& draw) {
-  if (draw.mesh == MeshId::None) return {};
+const Mesh* mesh_of(const RenderedFrame& frame, const Draw& draw) {
+  if (draw.mesh == MeshId::None) return nullptr;
   const Scene& scene = frame.scene();
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (frame.on_device().mesh(static_cast<int>(i)) == draw.mesh) return scene.meshes[i].name;
-  return {};
+    if (frame.on_device().mesh(static_cast<int>(i)) == draw.mesh) return &scene.meshes[i];
+  return nullptr;
 }
 
 }  // namespace caustics::app

@@ -1,7 +1,5 @@
 // What a pass's targets hold before it runs, for those who look at the frame after each pass.
 #pragma once
-#include <string>
-
 #include "app/frame.hpp"
 #include "raster/texel_history.hpp"
 
@@ -12,7 +10,7 @@ TargetsBefore targets_before(const RenderedFrame& frame, const PlannedPass& pass
 // The colours alone, with what they are cleared to where they are.
 std::vector<Image> colors_before(const RenderedFrame& frame, const PlannedPass& pass);
 
-// The mesh that a draw draws, or "" where it draws none.
-std::string mesh_of(const RenderedFrame& frame, const Draw& draw);
+// The mesh that a draw draws; null where it draws none.
+const Mesh* mesh_of(const RenderedFrame& frame, const Draw& draw);
 
 }  // namespace caustics::app

@@ -65,7 +65,10 @@ void take_history(const RenderedFrame& frame, const TargetsBefore& before, const
                   TexelHistory& history) {
   const PlannedPass& pass = *history.pass;
   const PassRun run = frame.prepare(pass);
-  for (const Draw& draw : run.draws) history.meshes.push_back(mesh_of(frame, draw));
+  for (const Draw& draw : run.draws) {
+    const Mesh* mesh = mesh_of(frame, draw);
+    history.meshes.push_back(mesh ? mesh->name : std::string());
+  }
   for (std::size_t i = 0; i < pass.writes.size(); ++i) {
     const ColorWrite& write = pass.definition.writes[i];
     const bool kept = i < before.colors.size() && !before.colors[i].values.empty();

@@ -1,23 +1,32 @@
-"""The inspect page in a real browser, on a recording whose every share can be computed in the head (tiny_recording.py).
+"""The inspect page in a real browser: on a recording whose every share can be computed in the head
+(tiny_recording.py), and on pages that the program writes.
 
-Needs Debian's chromium, chromium-driver and python3-selenium. SHOTS=DIR keeps screenshots.
-"""
+Needs Debian's chromium, chromium-driver and python3-selenium; skipped where they are missing. SHOTS=DIR keeps
+screenshots."""
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
-from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.by import By
-from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
-
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "program")]
 from page_file import page  # noqa: E402
+from program import PROGRAM, SMALL, main  # noqa: E402
 from tiny_recording import HEIGHT, WIDTH, bare_recording, tiny_recording  # noqa: E402
+import glb  # noqa: E402
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import WebDriverWait
+    MISSING = None if pathlib.Path("/usr/bin/chromedriver").exists() else "no chromedriver (package chromium-driver)"
+except ImportError:
+    MISSING = "no selenium (package python3-selenium)"
 
 PANELS = ["picture", "passes", "path", "ledger", "sweep", "compare"]
 
@@ -30,14 +39,15 @@ def start_browser():
     return webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
 
 
-class InspectPage(unittest.TestCase):
+class BrowserTest(unittest.TestCase):
+    """With a browser, and a page that no test changes."""
     @classmethod
     def setUpClass(cls):
+        if MISSING:
+            raise unittest.SkipTest(MISSING)
         cls.folder = tempfile.TemporaryDirectory()
         cls.page = pathlib.Path(cls.folder.name) / "page.html"
-        cls.page.write_text(page(*tiny_recording(), title="<script> in the title"), encoding="utf-8")
-        cls.bare = pathlib.Path(cls.folder.name) / "bare.html"
-        cls.bare.write_text(page(*bare_recording(), title="bare"), encoding="utf-8")
+        cls.make_pages()
         cls.browser = start_browser()
 
     @classmethod
@@ -103,6 +113,14 @@ class InspectPage(unittest.TestCase):
             "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; const s = new Set();"
             "for (let i = 0; i < d.length; i += 4) s.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]); return [...s];", view)
         return {(word >> 16, (word >> 8) & 255, word & 255) for word in words}
+
+
+class InspectPage(BrowserTest):
+    @classmethod
+    def make_pages(cls):
+        cls.page.write_text(page(*tiny_recording(), title="<script> in the title"), encoding="utf-8")
+        cls.bare = pathlib.Path(cls.folder.name) / "bare.html"
+        cls.bare.write_text(page(*bare_recording(), title="bare"), encoding="utf-8")
 
     def test_why_is_this_pixel_bright_is_answered_by_one_click(self):
         self.wait_text(".answer", "Why is this pixel bright?")
@@ -258,5 +276,38 @@ class InspectPage(unittest.TestCase):
         self.wait_text(".answer", "Pixel (5, 5)")
 
 
+class WrittenPage(BrowserTest):
+    """What `caustics inspect` writes of a glass ball, alone and beside a run of one iteration."""
+    @classmethod
+    def make_pages(cls):
+        folder = cls.page.parent
+        (folder / "ball.glb").write_bytes(glb.scene())
+        cls.both = folder / "both.html"
+        for file, more in ((cls.page, []), (cls.both, ["--against", "iterations=1"])):
+            subprocess.run([PROGRAM, "inspect", "ball.glb", *SMALL, "-o", file, "--quiet", *more], cwd=folder,
+                           check=True)
+
+    def test_a_bright_pixel_names_its_cells_in_three_clicks(self):
+        self.wait_text(".answer", "Why is this pixel bright?")
+        # The same pixels as probe: those whose caustic has cells.
+        lit = self.browser.execute_script("return document.querySelectorAll('.picture-panel canvas').length")
+        self.assertGreater(lit, 0)
+        self.open("pick=pixel:32,13")
+        self.wait_text(".answer", "Pixel (32, 13)")
+        self.wait(lambda: self.all(".givers tbody tr"), "no cell gave light to this pixel")
+        self.assertIn("caustic", self.text(".answer"))
+
+    def test_the_first_pass_that_differs_is_the_landing(self):
+        self.open(file=self.both)
+        self.press("6")
+        self.wait_text("main", "landing[sun]")
+        self.assertNotIn("receiver_map[sun] differs", self.text("main"))
+
+    def test_every_panel_shows(self):
+        for number in range(1, 7):
+            self.press(str(number))
+            self.wait(lambda: len(self.text("main")) > 20)
+
+
 if __name__ == "__main__":
-    unittest.main()
+    main()

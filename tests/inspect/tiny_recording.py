@@ -112,7 +112,7 @@ def view_surfaces(maker):
                 "xyz: position, metres, scene space; w: 1 where there is a surface, else 0")
     maker.write("view_normal", "normal", (WIDTH, HEIGHT), [v for _ in pixels() for v in (0, 1, 0, 3)],
                 [{"name": n, "meaning": "unit normal", "unit": ""} for n in "xyz"] +
-                [{"name": "w", "meaning": "depth along the camera's axis", "unit": "metres"}],
+                [{"name": "w", "meaning": "depth along the camera's axis", "meaning": "metres"}],
                 "xyz: unit shading normal; w: depth, metres")
 
 
@@ -149,8 +149,8 @@ def sun_grid(maker, wrong):
                          "xyz: position, metres; w: 1 a back face")
     maker.add_pass("landing[sun]", "Bends the light of each grid vertex and finds where it lands", light=0,
                    reads=["caster_position[sun]", "caster_normal[sun]", "caster_exit_position[sun]"], milliseconds=6.2,
-                   uniforms=[{"name": "search.iterations", "value": 5, "unit": ""},
-                             {"name": "light.direction", "value": list(ball.LIGHT), "unit": ""}])
+                   uniforms=[{"name": "search.iterations", "value": 5, "meaning": ""},
+                             {"name": "light.direction", "value": list(ball.LIGHT), "meaning": "the way of its light"}])
     landings = [v for way in order for v in landing_texel(way)]
     if wrong:
         landings[4 * (12 * ball.GRID + 10)] += 0.25
@@ -163,7 +163,7 @@ def sun_grid(maker, wrong):
     for at in (4 * 45, 4 * 45 + 1, 4 * 700 + 2):
         flux[at] = math.nan
     flux[4 * 801] = math.inf
-    maker.write("landing_flux[sun]", "flux", size, flux, FLUX + [{"name": "w", "meaning": "gap at the end", "unit": "metres"}],
+    maker.write("landing_flux[sun]", "flux", size, flux, FLUX + [{"name": "w", "meaning": "gap at the end", "meaning": "metres"}],
                 "rgb: flux that is left; w: gap between ray and surface at the end, metres")
     return ways, {"name": "", "landing": [landing], "entry": entry, "exit": leaves}
 

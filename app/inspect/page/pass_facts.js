@@ -59,6 +59,6 @@ function drawsTable(pass) {
 }
 
 function uniformsTable(pass) {
-  return table(["name", "value", "unit"], pass.uniforms.map(({name, value, unit}) =>
-    [name, Array.isArray(value) ? formatPoint(value) : formatNumber(value), unit ?? ""]));
+  return table(["name", "value", "meaning"], pass.uniforms.map(({name, value, meaning}) =>
+    [name, Array.isArray(value) ? formatPoint(value) : formatNumber(value), meaning ?? ""]));
 }
