@@ -153,11 +153,12 @@ void check_dump_pictures(const CompareRequest& request) {
   inputs.insert(inputs.end(), in_a.begin(), in_a.end());
   for (const DumpedAttachment& attachment : in_a) {
     const DifferencePaths paths = dump_pictures(request.prefix, attachment.file);
-    for (const DumpedAttachment& input : inputs) {
+    for (const fs::path& output : {paths.signed_exr, paths.color_png}) {
       std::error_code error;
-      if (fs::equivalent(paths.signed_exr, input.file, error) ||
-          fs::equivalent(paths.color_png, input.file, error))
-        throw Error(ExitCode::WrongUsage, input.file.string() + ": --diff would replace an input");
+      if (!fs::exists(output, error)) continue;
+      for (const DumpedAttachment& input : inputs)
+        if (fs::equivalent(output, input.file, error))
+          throw Error(ExitCode::WrongUsage, input.file.string() + ": --diff would replace an input");
     }
   }
   // A folder that is to be made could be a file, too.

@@ -17,8 +17,9 @@ constexpr char kPageHead[] =
     "<style>body{background:#1a1a1a;color:#ddd;font:15px sans-serif;margin:1em}figure{margin:0 0 2em}"
     "img{max-width:100%;min-width:min(256px,100%);image-rendering:pixelated}"
     "figcaption{margin-top:.4em}</style>\n"
-    "<p>Every attachment right after its pass, in turn. Chequered: nothing was drawn. Magenta: NaN or "
-    "infinite.</p>\n";
+    "<p>Every attachment right after its pass, in turn; contact_sheet.png has the first 300 of them small. "
+    "Chequered: nothing was drawn. Magenta: NaN or infinite.</p>\n";
+static_assert(ContactSheet::kMost == 300);
 
 // A line of the page: what, by which pass, and how it is shown.
 std::string figure(const std::string& file, const std::string& title, std::string_view meaning,
