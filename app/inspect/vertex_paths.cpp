@@ -33,8 +33,14 @@ Json shortened(const Point& p) { return {shortened(p[0]), shortened(p[1]), short
 // Follows a trace from surface to surface.
 class PathReader {
  public:
-  void read(const std::vector<NamedValues>& trace) {
-    for (const NamedValues& v : trace) take(v, {v.values[0], v.values[1], v.values[2]});
+  void read(const ProbedTexel& texel) {
+    for (const NamedValues& v : texel.trace) take(v, {v.values[0], v.values[1], v.values[2]});
+    // Of light that is followed from surface to surface, what leaves this one.
+    for (const NamedValues& v : texel.stored) {
+      if (v.name == "ray_direction") direction_ = {v.values[0], v.values[1], v.values[2]};
+      if (v.name == "ray_media" && !points_.empty())
+        points_.back()["medium"] = v.values[0] > 0.0f ? "inside" : "outside";
+    }
   }
 
   // Errors are those against another way's distances, surface by surface.
@@ -58,7 +64,8 @@ class PathReader {
     } else if (v.name == "surface_point") {
       arrive(p, "surface " + std::to_string(points_.size() + 1), "inside");
     } else if (v.name == "landing_point") {
-      arrive(p, "landing", "outside");
+      // Passes that fly to the receiver say it twice.
+      if (points_.empty() || points_.back()["surface"] != "landing") arrive(p, "landing", "outside");
     } else if (v.name == "inside_direction" || v.name == "outside_direction") {
       direction_ = p;
     } else if (v.name == "distance" && start_ && direction_) {
@@ -119,7 +126,7 @@ std::map<int, Ways> ways_by(const FrameRequest& request, int& grid) {
         const ProbedTexel texel = probe.at(on_lattice(i, grid), on_lattice(j, grid));
         if (texel.discarded) continue;
         const auto at = static_cast<std::size_t>(j * kLattice + i);
-        of_light.readers[at].read(texel.trace);
+        of_light.readers[at].read(texel);
         if (!texel.stored.empty() && texel.stored.front().name == kLanding)
           of_light.status[at] = name_of(static_cast<LandingStatus>(texel.stored.front().values[3]));
       }
