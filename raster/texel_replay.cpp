@@ -7,8 +7,6 @@
 
 namespace caustics::raster {
 
-namespace {
-
 constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
 
 struct ReplayTile {
@@ -38,6 +36,8 @@ struct ShadedFragments {
     }
   }
 };
+
+namespace {
 
 // A kernel is a function without a state.
 thread_local ShadedFragments* taken_into = nullptr;

@@ -42,6 +42,7 @@ const std::uint8_t* bytes_of(std::span<const T> values) {
 
 Json Blobs::add(const std::uint8_t* bytes, std::size_t count, std::size_t size, const char* type) {
   texts_.push_back(study::base64(compressed(planes_of(bytes, count, size))));
+  bytes_ += texts_.back().size();
   return {{"blob", texts_.size() - 1}, {"type", type}, {"count", count}};
 }
 

@@ -20,11 +20,13 @@ class Blobs {
   nlohmann::ordered_json add_halves(std::span<const float> values);  // each rounded
 
   const std::vector<std::string>& texts() const { return texts_; }
+  std::size_t bytes() const { return bytes_; }  // of all texts
 
  private:
   nlohmann::ordered_json add(const std::uint8_t* bytes, std::size_t count, std::size_t size,
                              const char* type);
   std::vector<std::string> texts_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace caustics::app

@@ -65,9 +65,10 @@ Json uniforms_json(const PassDefinition& definition, const PassRun& run) {
   Json list = Json::array();
   if (run.draws.empty()) return list;
   for (const NamedUniform& uniform : uniform_values(definition, run.draws.front()))
-    list.push_back({{"name", uniform.name},
-                    {"value", uniform.values.size() == 1 ? Json(uniform.values.front()) : Json(uniform.values)},
-                    {"meaning", uniform.meaning}});
+    list.push_back(
+        {{"name", uniform.name},
+         {"value", uniform.values.size() == 1 ? Json(uniform.values.front()) : Json(uniform.values)},
+         {"meaning", uniform.meaning}});
   return list;
 }
 
@@ -192,9 +193,10 @@ void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
     if (read >= 0) reads.push_back(frame_.plan().textures[static_cast<std::size_t>(read)].name);
   for (const Draw& draw : prepared.draws) {
     const Mesh* mesh = mesh_of(frame_, draw);
-    draws.push_back({{"mesh", mesh ? Json(mesh->name) : Json()},
-                     {"material", mesh ? Json(frame_.scene().materials[static_cast<std::size_t>(mesh->material)].name)
-                                       : Json()}});
+    draws.push_back(
+        {{"mesh", mesh ? Json(mesh->name) : Json()},
+         {"material",
+          mesh ? Json(frame_.scene().materials[static_cast<std::size_t>(mesh->material)].name) : Json()}});
   }
   const std::size_t index = (*run_)["passes"].size();
   std::vector<int> attachments;
@@ -228,7 +230,16 @@ void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
                                {"uniforms", uniforms_json(pass.definition, prepared)},
                                {"draws", draws}});
   if (draws_of(pass) != DrawSet::FullScreen) add_history(pass, index, result, attachments);
-  if (shades_picture(pass)) add_pixels(pass);
+  if (shades_picture(pass) && is_first_sample(frame_.scene(), pass.light)) add_pixels(pass);
+}
+
+std::string RunRecorder::why_left_out(const PlannedPass& pass, std::size_t texels) const {
+  if (pass.light >= 0 && !is_first_sample(frame_.scene(), pass.light))
+    return "of a light with a size the page shows the first sample";
+  if (texels > limits_.texels) return std::to_string(texels) + " texels are more than the page holds";
+  if (pass.surface > 0 && followed_bytes_ > limits_.followed_bytes)
+    return "light that is followed from surface to surface fills the page before it comes so far";
+  return {};
 }
 
 Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, const PlannedTexture& texture,
@@ -241,16 +252,17 @@ Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, co
   const AttachmentKind kind = kind_of(image.shape.format, meaning);
   const std::string hash = sha256(image);
   const auto texels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
-  if (texels > limits_.texels) {
-    left_out = std::to_string(image.width()) + "x" + std::to_string(image.height()) +
-               " texels are more than the page holds; caustics render --dump writes them";
+  std::unique_ptr<Json>& known = by_hash_[hash];
+  if (const std::string why = known ? "" : why_left_out(pass, texels); !why.empty()) {
+    left_out = why + "; caustics render --dump writes it";
     leave_out(pass.label + " " + texture.name + ": " + left_out.get<std::string>());
   } else {
-    std::unique_ptr<Json>& known = by_hash_[hash];
+    const std::size_t before = blobs_.bytes();
     if (!known)
       known = std::make_unique<Json>(kind == AttachmentKind::Display && !limits_.exact
                                          ? blobs_.add(std::span<const std::uint8_t>(display_bytes(image)))
                                          : stored(image.values));
+    if (pass.surface > 0) followed_bytes_ += blobs_.bytes() - before;
     data = *known;
   }
   return {{"id", (*run_)["attachments"].size()},
@@ -286,10 +298,10 @@ void RunRecorder::add_history(const PlannedPass& pass, std::size_t pass_index, c
   for (const char* name : {"start", "draw", "primitive", "outcome", "depth"}) history[name] = Json();
   if (!software) {
     left_out = "only the software device tells what happened to a texel";
-  } else if (texels > limits_.texels || result.fragments > limits_.fragments) {
-    left_out = std::to_string(result.fragments) + " fragments on " + std::to_string(texels) +
-               " texels are more than the page holds; caustics probe SCENE --history '" + pass.label +
-               ":X,Y' tells one texel's";
+  } else if (std::string why = why_left_out(pass, texels);
+             !why.empty() || result.fragments > limits_.fragments) {
+    if (why.empty()) why = std::to_string(result.fragments) + " fragments are more than the page holds";
+    left_out = why + "; caustics probe SCENE --history '" + pass.label + ":X,Y' tells one texel's";
     leave_out(pass.label + ": " + left_out.get<std::string>());
   } else {
     Fragments all;

@@ -17,7 +17,10 @@ struct RecordingLimits {
   bool exact = false;                            // 32-bit floats instead of half
   std::size_t texels = std::size_t{1} << 20;     // of an attachment; larger ones are left out
   std::size_t fragments = std::size_t{2} << 20;  // of a pass whose history is kept
-  std::size_t triangles = 200'000;               // of a mesh that sections show
+  std::size_t triangles = 200'000;               // of all meshes that sections show
+  // Of attachments of light that is followed from surface to surface, in the page; the branches beyond are
+  // left out.
+  std::size_t followed_bytes = std::size_t{16} << 20;
 };
 
 class RunRecorder {
@@ -36,6 +39,8 @@ class RunRecorder {
  private:
   using Json = nlohmann::ordered_json;
 
+  // "": it is shown.
+  std::string why_left_out(const PlannedPass& pass, std::size_t texels) const;
   void look(const PlannedPass& pass, const PassResult& result);
   Json attachment(const PlannedPass& pass, std::size_t pass_index, const PlannedTexture& texture,
                   const std::string& name, const std::string& meaning, const Image& image);
@@ -57,6 +62,7 @@ class RunRecorder {
   TargetsBefore before_;                                  // of the pass that runs next
   std::map<std::string, std::unique_ptr<Json>> by_hash_;  // arrays of equal images
   std::map<int, std::unique_ptr<Json>> pixels_;           // by light
+  std::size_t followed_bytes_ = 0;
   std::unique_ptr<Json> run_;
 };
 

@@ -7,6 +7,7 @@
 #include "app/frame.hpp"
 #include "app/json.hpp"
 #include "app/loaded_scene.hpp"
+#include "app/output/light_groups.hpp"
 #include "app/probe/probe_texel.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/measure/ledger.hpp"
@@ -49,8 +50,10 @@ class PathReader {
     for (const Iterate& i : iterates_) {
       Json error;
       if (i.surface < truth.ends_.size()) error = shortened(std::abs(i.distance - truth.ends_[i.surface]));
-      iterates.push_back(
-          {{"label", i.label}, {"at", shortened(i.at)}, {"distance", shortened(i.distance)}, {"error", error}});
+      iterates.push_back({{"label", i.label},
+                          {"at", shortened(i.at)},
+                          {"distance", shortened(i.distance)},
+                          {"error", error}});
     }
     return {{"points", points_}, {"iterates", iterates}, {"status", status}};
   }
@@ -107,8 +110,9 @@ struct Ways {
 // Vertices in the middle of equal parts of the grid.
 int on_lattice(int i, int grid) { return (2 * i + 1) * grid / (2 * kLattice); }
 
-bool is_on_the_way(const PlannedPass& pass) {
-  return pass.light >= 0 && (pass.surface > 0 || pass.definition.writes.front().name == kLanding) &&
+bool is_on_the_way(const RenderedFrame& frame, const PlannedPass& pass) {
+  const bool lands = !pass.definition.writes.empty() && pass.definition.writes.front().name == kLanding;
+  return pass.light >= 0 && (pass.surface > 0 || lands) && is_first_sample(frame.scene(), pass.light) &&
          pass.drawn_for->receivers == ReceiverLayer::Nearest;
 }
 
@@ -118,7 +122,7 @@ std::map<int, Ways> ways_by(const FrameRequest& request, int& grid) {
   std::map<int, Ways> ways;
   frame.run([&](const PlannedPass& pass, const PassResult& result, std::size_t, std::size_t) {
     // Of light that parts, the way of the first branch.
-    if (!is_on_the_way(pass) || pass.branch != 0 || result.left_out) return true;
+    if (!is_on_the_way(frame, pass) || pass.branch != 0 || result.left_out) return true;
     Ways& of_light = ways[pass.light];
     const ProbedPass probe(frame, pass);
     for (int j = 0; j < kLattice; ++j)

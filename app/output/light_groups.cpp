@@ -14,6 +14,11 @@ std::vector<int> samples_of(const Scene& scene, int source) {
   return samples;
 }
 
+bool is_first_sample(const Scene& scene, int light) {
+  return light == 0 || scene.lights[static_cast<std::size_t>(light - 1)].source !=
+                           scene.lights[static_cast<std::size_t>(light)].source;
+}
+
 std::string size_text(const Scene& scene, int source) {
   const Light& light = scene.sources[static_cast<std::size_t>(source)];
   std::string text;

@@ -11,6 +11,9 @@ namespace caustics::app {
 // The indices into Scene::lights of the samples of sources[source], or of the light itself.
 std::vector<int> samples_of(const Scene& scene, int source);
 
+// Of an index into Scene::lights: of a light without a size always true.
+bool is_first_sample(const Scene& scene, int light);
+
 // "disk of 0.53 degrees, 16 samples"; nothing for a light without a size.
 std::string size_text(const Scene& scene, int source);
 

@@ -170,7 +170,8 @@ std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& 
   return weights.texels(std::max(samples, 1.0));
 }
 
-std::vector<std::vector<LightOnPixel>> light_on_pixels(RenderedFrame& frame, const std::vector<Pair>& pixels) {
+std::vector<std::vector<LightOnPixel>> light_on_pixels(RenderedFrame& frame,
+                                                       const std::vector<Pair>& pixels) {
   std::vector<std::vector<LightOnPixel>> lights(pixels.size());
   std::vector<Image> before;
   frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t total) {

@@ -42,8 +42,8 @@ std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& 
 // Is this the pass that gives the picture one light's light?
 bool shades_picture(const PlannedPass& pass);
 
-// Draws the frame twice: the maps' texels are known when the first is done. Pixels from the left and the bottom.
-// Of each one all lights, those that give it nothing too.
+// Draws the frame twice: the maps' texels are known when the first is done. Pixels from the left and the
+// bottom. Of each one all lights, those that give it nothing too.
 std::vector<std::vector<LightOnPixel>> light_on_pixels(RenderedFrame& frame, const std::vector<Pair>& pixels);
 
 }  // namespace caustics::app

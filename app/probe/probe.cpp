@@ -1,5 +1,5 @@
-// caustics probe: one grid vertex's way through the landing pass, every intermediate value printed; one pixel,
-// where its light comes from; one texel of any pass, every fragment that fell on it.
+// caustics probe: one grid vertex's way through the landing pass, every intermediate value printed; one
+// pixel, where its light comes from; one texel of any pass, every fragment that fell on it.
 #include <cstdio>
 
 #include "app/flux.hpp"
@@ -46,20 +46,19 @@ bool parse(const Arguments& arguments, ProbeRequest& request) {
   std::string scene;
   parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
   parser.group("What to probe");
-  parser.repeated("--texel", "X,Y",
-                {"the grid vertex, counted from the left and the bottom", "each 0..grid - 1"},
-                [&](const std::string& value) {
-                  request.vertices.vertices.push_back(
-                        parse_pair("--texel", value, {0, setting("grid").most() - 1}));
-                });
+  parser.repeated(
+      "--texel", "X,Y", {"the grid vertex, counted from the left and the bottom", "each 0..grid - 1"},
+      [&](const std::string& value) {
+        request.vertices.vertices.push_back(parse_pair("--texel", value, {0, setting("grid").most() - 1}));
+      });
   parser.repeated("--pixel", "X,Y", {"the pixel, counted from the left and the top, as image viewers do"},
-                [&](const std::string& value) {
-                  request.pixels.push_back(parse_pair("--pixel", value, {0, 16383}));
-                });
+                  [&](const std::string& value) {
+                    request.pixels.push_back(parse_pair("--pixel", value, {0, 16383}));
+                  });
   parser.repeated("--history", "PASS:X,Y",
-                {"a pass, named as 'caustics plan' does, and a texel of its targets, counted from the left "
-                 "and the bottom"},
-                [&](const std::string& value) { parse_history(value, request); });
+                  {"a pass, named as 'caustics plan' does, and a texel of its targets, counted from the left "
+                   "and the bottom"},
+                  [&](const std::string& value) { parse_history(value, request); });
   parser.number("--light", "N", {"of --texel: the light, as 'caustics plan' numbers them"},
                 Limits<int>{0, 1'000'000}, request.vertices.light);
   parser.number("--sample", "N", {"of --texel: which sample of a light with a size"},

@@ -54,8 +54,8 @@ TexelHistory begin_history(const RenderedFrame& frame, const TexelRequest& reque
   const PlannedPass& pass = find_pass(frame, request.pass);
   TexelHistory history{.pass = &pass, .x = request.texel.first, .y = request.texel.second};
   if (history.x >= pass.width || history.y >= pass.height)
-    throw Error(ExitCode::WrongUsage, "--history: " + pass.label + " has " + std::to_string(pass.width) + "x" +
-                                          std::to_string(pass.height) + " texels, counted from 0,0");
+    throw Error(ExitCode::WrongUsage, "--history: " + pass.label + " has " + std::to_string(pass.width) +
+                                          "x" + std::to_string(pass.height) + " texels, counted from 0,0");
   name_primitives(frame, history);
   return history;
 }
@@ -74,8 +74,7 @@ void take_history(const RenderedFrame& frame, const TargetsBefore& before, const
     const bool kept = i < before.colors.size() && !before.colors[i].values.empty();
     history.attachments.push_back(write.name);
     history.channels.push_back(channel_count(write.format));
-    history.before.push_back(
-        value_before(write, kept ? &before.colors[i] : nullptr, history.x, history.y));
+    history.before.push_back(value_before(write, kept ? &before.colors[i] : nullptr, history.x, history.y));
   }
   history.left_out = result.left_out;
   if (!result.left_out)

@@ -19,7 +19,9 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const VertexRequest&
   const std::vector<int> samples = samples_of(frame.scene(), request.light);
   const int light = samples[static_cast<std::size_t>(request.sample)];
   for (const PlannedPass& pass : frame.plan().passes) {
-    if (pass.definition.writes.front().name == kLanding && pass.light == light) return pass;
+    if (pass.light == light && !pass.definition.writes.empty() &&
+        pass.definition.writes.front().name == kLanding)
+      return pass;
   }
   throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
                                         " throws no caustic here; 'caustics plan' says why");

@@ -59,7 +59,8 @@ std::string plural(std::size_t count, const std::string& name) {
 }  // namespace
 
 bool agrees(const ProbedVertex& vertex) {
-  return std::all_of(vertex.passes.begin(), vertex.passes.end(), [](const auto& pass) { return pass.second.agrees; });
+  return std::all_of(vertex.passes.begin(), vertex.passes.end(),
+                     [](const auto& pass) { return pass.second.agrees; });
 }
 
 void print(const RenderedFrame& frame, const ProbedVertex& vertex) {
@@ -168,7 +169,8 @@ Json json_of(const TexelHistory& history) {
 }
 
 bool agrees(const ProbedPixel& pixel) {
-  return std::all_of(pixel.lights.begin(), pixel.lights.end(), [](const LightOnPixel& light) { return light.agrees; });
+  return std::all_of(pixel.lights.begin(), pixel.lights.end(),
+                     [](const LightOnPixel& light) { return light.agrees; });
 }
 
 namespace {

@@ -74,7 +74,7 @@ Vec3 flux_all_around(Vec3 q) {
       Vec3 there = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
       Float share = own / texel_area(in_window, t, Float(1.0f));
       flux = flux + sel(reaches, there * share, Vec3(0.0f));
-      if (any_lane(reaches)) TRACE(caustic_map_at, Vec3(uv.x, uv.y, share));
+      TRACE(caustic_map_at, Vec3(uv.x, uv.y, share));
     }
   }
   return flux;

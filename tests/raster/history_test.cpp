@@ -23,8 +23,9 @@ struct Replay {
       for (const float f : {v.x, v.y, v.z, v.w, v.red, v.green, v.blue, v.alpha, v.size})
         mesh.vertices.push_back(f);
     run.definition = &bench.definition;
-    run.colors = {kept ? device->upload(*kept)
-                       : device->create_texture(bench.definition.writes[0].format, bench.width, bench.height)};
+    run.colors = {kept
+                      ? device->upload(*kept)
+                      : device->create_texture(bench.definition.writes[0].format, bench.width, bench.height)};
     if (bench.definition.depth)
       run.depth = device->create_texture(Format::Depth32F, bench.width, bench.height);
     if (kept) {
@@ -67,7 +68,8 @@ RasterBench nearest_first() {
 
 TEST_CASE("history: what is added, with the values before and after") {
   const RasterBench b = counting();
-  const std::vector<FragmentOnTexel> f = Replay(b, layers(b, {{1.0f, 0.5f}, {2.0f, 0.5f}, {4.0f, 0.5f}})).at({3, 5});
+  const std::vector<FragmentOnTexel> f =
+      Replay(b, layers(b, {{1.0f, 0.5f}, {2.0f, 0.5f}, {4.0f, 0.5f}})).at({3, 5});
   REQUIRE(f.size() == 3);
   const float before[] = {0.0f, 1.0f, 3.0f}, given[] = {1.0f, 2.0f, 4.0f};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -148,8 +150,9 @@ TEST_CASE("history: ends with what was rendered, of many random triangles, on ev
   std::mt19937 random(5);
   std::vector<RasterVertex> v;
   for (int i = 0; i < 3 * 200; ++i)
-    v.push_back(b.at(static_cast<double>(random() % 900) / 10.0 - 10.0, static_cast<double>(random() % 600) / 10.0 - 10.0,
-                     static_cast<float>(random() % 1000), static_cast<float>(random() % 1000) / 1000.0f));
+    v.push_back(b.at(static_cast<double>(random() % 900) / 10.0 - 10.0,
+                     static_cast<double>(random() % 600) / 10.0 - 10.0, static_cast<float>(random() % 1000),
+                     static_cast<float>(random() % 1000) / 1000.0f));
   const Replay replay(b, v);
   Image last(Format::R32F, b.width, b.height);
   std::size_t behind = 0;
