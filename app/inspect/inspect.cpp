@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/frame_options.hpp"
+#include "app/inspect/dump_run.hpp"
 #include "app/inspect/page.hpp"
 #include "app/inspect/run_recorder.hpp"
 #include "app/inspect/setting_sweeps.hpp"
@@ -50,11 +51,12 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
   parser.group("Page");
   parser.option("-o,--output", "FILE.html", {"the page", ".html", "SCENE.html in the current folder"},
                 [&](const std::string& value) { request.output = value; });
-  parser.repeated("--against", "WHAT",
-                  {"a second run beside the first: by OpenGL, or with this key of -D changed; several keys "
-                   "change together",
-                   "gl|KEY=VALUE", "none"},
-                  [&](const std::string& value) { request.against.push_back(value); });
+  parser.repeated(
+      "--against", "WHAT",
+      {"a second run beside the first: by OpenGL, with this key of -D changed (several keys change "
+       "together), or a folder of --dump, of this or another renderer",
+       "gl|KEY=VALUE|DIR", "none"},
+      [&](const std::string& value) { request.against.push_back(value); });
   parser.flag("--exact", request.limits.exact, "values as 32-bit floats instead of half: twice as large");
   parser.flag("--quiet", request.quiet, "say nothing but errors");
   add_frame_options(parser, request.frame);
@@ -101,6 +103,19 @@ Json record(const std::string& name, const FrameRequest& request, const Recordin
   return std::move(recorder.json());
 }
 
+bool is_folder(const InspectRequest& request) {
+  return request.against.size() == 1 && std::filesystem::is_directory(request.against.front());
+}
+
+Json other_run(const InspectRequest& request, const Json& first, Progress& progress, Blobs& blobs) {
+  const std::string name = "B: " + joined(request.against);
+  if (!is_folder(request)) return record(name, other_request(request), request.limits, progress, blobs);
+  progress.show("reading the dump");
+  Json run = dump_run(request.against.front(), first, request.limits, blobs);
+  run["name"] = name;
+  return run;
+}
+
 }  // namespace
 
 ExitCode run_inspect(const Arguments& arguments) {
@@ -119,8 +134,7 @@ ExitCode run_inspect(const Arguments& arguments) {
     progress.show("drawing over iterations and grid sizes");
     runs[0]["sweeps"] = setting_sweeps(request.frame, blobs);
   } else {
-    runs.push_back(
-        record("B: " + joined(request.against), other_request(request), request.limits, progress, blobs));
+    runs.push_back(other_run(request, runs[0], progress, blobs));
   }
   const Json recording = {{"format", 1}, {"program", version_line()}, {"runs", runs}};
   const std::string page =

@@ -44,6 +44,9 @@ function differenceOf(attachment, a, b) {
 function differenceText(pair, found) {
   if (pair.state !== "differs") return pair.state;
   if (!found) return "differs";
+  if (pair.a.width !== pair.b.width || pair.a.height !== pair.b.height) {
+    return `sizes differ: ${pair.a.width} × ${pair.a.height} and ${pair.b.width} × ${pair.b.height}`;
+  }
   if (found.missing) return "hashes differ; the values are not in this page";
   if (!found.count) return "hashes differ by less than this page holds";
   return `${plural(found.count, "texel")} ${found.count === 1 ? "differs" : "differ"}, by at most ${formatNumber(found.most, 3)} at (${found.texel.join(", ")})`;

@@ -1,0 +1,92 @@
+"""What inspect writes: a page that holds its recording, says what it leaves out, and bad input refused. The page
+itself is driven in a browser by tests/inspect."""
+
+import base64
+import json
+import re
+import struct
+import zlib
+
+import glb
+import pictures
+from program import SMALL, ProgramTest, main
+
+
+class Page:
+    def __init__(self, text):
+        self.text = text
+        self.recording = json.loads(re.search(r'id="recording">(.*?)</script>', text, re.S)[1])
+        self.blobs = re.findall(r'<script type="text/plain" id="blob-\d+">([^<]*)</script>', text)
+
+    def array(self, array):
+        kind = {"u8": "B", "u16": "H", "u32": "I", "f16": "e", "f32": "f"}[array["type"]]
+        size, count = struct.calcsize(kind), array["count"]
+        planes = zlib.decompress(base64.b64decode(self.blobs[array["blob"]]))
+        whole = b"".join(bytes(planes[k * count + i] for k in range(size)) for i in range(count))
+        return struct.unpack(f"<{count}{kind}", whole)
+
+
+class Inspect(ProgramTest):
+    def page(self, *arguments):
+        self.succeeds("inspect", "ball.glb", *SMALL, "-o", "page.html", *arguments)
+        return Page((self.folder / "page.html").read_text())
+
+    def test_the_page_holds_the_rendered_values(self):
+        page = self.page("--exact")
+        run = page.recording["runs"][0]
+        self.succeeds("ball.glb", *SMALL, "-o", "ball.exr", "--aov", "caustic")
+        rendered = pictures.Exr((self.folder / "ball.exr").read_bytes())
+        found = next(a for a in run["attachments"] if a["texture"] == "caustic")
+        values = page.array(found["data"])
+        red = [values[4 * i] for i in range(found["width"] * found["height"])]
+        # The layer is 0 on casters, the pass's attachment is what lies behind them.
+        layer = rendered.values()["caustic.R"]
+        top_first = [red[(47 - y) * 64 + x] for y in range(48) for x in range(64)]
+        self.assertTrue(any(value > 0 for value in layer))
+        for a, b in zip(top_first, layer):
+            self.assertTrue(a == b or b == 0.0)
+
+    def test_shares_in_the_page_add_up_to_the_map(self):
+        page = self.page("--exact", "-D", "cascades=off")
+        run = page.recording["runs"][0]
+        light = run["lights"][0]
+        of_map = light["maps"][0]
+        flux = sum(page.array(run["attachments"][of_map["attachment"]]["data"]))
+        given = sum(sum(sum(page.array(values)) for values in run["histories"][h]["values"].values())
+                    for h in of_map["histories"])
+        self.assertGreater(flux, 0.0)
+        self.assertAlmostEqual(given, flux, delta=1e-5 * flux)
+
+    def test_names_cannot_end_the_script(self):
+        document, blob = glb.unpack(glb.scene())
+        document["nodes"][0]["name"] = "</script><script>alert(1)</script>"
+        (self.folder / "ball.glb").write_bytes(glb.pack(document, blob))
+        self.assertNotIn("<script>alert", self.page().text)
+
+    def test_what_does_not_fit_is_said_with_the_command_that_gives_it(self):
+        page = self.page("-D", "shadow=1100", "-r", "1100x1100")
+        left_out = page.recording["runs"][0]["left_out"]
+        self.assertTrue(any("picture" in each and "caustics render --dump" in each for each in left_out),
+                        left_out)
+
+    def test_a_dump_beside_the_run(self):
+        self.succeeds("ball.glb", *SMALL, "--iterations", "1", "--dump", "other", "--quiet")
+        one, other = self.page("--against", "other").recording["runs"]
+        hashes = {a["texture"]: a["sha256"] for a in one["attachments"]}
+        same = {a["texture"]: a["sha256"] == hashes[a["texture"]] for a in other["attachments"]
+                if a["texture"] in hashes}
+        self.assertTrue(same["receiver_position[0]"])
+        self.assertFalse(same["landing[0]"])
+
+    def test_bad_input_is_refused(self):
+        (self.folder / "empty").mkdir()
+        self.fails(2, "inspect", "ball.glb", "-o", "page.txt", saying=".html")
+        self.fails(2, "inspect", "ball.glb", *SMALL, "--against", "nothing", saying="iterations=1")
+        self.fails(2, "inspect", "ball.glb", *SMALL, "--against", "iterations=0", saying="iterations")
+        self.fails(3, "inspect", "ball.glb", *SMALL, "--against", "empty", saying="manifest.json")
+        self.fails(3, "inspect", "missing.glb", saying="missing.glb")
+        self.fails(4, "inspect", "ball.glb", "-o", "no/page.html", saying="no/page.html")
+
+
+if __name__ == "__main__":
+    main()
