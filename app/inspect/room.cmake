@@ -11,5 +11,6 @@ file(READ ${page}/page.html PAGE_FRAME)
 file(READ ${page}/page.css PAGE_STYLE)
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page}/modules.txt
   ${page}/page.html ${page}/page.css)
-configure_file(${PROJECT_SOURCE_DIR}/app/inspect/page_text.cpp.in ${PROJECT_BINARY_DIR}/app/page_text.cpp @ONLY)
+configure_file(${PROJECT_SOURCE_DIR}/app/inspect/page_text.cpp.in ${PROJECT_BINARY_DIR}/app/page_text.cpp
+  @ONLY)
 target_sources(caustics_app PRIVATE ${PROJECT_BINARY_DIR}/app/page_text.cpp)

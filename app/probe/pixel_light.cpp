@@ -73,9 +73,18 @@ class Gatherer {
   }
 
   void finish() {
-    double sum = 0.0, expected = 0.0;
-    for (Contribution& each : light_.contributions) sum += each.share;
-    for (const auto& [texture, flux] : flux_) expected += flux;
+    double sum = 0.0, expected = 0.0, irradiance = 0.0;
+    for (const Contribution& each : light_.contributions) sum += each.share;
+    const Light& light = frame_.scene().lights[static_cast<std::size_t>(light_.light)];
+    for (const auto& [texture, flux] : flux_)
+      for (int c = 0; c < 3; ++c) {
+        if (c < channels_) expected += flux[static_cast<std::size_t>(c)];
+        irradiance += flux[static_cast<std::size_t>(c)] * static_cast<double>(light.intensity) *
+                      static_cast<double>(light.color[c]);
+      }
+    const double shaded = static_cast<double>(light_.caustic[0]) + static_cast<double>(light_.caustic[1]) +
+                          static_cast<double>(light_.caustic[2]);
+    light_.explained = shaded > 0.0 ? irradiance / shaded : 1.0;
     for (Contribution& each : light_.contributions) each.share = sum > 0.0 ? each.share / sum : 0.0;
     light_.accounted = expected > 0.0 ? sum / expected : 1.0;
     std::stable_sort(light_.contributions.begin(), light_.contributions.end(),
@@ -119,16 +128,18 @@ class Gatherer {
                                       static_cast<int>(primitive / columns), light});
     // As the last pass that draws there leaves it.
     const Image map = frame_.read(texture);
-    double flux = 0.0;
+    std::array<double, 3>& flux = flux_[texture] = {};
     for (const MapTexel& texel : light_.texels)
-      for (int c = 0; texel.texture == texture && c < std::min(map.channels(), 3); ++c)
-        flux += texel.weight * static_cast<double>(map.at(texel.x, texel.y, c));
-    flux_[texture] = flux;
+      for (int c = 0; texel.texture == texture && c < 3; ++c)
+        flux[static_cast<std::size_t>(c)] +=
+            texel.weight * static_cast<double>(map.at(texel.x, texel.y, std::min(c, map.channels() - 1)));
+    channels_ = std::min(map.channels(), 3);
   }
 
   const RenderedFrame& frame_;
   LightOnPixel& light_;
-  std::map<int, double> flux_;  // by texture: all its texels' flux times their weights
+  std::map<int, std::array<double, 3>> flux_;  // by texture: all its texels' flux times their weights
+  int channels_ = 1;                           // of the maps
 };
 
 std::array<float, 3> color_of(const std::vector<NamedValues>& values, const std::string& name) {

@@ -224,6 +224,7 @@ Json json_of(const RenderedFrame& frame, const ProbedPixel& pixel) {
                               {"caustic", light.caustic},
                               {"texels", std::move(texels)},
                               {"contributions", std::move(contributions)},
+                              {"explained", light.explained},
                               {"accounted", light.accounted}});
   }
   json["agrees"] = agrees(pixel);

@@ -1,4 +1,5 @@
-"""A ball of glass over a floor under slanted parallel light, traced ray by ray: small, and real enough to look at."""
+"""A ball of glass over a floor under slanted parallel light, traced ray by ray: small, and real enough
+to look at."""
 import math
 
 CENTER, RADIUS, INDEX = (0.0, 1.0, 0.0), 0.7, 1.5
@@ -50,10 +51,15 @@ def way_through(i, j):
 
 
 def sphere_mesh(rings=24, sectors=36):
-    points = [(CENTER[0] + RADIUS * math.sin(math.pi * r / rings) * math.cos(2 * math.pi * s / sectors),
-               CENTER[1] + RADIUS * math.cos(math.pi * r / rings),
-               CENTER[2] + RADIUS * math.sin(math.pi * r / rings) * math.sin(2 * math.pi * s / sectors))
-              for r in range(rings + 1) for s in range(sectors)]
+    points = [
+        (
+            CENTER[0] + RADIUS * math.sin(math.pi * r / rings) * math.cos(2 * math.pi * s / sectors),
+            CENTER[1] + RADIUS * math.cos(math.pi * r / rings),
+            CENTER[2] + RADIUS * math.sin(math.pi * r / rings) * math.sin(2 * math.pi * s / sectors),
+        )
+        for r in range(rings + 1)
+        for s in range(sectors)
+    ]
     triangles = []
     for r in range(rings):
         for s in range(sectors):

@@ -24,7 +24,12 @@ try:
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.support.ui import WebDriverWait
-    MISSING = None if pathlib.Path("/usr/bin/chromedriver").exists() else "no chromedriver (package chromium-driver)"
+
+    MISSING = (
+        None
+        if pathlib.Path("/usr/bin/chromedriver").exists()
+        else "no chromedriver (package chromium-driver)"
+    )
 except ImportError:
     MISSING = "no selenium (package python3-selenium)"
 
@@ -41,6 +46,7 @@ def start_browser():
 
 class BrowserTest(unittest.TestCase):
     """With a browser, and a page that no test changes."""
+
     @classmethod
     def setUpClass(cls):
         if MISSING:
@@ -60,10 +66,14 @@ class BrowserTest(unittest.TestCase):
         self.open()
 
     def tearDown(self):
-        severe = [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+        severe = [
+            entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"
+        ]
         self.assertEqual(severe, [], "the page writes errors to the console")
         if os.environ.get("SHOTS"):
-            self.browser.save_screenshot(str(pathlib.Path(os.environ["SHOTS"]) / f"{self._testMethodName}.png"))
+            self.browser.save_screenshot(
+                str(pathlib.Path(os.environ["SHOTS"]) / f"{self._testMethodName}.png")
+            )
 
     def open(self, state="", file=None):
         # Another address first: one that differs after "#" only would not load the page anew.
@@ -77,6 +87,7 @@ class BrowserTest(unittest.TestCase):
                 return condition()
             except Exception:  # not there yet
                 return False
+
         return WebDriverWait(self.browser, 15, 0.05).until(quietly, what)
 
     def find(self, selector):
@@ -101,7 +112,9 @@ class BrowserTest(unittest.TestCase):
         side = min(canvas.size["width"] / width, canvas.size["height"] / height)
         right, up = side * (x + 0.5 - width / 2), side * (y + 0.5 - height / 2)
         self.clicks += 1
-        ActionChains(self.browser).move_to_element_with_offset(canvas, round(right), round(-up)).click().perform()
+        ActionChains(self.browser).move_to_element_with_offset(
+            canvas, round(right), round(-up)
+        ).click().perform()
 
     def press(self, *keys):
         ActionChains(self.browser).send_keys(*keys).perform()
@@ -111,7 +124,10 @@ class BrowserTest(unittest.TestCase):
         words = self.browser.execute_script(
             "const c = document.querySelector(arguments[0] + ' canvas');"
             "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; const s = new Set();"
-            "for (let i = 0; i < d.length; i += 4) s.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]); return [...s];", view)
+            "for (let i = 0; i < d.length; i += 4) s.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]);"
+            "return [...s];",
+            view,
+        )
         return {(word >> 16, (word >> 8) & 255, word & 255) for word in words}
 
 
@@ -131,21 +147,34 @@ class InspectPage(BrowserTest):
         self.assertIn("lamp: direct light 64 lux, caustic 200 lux", answer)
         self.assertIn("reads 4 texels of caustic_map[lamp]", answer)
         self.assertIn("3 cells of the grid gave light to these 4 texels; the largest gives 60 %", answer)
-        rows = [[cell.text.replace("\u00a0", " ") for cell in row.find_elements(By.TAG_NAME, "td")] for row in self.all(".givers tbody tr")]
-        self.assertEqual([row[:2] for row in rows], [["60 %", "cell (1, 1)"], ["30 %", "cell (2, 1)"], ["10 %", "cell (4, 5)"]])
-        # The middles of the cell's four vertices: (1.5 / 8, 1, 1.5 / 8), and 1.5 / 4 where they land. Half floats.
+        rows = [
+            [cell.text.replace("\u00a0", " ") for cell in row.find_elements(By.TAG_NAME, "td")]
+            for row in self.all(".givers tbody tr")
+        ]
+        self.assertEqual(
+            [row[:2] for row in rows],
+            [["60 %", "cell (1, 1)"], ["30 %", "cell (2, 1)"], ["10 %", "cell (4, 5)"]],
+        )
+        # The middles of the cell's four vertices: (1.5 / 8, 1, 1.5 / 8), and 1.5 / 4 where they land. Half
+        # floats.
         self.assertEqual(rows[0][2:], ["(0.188, 1, 0.188)", "(0.375, 0, 0.375)"])
 
     def test_a_texel_counts_by_the_share_that_the_pixel_covers(self):
         self.open("pick=pixel:3,2")
         self.wait_text(".answer", "Pixel (3, 2)")
-        self.assertEqual(self.all(".givers tbody tr")[0].text.replace("\u00a0", " ").split(" (0")[0], "100 % cell (2, 1)")
+        self.assertEqual(
+            self.all(".givers tbody tr")[0].text.replace("\u00a0", " ").split(" (0")[0], "100 % cell (2, 1)"
+        )
 
     def test_a_cell_leads_to_the_pixels_that_see_its_light(self):
         self.open("light=1&pick=cell:4,5")
         self.wait_text(".answer", "Cell (4, 5)")
         answer = self.text(".answer")
-        self.assertIn("It gave 3 sr (lumen per candela) to 2 texels of the caustic map; the brightest texel has 66.7 % of that", answer)
+        self.assertIn(
+            "It gave 3 sr (lumen per candela) to 2 texels of the caustic map; "
+            "the brightest texel has 66.7 % of that",
+            answer,
+        )
         # Texel (3, 3) is read by pixels (3, 3) and (2, 2), texel (5, 5) by pixel (5, 5).
         self.assertIn("3 pixels of the picture show its light; most of it (5, 5)", answer)
 
@@ -156,15 +185,31 @@ class InspectPage(BrowserTest):
         self.find(".answer").find_element(By.XPATH, ".//button[contains(., 'in order')]").click()
         self.wait_text(".texel-history", "3 fragments, 3 passed")
         rows = [row.text.replace("\u00a0", " ") for row in self.all(".texel-history tbody tr")]
-        self.assertEqual(rows, ["1 cell (0, 0) 4 0 4 passed", "2 cell (1, 0) 0.5 4 4.5 passed", "3 cell (2, 0) 0.25 4.5 4.75 passed"])
+        self.assertEqual(
+            rows,
+            [
+                "1 cell (0, 0) 4 0 4 passed",
+                "2 cell (1, 0) 0.5 4 4.5 passed",
+                "3 cell (2, 0) 0.25 4.5 4.75 passed",
+            ],
+        )
 
     def test_a_history_says_what_the_depth_test_did(self):
         self.open("panel=passes&pass=shadow_map[sun]&texel=1,1")
         self.wait_text(".texel-history", "4 fragments, 2 passed")
-        rows = [[cell.text for cell in row.find_elements(By.TAG_NAME, "td")] for row in self.all(".texel-history tbody tr")]
-        self.assertEqual([row[2:] for row in rows], [
-            ["0.5", "1", "0.5", "0.5", "passed"], ["0.75", "0.5", "0.5", "0.75", "failed: behind (depth test)"],
-            ["0.125", "0.5", "0.5", "0.125", "failed: discarded by the shader"], ["0.25", "0.5", "0.25", "0.25", "passed"]])
+        rows = [
+            [cell.text for cell in row.find_elements(By.TAG_NAME, "td")]
+            for row in self.all(".texel-history tbody tr")
+        ]
+        self.assertEqual(
+            [row[2:] for row in rows],
+            [
+                ["0.5", "1", "0.5", "0.5", "passed"],
+                ["0.75", "0.5", "0.5", "0.75", "failed: behind (depth test)"],
+                ["0.125", "0.5", "0.5", "0.125", "failed: discarded by the shader"],
+                ["0.25", "0.5", "0.25", "0.25", "passed"],
+            ],
+        )
         self.assertIn("leaf, masked", rows[2][1])
 
     def test_which_pass_went_wrong_first_takes_one_click(self):
@@ -172,8 +217,10 @@ class InspectPage(BrowserTest):
         self.wait_text(".compare-list", "First to differ: landing[sun]")
         self.wait_text(".summary", "1 texel differs, by at most 0.25 at (10, 12)")
         self.assertLessEqual(self.clicks, 2)
-        self.assertEqual([pair.find_element(By.TAG_NAME, "strong").text for pair in self.all(".compare-list > ul .pair")],
-                         ["landing[sun]", "light_shading[sun]", "light_shading[lamp]", "compose", "tone_map"])
+        self.assertEqual(
+            [pair.find_element(By.TAG_NAME, "strong").text for pair in self.all(".compare-list > ul .pair")],
+            ["landing[sun]", "light_shading[sun]", "light_shading[lamp]", "compose", "tone_map"],
+        )
 
     def test_nan_and_infinity_are_marked_and_counted(self):
         self.open("panel=passes&pass=landing[sun]&texture=landing_flux[sun]")
@@ -204,9 +251,14 @@ class InspectPage(BrowserTest):
         self.wait_text(".sweep-panel", "No pictures at other settings are in this page.")
 
     def test_a_page_that_holds_nothing_says_so_everywhere(self):
-        for panel, selector, says in [("picture", ".missing", "Not in this page"), ("passes", ".missing", "too large"),
-                                      ("path", ".path-panel", "No ways of sun"), ("ledger", ".ledger-panel", "no ledger"),
-                                      ("sweep", ".sweep-panel", "--sweep makes them"), ("compare", ".summary", "one run")]:
+        for panel, selector, says in [
+            ("picture", ".missing", "Not in this page"),
+            ("passes", ".missing", "too large"),
+            ("path", ".path-panel", "No ways of sun"),
+            ("ledger", ".ledger-panel", "no ledger"),
+            ("sweep", ".sweep-panel", "--sweep makes them"),
+            ("compare", ".summary", "one run"),
+        ]:
             for pick in ("", "pixel:3,3", "texel:3,3", "cell:3,3", "vertex:3,3"):
                 self.open(f"panel={panel}&texel=1,1" + (f"&pick={pick}" if pick else ""), self.bare)
                 self.wait_text(selector, says)
@@ -237,14 +289,19 @@ class InspectPage(BrowserTest):
             self.wait(lambda: self.find(f".{panel}-panel"))
             wanted = self.browser.execute_script(
                 "return [...document.querySelectorAll('button, select, input, summary, canvas')].filter("
-                "e => e.checkVisibility() && !e.closest('dialog')).length")
+                "e => e.checkVisibility() && !e.closest('dialog')).length"
+            )
             seen = set()
             for _ in range(wanted + 5):
                 self.press(Keys.TAB)
                 focused = self.browser.switch_to.active_element
                 if focused.tag_name != "body":
                     seen.add(focused.id)
-                    self.assertNotEqual(focused.value_of_css_property("outline-style"), "none", focused.get_attribute("outerHTML")[:200])
+                    self.assertNotEqual(
+                        focused.value_of_css_property("outline-style"),
+                        "none",
+                        focused.get_attribute("outerHTML")[:200],
+                    )
             self.assertGreaterEqual(len(seen), wanted, panel)
 
     def test_a_slider_moves_over_the_values_of_a_setting(self):
@@ -256,7 +313,9 @@ class InspectPage(BrowserTest):
 
     def test_a_way_is_drawn_with_every_estimator(self):
         self.open("panel=path&vertex=19,15")
-        self.wait_text(".path-panel", "Vertex (19, 15) is not recorded; this is the nearest that is, (20, 14).")
+        self.wait_text(
+            ".path-panel", "Vertex (19, 15) is not recorded; this is the nearest that is, (20, 14)."
+        )
         self.wait(lambda: len(self.all(".section .met")) == 3)
         self.assertTrue(self.all(".section .cut.refractor")[0].get_attribute("d"))
         self.assertEqual([name.text for name in self.all(".line-name")], ["paper", "newton", "secant"])
@@ -278,14 +337,18 @@ class InspectPage(BrowserTest):
 
 class WrittenPage(BrowserTest):
     """What `caustics inspect` writes of a glass ball, alone and beside a run of one iteration."""
+
     @classmethod
     def make_pages(cls):
         folder = cls.page.parent
         (folder / "ball.glb").write_bytes(glb.scene())
         cls.both = folder / "both.html"
         for file, more in ((cls.page, []), (cls.both, ["--against", "iterations=1"])):
-            subprocess.run([PROGRAM, "inspect", "ball.glb", *SMALL, "-o", file, "--quiet", *more], cwd=folder,
-                           check=True)
+            subprocess.run(
+                [PROGRAM, "inspect", "ball.glb", *SMALL, "-o", file, "--quiet", *more],
+                cwd=folder,
+                check=True,
+            )
 
     def test_a_bright_pixel_names_its_cells_in_three_clicks(self):
         self.wait_text(".answer", "Why is this pixel bright?")

@@ -1,4 +1,5 @@
-"""Puts a recording into the inspect page, as `caustics inspect` does: for tests that need a page with known values."""
+"""Puts a recording into the inspect page, as `caustics inspect` does: for tests that need a page with
+known values."""
 import base64
 import hashlib
 import html
@@ -26,8 +27,10 @@ class Blobs:
         return {"blob": len(self.texts) - 1, "type": kind, "count": len(values)}
 
     def elements(self):
-        return "\n".join(f'<script type="text/plain" id="blob-{number}">{text}</script>'
-                         for number, text in enumerate(self.texts))
+        return "\n".join(
+            f'<script type="text/plain" id="blob-{number}">{text}</script>'
+            for number, text in enumerate(self.texts)
+        )
 
 
 def hash_of(values):
@@ -42,8 +45,13 @@ def script():
 def page(recording, blobs, title="Recording"):
     # "<" would end the script element in a name like "</script>".
     document = json.dumps(recording).replace("<", "\\u003c")
-    parts = {"@TITLE@": html.escape(title), "@STYLE@": (PAGE / "page.css").read_text(), "@SCRIPT@": script(),
-             "@RECORDING@": document, "@BLOBS@": blobs.elements()}
+    parts = {
+        "@TITLE@": html.escape(title),
+        "@STYLE@": (PAGE / "page.css").read_text(),
+        "@SCRIPT@": script(),
+        "@RECORDING@": document,
+        "@BLOBS@": blobs.elements(),
+    }
     text = (PAGE / "page.html").read_text()
     for mark, part in parts.items():
         before, after = text.split(mark)

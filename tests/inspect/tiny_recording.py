@@ -1,7 +1,8 @@
-"""A recording with known values. The light `sun` shines through a ball of glass; the light `lamp` is made by hand, so
-that every share can be computed in the head:
+"""A recording with known values. The light `sun` shines through a ball of glass; the light `lamp` is made by
+hand, so that every share can be computed in the head:
 
-  lamp's map (8 x 8):  cell (1, 1) gave 6 to texel (2, 2), cell (2, 1) gave 3 to (3, 2), cell (4, 5) gave 1 to (3, 3)
+  lamp's map (8 x 8):  cell (1, 1) gave 6 to texel (2, 2), cell (2, 1) gave 3 to (3, 2),
+  cell (4, 5) gave 1 to (3, 3)
                        and 2 to (5, 5)
   pixel (2, 2) reads texels 2..4 x 2..4: 10 in all, of that 60 %, 30 %, 10 %
   pixel (3, 2) reads 3.5..4.5 x 2..3: 1.5, all from cell (2, 1)
@@ -14,13 +15,23 @@ import ball_of_glass as ball
 from page_file import Blobs, hash_of
 
 WIDTH, HEIGHT = 96, 64
-PIXEL = 0.04                       # metres a pixel
-LEFT, LOW = -1.4, -1.28            # metres, of the picture's corner on the floor
+PIXEL = 0.04  # metres a pixel
+LEFT, LOW = -1.4, -1.28  # metres, of the picture's corner on the floor
 MAP, MAP_LEFT, MAP_LOW, MAP_TEXEL = 64, 0.0, -0.64, 0.02
 LAMP_GRID = LAMP_MAP = 8
 SCRIPT = "<script>window.wasRun = true</script>"
-STATUS = ["no caster", "landed", "missed", "outside", "total internal reflection", "absorbed", "not converged",
-          "exit not found", "stopped", "given up"]
+STATUS = [
+    "no caster",
+    "landed",
+    "missed",
+    "outside",
+    "total internal reflection",
+    "absorbed",
+    "not converged",
+    "exit not found",
+    "stopped",
+    "given up",
+]
 XYZ = [{"name": name, "meaning": "position", "unit": "metres"} for name in "xyz"]
 COVERED = {"name": "w", "meaning": "1 where there is a surface", "unit": ""}
 FLUX = [{"name": name, "meaning": "flux that is left", "unit": "m2"} for name in "rgb"]
@@ -32,24 +43,63 @@ class RunMaker:
 
     def __init__(self, name, blobs):
         self.blobs = blobs
-        self.run = {"name": name, "scene": "scenes/tiny <script>window.wasRun = true.glb", "device": "software, 8 lanes (avx2), 2 threads",
-                    "settings": {"grid": ball.GRID, "map": MAP}, "notes": ["The floor is added: the scene has none."],
-                    "effects": [{"name": "hidden receivers", "active": False, "reason": "all receivers are one plane"},
-                                {"name": "casters", "active": True, "reason": "1 body of glass"}],
-                    "passes": [], "attachments": [], "histories": [], "lights": [], "meshes": [], "sweeps": [],
-                    "skipped": [{"pass": "haze", "reason": "the scene has no medium"},
-                                {"pass": "water_step", "reason": "no water moves"}],
-                    "left_out": ["Vertices between the recorded ones have no way here; caustics probe tiny.glb --texel X,Y "
-                                 "shows any."]}
+        self.run = {
+            "name": name,
+            "scene": "scenes/tiny <script>window.wasRun = true.glb",
+            "device": "software, 8 lanes (avx2), 2 threads",
+            "settings": {"grid": ball.GRID, "map": MAP},
+            "notes": ["The floor is added: the scene has none."],
+            "effects": [
+                {"name": "hidden receivers", "active": False, "reason": "all receivers are one plane"},
+                {"name": "casters", "active": True, "reason": "1 body of glass"},
+            ],
+            "passes": [],
+            "attachments": [],
+            "histories": [],
+            "lights": [],
+            "meshes": [],
+            "sweeps": [],
+            "skipped": [
+                {"pass": "haze", "reason": "the scene has no medium"},
+                {"pass": "water_step", "reason": "no water moves"},
+            ],
+            "left_out": [
+                "Vertices between the recorded ones have no way here; caustics probe tiny.glb --texel X,Y "
+                "shows any."
+            ],
+        }
 
-    def add_pass(self, label, purpose, reads=(), light=None, milliseconds=1.0, state=None, draws=(), uniforms=()):
+    def add_pass(
+        self, label, purpose, reads=(), light=None, milliseconds=1.0, state=None, draws=(), uniforms=()
+    ):
         number = len(self.run["passes"])
-        self.run["passes"].append({
-            "label": label, "name": label.split("[")[0], "purpose": purpose, "reason": "the picture needs it",
-            "light": light, "milliseconds": milliseconds, "processor_milliseconds": 1.8 * milliseconds,
-            "vertices": 6, "primitives": 2, "fragments": WIDTH * HEIGHT, "samples_passed": WIDTH * HEIGHT,
-            "left_out": False, "reads": list(reads), "writes": [], "draws": list(draws), "uniforms": list(uniforms),
-            "state": {"topology": "triangles", "depth": None, "cull": None, "blend": None, **(state or {})}})
+        self.run["passes"].append(
+            {
+                "label": label,
+                "name": label.split("[")[0],
+                "purpose": purpose,
+                "reason": "the picture needs it",
+                "light": light,
+                "milliseconds": milliseconds,
+                "processor_milliseconds": 1.8 * milliseconds,
+                "vertices": 6,
+                "primitives": 2,
+                "fragments": WIDTH * HEIGHT,
+                "samples_passed": WIDTH * HEIGHT,
+                "left_out": False,
+                "reads": list(reads),
+                "writes": [],
+                "draws": list(draws),
+                "uniforms": list(uniforms),
+                "state": {
+                    "topology": "triangles",
+                    "depth": None,
+                    "cull": None,
+                    "blend": None,
+                    **(state or {}),
+                },
+            }
+        )
         return number
 
     def write(self, texture, kind, size, values, channels, meaning, codes=None, left_out=None, exact=False):
@@ -58,28 +108,52 @@ class RunMaker:
         data = None
         if values is not None:
             data = self.blobs.add("u8" if kind == "display" else "f32" if exact else "f16", values)
-        self.run["attachments"].append({
-            "id": identity, "pass": number, "texture": texture, "name": texture.split("[")[0], "format": "RGBA32F",
-            "width": size[0], "height": size[1], "meaning": meaning, "kind": kind, "channels": channels,
-            "codes": codes, "sha256": hash_of(values), "data": data, "left_out": left_out})
+        self.run["attachments"].append(
+            {
+                "id": identity,
+                "pass": number,
+                "texture": texture,
+                "name": texture.split("[")[0],
+                "format": "RGBA32F",
+                "width": size[0],
+                "height": size[1],
+                "meaning": meaning,
+                "kind": kind,
+                "channels": channels,
+                "codes": codes,
+                "sha256": hash_of(values),
+                "data": data,
+                "left_out": left_out,
+            }
+        )
         self.run["passes"][number]["writes"].append(identity)
         return identity
 
     def write_history(self, size, events, before, channels, vertices_of, draws=False):
-        """`events`: for each texel [(draw, primitive, outcome, depth, values)], in order. All go to one attachment."""
+        """`events`: for each texel [(draw, primitive, outcome, depth, values)], in order. All go to one
+        attachment."""
         starts, flat = [0], []
         for texel in range(size[0] * size[1]):
             flat += events.get(texel, [])
             starts.append(len(flat))
         attachment = self.run["passes"][-1]["writes"][0]
-        self.run["histories"].append({
-            "pass": len(self.run["passes"]) - 1, "width": size[0], "height": size[1],
-            "start": self.blobs.add("u32", starts), "draw": self.blobs.add("u16", [e[0] for e in flat]),
-            "primitive": self.blobs.add("u32", [e[1] for e in flat]),
-            "outcome": self.blobs.add("u8", [e[2] for e in flat]),
-            "depth": self.blobs.add("f16", [e[3] for e in flat]) if draws else None,
-            "values": {str(attachment): self.blobs.add("f16", [v for e in flat for v in e[4]])},
-            "before": {str(attachment): before}, "vertices_of": vertices_of, "cascade": False, "left_out": None})
+        self.run["histories"].append(
+            {
+                "pass": len(self.run["passes"]) - 1,
+                "width": size[0],
+                "height": size[1],
+                "start": self.blobs.add("u32", starts),
+                "draw": self.blobs.add("u16", [e[0] for e in flat]),
+                "primitive": self.blobs.add("u32", [e[1] for e in flat]),
+                "outcome": self.blobs.add("u8", [e[2] for e in flat]),
+                "depth": self.blobs.add("f16", [e[3] for e in flat]) if draws else None,
+                "values": {str(attachment): self.blobs.add("f16", [v for e in flat for v in e[4]])},
+                "before": {str(attachment): before},
+                "vertices_of": vertices_of,
+                "cascade": False,
+                "left_out": None,
+            }
+        )
         assert len(flat) == 0 or len(flat[0][4]) == channels
         return len(self.run["histories"]) - 1
 
@@ -91,13 +165,13 @@ def floor_of_pixel(x, y):
 def sees_ball(x, y):
     """The camera looks straight down."""
     at = floor_of_pixel(x, y)
-    return (at[0] - ball.CENTER[0]) ** 2 + (at[1] - ball.CENTER[2]) ** 2 < ball.RADIUS ** 2
+    return (at[0] - ball.CENTER[0]) ** 2 + (at[1] - ball.CENTER[2]) ** 2 < ball.RADIUS**2
 
 
 def in_shadow(x, z):
     to = (x - ball.CENTER[0], -ball.CENTER[1], z - ball.CENTER[2])
     along = ball.dot(to, ball.LIGHT)
-    return ball.dot(to, to) - along * along < ball.RADIUS ** 2
+    return ball.dot(to, to) - along * along < ball.RADIUS**2
 
 
 def pixels():
@@ -105,28 +179,65 @@ def pixels():
 
 
 def view_surfaces(maker):
-    maker.add_pass("view_surfaces", "The first opaque surface in each pixel", milliseconds=3.1,
-                   state={"depth": "less, written"}, draws=[{"mesh": "floor", "material": "chalk"}])
+    maker.add_pass(
+        "view_surfaces",
+        "The first opaque surface in each pixel",
+        milliseconds=3.1,
+        state={"depth": "less, written"},
+        draws=[{"mesh": "floor", "material": "chalk"}],
+    )
     position = [v for x, y in pixels() for v in (floor_of_pixel(x, y)[0], 0, floor_of_pixel(x, y)[1], 1)]
-    maker.write("view_position", "position", (WIDTH, HEIGHT), position, XYZ + [COVERED],
-                "xyz: position, metres, scene space; w: 1 where there is a surface, else 0")
-    maker.write("view_normal", "normal", (WIDTH, HEIGHT), [v for _ in pixels() for v in (0, 1, 0, 3)],
-                [{"name": n, "meaning": "unit normal", "unit": ""} for n in "xyz"] +
-                [{"name": "w", "meaning": "depth along the camera's axis", "meaning": "metres"}],
-                "xyz: unit shading normal; w: depth, metres")
+    maker.write(
+        "view_position",
+        "position",
+        (WIDTH, HEIGHT),
+        position,
+        XYZ + [COVERED],
+        "xyz: position, metres, scene space; w: 1 where there is a surface, else 0",
+    )
+    maker.write(
+        "view_normal",
+        "normal",
+        (WIDTH, HEIGHT),
+        [v for _ in pixels() for v in (0, 1, 0, 3)],
+        [{"name": n, "meaning": "unit normal", "unit": ""} for n in "xyz"]
+        + [{"name": "w", "meaning": "depth along the camera's axis", "meaning": "metres"}],
+        "xyz: unit shading normal; w: depth, metres",
+    )
 
 
 def shadow_map(maker):
     """Texel (1, 1): 0.5 passes, 0.75 is behind, one is thrown away, 0.25 passes. Texel (2, 1): 0.5 passes."""
-    maker.add_pass("shadow_map[sun]", "What opaque surfaces shadow", light=0, milliseconds=0.7,
-                   state={"depth": "less, written", "cull": "back"},
-                   draws=[{"mesh": "floor", "material": "chalk"}, {"mesh": f"ball {SCRIPT}", "material": "leaf, masked"}])
+    maker.add_pass(
+        "shadow_map[sun]",
+        "What opaque surfaces shadow",
+        light=0,
+        milliseconds=0.7,
+        state={"depth": "less, written", "cull": "back"},
+        draws=[
+            {"mesh": "floor", "material": "chalk"},
+            {"mesh": f"ball {SCRIPT}", "material": "leaf, masked"},
+        ],
+    )
     depths = [1.0] * 16
     depths[5], depths[6] = 0.25, 0.5
-    maker.write("shadow_depth[sun]", "depth", (4, 4), depths,
-                [{"name": "depth", "meaning": "window depth", "unit": ""}], "window depth, 1 where nothing was drawn")
-    events = {5: [(0, 7, 0, 0.5, [0.5]), (0, 8, 2, 0.75, [0.75]), (1, 2, 1, 0.125, [0.125]), (1, 3, 0, 0.25, [0.25])],
-              6: [(0, 7, 0, 0.5, [0.5])]}
+    maker.write(
+        "shadow_depth[sun]",
+        "depth",
+        (4, 4),
+        depths,
+        [{"name": "depth", "meaning": "window depth", "unit": ""}],
+        "window depth, 1 where nothing was drawn",
+    )
+    events = {
+        5: [
+            (0, 7, 0, 0.5, [0.5]),
+            (0, 8, 2, 0.75, [0.75]),
+            (1, 2, 1, 0.125, [0.125]),
+            (1, 3, 0, 0.25, [0.25]),
+        ],
+        6: [(0, 7, 0, 0.5, [0.5])],
+    }
     maker.write_history((4, 4), events, [1.0], 1, None, draws=True)
 
 
@@ -135,36 +246,76 @@ def sun_grid(maker, wrong):
     ways = {(i, j): ball.way_through(i, j) for j in range(ball.GRID) for i in range(ball.GRID)}
     order = [ways[i, j] for j in range(ball.GRID) for i in range(ball.GRID)]
     size = (ball.GRID, ball.GRID)
-    maker.add_pass("caster_map[sun]", "The nearest surface of the casters, seen from the light", light=0,
-                   milliseconds=1.4, state={"depth": "less, written"})
-    entry = maker.write("caster_position[sun]", "position", size,
-                        [v for way in order for v in ((*way[0], 1) if way else (0, 0, 0, 0))], XYZ + [COVERED],
-                        "xyz: position, metres, scene space; w: 1 a front face, 0 no caster")
-    maker.write("caster_normal[sun]", "normal", size, [v for way in order for v in ((*way[3], 0) if way else (0,) * 4)],
-                [{"name": n, "meaning": "unit normal, outward", "unit": ""} for n in "xyz"] +
-                [{"name": "w", "meaning": "row of the material", "unit": ""}], "xyz: unit normal; w: material")
+    maker.add_pass(
+        "caster_map[sun]",
+        "The nearest surface of the casters, seen from the light",
+        light=0,
+        milliseconds=1.4,
+        state={"depth": "less, written"},
+    )
+    entry = maker.write(
+        "caster_position[sun]",
+        "position",
+        size,
+        [v for way in order for v in ((*way[0], 1) if way else (0, 0, 0, 0))],
+        XYZ + [COVERED],
+        "xyz: position, metres, scene space; w: 1 a front face, 0 no caster",
+    )
+    maker.write(
+        "caster_normal[sun]",
+        "normal",
+        size,
+        [v for way in order for v in ((*way[3], 0) if way else (0,) * 4)],
+        [{"name": n, "meaning": "unit normal, outward", "unit": ""} for n in "xyz"]
+        + [{"name": "w", "meaning": "row of the material", "unit": ""}],
+        "xyz: unit normal; w: material",
+    )
     maker.add_pass("caster_exit_map[sun]", "Where light can leave the casters", light=0, milliseconds=1.1)
-    leaves = maker.write("caster_exit_position[sun]", "position", size,
-                         [v for way in order for v in ((*way[1], 1) if way else (0, 0, 0, 0))], XYZ + [COVERED],
-                         "xyz: position, metres; w: 1 a back face")
-    maker.add_pass("landing[sun]", "Bends the light of each grid vertex and finds where it lands", light=0,
-                   reads=["caster_position[sun]", "caster_normal[sun]", "caster_exit_position[sun]"], milliseconds=6.2,
-                   uniforms=[{"name": "search.iterations", "value": 5, "meaning": ""},
-                             {"name": "light.direction", "value": list(ball.LIGHT), "meaning": "the way of its light"}])
+    leaves = maker.write(
+        "caster_exit_position[sun]",
+        "position",
+        size,
+        [v for way in order for v in ((*way[1], 1) if way else (0, 0, 0, 0))],
+        XYZ + [COVERED],
+        "xyz: position, metres; w: 1 a back face",
+    )
+    maker.add_pass(
+        "landing[sun]",
+        "Bends the light of each grid vertex and finds where it lands",
+        light=0,
+        reads=["caster_position[sun]", "caster_normal[sun]", "caster_exit_position[sun]"],
+        milliseconds=6.2,
+        uniforms=[
+            {"name": "search.iterations", "value": 5, "meaning": ""},
+            {"name": "light.direction", "value": list(ball.LIGHT), "meaning": "the way of its light"},
+        ],
+    )
     landings = [v for way in order for v in landing_texel(way)]
     if wrong:
         landings[4 * (12 * ball.GRID + 10)] += 0.25
-    landing = maker.write("landing[sun]", "status", size, landings,
-                          [{"name": n, "meaning": "where the light lands", "unit": "metres"} for n in "xyz"] +
-                          [{"name": "w", "meaning": "status", "unit": ""}],
-                          "xyz: where the light lands, metres, scene space; w: status", codes={"3": STATUS})
-    flux = [v for way in order for v in ([ball.CELL_SIDE ** 2 * 0.92] * 3 + [1e-5] if way else [0, 0, 0, 0])]
+    landing = maker.write(
+        "landing[sun]",
+        "status",
+        size,
+        landings,
+        [{"name": n, "meaning": "where the light lands", "unit": "metres"} for n in "xyz"]
+        + [{"name": "w", "meaning": "status", "unit": ""}],
+        "xyz: where the light lands, metres, scene space; w: status",
+        codes={"3": STATUS},
+    )
+    flux = [v for way in order for v in ([ball.CELL_SIDE**2 * 0.92] * 3 + [1e-5] if way else [0, 0, 0, 0])]
     # Three NaN and one infinity, which a page must show.
     for at in (4 * 45, 4 * 45 + 1, 4 * 700 + 2):
         flux[at] = math.nan
     flux[4 * 801] = math.inf
-    maker.write("landing_flux[sun]", "flux", size, flux, FLUX + [{"name": "w", "meaning": "gap at the end", "meaning": "metres"}],
-                "rgb: flux that is left; w: gap between ray and surface at the end, metres")
+    maker.write(
+        "landing_flux[sun]",
+        "flux",
+        size,
+        flux,
+        FLUX + [{"name": "w", "meaning": "gap at the end", "meaning": "metres"}],
+        "rgb: flux that is left; w: gap between ray and surface at the end, metres",
+    )
     return ways, {"name": "", "landing": [landing], "entry": entry, "exit": leaves}
 
 
@@ -184,13 +335,15 @@ def map_events(ways):
                 continue
             columns = [(way[2][0] - MAP_LEFT) / MAP_TEXEL for way in corners]
             rows = [(way[2][2] - MAP_LOW) / MAP_TEXEL for way in corners]
-            lay_rectangle(events, j * (ball.GRID - 1) + i, (min(columns), min(rows), max(columns), max(rows)))
+            lay_rectangle(
+                events, j * (ball.GRID - 1) + i, (min(columns), min(rows), max(columns), max(rows))
+            )
     return events
 
 
 def lay_rectangle(events, cell, box):
     x0, y0, x1, y1 = box
-    density = ball.CELL_SIDE ** 2 * 0.92 / max((x1 - x0) * (y1 - y0), 1e-9)
+    density = ball.CELL_SIDE**2 * 0.92 / max((x1 - x0) * (y1 - y0), 1e-9)
     for y in range(max(0, math.floor(y0)), min(MAP, math.floor(y1) + 1)):
         for x in range(max(0, math.floor(x0)), min(MAP, math.floor(x1) + 1)):
             area = (min(x1, x + 1) - max(x0, x)) * (min(y1, y + 1) - max(y0, y))
@@ -200,12 +353,24 @@ def lay_rectangle(events, cell, box):
 
 def sun_map(maker, ways):
     events = map_events(ways)
-    maker.add_pass("caustic_cells[sun]", "Lays each cell into the caustic map", light=0, reads=["landing[sun]"],
-                   milliseconds=4.4, state={"topology": "rectangles", "blend": "add"}, draws=[{"mesh": None, "material": None}])
+    maker.add_pass(
+        "caustic_cells[sun]",
+        "Lays each cell into the caustic map",
+        light=0,
+        reads=["landing[sun]"],
+        milliseconds=4.4,
+        state={"topology": "rectangles", "blend": "add"},
+        draws=[{"mesh": None, "material": None}],
+    )
     sums = [sum(event[4][0] for event in events.get(texel, [])) for texel in range(MAP * MAP)]
-    identity = maker.write("caustic_map[sun]", "flux", (MAP, MAP), sums,
-                           [{"name": "r", "meaning": "flux in the texel", "unit": "m2"}],
-                           "r: flux in the texel, relative to the light's intensity")
+    identity = maker.write(
+        "caustic_map[sun]",
+        "flux",
+        (MAP, MAP),
+        sums,
+        [{"name": "r", "meaning": "flux in the texel", "unit": "m2"}],
+        "r: flux in the texel, relative to the light's intensity",
+    )
     history = maker.write_history((MAP, MAP), events, [0.0], 1, "cell")
     return sums, {"attachment": identity, "histories": [history]}
 
@@ -219,21 +384,34 @@ def sun_pixels(maker):
         inside = left >= 0 and low >= 0 and left + side <= MAP and low + side <= MAP and not sees_ball(x, y)
         chosen.append(0 if inside else 255)
         rectangles += [left, low, left + side, low + side] if inside else [0, 0, 0, 0]
-    return {"width": WIDTH, "height": HEIGHT, "map": maker.blobs.add("u8", chosen),
-            "rectangle": maker.blobs.add("f16", rectangles)}, chosen, rectangles
+    return (
+        {
+            "width": WIDTH,
+            "height": HEIGHT,
+            "map": maker.blobs.add("u8", chosen),
+            "rectangle": maker.blobs.add("f16", rectangles),
+        },
+        chosen,
+        rectangles,
+    )
 
 
 def sun_shading(maker, sums, chosen, rectangles):
-    maker.add_pass("light_shading[sun]", "What one light gives to the surfaces that the camera sees", light=0,
-                   reads=["view_position", "view_normal", "shadow_depth[sun]", "caustic_map[sun]"], milliseconds=5.0,
-                   state={"blend": "add"})
+    maker.add_pass(
+        "light_shading[sun]",
+        "What one light gives to the surfaces that the camera sees",
+        light=0,
+        reads=["view_position", "view_normal", "shadow_depth[sun]", "caustic_map[sun]"],
+        milliseconds=5.0,
+        state={"blend": "add"},
+    )
     direct, caustic = [], []
     for number, (x, y) in enumerate(pixels()):
         shaded = in_shadow(*floor_of_pixel(x, y)) or sees_ball(x, y)
         direct += [0 if shaded else 43000 * k for k in (1, 0.97, 0.9)] + [0]
-        x0, y0, x1, y1 = (round(v) for v in rectangles[4 * number:4 * number + 4])
+        x0, y0, x1, y1 = (round(v) for v in rectangles[4 * number : 4 * number + 4])
         flux = sum(sums[row * MAP + column] for row in range(y0, y1) for column in range(x0, x1))
-        lux = 50000 * flux / PIXEL ** 2 if chosen[number] == 0 else 0
+        lux = 50000 * flux / PIXEL**2 if chosen[number] == 0 else 0
         caustic += [min(60000, lux * k) for k in (1, 0.97, 0.9)] + [0]
     return direct, caustic
 
@@ -242,24 +420,62 @@ def lamp_light(maker):
     """All by hand. (grid, map events, the light's entries.)"""
     maker.add_pass("caster_map[lamp]", "The nearest surface of the casters, seen from the light", light=1)
     entry = [v for j in range(8) for i in range(8) for v in (i / 8, 1, j / 8, 1)]
-    entered = maker.write("caster_position[lamp]", "position", (8, 8), entry, XYZ + [COVERED], "xyz: position, metres; w: 1 a front face")
-    maker.add_pass("landing[lamp]", "Bends the light of each grid vertex and finds where it lands", light=1,
-                   reads=["caster_position[lamp]"])
+    entered = maker.write(
+        "caster_position[lamp]",
+        "position",
+        (8, 8),
+        entry,
+        XYZ + [COVERED],
+        "xyz: position, metres; w: 1 a front face",
+    )
+    maker.add_pass(
+        "landing[lamp]",
+        "Bends the light of each grid vertex and finds where it lands",
+        light=1,
+        reads=["caster_position[lamp]"],
+    )
     landed = [v for j in range(8) for i in range(8) for v in (i / 4, 0, j / 4, 1)]
-    landing = maker.write("landing[lamp]", "status", (8, 8), landed, XYZ + [{"name": "w", "meaning": "status", "unit": ""}],
-                          "xyz: where the light lands, metres; w: status", codes={"3": STATUS})
-    maker.add_pass("caustic_cells[lamp]", "Lays each cell into the caustic map", light=1, reads=["landing[lamp]"],
-                   state={"topology": "rectangles", "blend": "add"}, draws=[{"mesh": None, "material": None}])
+    landing = maker.write(
+        "landing[lamp]",
+        "status",
+        (8, 8),
+        landed,
+        XYZ + [{"name": "w", "meaning": "status", "unit": ""}],
+        "xyz: where the light lands, metres; w: status",
+        codes={"3": STATUS},
+    )
+    maker.add_pass(
+        "caustic_cells[lamp]",
+        "Lays each cell into the caustic map",
+        light=1,
+        reads=["landing[lamp]"],
+        state={"topology": "rectangles", "blend": "add"},
+        draws=[{"mesh": None, "material": None}],
+    )
     cell = lambda i, j: j * 7 + i
-    events = {2 * 8 + 2: [(0, cell(1, 1), 0, 0, [6.0])], 2 * 8 + 3: [(0, cell(2, 1), 0, 0, [3.0])],
-              3 * 8 + 3: [(0, cell(4, 5), 0, 0, [1.0])], 5 * 8 + 5: [(0, cell(4, 5), 0, 0, [2.0])],
-              7 * 8 + 7: [(0, cell(0, 0), 0, 0, [4.0]), (0, cell(1, 0), 0, 0, [0.5]), (0, cell(2, 0), 0, 0, [0.25])]}
+    events = {
+        2 * 8 + 2: [(0, cell(1, 1), 0, 0, [6.0])],
+        2 * 8 + 3: [(0, cell(2, 1), 0, 0, [3.0])],
+        3 * 8 + 3: [(0, cell(4, 5), 0, 0, [1.0])],
+        5 * 8 + 5: [(0, cell(4, 5), 0, 0, [2.0])],
+        7 * 8
+        + 7: [(0, cell(0, 0), 0, 0, [4.0]), (0, cell(1, 0), 0, 0, [0.5]), (0, cell(2, 0), 0, 0, [0.25])],
+    }
     sums = [sum(event[4][0] for event in events.get(texel, [])) for texel in range(64)]
-    mapped = maker.write("caustic_map[lamp]", "flux", (8, 8), sums, [{"name": "r", "meaning": "flux in the texel", "unit": "sr"}],
-                         "r: flux in the texel, relative to the light's intensity")
+    mapped = maker.write(
+        "caustic_map[lamp]",
+        "flux",
+        (8, 8),
+        sums,
+        [{"name": "r", "meaning": "flux in the texel", "unit": "sr"}],
+        "r: flux in the texel, relative to the light's intensity",
+    )
     history = maker.write_history((8, 8), events, [0.0], 1, "cell")
-    return {"name": "lamp", "maps": [{"attachment": mapped, "histories": [history]}], "branches": [
-        {"name": "", "landing": [landing], "entry": entered, "exit": None}]}
+    return {
+        "name": "lamp",
+        "maps": [{"attachment": mapped, "histories": [history]}],
+        "branches": [{"name": "", "landing": [landing], "entry": entered, "exit": None}],
+    }
 
 
 def lamp_pixels(maker):
@@ -269,63 +485,128 @@ def lamp_pixels(maker):
         box = {(2, 2): [2, 2, 4, 4], (3, 2): [3.5, 2, 4.5, 3]}.get((x, y), [x, y, x + 1, y + 1])
         chosen.append(0 if inside else 255)
         rectangles += box if inside else [0, 0, 0, 0]
-    return {"width": WIDTH, "height": HEIGHT, "map": maker.blobs.add("u8", chosen),
-            "rectangle": maker.blobs.add("f16", rectangles)}
+    return {
+        "width": WIDTH,
+        "height": HEIGHT,
+        "map": maker.blobs.add("u8", chosen),
+        "rectangle": maker.blobs.add("f16", rectangles),
+    }
 
 
 def write_irradiance(maker, direct, caustic):
     alpha = [{"name": "a", "meaning": "0", "unit": ""}]
-    maker.write("direct", "radiance", (WIDTH, HEIGHT), direct, LUX + alpha, "rgb: direct irradiance after shadows, lux")
-    maker.write("caustic", "radiance", (WIDTH, HEIGHT), caustic, LUX + alpha, "rgb: irradiance from caustics, lux")
+    maker.write(
+        "direct",
+        "radiance",
+        (WIDTH, HEIGHT),
+        direct,
+        LUX + alpha,
+        "rgb: direct irradiance after shadows, lux",
+    )
+    maker.write(
+        "caustic", "radiance", (WIDTH, HEIGHT), caustic, LUX + alpha, "rgb: irradiance from caustics, lux"
+    )
 
 
 def finish_picture(maker, direct, caustic, number_of_run):
-    maker.add_pass("compose", "Puts the camera's picture together", reads=["direct", "caustic"], milliseconds=1.9)
-    beauty = [v for at in range(0, len(direct), 4) for v in [(direct[at + c] + caustic[at + c]) * 0.2 for c in range(3)] + [1]]
+    maker.add_pass(
+        "compose", "Puts the camera's picture together", reads=["direct", "caustic"], milliseconds=1.9
+    )
+    beauty = [
+        v
+        for at in range(0, len(direct), 4)
+        for v in [(direct[at + c] + caustic[at + c]) * 0.2 for c in range(3)] + [1]
+    ]
     for number, (x, y) in enumerate(pixels()):
         if sees_ball(x, y):
-            beauty[4 * number:4 * number + 3] = [2500, 3600, 4300]
-    maker.write("beauty", "radiance", (WIDTH, HEIGHT), beauty,
-                [{"name": n, "meaning": "radiance towards the camera", "unit": "nit"} for n in "rgb"] +
-                [{"name": "a", "meaning": "1", "unit": ""}], "rgb: radiance towards the camera, nit; a: 1")
+            beauty[4 * number : 4 * number + 3] = [2500, 3600, 4300]
+    maker.write(
+        "beauty",
+        "radiance",
+        (WIDTH, HEIGHT),
+        beauty,
+        [{"name": n, "meaning": "radiance towards the camera", "unit": "nit"} for n in "rgb"]
+        + [{"name": "a", "meaning": "1", "unit": ""}],
+        "rgb: radiance towards the camera, nit; a: 1",
+    )
     maker.add_pass("glass", "What is seen through glass", reads=["beauty"], milliseconds=8.3)
-    maker.write("glass_way", "position", (WIDTH, HEIGHT), None, XYZ, "xyz: where the seen ray goes",
-                left_out=f"it would add 40 MB; caustics render tiny.glb --dump DIR writes it {number_of_run}".strip())
+    maker.write(
+        "glass_way",
+        "position",
+        (WIDTH, HEIGHT),
+        None,
+        XYZ,
+        "xyz: where the seen ray goes",
+        left_out=f"it would add 40 MB; caustics render tiny.glb --dump DIR writes it {number_of_run}".strip(),
+    )
     maker.add_pass("tone_map", "Turns radiance into values for a screen", reads=["beauty"], milliseconds=0.6)
-    screen = [round(255 * min(1, v / 16000) ** (1 / 2.2)) for at in range(0, len(beauty), 4) for v in beauty[at:at + 3]]
-    maker.write("picture", "display", (WIDTH, HEIGHT), screen, [{"name": n, "meaning": "display value", "unit": ""} for n in "rgb"],
-                "rgb: display values")
+    screen = [
+        round(255 * min(1, v / 16000) ** (1 / 2.2))
+        for at in range(0, len(beauty), 4)
+        for v in beauty[at : at + 3]
+    ]
+    maker.write(
+        "picture",
+        "display",
+        (WIDTH, HEIGHT),
+        screen,
+        [{"name": n, "meaning": "display value", "unit": ""} for n in "rgb"],
+        "rgb: display values",
+    )
     return screen
 
 
 def recorded_ways(ways):
     """Every sixth vertex; the estimators' errors shrink as they would: squared, or by a factor."""
     vertices = [[i, j] for j in range(2, ball.GRID, 6) for i in range(2, ball.GRID, 6)]
-    errors = {"secant": [0.5, 0.1, 4e-3, 6e-6, 1e-9], "newton": [0.5, 0.2, 0.05, 4e-3, 3e-5],
-              "paper": [0.5, 0.2, 0.08, 0.03, 0.012]}
-    return {"vertices": vertices, "estimators": {name: [recorded_way(ways[i, j], wrong) for i, j in vertices]
-                                                 for name, wrong in errors.items()}}
+    errors = {
+        "secant": [0.5, 0.1, 4e-3, 6e-6, 1e-9],
+        "newton": [0.5, 0.2, 0.05, 4e-3, 3e-5],
+        "paper": [0.5, 0.2, 0.08, 0.03, 0.012],
+    }
+    return {
+        "vertices": vertices,
+        "estimators": {
+            name: [recorded_way(ways[i, j], wrong) for i, j in vertices] for name, wrong in errors.items()
+        },
+    }
 
 
 def recorded_way(way, errors):
     if way is None:
         return {"points": [], "iterates": [], "status": "no caster"}
-    points = [{"at": way[0], "surface": "entry", "medium": "inside"}, {"at": way[1], "surface": "exit", "medium": "outside"}]
+    points = [
+        {"at": way[0], "surface": "entry", "medium": "inside"},
+        {"at": way[1], "surface": "exit", "medium": "outside"},
+    ]
     if way[2] is None:
         return {"points": points, "iterates": [], "status": "total internal reflection"}
     points.append({"at": way[2], "surface": "landing", "medium": "outside"})
     to = ball.plus(way[2], way[1], -1.0)
     length = math.sqrt(ball.dot(to, to))
-    iterates = [{"label": f"iterate {k + 1}", "at": ball.plus(way[1], to, 1 - error), "distance": length * (1 - error),
-                 "error": length * error} for k, error in enumerate(errors)]
+    iterates = [
+        {
+            "label": f"iterate {k + 1}",
+            "at": ball.plus(way[1], to, 1 - error),
+            "distance": length * (1 - error),
+            "error": length * error,
+        }
+        for k, error in enumerate(errors)
+    ]
     return {"points": points, "iterates": iterates, "status": "landed"}
 
 
 def ledger():
-    shares = [("landed", "flux that lands on receivers", 0.871), ("fresnel", "mirrored at the surfaces", 0.083),
-              ("absorbed", "taken by the glass", 0.021), ("outside", "left the receiver map's window", 0.0145),
-              ("missed", "met no receiver", 0.0081), ("total internal reflection", "stays inside the body", 0.0024),
-              ("not converged", "the search found no landing", 0.0), ("exit not found", "met no second surface", 0.0)]
+    shares = [
+        ("landed", "flux that lands on receivers", 0.871),
+        ("fresnel", "mirrored at the surfaces", 0.083),
+        ("absorbed", "taken by the glass", 0.021),
+        ("outside", "left the receiver map's window", 0.0145),
+        ("missed", "met no receiver", 0.0081),
+        ("total internal reflection", "stays inside the body", 0.0024),
+        ("not converged", "the search found no landing", 0.0),
+        ("exit not found", "met no second surface", 0.0),
+    ]
     lines = [{"account": name, "meaning": text, "flux": [share * 1.5] * 3} for name, text, share in shares]
     return [{"account": "entered", "meaning": "flux that enters the casters", "flux": [1.5] * 3}] + lines
 
@@ -333,18 +614,45 @@ def ledger():
 def meshes(maker):
     positions, indices = ball.sphere_mesh()
     add = maker.blobs.add
-    return [{"name": f"ball {SCRIPT}", "material": "glass", "role": "refractor", "positions": add("f32", positions), "indices": add("u32", indices)},
-            {"name": "floor", "material": "chalk", "role": "receiver",
-             "positions": add("f32", [-3, 0, -3, 3, 0, -3, 3, 0, 3, -3, 0, 3]), "indices": add("u32", [0, 1, 2, 0, 2, 3])},
-            {"name": "far wall", "material": "chalk", "role": "receiver", "positions": None, "indices": None}]
+    return [
+        {
+            "name": f"ball {SCRIPT}",
+            "material": "glass",
+            "role": "refractor",
+            "positions": add("f32", positions),
+            "indices": add("u32", indices),
+        },
+        {
+            "name": "floor",
+            "material": "chalk",
+            "role": "receiver",
+            "positions": add("f32", [-3, 0, -3, 3, 0, -3, 3, 0, 3, -3, 0, 3]),
+            "indices": add("u32", [0, 1, 2, 0, 2, 3]),
+        },
+        {"name": "far wall", "material": "chalk", "role": "receiver", "positions": None, "indices": None},
+    ]
 
 
 def sweeps(maker, screen):
     dimmed = lambda k: maker.blobs.add("u8", [min(255, round(v * k)) for v in screen])
-    return [{"setting": "iterations", "values": ["1", "2", "3", "5"], "width": WIDTH, "height": HEIGHT,
-             "pictures": [dimmed(k) for k in (0.6, 0.8, 0.95, 1)], "error": [0.4, 0.11, 0.045, 0.04]},
-            {"setting": "grid", "values": ["64", "128", "256"], "width": WIDTH, "height": HEIGHT,
-             "pictures": [dimmed(k) for k in (0.7, 0.9, 1)], "error": [0.2, 0.06, None]}]
+    return [
+        {
+            "setting": "iterations",
+            "values": ["1", "2", "3", "5"],
+            "width": WIDTH,
+            "height": HEIGHT,
+            "pictures": [dimmed(k) for k in (0.6, 0.8, 0.95, 1)],
+            "error": [0.4, 0.11, 0.045, 0.04],
+        },
+        {
+            "setting": "grid",
+            "values": ["64", "128", "256"],
+            "width": WIDTH,
+            "height": HEIGHT,
+            "pictures": [dimmed(k) for k in (0.7, 0.9, 1)],
+            "error": [0.2, 0.06, None],
+        },
+    ]
 
 
 def make_run(name, blobs, wrong=False):
@@ -359,22 +667,57 @@ def make_run(name, blobs, wrong=False):
         caustic[4 * (30 * WIDTH + 60)] += 512
     write_irradiance(maker, direct, caustic)
     lamp = lamp_light(maker)
-    maker.add_pass("light_shading[lamp]", "What one light gives to the surfaces that the camera sees", light=1,
-                   reads=["view_position", "caustic_map[lamp]"], state={"blend": "add"}, milliseconds=2.2)
+    maker.add_pass(
+        "light_shading[lamp]",
+        "What one light gives to the surfaces that the camera sees",
+        light=1,
+        reads=["view_position", "caustic_map[lamp]"],
+        state={"blend": "add"},
+        milliseconds=2.2,
+    )
     for x, y, lux in ((2, 2, 200), (3, 2, 60), (3, 3, 20), (5, 5, 40), (7, 7, 95)):
         at = 4 * (y * WIDTH + x)
-        caustic[at:at + 3] = [lux] * 3
-        direct[at:at + 3] = [direct[at + c] + 64 for c in range(3)]
+        caustic[at : at + 3] = [lux] * 3
+        direct[at : at + 3] = [direct[at + c] + 64 for c in range(3)]
     write_irradiance(maker, direct, caustic)
     screen = finish_picture(maker, direct, caustic, "")
-    sun = {"index": 0, "name": "sun", "type": "directional", "intensity": 50000, "unit": "lux", "color": [1, 0.97, 0.9],
-           "position": None, "direction": list(ball.LIGHT), "flux_unit": "m2 (lumen per lux)", "ledger": ledger(),
-           "estimated_error": {"total": 0.041, "map": 0.012}, "grid": ball.GRID, "branches": [branch], "maps": [mapped],
-           "pixels": read, "paths": recorded_ways(ways)}
-    maker.run["lights"] = [sun, {"index": 1, "type": "point", "intensity": 100, "unit": "candela", "color": [1, 1, 1],
-                                 "position": [0, 3, 0], "direction": None, "flux_unit": "sr (lumen per candela)",
-                                 "ledger": None, "estimated_error": None, "grid": LAMP_GRID, "pixels": lamp_pixels(maker),
-                                 "paths": None, **lamp}]
+    sun = {
+        "index": 0,
+        "name": "sun",
+        "type": "directional",
+        "intensity": 50000,
+        "unit": "lux",
+        "color": [1, 0.97, 0.9],
+        "position": None,
+        "direction": list(ball.LIGHT),
+        "flux_unit": "m2 (lumen per lux)",
+        "ledger": ledger(),
+        "estimated_error": {"total": 0.041, "map": 0.012},
+        "grid": ball.GRID,
+        "branches": [branch],
+        "maps": [mapped],
+        "pixels": read,
+        "paths": recorded_ways(ways),
+    }
+    maker.run["lights"] = [
+        sun,
+        {
+            "index": 1,
+            "type": "point",
+            "intensity": 100,
+            "unit": "candela",
+            "color": [1, 1, 1],
+            "position": [0, 3, 0],
+            "direction": None,
+            "flux_unit": "sr (lumen per candela)",
+            "ledger": None,
+            "estimated_error": None,
+            "grid": LAMP_GRID,
+            "pixels": lamp_pixels(maker),
+            "paths": None,
+            **lamp,
+        },
+    ]
     maker.run["meshes"] = meshes(maker)
     maker.run["sweeps"] = sweeps(maker, screen) if not wrong else []
     return maker.run
@@ -383,23 +726,92 @@ def make_run(name, blobs, wrong=False):
 def bare_recording():
     """All that a page may leave out is left out."""
     left_out = "too large; caustics probe tiny.glb --history caustic_cells[sun]:X,Y shows one texel's"
-    attachment = {"id": 0, "pass": 0, "texture": "caustic_map[sun]", "name": "caustic_map", "format": "R32F", "width": 8,
-                  "height": 8, "meaning": "r: flux", "kind": "flux", "channels": [], "codes": None, "sha256": "0",
-                  "data": None, "left_out": "too large"}
-    one_pass = {"label": "caustic_cells[sun]", "name": "caustic_cells", "purpose": "", "reason": "", "light": 0,
-                "milliseconds": None, "processor_milliseconds": None, "vertices": None, "primitives": None,
-                "fragments": None, "samples_passed": None, "left_out": False, "reads": [], "writes": [0], "draws": [],
-                "uniforms": [], "state": {"topology": "rectangles", "depth": None, "cull": None, "blend": "add"}}
-    history = {"pass": 0, "width": 8, "height": 8, "start": None, "draw": None, "primitive": None, "outcome": None,
-               "depth": None, "values": {}, "before": {}, "vertices_of": "cell", "cascade": False, "left_out": left_out}
-    light = {"index": 0, "name": "sun", "type": "directional", "intensity": 1, "unit": "lux", "color": [1, 1, 1],
-             "position": None, "direction": None, "flux_unit": "m2", "ledger": None, "estimated_error": None, "grid": 8,
-             "branches": [{"name": "", "landing": [], "entry": None, "exit": None}],
-             "maps": [{"attachment": 0, "histories": [0]}], "pixels": None, "paths": None}
-    run = {"name": "A", "scene": "bare.glb", "device": "software", "settings": {}, "notes": [], "effects": [],
-           "passes": [one_pass], "skipped": [], "attachments": [attachment], "histories": [history], "lights": [light],
-           "meshes": [{"name": "ball", "material": "glass", "role": "refractor", "positions": None, "indices": None}],
-           "sweeps": [], "left_out": ["Pictures at other settings; caustics inspect tiny.glb --sweep makes them."]}
+    attachment = {
+        "id": 0,
+        "pass": 0,
+        "texture": "caustic_map[sun]",
+        "name": "caustic_map",
+        "format": "R32F",
+        "width": 8,
+        "height": 8,
+        "meaning": "r: flux",
+        "kind": "flux",
+        "channels": [],
+        "codes": None,
+        "sha256": "0",
+        "data": None,
+        "left_out": "too large",
+    }
+    one_pass = {
+        "label": "caustic_cells[sun]",
+        "name": "caustic_cells",
+        "purpose": "",
+        "reason": "",
+        "light": 0,
+        "milliseconds": None,
+        "processor_milliseconds": None,
+        "vertices": None,
+        "primitives": None,
+        "fragments": None,
+        "samples_passed": None,
+        "left_out": False,
+        "reads": [],
+        "writes": [0],
+        "draws": [],
+        "uniforms": [],
+        "state": {"topology": "rectangles", "depth": None, "cull": None, "blend": "add"},
+    }
+    history = {
+        "pass": 0,
+        "width": 8,
+        "height": 8,
+        "start": None,
+        "draw": None,
+        "primitive": None,
+        "outcome": None,
+        "depth": None,
+        "values": {},
+        "before": {},
+        "vertices_of": "cell",
+        "cascade": False,
+        "left_out": left_out,
+    }
+    light = {
+        "index": 0,
+        "name": "sun",
+        "type": "directional",
+        "intensity": 1,
+        "unit": "lux",
+        "color": [1, 1, 1],
+        "position": None,
+        "direction": None,
+        "flux_unit": "m2",
+        "ledger": None,
+        "estimated_error": None,
+        "grid": 8,
+        "branches": [{"name": "", "landing": [], "entry": None, "exit": None}],
+        "maps": [{"attachment": 0, "histories": [0]}],
+        "pixels": None,
+        "paths": None,
+    }
+    run = {
+        "name": "A",
+        "scene": "bare.glb",
+        "device": "software",
+        "settings": {},
+        "notes": [],
+        "effects": [],
+        "passes": [one_pass],
+        "skipped": [],
+        "attachments": [attachment],
+        "histories": [history],
+        "lights": [light],
+        "meshes": [
+            {"name": "ball", "material": "glass", "role": "refractor", "positions": None, "indices": None}
+        ],
+        "sweeps": [],
+        "left_out": ["Pictures at other settings; caustics inspect tiny.glb --sweep makes them."],
+    }
     return {"format": 1, "program": "caustics 0.1.0", "runs": [run]}, Blobs()
 
 

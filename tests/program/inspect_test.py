@@ -1,5 +1,5 @@
-"""What inspect writes: a page that holds its recording, says what it leaves out, and bad input refused. The page
-itself is driven in a browser by tests/inspect."""
+"""What inspect writes: a page that holds its recording, says what it leaves out, and bad input refused. The
+page itself is driven in a browser by tests/inspect."""
 
 import base64
 import json

@@ -43,6 +43,7 @@ class Probe(ProgramTest):
                 for light in (each for pixel in result["pixels"] for each in pixel["lights"]):
                     # Sums in double precision of what single precision added up in the map.
                     self.assertAlmostEqual(light["accounted"], 1.0, delta=1e-4, msg=light)
+                    self.assertAlmostEqual(light["explained"], 1.0, delta=1e-4, msg=light)
 
     def test_vertices_are_told_together(self):
         vertices = [(16, 16), (10, 20), (0, 0)]
