@@ -203,7 +203,7 @@ def dump(program, name):
     """[(label of a pass, rows of one of its pictures)], in order."""
     scene, options = DUMPS[name]
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, 'render', SCENES / f'{scene}.glb', *options.split(), '--dump', folder, '--pictures',
+        command = [program, "render", SCENES / f"{scene}.glb", *options.split(), "--dump", folder, "--pictures",
                    '-o', pathlib.Path(folder) / 'frame.png', '--quiet']
         subprocess.run(command, check=True)
         manifest = json.loads((pathlib.Path(folder) / 'manifest.json').read_text())
