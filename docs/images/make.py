@@ -4,8 +4,10 @@
     docs/images/make.py [PROGRAM] [NAME ...]     PROGRAM: build/release/caustics unless given
 
 A picture is one frame of the software device, or several side by side, so its pixels are the same on every
-machine: tests/program/docs_pictures_test.py renders all of them and compares."""
+machine: tests/program/docs_pictures_test.py renders all of them and compares. Each pass has one of its own,
+passes/PASS/PASS.png: its attachments in a row, as `render --dump --pictures` colours them."""
 import functools
+import json
 import pathlib
 import struct
 import subprocess
@@ -18,6 +20,7 @@ SCENES = HERE.parents[1] / 'scenes'
 sys.path.insert(0, str(HERE.parents[1] / 'tests/program'))
 from pictures import Exr  # noqa: E402
 GAP = 4  # white pixels between frames side by side
+MOST_WIDTH = 800  # of a pass's picture
 
 
 def floor_views(scene, *variants):
@@ -53,6 +56,52 @@ TRACED = {
 }
 # By lab/study/growth.py, of what it measures.
 MEASURED = {'growth'}
+
+DUMPS = {  # name: (scene, options): small frames that together run every pass
+    'sphere': ('glass_sphere', '-r 192x108 --grid 128 --map 128'),
+    'step': ('receivers', '-r 192x108 --grid 128 --map 128 -D shadow=128'),
+    'paper': ('receivers', '-r 192x108 --preset paper --estimator impostor --map 128 -D shadow=128'),
+    'followed': ('receivers', '-r 192x108 --grid 128 --map 128 -D further.share=0 -D bounces=3 -D splits=0'),
+    'tumbler': ('glass/drinking_glass', '-r 192x108 --grid 128 --map 128 -D bounces=3 -D splits=0'),
+    'lens': ('hazy_lens', '-r 192x108 --grid 128 --map 128 -D shafts=64 --exposure 3.5'),
+    'panes': ('thin_panes', '-r 192x108 --grid 128 --map 128 -D shadow=128'),
+    'pool': ('water_plops', '-r 96x54 --grid 64 --map 64'),
+}
+PASSES = {  # pass: (dump, the instances shown)
+    'beams': ('lens', ['beams[sun]']),
+    'bend': ('tumbler', ['bend[sun].2']),
+    'caster_exit_map': ('sphere', ['caster_exit_map[sun]']),
+    'caster_flux': ('paper', ['caster_flux[sun]']),
+    'caster_map': ('sphere', ['caster_map[sun]']),
+    'caustic_cells': ('sphere', ['caustic_cells[sun]', 'caustic_cells[sun].cascade']),
+    'caustic_footprints': ('tumbler', ['caustic_footprints[sun]']),
+    'caustic_map': ('paper', ['caustic_map[sun]']),
+    'cells': ('step', ['cells[sun]']),
+    'compose': ('sphere', ['compose', 'compose.surroundings']),
+    'enter': ('tumbler', ['enter[sun].1']),
+    'first_hit': ('step', ['first_hit']),
+    'glass': ('sphere', ['glass']),
+    'haze': ('lens', ['haze']),
+    'hidden_landings': ('followed', ['hidden_landings[sun].far']),
+    'impostor_map': ('paper', ['impostor_map']),
+    'land': ('tumbler', ['land[sun].3']),
+    'landing': ('step', ['landing[sun]']),
+    'light_haze': ('lens', ['light_haze[sun]']),
+    'light_shading': ('step', ['light_shading[sun]']),
+    'light_shafts': ('lens', ['light_shafts[sun]']),
+    'next_surface': ('tumbler', ['next_surface[sun].3']),
+    'occluder_depth': ('lens', ['occluder_depth[sun]']),
+    'pane_light': ('panes', ['pane_light[sun]']),
+    'receiver_map': ('step', ['receiver_map[sun]', 'receiver_map[sun].far']),
+    'shadow_map': ('step', ['shadow_map[sun]']),
+    'tone_map': ('step', ['tone_map']),
+    'view_medium': ('lens', ['view_medium']),
+    'view_panes': ('panes', ['view_panes', 'view_panes.mirrored']),
+    'view_range': ('lens', ['view_range']),
+    'view_surfaces': ('step', ['view_surfaces']),
+    'walked_glass': ('tumbler', ['walked_glass']),
+    'water_step': ('pool', ['water_step[water]']),
+}
 
 
 def read_png(data):
@@ -149,24 +198,64 @@ def frame(program, scene, options):
         return read_png(output.read_bytes())
 
 
-def picture(program, name):
-    """The rows of a picture as the program draws it now."""
-    columns, frames = {**PICTURES, **TRACED}[name]
-    drawn = [frame(program, scene, options) for scene, options in frames]
+@functools.cache
+def dump(program, name):
+    """[(label of a pass, rows of one of its pictures)], in order."""
+    scene, options = DUMPS[name]
+    with tempfile.TemporaryDirectory() as folder:
+        command = [program, "render", SCENES / f"{scene}.glb", *options.split(), "--dump", folder, "--pictures",
+                   '-o', pathlib.Path(folder) / 'frame.png', '--quiet']
+        subprocess.run(command, check=True)
+        manifest = json.loads((pathlib.Path(folder) / 'manifest.json').read_text())
+        shown = {label for each, labels in PASSES.values() if each == name for label in labels}
+        return [(attachment['pass'], read_png((pathlib.Path(folder) / drawn['file']).read_bytes()))
+                for attachment in manifest['attachments'] if attachment['pass'] in shown
+                for drawn in attachment['pictures']]
+
+
+def small(rows):
+    """Of large pictures every n-th texel; tiny ones enlarged."""
+    step, times = max(1, len(rows) // 128), max(1, 48 // len(rows))
+    wide = [b''.join(row[i:i + 3] * times for i in range(0, len(row), 3 * step)) for row in rows[::step]]
+    return [row for row in wide for _ in range(times)]
+
+
+def in_rows(drawn, columns):
+    """Pictures side by side, lower ones filled up below."""
     rows = []
     for first in range(0, len(drawn), columns):
         if first:
             rows += [b'\xff' * len(rows[0])] * GAP
-        rows += [(b'\xff' * 3 * GAP).join(parts) for parts in zip(*drawn[first:first + columns])]
-    return rows
+        beside = drawn[first:first + columns]
+        most = max(len(each) for each in beside)
+        beside = [each + [b'\xff' * len(each[0])] * (most - len(each)) for each in beside]
+        rows += [(b'\xff' * 3 * GAP).join(parts) for parts in zip(*beside)]
+    widest = max(len(row) for row in rows)
+    return [row + b'\xff' * (widest - len(row)) for row in rows]
+
+
+def picture(program, name):
+    """The rows of a picture as the program draws it now."""
+    if name in PASSES:
+        of, labels = PASSES[name]
+        drawn = [small(rows) for label, rows in dump(program, of) if label in labels]
+        fit = max(1, MOST_WIDTH // (len(drawn[0][0]) // 3 + GAP))
+        rows = -(-len(drawn) // fit)
+        return in_rows(drawn, -(-len(drawn) // rows))
+    columns, frames = {**PICTURES, **TRACED}[name]
+    return in_rows([frame(program, scene, options) for scene, options in frames], columns)
+
+
+def path_of(name):
+    return HERE.parents[1] / f'passes/{name}/{name}.png' if name in PASSES else HERE / f'{name}.png'
 
 
 def main():
-    names = [argument for argument in sys.argv[1:] if argument in PICTURES or argument in TRACED]
+    names = [argument for argument in sys.argv[1:] if argument in {**PICTURES, **TRACED, **PASSES}]
     others = [argument for argument in sys.argv[1:] if argument not in names]
     program = others[0] if others else HERE.parents[1] / 'build/release/caustics'
-    for name in names or PICTURES:
-        path, rows = HERE / f'{name}.png', picture(program, name)
+    for name in names or [*PICTURES, *PASSES]:
+        path, rows = path_of(name), picture(program, name)
         if not path.exists() or read_png(path.read_bytes()) != rows:
             path.write_bytes(write_png(rows))
             print(f'{path.name}: made anew, {path.stat().st_size} bytes')

@@ -15,9 +15,9 @@ REMEDY = "if that is meant: docs/images/make.py " + os.environ["CAUSTICS_PROGRAM
 
 class DocsPictures(unittest.TestCase):
     def test_each_picture_is_what_the_program_draws(self):
-        for name in make.PICTURES:
+        for name in (*make.PICTURES, *make.PASSES):
             with self.subTest(picture=name):
-                kept = make.read_png((ROOT / f"docs/images/{name}.png").read_bytes())
+                kept = make.read_png(make.path_of(name).read_bytes())
                 drawn = make.picture(os.environ["CAUSTICS_PROGRAM"], name)
                 self.assertEqual([len(row) for row in kept], [len(row) for row in drawn])
                 differing = sum(a != b for row, other in zip(kept, drawn) for a, b in zip(row, other))
@@ -26,6 +26,12 @@ class DocsPictures(unittest.TestCase):
     def test_no_picture_is_made_in_another_way(self):
         kept = {path.stem for path in (ROOT / "docs/images").iterdir() if path.suffix in (".png", ".svg")}
         self.assertEqual(kept, {*make.PICTURES, *make.TRACED, *make.MEASURED})
+
+    def test_each_pass_has_a_picture_and_shows_it(self):
+        folders = {path.parent.name for path in (ROOT / "passes").glob("*/*.glsl")} - {"shared", "template"}
+        self.assertEqual(folders, set(make.PASSES))
+        for name in make.PASSES:
+            self.assertIn(f"]({name}.png)", (ROOT / f"passes/{name}/{name}.md").read_text())
 
     def test_a_picture_that_was_written_is_read_back_alike(self):
         rows = [bytes((7 * x * y + 90 * (x > y)) % 256 for x in range(3 * 17)) for y in range(11)]

@@ -27,7 +27,7 @@ struct Effort {
   int side;   // side^2 rays a batch
   int batches;
 };
-// 16.8 million rays a scene for the table in docs/reference.md, 0.2 million for a run of the tests.
+// 16.8 million rays a scene for the figures in docs/reference.md, 0.2 million for a run of the tests.
 constexpr Effort kLong{40, 512, 64}, kShort{16, 128, 16};
 
 // A scene seen straight from above, and the floor's irradiance in it, lux.
@@ -296,7 +296,7 @@ TEST_CASE("tracer truth: a prism's three colours, box by box in the error stated
 }
 
 TEST_CASE("tracer truth: figures of the reference against closed forms", "[.figures]") {
-  // Not part of a run by default: it prints the table of docs/reference.md.
+  // Not part of a run by default: it prints the figures of docs/reference.md.
   test::need_ray_queries();
   const int n = kLong.boxes;
   std::printf(
