@@ -203,8 +203,8 @@ def dump(program, name):
     """[(label of a pass, rows of one of its pictures)], in order."""
     scene, options = DUMPS[name]
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, "render", SCENES / f"{scene}.glb", *options.split(), "--dump", folder, "--pictures",
-                   '-o', pathlib.Path(folder) / 'frame.png', '--quiet']
+        command = [program, 'render', SCENES / f'{scene}.glb', *options.split(), '--quiet',
+                   '--dump', folder, '--pictures', '-o', pathlib.Path(folder) / 'frame.png']
         subprocess.run(command, check=True)
         manifest = json.loads((pathlib.Path(folder) / 'manifest.json').read_text())
         shown = {label for each, labels in PASSES.values() if each == name for label in labels}
