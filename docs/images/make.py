@@ -56,6 +56,8 @@ TRACED = {
 }
 # By lab/study/growth.py, of what it measures.
 MEASURED = {'growth'}
+# By docs/images/inspect_pages.py, in a browser.
+BROWSER = {'inspect', 'inspect_path'}
 
 DUMPS = {  # name: (scene, options): small frames that together run every pass
     'sphere': ('glass_sphere', '-r 192x108 --grid 128 --map 128'),
