@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "app/inspect/channel_meanings.hpp"
+#include "app/inspect/fragment_table.hpp"
 #include "app/inspect/pixel_footprints.hpp"
+#include "app/inspect/record_parts.hpp"
 #include "app/json.hpp"
 #include "app/output/attachment_kind.hpp"
 #include "app/output/light_groups.hpp"
 #include "app/output/stats.hpp"
-#include "app/output/uniform_values.hpp"
 #include "app/plan_report.hpp"
 #include "app/probe/pixel_light.hpp"
 #include "passes/registry.hpp"
@@ -18,84 +19,12 @@ namespace caustics::app {
 
 namespace {
 
-std::string text_of(Topology topology) {
-  return topology == Topology::Triangles ? "triangles"
-         : topology == Topology::Points  ? "points"
-                                         : "rectangles";
-}
-
-std::string text_of(Compare compare) {
-  constexpr const char* kNames[] = {"always",           "less",  "less or equal", "greater",
-                                    "greater or equal", "equal", "never"};
-  return kNames[static_cast<std::size_t>(compare)];
-}
-
-std::string text_of(BlendEquation equation) {
-  return equation == BlendEquation::Add ? "add" : equation == BlendEquation::Min ? "min" : "max";
-}
-
-Json state_json(const PassDefinition& definition) {
-  Json depth, cull, blend;
-  const DepthState& state = definition.depth_state;
-  if (definition.depth) depth = text_of(state.compare) + (state.write ? ", written" : "");
-  if (definition.cull != Cull::None) cull = definition.cull == Cull::Back ? "back" : "front";
-  for (const ColorWrite& write : definition.writes)
-    if (write.blend.enabled)
-      blend = write.blend == kMultiply ? std::string("multiply") : text_of(write.blend.equation);
-  return {{"topology", text_of(definition.topology)}, {"depth", depth}, {"cull", cull}, {"blend", blend}};
-}
-
 DrawSet draws_of(const PlannedPass& pass) {
   return pass_registry()[static_cast<std::size_t>(pass.pass)].draws;
 }
 
 std::vector<float> triple(const glm::dvec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-Json status_names() {
-  Json names = Json::array();
-  for (int s = 0; s < kLandingStatuses; ++s)
-    names.push_back(std::string(name_of(static_cast<LandingStatus>(s))));
-  return names;
-}
-
-// Of its first draw.
-Json uniforms_json(const PassDefinition& definition, const PassRun& run) {
-  Json list = Json::array();
-  if (run.draws.empty()) return list;
-  for (const NamedUniform& uniform : uniform_values(definition, run.draws.front()))
-    list.push_back(
-        {{"name", uniform.name},
-         {"value", uniform.values.size() == 1 ? Json(uniform.values.front()) : Json(uniform.values)},
-         {"meaning", uniform.meaning}});
-  return list;
-}
-
-// What a ledger's accounts mean.
-constexpr std::pair<const char*, const char*> kAccountMeanings[] = {
-    {"entered", "light that meets the casters"},
-    {"in_map", "light that is in the caustic map"},
-    {"fresnel", "light mirrored at the surfaces, and not followed"},
-    {"absorbed", "light that the material takes"},
-    {"total_reflection", "light that cannot leave the caster at its second surface"},
-    {"medium", "light that the haze takes"},
-    {"missed", "light that meets no receiver"},
-    {"outside", "light that lands beyond the maps"},
-    {"not_converged", "light whose search for a receiver did not end on one"},
-    {"exit_not_found", "light whose way out of the caster was not found"},
-    {"given_up", "light too weak, or through too many surfaces, to be followed"},
-    {"kernel_edge", "parts of splats beyond the map's edge"}};
-
-Json ledger_of(const Ledger& ledger) {
-  Json list = Json::array();
-  for (const auto& [name, flux] : accounts(ledger)) {
-    std::string meaning;
-    for (const auto& [account, text] : kAccountMeanings)
-      if (std::string(name) == account) meaning = text;
-    list.push_back({{"account", name}, {"meaning", meaning}, {"flux", flux}});
-  }
-  return list;
 }
 
 // As bytes 0..255, of a picture for screens.
@@ -105,39 +34,6 @@ std::vector<std::uint8_t> display_bytes(const Image& image) {
     bytes.push_back(static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f));
   return bytes;
 }
-
-// The fragments of a pass, sorted by texel; of one texel in the order drawn.
-struct Fragments {
-  std::vector<std::uint32_t> texel, primitive;
-  std::vector<std::uint16_t> draw;
-  std::vector<std::uint8_t> outcome;
-  std::vector<float> depth;
-  std::vector<std::vector<float>> values;  // by colour attachment
-
-  std::vector<std::uint32_t> sort(std::size_t texels) {
-    std::vector<std::uint32_t> start(texels + 1, 0);
-    for (const std::uint32_t t : texel) ++start[t + 1];
-    for (std::size_t t = 1; t < start.size(); ++t) start[t] += start[t - 1];
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1), place;
-    for (const std::uint32_t t : texel) place.push_back(next[t]++);
-    move_to(place, primitive);
-    move_to(place, draw);
-    move_to(place, outcome);
-    move_to(place, depth);
-    for (std::vector<float>& v : values) move_to(place, v);
-    return start;
-  }
-
- private:
-  template <class T>
-  static void move_to(const std::vector<std::uint32_t>& place, std::vector<T>& values) {
-    std::vector<T> moved(values.size());
-    const std::size_t each = place.empty() ? 0 : values.size() / place.size();  // 0: not taken
-    for (std::size_t i = 0; i < place.size(); ++i)
-      for (std::size_t k = 0; k < each; ++k) moved[place[i] * each + k] = values[i * each + k];
-    values = std::move(moved);
-  }
-};
 
 }  // namespace
 
@@ -187,50 +83,56 @@ void RunRecorder::draw(const AfterPass& after) {
 }
 
 void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
-  const PassRun prepared = frame_.prepare(pass);
-  Json reads = Json::array(), writes = Json::array(), draws = Json::array();
-  for (const int read : pass.reads)
-    if (read >= 0) reads.push_back(frame_.plan().textures[static_cast<std::size_t>(read)].name);
-  for (const Draw& draw : prepared.draws) {
-    const Mesh* mesh = mesh_of(frame_, draw);
-    draws.push_back(
-        {{"mesh", mesh ? Json(mesh->name) : Json()},
-         {"material",
-          mesh ? Json(frame_.scene().materials[static_cast<std::size_t>(mesh->material)].name) : Json()}});
-  }
   const std::size_t index = (*run_)["passes"].size();
-  std::vector<int> attachments;
+  const std::vector<int> attachments = add_attachments(pass, index);
+  (*run_)["passes"].push_back(pass_record(pass, result, attachments));
+  if (draws_of(pass) != DrawSet::FullScreen) add_history(pass, index, result, attachments);
+  if (shades_picture(pass) && is_first_sample(frame_.scene(), pass.light)) add_pixels(pass);
+}
+
+// Their numbers by the definition's writes, the depth's last; -1 where nobody needs one.
+std::vector<int> RunRecorder::add_attachments(const PlannedPass& pass, std::size_t pass_index) {
+  std::vector<int> numbers;
+  Json& list = (*run_)["attachments"];
   const auto take = [&](int texture, const std::string& name, const std::string& meaning) {
-    attachments.push_back(-1);
+    numbers.push_back(texture < 0 ? -1 : static_cast<int>(list.size()));
     if (texture < 0) return;
-    attachments.back() = static_cast<int>((*run_)["attachments"].size());
-    writes.push_back(attachments.back());
-    (*run_)["attachments"].push_back(attachment(pass, index,
-                                                frame_.plan().textures[static_cast<std::size_t>(texture)],
-                                                name, meaning, frame_.read(texture)));
+    const PlannedTexture& planned = frame_.plan().textures[static_cast<std::size_t>(texture)];
+    list.push_back(attachment(pass, pass_index, planned, name, meaning, frame_.read(texture)));
   };
   for (std::size_t i = 0; i < pass.writes.size(); ++i)
     take(pass.writes[i], pass.definition.writes[i].name, pass.definition.writes[i].meaning);
   if (pass.depth >= 0) take(pass.depth, pass.definition.depth->name, pass.definition.depth->meaning);
-  (*run_)["passes"].push_back({{"label", pass.label},
-                               {"name", pass.definition.name},
-                               {"purpose", pass.definition.purpose},
-                               {"reason", pass.reason},
-                               {"light", pass.light < 0 ? Json() : Json(pass.light)},
-                               {"milliseconds", result.milliseconds},
-                               {"processor_milliseconds", result.processor_milliseconds},
-                               {"vertices", result.vertices},
-                               {"primitives", result.primitives},
-                               {"fragments", result.fragments},
-                               {"samples_passed", result.samples_passed},
-                               {"left_out", result.left_out},
-                               {"reads", reads},
-                               {"writes", writes},
-                               {"state", state_json(pass.definition)},
-                               {"uniforms", uniforms_json(pass.definition, prepared)},
-                               {"draws", draws}});
-  if (draws_of(pass) != DrawSet::FullScreen) add_history(pass, index, result, attachments);
-  if (shades_picture(pass) && is_first_sample(frame_.scene(), pass.light)) add_pixels(pass);
+  return numbers;
+}
+
+Json RunRecorder::pass_record(const PlannedPass& pass, const PassResult& result,
+                              const std::vector<int>& attachments) const {
+  const PassRun prepared = frame_.prepare(pass);
+  Json reads = Json::array(), writes = Json::array(), draws = Json::array();
+  for (const int read : pass.reads)
+    if (read >= 0) reads.push_back(frame_.plan().textures[static_cast<std::size_t>(read)].name);
+  for (const int attachment : attachments)
+    if (attachment >= 0) writes.push_back(attachment);
+  for (const Draw& draw : prepared.draws) {
+    const Mesh* mesh = mesh_of(frame_, draw);
+    Json drawn = {{"mesh", Json()}, {"material", Json()}};
+    if (mesh) drawn["mesh"] = mesh->name;
+    if (mesh) drawn["material"] = frame_.scene().materials[static_cast<std::size_t>(mesh->material)].name;
+    draws.push_back(std::move(drawn));
+  }
+  Json record = counters_json(PassReport{pass.label, result});
+  record["label"] = pass.label;
+  record["name"] = pass.definition.name;
+  record["purpose"] = pass.definition.purpose;
+  record["reason"] = pass.reason;
+  record["light"] = pass.light < 0 ? Json() : Json(pass.light);
+  record["reads"] = reads;
+  record["writes"] = writes;
+  record["state"] = state_json(pass.definition);
+  record["uniforms"] = uniforms_json(pass.definition, prepared);
+  record["draws"] = draws;
+  return record;
 }
 
 std::string RunRecorder::why_left_out(const PlannedPass& pass, std::size_t texels) const {
@@ -283,64 +185,59 @@ Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, co
 
 void RunRecorder::add_history(const PlannedPass& pass, std::size_t pass_index, const PassResult& result,
                               const std::vector<int>& attachments) {
-  const auto texels = static_cast<std::size_t>(pass.width) * static_cast<std::size_t>(pass.height);
   const DrawSet set = draws_of(pass);
-  Json vertices_of, left_out, values = Json::object(), before = Json::object();
-  if (set == DrawSet::GridCells) vertices_of = "cell";
-  if (set == DrawSet::GridVertices) vertices_of = "vertex";
-  const bool software = frame_.device().description().starts_with("software");
-  Json history = {{"pass", pass_index},
-                  {"width", pass.width},
-                  {"height", pass.height},
-                  {"vertices_of", vertices_of},
-                  {"branch", pass.branch < 0 ? Json() : Json(pass.branch)},
-                  {"cascade", pass.drawn_for->window == MapWindow::Cascade}};
+  Json history;
+  history["pass"] = pass_index;
+  history["width"] = pass.width;
+  history["height"] = pass.height;
+  history["vertices_of"] = set == DrawSet::GridCells      ? Json("cell")
+                           : set == DrawSet::GridVertices ? Json("vertex")
+                                                          : Json();
+  history["branch"] = pass.branch < 0 ? Json() : Json(pass.branch);
+  history["cascade"] = pass.drawn_for->window == MapWindow::Cascade;
   for (const char* name : {"start", "draw", "primitive", "outcome", "depth"}) history[name] = Json();
-  if (!software) {
-    left_out = "only the software device tells what happened to a texel";
-  } else if (std::string why = why_left_out(pass, texels);
-             !why.empty() || result.fragments > limits_.fragments) {
-    if (why.empty()) why = std::to_string(result.fragments) + " fragments are more than the page holds";
-    left_out = why + "; caustics probe SCENE --history '" + pass.label + ":X,Y' tells one texel's";
-    leave_out(pass.label + ": " + left_out.get<std::string>());
-  } else {
-    Fragments all;
-    all.values.resize(pass.writes.size());
-    if (!result.left_out)
-      replay_fragments(frame_.device(), frame_.prepare(pass), before_, {0, 0, pass.width, pass.height},
-                       [&](const FragmentOnTexel& f) {
-                         all.texel.push_back(static_cast<std::uint32_t>(f.y * pass.width + f.x));
-                         all.primitive.push_back(f.primitive);
-                         all.draw.push_back(static_cast<std::uint16_t>(f.draw));
-                         all.outcome.push_back(static_cast<std::uint8_t>(f.outcome));
-                         if (pass.depth >= 0) all.depth.push_back(f.depth);
-                         for (std::size_t i = 0; i < all.values.size(); ++i) {
-                           const int channels = channel_count(pass.definition.writes[i].format);
-                           if (attachments[i] >= 0)
-                             all.values[i].insert(all.values[i].end(), f.given[i].begin(),
-                                                  f.given[i].begin() + channels);
-                         }
-                       });
-    history["start"] = blobs_.add(std::span<const std::uint32_t>(all.sort(texels)));
-    history["draw"] = blobs_.add(std::span<const std::uint16_t>(all.draw));
-    history["primitive"] = blobs_.add(std::span<const std::uint32_t>(all.primitive));
-    history["outcome"] = blobs_.add(std::span<const std::uint8_t>(all.outcome));
-    if (pass.depth >= 0) history["depth"] = stored(all.depth);
-    for (std::size_t i = 0; i < all.values.size(); ++i) {
-      if (attachments[i] < 0) continue;
-      const std::string id = std::to_string(attachments[i]);
-      const ColorWrite& write = pass.definition.writes[i];
-      values[id] = stored(all.values[i]);
-      const bool kept = i < before_.colors.size() && !before_.colors[i].values.empty();
-      before[id] = kept ? stored(before_.colors[i].values)
-                        : Json(std::vector<float>(write.clear.begin(),
-                                                  write.clear.begin() + channel_count(write.format)));
-    }
+  history["values"] = history["before"] = Json::object();
+  history["left_out"] = Json();
+  if (const std::string why = why_no_history(pass, result); !why.empty()) {
+    history["left_out"] = why;
+    leave_out(pass.label + ": " + why);
+  } else if (!result.left_out) {
+    fill_history(pass, attachments, history);
   }
-  history["values"] = values;
-  history["before"] = before;
-  history["left_out"] = left_out;
   (*run_)["histories"].push_back(std::move(history));
+}
+
+std::string RunRecorder::why_no_history(const PlannedPass& pass, const PassResult& result) const {
+  if (!frame_.device().description().starts_with("software"))
+    return "only the software device tells what happened to a texel";
+  std::string why =
+      why_left_out(pass, static_cast<std::size_t>(pass.width) * static_cast<std::size_t>(pass.height));
+  if (why.empty() && result.fragments > limits_.fragments)
+    why = std::to_string(result.fragments) + " fragments are more than the page holds";
+  if (why.empty()) return why;
+  return why + "; caustics probe SCENE --history '" + pass.label + ":X,Y' tells one texel's";
+}
+
+void RunRecorder::fill_history(const PlannedPass& pass, const std::vector<int>& attachments, Json& history) {
+  std::vector<bool> wanted;
+  for (const int attachment : attachments) wanted.push_back(attachment >= 0);
+  const FragmentTable table = fragment_table(frame_, pass, before_, wanted);
+  history["start"] = blobs_.add(std::span<const std::uint32_t>(table.start));
+  history["draw"] = blobs_.add(std::span<const std::uint16_t>(table.draw));
+  history["primitive"] = blobs_.add(std::span<const std::uint32_t>(table.primitive));
+  history["outcome"] = blobs_.add(std::span<const std::uint8_t>(table.outcome));
+  if (pass.depth >= 0) history["depth"] = stored(table.depth);
+  for (std::size_t i = 0; i < table.values.size(); ++i) {
+    if (!wanted[i]) continue;
+    const std::string id = std::to_string(attachments[i]);
+    const ColorWrite& write = pass.definition.writes[i];
+    history["values"][id] = stored(table.values[i]);
+    const bool kept = i < before_.colors.size() && !before_.colors[i].values.empty();
+    history["before"][id] = kept
+                                ? stored(before_.colors[i].values)
+                                : Json(std::vector<float>(write.clear.begin(),
+                                                          write.clear.begin() + channel_count(write.format)));
+  }
 }
 
 void RunRecorder::add_pixels(const PlannedPass& pass) {
@@ -363,7 +260,7 @@ Json RunRecorder::lights() {
     const std::vector<int> samples = samples_of(frame_.scene(), entry.light);
     if (samples.empty()) continue;
     Json& first = list[static_cast<std::size_t>(samples.front())];
-    first["ledger"] = ledger_of(entry.ledger);
+    first["ledger"] = ledger_accounts(entry.ledger);
     first["estimated_error"] = error_json(entry.error);
   }
   return list;

@@ -42,10 +42,15 @@ class RunRecorder {
   // "": it is shown.
   std::string why_left_out(const PlannedPass& pass, std::size_t texels) const;
   void look(const PlannedPass& pass, const PassResult& result);
+  std::vector<int> add_attachments(const PlannedPass& pass, std::size_t pass_index);
   Json attachment(const PlannedPass& pass, std::size_t pass_index, const PlannedTexture& texture,
                   const std::string& name, const std::string& meaning, const Image& image);
+  Json pass_record(const PlannedPass& pass, const PassResult& result,
+                   const std::vector<int>& attachments) const;
   void add_history(const PlannedPass& pass, std::size_t pass_index, const PassResult& result,
                    const std::vector<int>& attachments);
+  std::string why_no_history(const PlannedPass& pass, const PassResult& result) const;
+  void fill_history(const PlannedPass& pass, const std::vector<int>& attachments, Json& history);
   void add_pixels(const PlannedPass& pass);
   Json lights();
   Json light(int number);

@@ -12,18 +12,6 @@ namespace caustics::app {
 
 namespace {
 
-Json pass_json(const PassReport& report) {
-  return {{"pass", report.label},
-          {"milliseconds", report.result.milliseconds},
-          {"processor_milliseconds", report.result.processor_milliseconds},
-          {"vertices", report.result.vertices},
-          {"primitives", report.result.primitives},
-          {"fragments", report.result.fragments},
-          {"samples_passed", report.result.samples_passed},
-          {"operations", report.result.operations},
-          {"left_out", report.result.left_out}};
-}
-
 Json objects_json(const DeviceObjects& objects) {
   return {{"programs", objects.programs},         {"buffers", objects.buffers},
           {"textures", objects.textures},         {"vertex_layouts", objects.vertex_layouts},
@@ -107,7 +95,7 @@ std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>
                    {"texture_bytes", frame.plan().bytes()},
                    {"frames", frames_json(frames, frame.device().made())}};
   document["passes"] = Json::array();
-  for (const PassReport& report : reports) document["passes"].push_back(pass_json(report));
+  for (const PassReport& report : reports) document["passes"].push_back(counters_json(report));
   document["lights"] = Json::array();
   for (const LightLedger& ledger : ledgers) {
     document["lights"].push_back(ledger_json(frame.scene(), ledger));

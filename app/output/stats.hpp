@@ -24,6 +24,8 @@ struct FrameStats {
 // Keys and values as -D has them.
 nlohmann::ordered_json settings_json(const Settings& settings,
                                      const std::vector<Setting::Part>& parts = all_parts());
+// A pass's times and counters.
+nlohmann::ordered_json counters_json(const PassReport& report);
 // Relative L1 of the caustic, by parts; null where it is not estimated, and of the model where it is not
 // judged.
 nlohmann::ordered_json error_json(const ErrorEstimate& error);

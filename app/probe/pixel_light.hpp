@@ -31,7 +31,7 @@ struct LightOnPixel {
   std::array<float, 3> direct{}, caustic{};   // lux, as light_shading gives them
   std::vector<MapTexel> texels{};             // those that count; by map, rows, columns
   std::vector<Contribution> contributions{};  // largest first
-  double explained = 0.0;  // what the texels' light is of `caustic`: 1 but for rounding
+  double explained = 0.0;                     // what the texels' light is of `caustic`: 1 but for rounding
   double accounted = 0.0;  // what the contributions' light is of the texels': 1 but for rounding
   bool agrees = true;      // recomputed and rendered are the same bits
 };

@@ -5,6 +5,7 @@
 #include "app/probe/probes.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
