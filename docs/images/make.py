@@ -68,7 +68,9 @@ DUMPS = {  # name: (scene, options): small frames that together run every pass
     'lens': ('hazy_lens', '-r 192x108 --grid 128 --map 128 -D shafts=64 --exposure 3.5'),
     'panes': ('thin_panes', '-r 192x108 --grid 128 --map 128 -D shadow=128'),
     'pool': ('water_plops', '-r 96x54 --grid 64 --map 64'),
+    'hazy_panes': ('thin_panes', '-r 192x108 --grid 128 --map 128 -D shadow=512'),
 }
+HAZE = {'hazy_panes': {'scattering': 0.25, 'anisotropy': 0.3}}  # added to that scene
 PASSES = {  # pass: (dump, the instances shown)
     'beams': ('lens', ['beams[sun]']),
     'bend': ('tumbler', ['bend[sun].2']),
@@ -88,7 +90,7 @@ PASSES = {  # pass: (dump, the instances shown)
     'impostor_map': ('paper', ['impostor_map']),
     'land': ('tumbler', ['land[sun].3']),
     'landing': ('step', ['landing[sun]']),
-    'light_haze': ('lens', ['light_haze[sun]']),
+    'light_haze': ('hazy_panes', ['light_haze[sun]']),
     'light_shading': ('step', ['light_shading[sun]']),
     'light_shafts': ('lens', ['light_shafts[sun]']),
     'next_surface': ('tumbler', ['next_surface[sun].3']),
@@ -200,12 +202,27 @@ def frame(program, scene, options):
         return read_png(output.read_bytes())
 
 
+def with_medium(scene, medium):
+    """The bytes of a .glb whose scene has this medium besides."""
+    size = struct.unpack('<I', scene[12:16])[0]
+    gltf = json.loads(scene[20:20 + size])
+    gltf['scenes'][0]['extras'] = {'medium': medium}
+    text = json.dumps(gltf).encode()
+    text += b' ' * (-len(text) % 4)
+    rest = scene[16:20] + text + scene[20 + size:]
+    return scene[:8] + struct.pack('<II', 16 + len(rest), len(text)) + rest
+
+
 @functools.cache
 def dump(program, name):
     """[(label of a pass, rows of one of its pictures)], in order."""
     scene, options = DUMPS[name]
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, 'render', SCENES / f'{scene}.glb', *options.split(), '--quiet',
+        path = SCENES / f'{scene}.glb'
+        if name in HAZE:
+            path = pathlib.Path(folder) / path.name
+            path.write_bytes(with_medium((SCENES / path.name).read_bytes(), HAZE[name]))
+        command = [program, 'render', path, *options.split(), '--quiet',
                    '--dump', folder, '--pictures', '-o', pathlib.Path(folder) / 'frame.png']
         subprocess.run(command, check=True)
         manifest = json.loads((pathlib.Path(folder) / 'manifest.json').read_text())
