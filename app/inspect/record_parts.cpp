@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/flux.hpp"
 #include "app/json.hpp"
 #include "app/output/uniform_values.hpp"
 

@@ -52,6 +52,18 @@ Json ledger_json(const Scene& scene, const LightLedger& entry) {
 
 }  // namespace
 
+Json counters_json(const PassReport& report) {
+  return {{"pass", report.label},
+          {"milliseconds", report.result.milliseconds},
+          {"processor_milliseconds", report.result.processor_milliseconds},
+          {"vertices", report.result.vertices},
+          {"primitives", report.result.primitives},
+          {"fragments", report.result.fragments},
+          {"samples_passed", report.result.samples_passed},
+          {"operations", report.result.operations},
+          {"left_out", report.result.left_out}};
+}
+
 Json error_json(const ErrorEstimate& error) {
   if (!(error.landed > 0.0)) return nullptr;
   const auto judged = [&](double value) { return error.judged ? Json(error.relative(value)) : Json(); };
