@@ -23,6 +23,8 @@ namespace caustics::app {
 
 namespace {
 
+constexpr int kMostPathGrid = 1024;
+
 struct InspectRequest {
   FrameRequest frame;
   std::filesystem::path output;
@@ -103,6 +105,19 @@ Json record(const std::string& name, const FrameRequest& request, const Recordin
   return std::move(recorder.json());
 }
 
+// Not of grids whose landings take seconds for each estimator.
+void add_paths(const InspectRequest& request, Progress& progress, Json& run) {
+  const Json& lights = run["lights"];
+  if (!lights.empty() && lights[0]["grid"].get<int>() > kMostPathGrid) {
+    run["left_out"].push_back("no ways of rays: the grid has more than " + std::to_string(kMostPathGrid) +
+                              " vertices a side; caustics probe SCENE --texel X,Y tells one vertex's");
+    return;
+  }
+  progress.show("following single rays by every estimator");
+  for (auto& [light, paths] : vertex_paths(request.frame))
+    run["lights"][static_cast<std::size_t>(light)]["paths"] = std::move(paths);
+}
+
 bool is_folder(const InspectRequest& request) {
   return request.against.size() == 1 && std::filesystem::is_directory(request.against.front());
 }
@@ -127,9 +142,7 @@ ExitCode run_inspect(const Arguments& arguments) {
   Json runs = Json::array();
   runs.push_back(
       record(request.against.empty() ? "this run" : "A", request.frame, request.limits, progress, blobs));
-  progress.show("following single rays by every estimator");
-  for (auto& [light, paths] : vertex_paths(request.frame))
-    runs[0]["lights"][static_cast<std::size_t>(light)]["paths"] = std::move(paths);
+  add_paths(request, progress, runs[0]);
   if (request.against.empty()) {
     progress.show("drawing over iterations and grid sizes");
     runs[0]["sweeps"] = setting_sweeps(request.frame, blobs);
