@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Makes the pictures of inspect's page, with Debian's chromium, chromium-driver and python3-selenium.
 
-    /usr/bin/python3 docs/images/inspect_pages.py [PROGRAM]     PROGRAM: build/release/caustics unless given"""
+    /usr/bin/python3 docs/images/inspect_pages.py [PROGRAM]
+
+PROGRAM: build/release/caustics unless given."""
 import pathlib
 import subprocess
 import sys
@@ -23,8 +25,8 @@ def main():
     browser = webdriver.Chrome(options=options, service=Service('/usr/bin/chromedriver'))
     with tempfile.TemporaryDirectory() as folder:
         page = pathlib.Path(folder) / 'page.html'
-        subprocess.run([program, 'inspect', HERE.parents[1] / 'scenes/glass_sphere.glb', '-o', page, '--quiet'],
-                       check=True)
+        scene = HERE.parents[1] / 'scenes/glass_sphere.glb'
+        subprocess.run([program, 'inspect', scene, '-o', page, '--quiet'], check=True)
         for name, address in SHOTS.items():
             browser.get('about:blank')
             browser.get(f'{page.as_uri()}#{address}')
