@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/compare/folder_difference.hpp"
 #include "app/frame_options.hpp"
 #include "app/inspect/dump_run.hpp"
 #include "app/inspect/page.hpp"
@@ -122,6 +123,14 @@ bool is_folder(const InspectRequest& request) {
   return request.against.size() == 1 && std::filesystem::is_directory(request.against.front());
 }
 
+// Before anything is drawn.
+void check_against(const InspectRequest& request) {
+  if (is_folder(request))
+    read_manifest(request.against.front());
+  else
+    other_request(request);
+}
+
 Json other_run(const InspectRequest& request, const Json& first, Progress& progress, Blobs& blobs) {
   const std::string name = "B: " + joined(request.against);
   if (!is_folder(request)) return record(name, other_request(request), request.limits, progress, blobs);
@@ -137,6 +146,7 @@ ExitCode run_inspect(const Arguments& arguments) {
   InspectRequest request;
   if (!parse(arguments, request)) return ExitCode::Done;
   require_writable(request.output);
+  check_against(request);
   Progress progress(request.quiet);
   Blobs blobs;
   Json runs = Json::array();
