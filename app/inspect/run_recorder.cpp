@@ -1,6 +1,7 @@
 #include "app/inspect/run_recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/inspect/channel_meanings.hpp"
 #include "app/inspect/fragment_table.hpp"
@@ -31,7 +32,7 @@ std::vector<float> triple(const glm::dvec3& v) {
 std::vector<std::uint8_t> display_bytes(const Image& image) {
   std::vector<std::uint8_t> bytes;
   for (const float value : image.values)
-    bytes.push_back(static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f));
+    bytes.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)));
   return bytes;
 }
 
@@ -220,6 +221,7 @@ std::string RunRecorder::why_no_history(const PlannedPass& pass, const PassResul
 
 void RunRecorder::fill_history(const PlannedPass& pass, const std::vector<int>& attachments, Json& history) {
   std::vector<bool> wanted;
+  wanted.reserve(attachments.size());
   for (const int attachment : attachments) wanted.push_back(attachment >= 0);
   const FragmentTable table = fragment_table(frame_, pass, before_, wanted);
   history["start"] = blobs_.add(std::span<const std::uint32_t>(table.start));

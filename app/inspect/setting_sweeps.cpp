@@ -1,6 +1,7 @@
 #include "app/inspect/setting_sweeps.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "app/flux.hpp"
@@ -37,7 +38,7 @@ Json sweep(const FrameRequest& request, const Row& row, Blobs& blobs) {
     std::vector<std::uint8_t> bytes;
     for (std::size_t i = 0; i < picture.values.size(); ++i)
       if (picture.channels() < 4 || i % 4 != 3)
-        bytes.push_back(static_cast<std::uint8_t>(picture.values[i] * 255.0f + 0.5f));
+        bytes.push_back(static_cast<std::uint8_t>(std::lround(picture.values[i] * 255.0f)));
     pictures.push_back(blobs.add(std::span<const std::uint8_t>(bytes)));
     const ErrorEstimate error = error_of(frame.scene(), ledgers.ledgers());
     errors.push_back(error.landed > 0.0 ? Json(error.total()) : Json());

@@ -129,7 +129,7 @@ std::map<int, Ways> ways_by(const FrameRequest& request, int& grid) {
       for (int i = 0; i < kLattice; ++i) {
         const ProbedTexel texel = probe.at(on_lattice(i, grid), on_lattice(j, grid));
         if (texel.discarded) continue;
-        const auto at = static_cast<std::size_t>(j * kLattice + i);
+        const auto at = static_cast<std::size_t>(j) * kLattice + static_cast<std::size_t>(i);
         of_light.readers[at].read(texel);
         if (!texel.stored.empty() && texel.stored.front().name == kLanding)
           of_light.status[at] = name_of(static_cast<LandingStatus>(texel.stored.front().values[3]));

@@ -88,6 +88,7 @@ void take_history(const RenderedFrame& frame, const TargetsBefore& before, const
 
 std::vector<TexelHistory> probe_texels(RenderedFrame& frame, const std::vector<TexelRequest>& request) {
   std::vector<TexelHistory> histories;
+  histories.reserve(request.size());
   for (const TexelRequest& each : request) histories.push_back(begin_history(frame, each));
   const auto is_asked = [&](const PlannedPass& pass) {
     return std::any_of(histories.begin(), histories.end(),
