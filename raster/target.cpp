@@ -101,7 +101,7 @@ class Tile {
   }
 
   TileJob job(const FragmentWork& work, const std::vector<PrimitiveChunk>& chunks) {
-    TileJob job{};
+    TileJob job = job_of(work);
     job.x = x_;
     job.y = y_;
     job.width = width_;
@@ -113,22 +113,13 @@ class Tile {
       for (std::size_t c = 0; c < 4; ++c) job.colors[i].mask[c] = write.mask[c];
     }
     job.depth = target_.depth ? storage_.depth : nullptr;
-    job.depth_state = work.definition->depth_state;
-    job.test_depth_late = work.may_discard;
     job.chunks = chunks.data();
     job.chunk_count = static_cast<int>(chunks.size());
     job.load_colors = [](void* tile) { static_cast<Tile*>(tile)->load_colors(); };
     job.tile = this;
-    job.is_points = work.definition->topology != Topology::Triangles;
-    job.zero_outside_quad = work.definition->zero_outside_quad.value_or(-1);
     job.discards_where_zero = {};
     for (const Texture* texture : work.idle_where_zero)
       if (texture->channels() == 4) job.discards_where_zero = {texture->values.get(), texture->shape.width};
-    job.fragment = work.fragment;
-    job.uniforms = work.uniforms;
-    job.textures = work.textures;
-    job.varying_count = work.varying_count;
-    job.varying_flat = work.varying_flat;
     return job;
   }
 
@@ -229,6 +220,20 @@ void RenderTarget::clear() {
 void RenderTarget::keep_all() {
   for (Color& color : colors) color.keep = true;
   keep_depth = true;
+}
+
+TileJob job_of(const FragmentWork& work) {
+  TileJob job{};
+  job.depth_state = work.definition->depth_state;
+  job.test_depth_late = work.may_discard;
+  job.is_points = work.definition->topology != Topology::Triangles;
+  job.zero_outside_quad = work.definition->zero_outside_quad.value_or(-1);
+  job.fragment = work.fragment;
+  job.uniforms = work.uniforms;
+  job.textures = work.textures;
+  job.varying_count = work.varying_count;
+  job.varying_flat = work.varying_flat;
+  return job;
 }
 
 TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,

@@ -40,6 +40,9 @@ struct FragmentWork {
   TileKernel kernel = nullptr;
 };
 
+// What a draw's jobs have in common: all but where, what and onto which texels.
+TileJob job_of(const FragmentWork& work);
+
 // Draws the chunks, in order, into every tile; the fullest tiles first, so that no thread is left with a
 // long one at the end.
 TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,

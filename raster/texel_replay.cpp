@@ -46,10 +46,10 @@ void shade_and_take(const FragmentBlock& block) {
   taken_into->take(block);
 }
 
-TileJob job_of(const FragmentWork& work, const TexelRectangle& where, const PrimitiveChunk& chunk,
-               ReplayTile& storage) {
+TileJob replay_job(const FragmentWork& work, const TexelRectangle& where, const PrimitiveChunk& chunk,
+                   ReplayTile& storage) {
   const PassDefinition& definition = *work.definition;
-  TileJob job{};
+  TileJob job = job_of(work);
   job.x = where.x;
   job.y = where.y;
   job.width = where.width;
@@ -61,18 +61,9 @@ TileJob job_of(const FragmentWork& work, const TexelRectangle& where, const Prim
     std::copy(write.mask.begin(), write.mask.end(), job.colors[i].mask);
   }
   job.depth = definition.depth ? storage.depth : nullptr;
-  job.depth_state = definition.depth_state;
-  job.test_depth_late = work.may_discard;
   job.chunks = &chunk;
   job.chunk_count = 1;
   job.load_colors = [](void*) {};
-  job.is_points = definition.topology != Topology::Triangles;
-  job.zero_outside_quad = definition.zero_outside_quad.value_or(-1);
-  job.fragment = work.fragment;
-  job.uniforms = work.uniforms;
-  job.textures = work.textures;
-  job.varying_count = work.varying_count;
-  job.varying_flat = work.varying_flat;
   return job;
 }
 
@@ -129,7 +120,7 @@ class TexelReplay::Texels {
     shaded_.x = part.x;
     shaded_.y = part.y;
     shaded_.colors = colors_.size();
-    TileJob job = job_of(work, part, chunk, tile_);
+    TileJob job = replay_job(work, part, chunk, tile_);
     job.fragment = shade_and_take;
     job.depth_state = {Compare::Always, true};
     job.test_depth_late = false;
@@ -147,7 +138,7 @@ class TexelReplay::Texels {
     }
     fragment.depth_before = pixel_.depth[0] = depth_.empty() ? 0.0f : depth_[at];
     TileCounters counters;
-    work.kernel(job_of(work, {fragment.x, fragment.y, 1, 1}, chunk, pixel_), counters);
+    work.kernel(replay_job(work, {fragment.x, fragment.y, 1, 1}, chunk, pixel_), counters);
     fragment.outcome = counters.samples_passed > 0 ? FragmentOutcome::Passed : FragmentOutcome::Behind;
     for (std::size_t i = 0; i < colors_.size(); ++i)
       fragment.after[i] = colors_[i][at] = value_in(work.definition->writes[i].format, pixel_.color[i][0]);
