@@ -46,13 +46,13 @@ def all_faults():
 
 
 def is_whole(text):
-    """Can this be put into brackets? Its own are closed, and no head of a loop stands bare."""
+    """Can this be put into brackets? Its own are closed, and neither a loop's head nor a declaration stands bare."""
     depth, is_statement = 0, text.rstrip().endswith((';', '}'))
     for character in re.sub(r"'[^']'|\"[^\"]*\"", '', text):
         depth += (character in '([{') - (character in ')]}')
         if depth < 0 or (depth == 0 and character == ',' and not is_statement):
             return False
-    return depth == 0 and (is_statement or not re.match(r'(for|if|while)\b', text))
+    return depth == 0 and (is_statement or not re.match(r'(for|if|while)\b|\w+ \w+ = ', text))
 
 
 def complaints(faults):
