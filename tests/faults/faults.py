@@ -52,7 +52,9 @@ def is_whole(text):
         depth += (character in '([{') - (character in ')]}')
         if depth < 0 or (depth == 0 and character == ',' and not is_statement):
             return False
-    return depth == 0 and (is_statement or not re.match(r'(for|if|while)\b|\w+ \w+ = ', text))
+    # An operator at the end lacks what it works on.
+    is_part = re.search(r'[-+*/%=<>!&|?:]\s*$|^(for|if|while)\b|^\w+ \w+ = ', text)
+    return depth == 0 and (is_statement or not is_part)
 
 
 def complaints(faults):
@@ -79,6 +81,8 @@ def complaints(faults):
         begin = source.index(fault.text)
         is_statement = fault.choice().startswith('if')
         is_operand = re.search(r'(\breturn|[=,?({])\s*$', source[:begin])
+        if not is_statement and not fault.fault.strip():
+            complain('nothing cannot take the place of an expression')
         if is_statement and is_operand and not source[:begin].rstrip().endswith('{'):
             complain('a statement cannot stand here')
         if not is_statement and not is_operand and re.match(r'[^(]* \? ', fault.text):
