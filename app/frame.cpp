@@ -14,7 +14,7 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
   return make_software_device({.threads = backend.threads});
 }
 
-RenderedFrame::RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded,
+RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<LoadedScene> loaded,
                              const PlanGoal& goal, Effect Effects::*without)
     : loaded_(std::move(loaded)), device_(make_device(request.backend)) {
   if (request.backend.backend != Backend::Software) pilot_device_ = make_pilot_device(request.backend);

@@ -17,8 +17,9 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend);
 // to it owns.
 class RenderedFrame {
  public:
-  // `without`: FrameOptions::without.
-  RenderedFrame(const FrameRequest& request, std::unique_ptr<LoadedScene> loaded, const PlanGoal& goal,
+  // `loaded`: may serve several frames one after the other, of requests that differ neither in what is loaded
+  // nor in camera and exposure. `without`: FrameOptions::without.
+  RenderedFrame(const FrameRequest& request, std::shared_ptr<LoadedScene> loaded, const PlanGoal& goal,
                 Effect Effects::*without = nullptr);
   RenderedFrame(const RenderedFrame&) = delete;
   RenderedFrame& operator=(const RenderedFrame&) = delete;
@@ -49,7 +50,7 @@ class RenderedFrame {
   Device& device() const { return *device_; }
 
  private:
-  std::unique_ptr<LoadedScene> loaded_;
+  std::shared_ptr<LoadedScene> loaded_;
   std::unique_ptr<Device> device_, pilot_device_;
   std::unique_ptr<FrameRenderer> renderer_;
 };

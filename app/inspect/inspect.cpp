@@ -94,10 +94,10 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-Json record(const std::string& name, const FrameRequest& request, const RecordingLimits& limits,
-            Progress& progress, Blobs& blobs) {
+Json record(const std::string& name, const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded,
+            const RecordingLimits& limits, Progress& progress, Blobs& blobs) {
   progress.show("finding where the light goes");
-  RenderedFrame frame(request, load_scene(request), goal_with_ledgers({"picture"}));
+  RenderedFrame frame(request, loaded, goal_with_ledgers({"picture"}));
   RunRecorder recorder(name, frame, limits, blobs);
   recorder.draw([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t total) {
     progress.show("taking pass " + std::to_string(done) + " of " + std::to_string(total) + ": " + pass.label);
@@ -107,7 +107,8 @@ Json record(const std::string& name, const FrameRequest& request, const Recordin
 }
 
 // Not of grids whose landings take seconds for each estimator.
-void add_paths(const InspectRequest& request, Progress& progress, Json& run) {
+void add_paths(const InspectRequest& request, const std::shared_ptr<LoadedScene>& loaded, Progress& progress,
+               Json& run) {
   const Json& lights = run["lights"];
   if (!lights.empty() && lights[0]["grid"].get<int>() > kMostPathGrid) {
     run["left_out"].push_back("no ways of rays: the grid has more than " + std::to_string(kMostPathGrid) +
@@ -115,7 +116,7 @@ void add_paths(const InspectRequest& request, Progress& progress, Json& run) {
     return;
   }
   progress.show("following single rays by every estimator");
-  for (auto& [light, paths] : vertex_paths(request.frame))
+  for (auto& [light, paths] : vertex_paths(request.frame, loaded))
     run["lights"][static_cast<std::size_t>(light)]["paths"] = std::move(paths);
 }
 
@@ -133,7 +134,10 @@ void check_against(const InspectRequest& request) {
 
 Json other_run(const InspectRequest& request, const Json& first, Progress& progress, Blobs& blobs) {
   const std::string name = "B: " + joined(request.against);
-  if (!is_folder(request)) return record(name, other_request(request), request.limits, progress, blobs);
+  if (!is_folder(request)) {
+    const FrameRequest other = other_request(request);
+    return record(name, other, load_scene(other), request.limits, progress, blobs);
+  }
   progress.show("reading the dump");
   Json run = dump_run(request.against.front(), first, request.limits, blobs);
   run["name"] = name;
@@ -150,12 +154,13 @@ ExitCode run_inspect(const Arguments& arguments) {
   Progress progress(request.quiet);
   Blobs blobs;
   Json runs = Json::array();
-  runs.push_back(
-      record(request.against.empty() ? "this run" : "A", request.frame, request.limits, progress, blobs));
-  add_paths(request, progress, runs[0]);
+  const std::shared_ptr<LoadedScene> loaded = load_scene(request.frame);
+  const char* const name = request.against.empty() ? "this run" : "A";
+  runs.push_back(record(name, request.frame, loaded, request.limits, progress, blobs));
+  add_paths(request, loaded, progress, runs[0]);
   if (request.against.empty()) {
     progress.show("drawing over iterations and grid sizes");
-    runs[0]["sweeps"] = setting_sweeps(request.frame, blobs);
+    runs[0]["sweeps"] = setting_sweeps(request.frame, loaded, blobs);
   } else {
     runs.push_back(other_run(request, runs[0], progress, blobs));
   }

@@ -23,7 +23,8 @@ struct Row {
 const Row kRows[] = {{"iterations", {"1", "2", "3", "4", "5", "8"}},
                      {"grid", {"32", "64", "128", "256", "512", "1024"}}};
 
-Json sweep(const FrameRequest& request, const Row& row, Blobs& blobs) {
+Json sweep(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded, const Row& row,
+           Blobs& blobs) {
   Json pictures = Json::array(), errors = Json::array();
   FrameRequest small = request;
   const int longer = std::max(small.settings.width, small.settings.height);
@@ -31,7 +32,7 @@ Json sweep(const FrameRequest& request, const Row& row, Blobs& blobs) {
   small.settings.height = std::max(1, small.settings.height * kLongerSide / longer);
   for (const char* value : row.values) {
     set_option(small.settings, row.setting, value);
-    RenderedFrame frame(small, load_scene(small), goal_with_ledgers({"picture"}));
+    RenderedFrame frame(small, loaded, goal_with_ledgers({"picture"}));
     LedgerReader ledgers;
     frame.run(ledgers.watch(frame));
     const Image picture = frame.read("picture");
@@ -53,11 +54,11 @@ Json sweep(const FrameRequest& request, const Row& row, Blobs& blobs) {
 
 }  // namespace
 
-Json setting_sweeps(const FrameRequest& request, Blobs& blobs) {
+Json setting_sweeps(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded, Blobs& blobs) {
   Json sweeps = Json::array();
   FrameRequest software = request;
   software.backend.backend = Backend::Software;
-  for (const Row& row : kRows) sweeps.push_back(sweep(software, row, blobs));
+  for (const Row& row : kRows) sweeps.push_back(sweep(software, loaded, row, blobs));
   return sweeps;
 }
 

@@ -1,5 +1,6 @@
 // Small pictures of the same frame over one setting, for the page's sliders.
 #pragma once
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/frame_options.hpp"
@@ -7,7 +8,11 @@
 
 namespace caustics::app {
 
+class LoadedScene;
+
 // Over iterations, and over grid sizes: what the page reads as Run.sweeps, with each frame's stated error.
-nlohmann::ordered_json setting_sweeps(const FrameRequest& request, Blobs& blobs);
+// `loaded` as the request has it.
+nlohmann::ordered_json setting_sweeps(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded,
+                                      Blobs& blobs);
 
 }  // namespace caustics::app

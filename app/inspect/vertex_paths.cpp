@@ -116,8 +116,9 @@ bool is_on_the_way(const RenderedFrame& frame, const PlannedPass& pass) {
          pass.drawn_for->receivers == ReceiverLayer::Nearest;
 }
 
-std::map<int, Ways> ways_by(const FrameRequest& request, int& grid) {
-  RenderedFrame frame(request, load_scene(request), {{kLanding}});
+std::map<int, Ways> ways_by(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded,
+                            int& grid) {
+  RenderedFrame frame(request, loaded, {{kLanding}});
   grid = frame.settings().grid;
   std::map<int, Ways> ways;
   frame.run([&](const PlannedPass& pass, const PassResult& result, std::size_t, std::size_t) {
@@ -141,7 +142,7 @@ std::map<int, Ways> ways_by(const FrameRequest& request, int& grid) {
 
 }  // namespace
 
-std::map<int, Json> vertex_paths(const FrameRequest& request) {
+std::map<int, Json> vertex_paths(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded) {
   std::map<int, Json> paths;
   int grid = 0;
   FrameRequest with = request;
@@ -149,7 +150,7 @@ std::map<int, Json> vertex_paths(const FrameRequest& request) {
   const auto by = [&](const char* estimator, int iterations) {
     set_option(with.settings, "estimator", estimator);
     set_option(with.settings, "iterations", std::to_string(iterations));
-    return ways_by(with, grid);
+    return ways_by(with, loaded, grid);
   };
   std::map<int, Ways> truth = by("secant", kConverged);
   for (const char* estimator : {"secant", "newton", "paper", "impostor"}) {

@@ -2,13 +2,18 @@
 // iterate of the search for it.
 #pragma once
 #include <map>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/frame_options.hpp"
 
 namespace caustics::app {
 
+class LoadedScene;
+
 // By index into Scene::lights what the page reads as Light.paths; none of lights that throw no caustic.
-std::map<int, nlohmann::ordered_json> vertex_paths(const FrameRequest& request);
+// `loaded` as the request has it.
+std::map<int, nlohmann::ordered_json> vertex_paths(const FrameRequest& request,
+                                                   const std::shared_ptr<LoadedScene>& loaded);
 
 }  // namespace caustics::app
