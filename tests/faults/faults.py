@@ -46,7 +46,7 @@ def all_faults():
 
 
 def is_whole(text):
-    """Can this be put into brackets? Its own are closed, and neither a loop's head nor a declaration is bare."""
+    """Can this be put into brackets? Its own are closed; it is neither a loop's head nor a declaration."""
     depth, is_statement = 0, text.rstrip().endswith((';', '}'))
     for character in re.sub(r"'[^']'|\"[^\"]*\"", '', text):
         depth += (character in '([{') - (character in ')]}')

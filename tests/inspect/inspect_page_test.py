@@ -14,7 +14,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "program")]
 from page_file import page  # noqa: E402
 from program import PROGRAM, SMALL, main  # noqa: E402
-from tiny_recording import HEIGHT, WIDTH, bare_recording, tiny_recording  # noqa: E402
+from recording_parts import bare_recording  # noqa: E402
+from tiny_recording import HEIGHT, WIDTH, tiny_recording  # noqa: E402
 import glb  # noqa: E402
 
 try:
