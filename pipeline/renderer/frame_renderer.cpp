@@ -82,9 +82,7 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
   show_waters(options_.seconds);
 }
 
-FrameRenderer::~FrameRenderer() {
-  if (water_) water_->show_level(0.0);  // as the scene's next renderer wants it
-}
+FrameRenderer::~FrameRenderer() = default;
 
 void FrameRenderer::judge_and_plan() {
   if (options_.breath) options_.breath();

@@ -85,7 +85,6 @@ std::vector<LightViews> fit_moving_views(Scene& scene, Device& device, const Eff
     moving.show(moment * interval, false, breath);
     look();
   }
-  moving.show_level(0.0);
   return views;
 }
 

@@ -16,8 +16,11 @@ using WaterReport = std::vector<PassReport>;
 
 class MovingWater {
  public:
-  // The scene's waters are at rest. Scene and device must outlive it.
+  // The scene's waters are at rest, and are again when it goes. Scene and device must outlive it.
   MovingWater(Scene& scene, Device& device, const Registry& registry);
+  MovingWater(const MovingWater&) = delete;
+  MovingWater& operator=(const MovingWater&) = delete;
+  ~MovingWater() { show_level(0.0); }
 
   // Moves the scene's water meshes to a moment, seconds; and, where asked for, sets Water::before, for a
   // plan that has the last step as a pass. What devices hold of the scene is not touched: see
