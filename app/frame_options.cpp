@@ -19,7 +19,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
   SettingOptions options(parser, request.settings);
   parser.group("View");
   options.add_resolution();
-  options.add("camera");
+  for (const char* name : {"camera", "view", "zoom", "fov", "ground", "sun"}) options.add(name);
   options.add("exposure");
   parser.option("--environment", "F.hdr",
                 {"light from all around: an equirectangular image, linear, nit; its centre looks along -z",

@@ -6,13 +6,14 @@
 #include "app/shell/interrupt.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/renderer/light_pilot.hpp"
-#include "pipeline/scene/defaults.hpp"
+#include "pipeline/renderer/stage.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/far_lights.hpp"
 #include "pipeline/scene/gltf/load_environment.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/settings/nearest.hpp"
+#include "pipeline/views/framing.hpp"
 
 namespace caustics::app {
 
@@ -86,18 +87,19 @@ void LoadedScene::complete() {
     mesh.upper = glm::vec3(swept_[i].upper);
   }
   add_what_shines();
-  const bool has_lights = !scene_.lights.empty(), has_cameras = !scene_.cameras.empty();
-  complete_scene(scene_);
-  if (!has_lights) {
+  const Completed completed = complete_scene(scene_, settings_);
+  if (completed.lights) {
     added_lights_ = scene_.lights;
     added_sources_ = scene_.sources;
   }
-  if (!has_cameras) added_cameras_ = scene_.cameras;
+  if (completed.cameras) added_cameras_ = scene_.cameras;
   notes_ = scene_.notes;
   exposure_ = exposure_of(scene_, settings_);
 }
 
-void LoadedScene::choose_camera() { camera_ = &camera_called(scene_, settings_.camera); }
+void LoadedScene::choose_camera() {
+  camera_ = with_lens(camera_called(scene_, settings_.camera), settings_.fov, settings_.zoom);
+}
 
 void LoadedScene::move_to(double seconds) {
   if (!moves()) return;

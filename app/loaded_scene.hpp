@@ -22,7 +22,7 @@ class LoadedScene {
 
   const Scene& scene() const { return scene_; }
   Scene& scene() { return scene_; }  // for its waters to move
-  const Camera& camera() const { return *camera_; }
+  const Camera& camera() const { return camera_; }
   float exposure() const { return exposure_; }
 
   bool moves() const { return animation_.moves(); }
@@ -46,7 +46,7 @@ class LoadedScene {
   std::vector<Camera> added_cameras_;
   std::vector<std::string> notes_;
   float exposure_ = 1.0f;
-  const Camera* camera_ = nullptr;  // into scene_
+  Camera camera_;
 };
 
 std::unique_ptr<LoadedScene> load_scene(const FrameRequest& request);

@@ -77,7 +77,7 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   SettingOptions options(parser, request.frame.settings);
   parser.group("View");
   options.add_resolution();
-  options.add("camera");
+  for (const char* name : {"camera", "view", "zoom", "fov", "ground", "sun"}) options.add(name);
   add_moment_options(parser, request.frame);
   list_reference_layers(parser);
   add_physics(parser, options, request);

@@ -5,7 +5,7 @@
 #include "passes/registry.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/renderer/frame_renderer.hpp"
-#include "pipeline/scene/defaults.hpp"
+#include "pipeline/renderer/stage.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "raster/software_device.hpp"
@@ -13,7 +13,7 @@
 int main(int count, char** arguments) try {
   if (count != 2) return std::fprintf(stderr, "usage: read_caustic_map SCENE\n"), 2;
   caustics::Scene scene = caustics::load_gltf(arguments[1]);
-  caustics::complete_scene(scene);
+  caustics::complete_scene(scene, {});
   const auto device = caustics::make_software_device();
   caustics::FrameRenderer renderer(scene, caustics::Settings{}, caustics::pass_registry(), *device,
                                    {.goal = {{"caustic_map[0]"}}});

@@ -21,7 +21,8 @@ std::string option_name(std::string_view name) {
 }
 
 std::string placeholder(const Setting& row) {
-  return row.kind == Setting::Kind::Count ? "N" : row.is_number() ? "X" : "NAME";
+  if (row.is_number()) return row.kind == Setting::Kind::Count ? "N" : "X";
+  return row.kind == Setting::Kind::Text && row.unset.empty() ? "VALUE" : "NAME";
 }
 
 About about(const Setting& row, const Settings& settings) {

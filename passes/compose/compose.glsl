@@ -53,12 +53,15 @@ void main() {
   Int row = floor_to_int(frag_y());
   Bool covered = is_covered(texel_fetch(view_position, column, row));
   Vec3 n = Vec3(texel_fetch(view_normal, column, row));
-  Vec3 albedo = Vec3(texel_fetch(view_albedo, column, row));
+  Vec4 colour = texel_fetch(view_albedo, column, row);
+  Vec3 albedo = Vec3(colour);
   // What the frame lacks is one texel of zeros.
   Vec3 emission = Vec3(fetch_clamped(view_emission, column, row));
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;
-  scene_color = Vec4(sel(covered, surface, sky_radiance(u.sky, ray_direction())), Float(1.0f));
+  Vec3 background = sky_radiance(u.sky, ray_direction());
+  Vec3 shown = surface * colour.w + background * (1.0f - colour.w);
+  scene_color = Vec4(sel(covered, shown, background), Float(1.0f));
 }
 #endif

@@ -18,7 +18,7 @@ struct Bench {
   Scene scene;
   View view = down(1.0, 10.0, 20.0);
   int width = 1, height = 1;
-  float covered = 1.0f;
+  float covered = 1.0f, shown = 1.0f;
   glm::vec3 normal{0.0f, 1.0f, 0.0f}, albedo{0.5f}, emission{0.0f};
   glm::vec3 direct{0.0f}, caustic{0.0f};
   bool lights = true;
@@ -31,7 +31,7 @@ struct Bench {
         {.width = width,
          .height = height,
          .uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = width, .height = height}),
-         .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f), all(albedo, 1.0f),
+         .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f), all(albedo, shown),
                       all(emission, 1.0f), lights ? all(direct, 0.0f) : Image{},
                       lights ? all(caustic, 0.0f) : Image{},
                       scene.environment.image.value_or(Image{})}})["scene_color"];
@@ -178,11 +178,27 @@ TEST_CASE("compose: an environment's light reaches each normal by the cosine lob
   }
 }
 
+TEST_CASE("compose: what of a surface is not shown is the sky behind it") {
+  Bench bench;
+  bench.direct = glm::vec3(kPi);
+  bench.view = level_view();
+  bench.scene.environment.horizon = glm::vec3(8.0f);
+  bench.shown = 0.0f;
+  const glm::vec3 sky = bench.color();
+  bench.shown = 1.0f;
+  const glm::vec3 surface = bench.color();
+  bench.covered = 0.0f;
+  check_color(sky, bench.color());
+  bench.covered = 1.0f;
+  bench.shown = 0.25f;
+  check_color(bench.color(), surface * 0.25f + sky * 0.75f);
+}
+
 TEST_CASE("compose: the picture and its surroundings are composed by the same rule") {
   // Irradiance pi on albedo 0.5.
   const std::vector<Image> textures = {filled(1, 1, glm::vec4(1.0f)),
                                        filled(1, 1, {0, 1, 0, 1}),
-                                       filled(1, 1, glm::vec4(0.5f)),
+                                       filled(1, 1, {0.5f, 0.5f, 0.5f, 1.0f}),
                                        filled(1, 1, glm::vec4(0.0f)),
                                        filled(1, 1, glm::vec4(kPi)),
                                        Image{},

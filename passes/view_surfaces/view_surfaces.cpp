@@ -27,6 +27,9 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .has_emissive = m.emissive_texture.present() ? 1 : 0,
       .normal_scale = m.normal_scale,
       .emissive_factor = m.emissive,
+      .fade_centre = m.fade.centre,
+      .fade_from = m.fade.from,
+      .fade_to = m.fade.to,
       .base_color_uv = std140::texture_transform(m.base_color_texture),
       .normal_uv = std140::texture_transform(m.normal_texture),
       .emissive_uv = std140::texture_transform(m.emissive_texture),
@@ -51,7 +54,9 @@ Pass view_surfaces_pass() {
                  {.name = "view_normal",
                   .meaning = "xyz: unit shading normal on the camera's side, scene space; w: depth "
                              "along the camera's axis, metres"},
-                 {.name = "view_albedo", .meaning = "rgb: diffuse albedo, linear"},
+                 {.name = "view_albedo",
+                  .meaning = "rgb: diffuse albedo, linear; a: how much of the surface is shown, "
+                             "less than 1 where an added ground fades"},
                  {.name = "view_emission",
                   .meaning = "rgb: emitted radiance, nit",
                   .needed_with = &Effects::emission}},

@@ -31,6 +31,17 @@ Vec3 textured_normal(Vec3 n) {
   return leaned_normal(n, surface_tangent, tangent_space_normal(texel, Float(u.normal_scale)));
 }
 
+// How much of the surface is shown: smoothly from 1 to 0, by the distance from the fade's middle.
+Float shown_here() {
+  Float shown = Float(1.0f);
+  if (u.fade_to > u.fade_from) {
+    Float away = length3(surface_position - Vec3(u.fade_centre));
+    Float t = clamp_to((u.fade_to - away) / (u.fade_to - u.fade_from), 0.0f, 1.0f);
+    shown = t * t * (3.0f - 2.0f * t);
+  }
+  return shown;
+}
+
 void main() {
   Vec2 uv = transformed_uv(u.base_color_uv, surface_uv);
   Vec4 base = Vec4(u.base_factor);
@@ -51,7 +62,7 @@ void main() {
   }
   view_position = Vec4(surface_position, Float(1.0f));
   view_normal = Vec4(n, view_coordinates(u.view, surface_position).z);
-  view_albedo = Vec4(base.x, base.y, base.z, Float(1.0f));
+  view_albedo = Vec4(base.x, base.y, base.z, shown_here());
   view_emission = Vec4(emission, Float(1.0f));
 }
 #endif

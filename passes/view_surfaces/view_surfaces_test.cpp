@@ -156,6 +156,21 @@ TEST_CASE("view_surfaces: an alpha mask cuts holes where the interpolated alpha 
   CHECK(see(mesh, material, {base_color}, 1.0)["view_position"].at(0, 2, 3) == 1.0f);
 }
 
+TEST_CASE("view_surfaces: a fade shows all of the surface near its middle, none beyond its end") {
+  Material material = plain();
+  // From the middle of pixel (0, 4), at x = -1.75, z = -0.25: the pixels of its row are 0.5 m apart.
+  material.fade = {{-1.75f, 2.0f, -0.25f}, 1.0f, 3.0f};
+  const PassImages out = see(quad(kFront, {0.0f, 1.0f, 0.0f}), material);
+  const auto shown = [&](int x) { return texel(out["view_albedo"], x, 4).w; };
+  CHECK(shown(0) == 1.0f);
+  CHECK(shown(2) == 1.0f);
+  CHECK(shown(4) == Approx(0.5));
+  // A quarter of the way is left: 3 / 16 - 2 / 64.
+  CHECK(shown(5) == Approx(0.15625));
+  CHECK(shown(7) == 0.0f);
+  CHECK(texel(see(quad(kFront, {0.0f, 1.0f, 0.0f}), plain())["view_albedo"], 7, 4).w == 1.0f);
+}
+
 TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
   const View view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
   const Material material = plain();

@@ -6,6 +6,9 @@ int has_normal;
 int has_emissive;
 float normal_scale;
 vec3 emissive_factor;   // nit
+vec3 fade_centre;       // from all of the surface to none of it, by the distance from here
+float fade_from;
+float fade_to;          // 0: no fade
 TextureTransform base_color_uv;
 TextureTransform normal_uv;
 TextureTransform emissive_uv;

@@ -208,7 +208,8 @@ bool LightPaths::advance(const LightRay& light, Moving& moving, TriangleHit& met
     moving.flux *= left_after(optics_[static_cast<std::size_t>(in->mesh)].absorption,
                               lands ? to_receiver : caster->distance);
   if (lands) {
-    landings.push_back({position_of(scene_, *receiver), moving.flux, moving.followed, moving.surfaces});
+    landings.push_back(
+        {position_of(scene_, *receiver), moving.flux, moving.followed, moving.surfaces, receiver->id.mesh});
     return false;
   }
   met = *caster;

@@ -27,6 +27,7 @@ struct LightLanding {
   glm::dvec3 position{0.0}, flux{0.0};
   bool followed = false;  // on the way that the passes take: in, out where the caster is solid, and on
   int surfaces = 0;       // of casters, on its way
+  int mesh = -1;          // the receiver, an index into Scene::meshes
 };
 
 // A path is followed both ways at a surface until it has met kBothWays of them or the weaker way has less

@@ -6,30 +6,26 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 
-#include "pipeline/effects/backdrop.hpp"
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/light_paths.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/renderer/pilot_rays.hpp"
 #include "pipeline/renderer/run_plan.hpp"
+#include "pipeline/renderer/widest_views.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
-#include "pipeline/views/all_around.hpp"
 #include "pipeline/views/cascades.hpp"
-#include "pipeline/views/cone_range.hpp"
 #include "pipeline/views/landing_window.hpp"
 
 namespace caustics {
 
 namespace {
 
-// A window that nothing lies beside.
-constexpr double kEverywhere = 1e12;
 // Of the share that may fall outside of a map, where the map has a cascade.
 constexpr double kCascadedShare = 0.25;
 // What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the
@@ -37,136 +33,6 @@ constexpr double kCascadedShare = 0.25;
 constexpr double kWidestMargin = 1.0;
 // The coarse run that looks for landings.
 constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
-
-// Extent of something in window coordinates and along z.
-struct Extents {
-  glm::dvec2 lower{std::numeric_limits<double>::infinity()};
-  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
-  double nearest = std::numeric_limits<double>::infinity();
-  double farthest = -std::numeric_limits<double>::infinity();
-  bool empty() const { return lower.x > upper.x; }
-  void add(const glm::dvec2& window, double z) {
-    lower = glm::min(lower, window);
-    upper = glm::max(upper, window);
-    nearest = std::min(nearest, z);
-    farthest = std::max(farthest, z);
-  }
-  void add(const Extents& other) {
-    lower = glm::min(lower, other.lower);
-    upper = glm::max(upper, other.upper);
-    nearest = std::min(nearest, other.nearest);
-    farthest = std::max(farthest, other.farthest);
-  }
-};
-
-void add_point(Extents& extents, const View& axes, const glm::dvec3& p, double closest) {
-  glm::dvec3 q = axes.coordinates(p);
-  // What lies beside or behind a point light is seen at the widest angle.
-  if (axes.perspective && q.z < closest) q.z = closest;
-  glm::dvec2 w = axes.window(q);
-  if (axes.perspective) w = glm::clamp(w, glm::dvec2(-kWidestTangent), glm::dvec2(kWidestTangent));
-  extents.add(w, q.z);
-}
-
-Extents extents_of(const Mesh& mesh, const View& axes, double closest) {
-  Extents extents;
-  for (const Vertex& v : mesh.vertices) add_point(extents, axes, glm::dvec3(v.position), closest);
-  return extents;
-}
-
-// `reach`: how far from the light anything lies. Coordinates are rounded to some ulps of it, and what is
-// flat across the light has no depth of its own to spare.
-void set_depth(View& view, double nearest, double farthest, double reach) {
-  const double slack = std::max(1e-3 * (farthest - nearest), 4e-6 * std::fabs(reach));
-  view.near = nearest - slack;
-  view.far = farthest + slack;
-  if (view.perspective) view.near = std::max(view.near, view.far * 1e-4);
-}
-
-struct LightExtents {
-  View axes;
-  Extents casters, receivers, occluders, panes, everything;
-};
-
-// What of the casters a spot light's cone can light, so that a narrow cone gets the whole grid.
-void cut_to_cone(Extents& casters, const View& axes, const Light& light) {
-  if (light.type != LightType::Spot || casters.empty()) return;
-  for (int axis = 0; axis < 2; ++axis) {
-    const std::optional<glm::dvec2> cone =
-        cone_range(axes, axis, light.direction, static_cast<double>(light.outer_cone));
-    if (!cone || cone->x >= casters.upper[axis] || cone->y <= casters.lower[axis]) continue;
-    casters.lower[axis] = std::max(casters.lower[axis], cone->x);
-    casters.upper[axis] = std::min(casters.upper[axis], cone->y);
-  }
-}
-
-LightExtents measure(const Scene& scene, const Effects& effects, const Light& light) {
-  LightExtents result;
-  const Bounds bounds = bounds_of(scene);
-  Bounds casters;
-  const auto shines = [&](std::size_t mesh) { return light.emitter == static_cast<int>(mesh); };
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (is_caster(effects.surfaces[i].role) && !shines(i)) casters.add(bounds_of(scene.meshes[i]));
-  const double radius = std::max(bounds.radius(), 1e-9);
-  double closest = 0.0;
-  if (light.type == LightType::Directional) {
-    result.axes = view_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
-  } else {
-    glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
-    // What an emitter turns away from it does not light.
-    if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
-      target = light.position + light.direction * radius;
-    result.axes = view_along(light.position, exact::normalise(target - light.position, light.direction));
-    result.axes.perspective = true;
-    closest = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
-  }
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (shines(i)) continue;
-    const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
-    result.everything.add(extents);
-    if (is_caster(effects.surfaces[i].role)) {
-      result.casters.add(extents);
-    } else if (effects.surfaces[i].role == Role::ThinPane) {
-      result.panes.add(extents);
-    } else {
-      result.receivers.add(extents);
-      if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
-    }
-  }
-  cut_to_cone(result.casters, result.axes, light);
-  return result;
-}
-
-// The views before anything is known of the landings: the receiver map sees everything.
-LightViews widest_views(const LightExtents& extents, const Effects& effects, int grid) {
-  LightViews views{extents.axes, extents.axes, extents.axes, extents.axes,
-                   extents.axes, 0.0,          extents.axes, {}};
-  const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
-  const double reach = extents.everything.farthest;
-  if (!shadow.empty()) {
-    set_window(views.shadow, {shadow.lower, shadow.upper}, 0.01);
-    set_depth(views.shadow, extents.everything.nearest, reach, reach);
-  }
-  if (!extents.panes.empty()) {
-    set_window(views.panes, {extents.panes.lower, extents.panes.upper}, 0.01);
-    set_depth(views.panes, extents.everything.nearest, reach, reach);
-  }
-  if (extents.casters.empty()) return views;
-  set_window(views.caster, {extents.casters.lower, extents.casters.upper}, 4.0 / grid);
-  set_depth(views.caster, extents.everything.nearest, extents.casters.farthest, reach);
-  Extents all = extents.casters;
-  if (!extents.receivers.empty()) all.add(extents.receivers);
-  set_window(views.receiver, {all.lower, all.upper}, 0.01);
-  set_depth(views.receiver, all.nearest, all.farthest, reach);
-  views.casters_nearest = extents.casters.nearest;
-  views.column = views.caster;
-  if (!effects.mirrors.active && !effects.reflections.active) {
-    views.column.window_lower = glm::dvec2(-kEverywhere);
-    views.column.window_upper = glm::dvec2(kEverywhere);
-  }
-  views.caustic = views.receiver;
-  return views;
-}
 
 void add_landings(const Image& landing, const Image& flux, const View& view,
                   std::vector<WeightedPoint>& points) {
@@ -265,11 +131,6 @@ class LandingScout {
 
 namespace {
 
-// Rays a side by which it is found how light goes on: a share of 5 % is known to 0.5 % by as many. Each lies
-// somewhere else in its square of kPlaces a side, so that no pattern of the casters' own is met at its crests
-// alone.
-constexpr int kRaysASide = 48, kPlaces = 16;
-
 void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster,
                 std::vector<FurtherShare>& shares) {
   struct Landed {
@@ -278,23 +139,16 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
   std::map<int, Landed> landed;
   double whole = 0.0;
   std::vector<LightLanding> landings;
-  for (int y = 0; y < kRaysASide; ++y)
-    for (int x = 0; x < kRaysASide; ++x) {
-      const int side = kRaysASide * kPlaces;
-      const int column = x * kPlaces + (5 * x + 7 * y) % kPlaces,
-                row = y * kPlaces + (11 * x + 3 * y) % kPlaces;
-      const int texels = caster.cube ? caster.cube->side : side;
-      LightRay ray = light_ray(light, caster, texels, column * texels / side, row * texels / side);
-      ray.key = static_cast<std::uint64_t>(y) * kRaysASide + static_cast<std::uint64_t>(x) + 1;
-      landings.clear();
-      const int mesh = paths.follow(ray, landings);
-      for (const LightLanding& landing : landings) {
-        const double flux = (landing.flux.x + landing.flux.y) + landing.flux.z;
-        landed[mesh].all += flux;
-        if (landing.followed || landing.surfaces == 1) landed[mesh].simple += flux;
-        whole += flux;
-      }
+  for (const LightRay& ray : pilot_rays(light, caster)) {
+    landings.clear();
+    const int mesh = paths.follow(ray, landings);
+    for (const LightLanding& landing : landings) {
+      const double flux = (landing.flux.x + landing.flux.y) + landing.flux.z;
+      landed[mesh].all += flux;
+      if (landing.followed || landing.surfaces == 1) landed[mesh].simple += flux;
+      whole += flux;
     }
+  }
   for (const auto& [mesh, sum] : landed)
     shares.push_back({number, mesh, 1.0 - sum.simple / sum.all, sum.all / whole});
 }
@@ -338,13 +192,8 @@ void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings
 std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& settings,
                                         std::vector<LandingSurvey>* surveys) {
   std::vector<LightViews> views;
-  for (const Light& light : scene_.scene().lights) {
-    if (!effects.lights[views.size()].all_around.empty()) {
-      views.push_back(views_all_around(scene_.scene(), effects, settings, light));
-      continue;
-    }
-    views.push_back(widest_views(measure(scene_.scene(), effects, light), effects, settings.grid));
-  }
+  for (int i = 0; i < static_cast<int>(scene_.scene().lights.size()); ++i)
+    views.push_back(widest_views(scene_.scene(), effects, settings, i));
   if (surveys) surveys->assign(views.size(), {});
   if (!settings.shared_views) {
     fit_to_scouted(effects, settings, views, surveys);
@@ -361,16 +210,9 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
   const Scene& scene = scene_.scene();
   const LightPaths paths(scene, effects);
   std::vector<FurtherShare> shares;
-  std::set<int> sources;
-  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
-    const Light& light = scene.lights[static_cast<std::size_t>(i)];
-    if (!throws_caustic(effects, i) || (light.source >= 0 && !sources.insert(light.source).second)) continue;
-    const bool all_around = !effects.lights[static_cast<std::size_t>(i)].all_around.empty();
-    const View caster = all_around
-                            ? views_all_around(scene, effects, settings, light).caster
-                            : widest_views(measure(scene, effects, light), effects, kCoarseGrid).caster;
-    add_shares(paths, light, i, caster, shares);
-  }
+  for (const int i : lights_to_pilot(scene, effects))
+    add_shares(paths, scene.lights[static_cast<std::size_t>(i)], i,
+               widest_views(scene, effects, settings, i).caster, shares);
   return shares;
 }
 

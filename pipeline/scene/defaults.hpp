@@ -1,5 +1,4 @@
-// Completes a scene that a file leaves half-said, so that a bare model is enough for a picture.
-// Whatever is added is said in Scene::notes.
+// The parts that a scene is completed with where its file leaves them out (pipeline/renderer/stage.hpp).
 #pragma once
 #include "pipeline/scene/scene.hpp"
 
@@ -9,16 +8,28 @@ namespace caustics {
 bool is_mirror(const Material& material);    // metallic >= 0.5 and roughness <= 0.2
 bool is_receiver(const Material& material);  // not transmissive, not a mirror
 
-// Adds what is missing, in this order:
-// - a receiver: a square of light grey (0.7) under the lowest point, six times as wide as the
-// objects;
-// - a light: a directional one of 10 lux, 30 degrees off the vertical, from behind on the left of
-// the
-//   camera's view of the objects;
-// - a camera: a three-quarter view from above that shows the objects and where their shadows fall;
-// - a sky, unless there is an environment image or one was already set: grey, brightest at the
-//   horizon, lighting a horizontal surface with 15 % of what the scene's lights give.
-void complete_scene(Scene& scene);
+bool has_receiver(const Scene& scene);
+// Does it stand on something: do receivers that face up, in its lowest tenth, reach over half of its width
+// and depth?
+bool has_floor(const Scene& scene);
+
+// What a picture is about: the bounds of the meshes that are no receivers, else of all.
+Bounds subject_of(const Scene& scene);
+// The largest extent along an axis, metres; 1 where there is none.
+double widest(const Bounds& bounds);
+
+// Of its mesh and material.
+inline constexpr const char* kGroundName = "ground (added)";
+// The last mesh and material: a square of light grey (0.7) at this height (y, scene space), twelve times as
+// wide as the subject, that fades into the background (Material::fade).
+void add_ground(Scene& scene, const Bounds& subject, double height);
+
+// One directional light in the place of all others. `direction`: unit, the way its light travels.
+void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, float lux);
+
+// Unless there is an environment image, or a gradient was set: grey, brightest at the horizon, lighting a
+// horizontal surface with 30 % of what the scene's lights give. Said in Scene::notes.
+void add_sky(Scene& scene);
 
 // What the scene's lights together give at its centre on a surface facing each of them, in lux.
 double light_level(const Scene& scene);

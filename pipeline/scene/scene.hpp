@@ -29,6 +29,14 @@ struct TextureUse {
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
+// Where the camera's picture of a surface gives way to what lies behind all surfaces: with the distance from
+// a point, metres, from all of the surface to none of it.
+struct Fade {
+  glm::vec3 centre{0.0f};  // scene space
+  float from = 0.0f, to = 0.0f;
+  bool present() const { return to > from; }
+};
+
 // glTF 2.0 metallic-roughness with the KHR extensions that matter to light. Ranges are enforced by the
 // loader; the defaults are those of the specifications.
 struct Material {
@@ -54,6 +62,7 @@ struct Material {
   float dispersion = 0.0f;  // KHR_materials_dispersion: 20 / Abbe number
   // Of what Fresnel's equations mirror off glass on the light's way: 1, or 0 to tell what they bring.
   float fresnel_factor = 1.0f;
+  Fade fade;  // of an added ground
 };
 
 struct Vertex {

@@ -34,6 +34,9 @@ std::string too_small_for_cubes(const Settings& settings) {
 
 void check(const Settings& settings) {
   check_ranges(settings);
+  if (settings.view && !settings.camera.empty())
+    throw Error(ExitCode::WrongUsage,
+                "--view and --camera exclude each other: both say which camera shows the scene");
   if (const std::string small = too_small("map", settings.map, kLeastAtlas);
       settings.estimator == Estimator::Impostor && !small.empty())
     throw Error(ExitCode::WrongUsage, small + " with the estimator impostor");

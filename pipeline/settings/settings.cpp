@@ -157,6 +157,24 @@ constexpr Setting text(std::string_view name, Part part, std::string_view takes,
   return row;
 }
 
+// What text_of and parse (stage.hpp) write and read.
+template <auto member>
+std::string get_staged(const Settings& settings) {
+  return text_of(settings.*member);
+}
+
+template <auto member>
+bool set_staged(const Setting&, Settings& settings, std::string_view text) {
+  return parse(text, settings.*member);
+}
+
+template <auto member>
+constexpr Setting staged(std::string_view name, Part part, std::string_view takes, std::string_view meaning) {
+  Setting row{name, Setting::Kind::Text, part, meaning, get_staged<member>, set_staged<member>};
+  row.takes = takes;
+  return row;
+}
+
 constexpr Setting kTable[] = {
     number<&S::width>("width", Part::View, {1, 16384, "pixels"}, "width of the picture"),
     number<&S::height>("height", Part::View, {1, 16384, "pixels"}, "height of the picture"),
@@ -233,6 +251,21 @@ constexpr Setting kTable[] = {
     optional_number<&S::exposure>("exposure", Part::Picture, {-40, 40, "EV"},
                                   "brightness of PNG pictures beside the automatic one"),
     text<&S::camera>("camera", Part::View, "a name or a number", "the first", "a camera of the scene"),
+    staged<&S::view>(
+        "view", Part::View, "auto|AZIMUTH,ELEVATION",
+        "from where the casters and their caustics are shown whole, in place of the scene's camera: "
+        "degrees from +z towards +x, and above the horizon; auto: the scene's camera, else 37,34"),
+    number<&S::zoom>("zoom", Part::View, {0.01, 100}, "how much larger the camera shows what it looks at"),
+    optional_number<&S::fov>("fov", Part::View, {1, 170, "degrees"},
+                             "the camera's vertical angle of view; auto: its own, else 34"),
+    staged<&S::ground>(
+        "ground", Part::Light, "auto|on|off|HEIGHT",
+        "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
+        "catches less than half of what of its caustics would land with one"),
+    staged<&S::sun>(
+        "sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]",
+        "a sun that stands there, in place of the scene's lights: degrees, as of the view; 10 lux "
+        "unless said; auto: where the scene has no light"),
     number<&S::mirror_metallic>("mirror.metallic", Part::Light, {0, 1},
                                 "metal is a mirror where it is at least so metallic"),
     number<&S::mirror_roughness>("mirror.roughness", Part::Light, {0, 1}, "rougher metal is no mirror"),

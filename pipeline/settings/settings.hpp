@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "pipeline/settings/stage.hpp"
 #include "pipeline/shader/constants.hpp"
 
 namespace caustics {
@@ -66,6 +67,11 @@ struct Settings {
   bool assume_solid = false;
   std::optional<float> exposure;  // none: automatic
   std::string camera;             // empty: the first
+  Ground ground;
+  std::optional<SunWish> sun;   // none: the scene's lights
+  std::optional<Bearing> view;  // none: the scene's camera
+  float zoom = 1.0f;
+  std::optional<float> fov;  // degrees; none: the camera's own
   float mirror_metallic = 0.5f, mirror_roughness = 0.2f;
   float glass_roughness = 0.2f;
 };

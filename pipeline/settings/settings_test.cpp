@@ -32,6 +32,9 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 
 // A value of a setting that is not its default.
 std::string another(const Setting& row) {
+  if (row.name == "ground") return "-1.5";
+  if (row.name == "sun") return "-30,40.5,2.5";
+  if (row.name == "view") return "200,-5";
   if (row.kind == Setting::Kind::Text) return "another";
   if (row.is_number())
     return row.get(Settings{}) == number_text(row.numbers.most) ? number_text(row.numbers.least)
@@ -112,6 +115,16 @@ TEST_CASE("settings: keys reach the members that they are named after") {
   CHECK(settings.camera == "eye");
   set_option(settings, "exposure", "auto");
   CHECK_FALSE(settings.exposure.has_value());
+}
+
+TEST_CASE("settings: where sun and view stand, and the ground's height, are refused where they are no such") {
+  for (const char* value :
+       {"", "30", "30,", ",30", "30,40,", "30,91", "361,0", "30,40,-1", "30,40,5,6", "30 ,40", "on"})
+    CHECK(holds(refusal("sun", value), "AZIMUTH,ELEVATION"));
+  for (const char* value : {"", "30", "30,40,5", "nan,0", "0,inf"})
+    CHECK(holds(refusal("view", value), "AZIMUTH,ELEVATION"));
+  for (const char* value : {"", "yes", "1e10", "nan", "1 m"})
+    CHECK(holds(refusal("ground", value), "HEIGHT"));
 }
 
 TEST_CASE("settings: what is out of range is refused with the range") {

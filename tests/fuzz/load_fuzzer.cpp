@@ -1,5 +1,6 @@
 // Any bytes as a .gltf or .glb: refused in one line, or a sound scene at two moments, completed or not.
-#include "pipeline/scene/defaults.hpp"
+#include "pipeline/renderer/stage.hpp"
+#include "pipeline/settings/settings.hpp"
 #include "tests/fuzz/fuzzed_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -10,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_sound(animated->start());
   if (const auto later = scene_at(*animated, 0.37 * animated->duration())) check_sound(*later);
   Scene scene = animated->start();
-  complete_scene(scene);
+  complete_scene(scene, Settings{});
   check_sound(scene);
   return 0;
 }

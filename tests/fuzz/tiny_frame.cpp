@@ -8,7 +8,7 @@
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/pixel_side.hpp"
 #include "pipeline/renderer/frame_renderer.hpp"
-#include "pipeline/scene/defaults.hpp"
+#include "pipeline/renderer/stage.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/settings/check_settings.hpp"
@@ -153,7 +153,7 @@ bool render_frame(Scene scene, const Settings& settings, double seconds) {
   }
   if (settings.emissive_lights) add_emissive_lights(scene);
   sample_lights(scene, settings.light_samples);
-  complete_scene(scene);
+  complete_scene(scene, settings);
   if (scene.lights.size() > kMostLights) return false;
   try {
     TinyFrame frame(std::move(scene), settings, seconds);

@@ -1,0 +1,32 @@
+#include "pipeline/renderer/pilot_rays.hpp"
+
+#include <set>
+
+namespace caustics {
+
+std::vector<LightRay> pilot_rays(const Light& light, const View& casters) {
+  constexpr int kPlaces = 16, kSide = kPilotRaysASide * kPlaces;  // places a side in a ray's square
+  const int texels = casters.cube ? casters.cube->side : kSide;
+  std::vector<LightRay> rays;
+  rays.reserve(static_cast<std::size_t>(kPilotRaysASide) * kPilotRaysASide);
+  for (int y = 0; y < kPilotRaysASide; ++y)
+    for (int x = 0; x < kPilotRaysASide; ++x) {
+      const int column = x * kPlaces + (5 * x + 7 * y) % kPlaces,
+                row = y * kPlaces + (11 * x + 3 * y) % kPlaces;
+      rays.push_back(light_ray(light, casters, texels, column * texels / kSide, row * texels / kSide));
+      rays.back().key = rays.size();
+    }
+  return rays;
+}
+
+std::vector<int> lights_to_pilot(const Scene& scene, const Effects& effects) {
+  std::vector<int> lights;
+  std::set<int> sources;
+  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
+    const int source = scene.lights[static_cast<std::size_t>(i)].source;
+    if (throws_caustic(effects, i) && (source < 0 || sources.insert(source).second)) lights.push_back(i);
+  }
+  return lights;
+}
+
+}  // namespace caustics

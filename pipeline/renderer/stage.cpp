@@ -1,0 +1,259 @@
+#include "pipeline/renderer/stage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "pipeline/effects/surface_role.hpp"
+#include "pipeline/measure/light_paths.hpp"
+#include "pipeline/renderer/pilot_rays.hpp"
+#include "pipeline/renderer/widest_views.hpp"
+#include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/settings/settings.hpp"
+#include "pipeline/views/framing.hpp"
+
+namespace caustics {
+
+namespace {
+
+// What is there catches enough of the light if it is this share of what a ground beside it would see landing.
+constexpr double kCaught = 0.5;
+// What stands by the casters belongs to the picture: no wider than they, and no farther from their middle,
+// than so many of their widths; or no wider than they themselves where it catches more than so much of their
+// light.
+constexpr double kWidestCompany = 6.0, kWidestCatcher = 1.5, kCatches = 0.1;
+// What of the landed light the camera shows: the brightest first until this share of it, and nothing that is
+// less bright than this share of the light's own irradiance; within so many of the casters' radii.
+constexpr double kShownLight = 0.85, kLeastBright = 0.3, kShownReach = 3.5;
+constexpr double kCellsARadius = 8.0;  // in which brightness is told
+constexpr Bearing kView{37.0f, 34.0f};
+constexpr double kFov = 0.6;  // radians
+
+struct Landed {
+  glm::dvec3 position{0.0};
+  double share = 0.0;  // of its light's
+  double area =
+      0.0;  // which its ray would light without casters, times what is left of its flux; square metres
+  int mesh = -1;
+};
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+glm::dvec3 toward(const Bearing& bearing) {
+  double sine, cosine, up, level;
+  exact::sin_cos(static_cast<double>(bearing.azimuth) * exact::kPi / 180.0, sine, cosine);
+  exact::sin_cos(static_cast<double>(bearing.elevation) * exact::kPi / 180.0, up, level);
+  return {sine * level, up, cosine * level};
+}
+
+// Where the casters' light lands, by any number of surfaces.
+std::vector<Landed> landed_light(const Scene& scene, const Settings& settings) {
+  const Effects effects = effects_of(scene, settings);
+  std::vector<Landed> landed;
+  if (!effects.caustics.active) return landed;
+  const LightPaths paths(scene, effects);
+  const glm::dvec3 middle = subject_of(scene).centre();
+  std::vector<LightLanding> landings;
+  for (const int number : lights_to_pilot(scene, effects)) {
+    const Light& light = scene.lights[static_cast<std::size_t>(number)];
+    const View casters = widest_views(scene, effects, settings, number).caster;
+    landings.clear();
+    for (const LightRay& ray : pilot_rays(light, casters)) paths.follow(ray, landings);
+    double all = 0.0;
+    for (const LightLanding& landing : landings) all += largest(landing.flux);
+    const double away = casters.perspective ? exact::length(middle - light.position) : 1.0;
+    const double area = casters.window_area() * away * away / (kPilotRaysASide * kPilotRaysASide);
+    for (const LightLanding& landing : landings) {
+      const double flux = largest(landing.flux);
+      landed.push_back({landing.position, flux / all, flux * area, landing.mesh});
+    }
+  }
+  return landed;
+}
+
+// The brightest of it, within `reach` of `centre`; told apart in cells of the size `cell`, metres.
+std::vector<glm::dvec3> bright_part(const std::vector<Landed>& landed, const glm::dvec3& centre, double reach,
+                                    double cell) {
+  using Cell = std::array<long long, 3>;
+  std::map<Cell, std::vector<const Landed*>> cells;
+  double near = 0.0;
+  for (const Landed& each : landed) {
+    const glm::dvec3 p = each.position - centre;
+    if (!(exact::length(p) < reach)) continue;
+    const glm::dvec3 place = glm::floor(p / cell);
+    cells[{static_cast<long long>(place.x), static_cast<long long>(place.y), static_cast<long long>(place.z)}]
+        .push_back(&each);
+    near += each.share;
+  }
+  std::vector<std::pair<double, Cell>> brightest;
+  for (const auto& [place, inside] : cells) {
+    double lit = 0.0;
+    for (const Landed* each : inside) lit += each->area;
+    if (lit > kLeastBright * cell * cell) brightest.emplace_back(-lit, place);
+  }
+  std::sort(brightest.begin(), brightest.end());
+  std::vector<glm::dvec3> points;
+  double shown = 0.0;
+  for (const auto& [lit, place] : brightest) {
+    if (shown >= kShownLight * near) break;
+    for (const Landed* each : cells[place]) {
+      points.push_back(each->position);
+      shown += each->share;
+    }
+  }
+  return points;
+}
+
+class Stage {
+ public:
+  Stage(Scene& scene, const Settings& settings)
+      : scene_(scene), settings_(settings), subject_(subject_of(scene)) {
+    if (subject_.empty()) {
+      subject_.add(glm::dvec3(-0.5));
+      subject_.add(glm::dvec3(0.5));
+    }
+  }
+
+  Completed complete() {
+    completed_ = {scene_.lights.empty() || settings_.sun, scene_.cameras.empty() || settings_.view};
+    if (completed_.lights) place_sun();
+    lay_ground();
+    if (completed_.cameras) place_camera();
+    add_sky(scene_);
+    return completed_;
+  }
+
+ private:
+  // From the scene to where the camera stands, along the ground: a unit vector.
+  glm::dvec3 camera_side() const {
+    glm::dvec3 side = toward(settings_.view.value_or(kView));
+    if (!completed_.cameras) {
+      // A camera that looks straight down stands where the lower edge of its picture is.
+      const Camera& camera = scene_.cameras.front();
+      side = std::fabs(camera.forward.y) > 0.99 ? -camera.up : -camera.forward;
+    }
+    return exact::normalise({side.x, 0.0, side.z}, {0.6, 0.0, 0.8});
+  }
+
+  void place_sun() {
+    if (settings_.sun) return set_sun(scene_, subject_, -toward(settings_.sun->stands), settings_.sun->lux);
+    const glm::dvec3 front = camera_side(), right{front.z, 0.0, -front.x};
+    const double level = 0.5, height = 0.86602540378443865;  // cosine and sine of 60 degrees
+    set_sun(scene_, subject_, (front * 0.8 + right * 0.6) * level - glm::dvec3(0.0, height, 0.0), kSunLux);
+    scene_.notes.push_back("The scene has no light: a sun of 10 lux, 60 degrees high, was added behind it.");
+  }
+
+  // Where the ground is to be tried; none where it is not wanted.
+  std::optional<double> ground_height() const {
+    if (settings_.ground.wish == Ground::Wish::Off) return {};
+    if (settings_.ground.wish == Ground::Wish::At)
+      return static_cast<double>(settings_.ground.height) - scene_.origin.y;
+    if (settings_.ground.wish == Ground::Wish::Auto && scene_.meshes.empty()) return {};
+    const Bounds all = bounds_of(scene_);
+    // A hair below, so that a flat underside does not lie in the ground.
+    return (all.empty() ? subject_ : all).lower.y - 1e-4 * widest(subject_);
+  }
+
+  void lay_ground() {
+    const bool tries = settings_.ground.wish == Ground::Wish::Auto && has_receiver(scene_);
+    const std::optional<double> height = ground_height();
+    stands_ = has_floor(scene_);
+    if (height) add_ground(scene_, subject_, *height);
+    if (!(height && tries) && !completed_.cameras) return;
+    landed_ = landed_light(scene_, settings_);
+    if (!height) return;
+    const double above = *height + 1e-5 * widest(subject_);
+    double all = 0.0, caught = 0.0;
+    for (const Landed& each : landed_) {
+      all += each.share;
+      if (each.position.y > above) caught += each.share;
+    }
+    if (tries && (all > 0.0 ? caught >= kCaught * all : stands_)) return remove_ground(above);
+    std::string why = "as asked for";
+    if (tries && all > 0.0)
+      why = "the scene itself catches " + rounded_text(100.0 * caught / all, 2) +
+            " % of the light that lands through its glass and off its mirrors";
+    else if (tries)
+      why = "the scene stands on nothing";
+    else if (settings_.ground.wish == Ground::Wish::Auto)
+      why = "nothing in the scene can show a caustic";
+    scene_.notes.push_back("A grey ground was added: " + why + ".");
+  }
+
+  void remove_ground(double above) {
+    scene_.meshes.pop_back();
+    scene_.materials.pop_back();
+    landed_.erase(std::remove_if(landed_.begin(), landed_.end(),
+                                 [&](const Landed& each) { return !(each.position.y > above); }),
+                  landed_.end());
+  }
+
+  // Does it belong to the picture: a caster, or what stands by and is no backdrop?
+  bool is_company(std::size_t mesh, double caught) const {
+    const Bounds bounds = bounds_of(scene_.meshes[mesh]);
+    const double most = (caught > kCatches ? kWidestCatcher : kWidestCompany) * widest(subject_);
+    return scene_.meshes[mesh].name != kGroundName && widest(bounds) <= most &&
+           exact::length(bounds.centre() - subject_.centre()) <= most;
+  }
+
+  std::vector<double> caught_by_mesh() const {
+    std::vector<double> caught(scene_.meshes.size());
+    double all = 0.0;
+    for (const Landed& each : landed_) {
+      caught[static_cast<std::size_t>(each.mesh)] += each.share;
+      all += each.share;
+    }
+    for (double& share : caught) share /= std::max(all, 1e-30);
+    return caught;
+  }
+
+  void place_camera() {
+    const double radius = std::max(subject_.radius(), 1e-9);
+    std::vector<glm::dvec3> points =
+        bright_part(landed_, subject_.centre(), kShownReach * radius, radius / kCellsARadius);
+    const std::vector<double> caught = caught_by_mesh();
+    for (std::size_t mesh = 0; mesh < scene_.meshes.size(); ++mesh)
+      if (is_company(mesh, caught[mesh])) add_points(scene_.meshes[mesh], points);
+    const double fov = settings_.fov ? static_cast<double>(*settings_.fov) * exact::kPi / 180.0 : kFov;
+    Camera camera =
+        framing_camera(points, -toward(settings_.view.value_or(kView)), fov,
+                       static_cast<double>(settings_.width) / settings_.height, 0.1 * widest(subject_));
+    camera.name = settings_.view ? "view " + text_of(settings_.view) : "three-quarter view (added)";
+    if (!settings_.view)
+      scene_.notes.push_back("The scene has no camera: a three-quarter view from above was added.");
+    scene_.cameras = {camera};
+  }
+
+  // Its vertices; and where it is said to reach farther, as what moves does, the corners of its bounds.
+  static void add_points(const Mesh& mesh, std::vector<glm::dvec3>& points) {
+    glm::vec3 lower(std::numeric_limits<float>::infinity()), upper = -lower;
+    for (const Vertex& vertex : mesh.vertices) {
+      points.emplace_back(vertex.position);
+      lower = glm::min(lower, vertex.position);
+      upper = glm::max(upper, vertex.position);
+    }
+    if (lower == mesh.lower && upper == mesh.upper) return;
+    for (int corner = 0; corner < 8; ++corner)
+      points.emplace_back((corner & 1) ? mesh.upper.x : mesh.lower.x,
+                          (corner & 2) ? mesh.upper.y : mesh.lower.y,
+                          (corner & 4) ? mesh.upper.z : mesh.lower.z);
+  }
+
+  Scene& scene_;
+  const Settings& settings_;
+  Bounds subject_;
+  bool stands_ = false;  // on a floor of its own
+  std::vector<Landed> landed_;
+  Completed completed_;
+};
+
+}  // namespace
+
+Completed complete_scene(Scene& scene, const Settings& settings) { return Stage(scene, settings).complete(); }
+
+}  // namespace caustics

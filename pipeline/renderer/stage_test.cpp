@@ -1,0 +1,175 @@
+// What a scene is completed with: ground, sun, camera, sky.
+#include "pipeline/renderer/stage.hpp"
+
+#include <cmath>
+
+#include "pipeline/scene/defaults.hpp"
+#include "pipeline/settings/settings.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/shapes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A glass ball of radius 1 around the origin; what else there is comes before it.
+Scene ball(std::vector<Mesh> others = {}) {
+  Scene scene;
+  scene.materials = {diffuse(0.8f), glass(1.5f)};
+  scene.meshes = std::move(others);
+  scene.meshes.push_back(sphere(glm::dvec3(0.0), 1.0, 2, 1));
+  return scene;
+}
+
+const Mesh* ground_of(const Scene& scene) {
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.name == kGroundName) return &mesh;
+  return nullptr;
+}
+
+// Where the camera shows p: in its picture's half widths and heights; the picture is as wide as 16:9.
+glm::dvec2 shown_at(const Camera& camera, const glm::dvec3& p) {
+  const glm::dvec3 seen = p - camera.position;
+  const double height = glm::dot(seen, camera.forward) * std::tan(0.5 * camera.vertical_fov);
+  return {glm::dot(seen, camera.right) / height * 9.0 / 16.0, glm::dot(seen, camera.up) / height};
+}
+
+}  // namespace
+
+TEST_CASE("stage: a bare glass object gets a ground, a sun, a camera and a sky, and says so") {
+  Scene scene = ball();
+  const Completed completed = complete_scene(scene, {});
+  CHECK(completed.lights);
+  CHECK(completed.cameras);
+  const Mesh* ground = ground_of(scene);
+  REQUIRE(ground);
+  CHECK(ground->upper.y < -1.0f);
+  CHECK(ground->upper.y > -1.001f);
+  CHECK(ground->upper.x - ground->lower.x == Approx(24));
+  const Material& grey = scene.materials.at(static_cast<std::size_t>(ground->material));
+  CHECK(is_receiver(grey));
+  CHECK(grey.fade.to == Approx(12));
+  CHECK(ground->object != scene.meshes[0].object);
+  const auto corner = [&](std::size_t i) { return ground->vertices[ground->indices[i]].position; };
+  for (const std::size_t t : {0u, 3u})
+    CHECK(glm::cross(corner(t + 1) - corner(t), corner(t + 2) - corner(t)).y > 0);
+  REQUIRE(scene.lights.size() == 1);
+  CHECK(glm::length(scene.lights[0].direction) == Approx(1));
+  CHECK(scene.lights[0].intensity == 10.0f);
+  REQUIRE(scene.cameras.size() == 1);
+  CHECK(scene.environment.zenith.x > 0.0f);
+  CHECK(scene.notes.size() == 4);
+}
+
+TEST_CASE("stage: the added camera shows the object and the focus of its light, and nothing much larger") {
+  Scene scene = ball();
+  complete_scene(scene, {});
+  const Camera& camera = scene.cameras.at(0);
+  glm::dvec2 most(0.0);
+  for (const Vertex& vertex : scene.meshes[0].vertices)
+    most = glm::max(most, glm::abs(shown_at(camera, glm::dvec3(vertex.position))));
+  CHECK(most.x < 1.0);
+  CHECK(most.y < 1.0);
+  CHECK(most.y > 0.6);
+  // A ball's light crosses its axis behind it: where the axis meets the ground.
+  const glm::dvec3 d = scene.lights[0].direction;
+  const glm::dvec2 focus = glm::abs(shown_at(camera, d * (-1.0 / d.y)));
+  CHECK(focus.x < 1.0);
+  CHECK(focus.y < 1.0);
+}
+
+TEST_CASE("stage: a ground is added where the light lands beside what is there") {
+  // A floor beneath catches all of it; a shelf of the same size beside the ball nothing.
+  Scene caught = ball({floor(4.0, -1.5, 0)}), missed = ball({box({5.0, -1.0, -1.0}, {5.5, 1.0, 1.0}, 0)});
+  complete_scene(caught, {});
+  complete_scene(missed, {});
+  CHECK_FALSE(ground_of(caught));
+  CHECK(caught.materials.size() == 2);
+  CHECK(ground_of(missed));
+}
+
+TEST_CASE("stage: a ground is laid where it is asked for, at a height of the file's world, or left out") {
+  Settings settings;
+  Scene scene = ball({floor(4.0, -1.5, 0)});
+  scene.origin = {0.0, 2.0, 0.0};
+  set_option(settings, "ground", "-1");
+  complete_scene(scene, settings);
+  REQUIRE(ground_of(scene));
+  CHECK(ground_of(scene)->upper.y == Approx(-3.0));
+  set_option(settings, "ground", "off");
+  Scene bare = ball();
+  complete_scene(bare, settings);
+  CHECK_FALSE(ground_of(bare));
+}
+
+TEST_CASE("stage: opaque things that stand on nothing get a ground, those on a floor none") {
+  Scene flying = ball(), standing = ball({floor(2.0, -1.0, 0)});
+  for (Scene* scene : {&flying, &standing}) {
+    scene->meshes.back().material = 0;
+    complete_scene(*scene, {});
+  }
+  CHECK(ground_of(flying));
+  CHECK_FALSE(ground_of(standing));
+}
+
+TEST_CASE("stage: a sun and a view that are asked for take the place of the scene's") {
+  Settings settings;
+  set_option(settings, "sun", "90,30,5");
+  set_option(settings, "view", "0,0");
+  Scene scene = ball({floor(4.0, -1.5, 0)});
+  scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f), sun({0.0, -1.0, 0.0}, 1.0f)};
+  scene.cameras = {camera_down(0.2, 1.0)};
+  const Completed completed = complete_scene(scene, settings);
+  CHECK(completed.lights);
+  CHECK(completed.cameras);
+  REQUIRE(scene.lights.size() == 1);
+  CHECK(scene.lights[0].intensity == 5.0f);
+  // It stands at +x, 30 degrees high.
+  CHECK(glm::length(scene.lights[0].direction - glm::dvec3(-std::sqrt(0.75), -0.5, 0.0)) < 1e-7);
+  REQUIRE(scene.cameras.size() == 1);
+  CHECK(scene.cameras[0].forward.z == Approx(-1.0));
+  CHECK(scene.cameras[0].position.z > 1.0);
+}
+
+TEST_CASE("stage: what the scene has is kept") {
+  Scene scene = ball({floor(4.0, -1.5, 0)});
+  scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
+  scene.cameras = {camera_down(0.2, 1.0)};
+  scene.environment.zenith = glm::vec3(1);
+  const Completed completed = complete_scene(scene, {});
+  CHECK_FALSE(completed.lights);
+  CHECK_FALSE(completed.cameras);
+  CHECK(scene.meshes.size() == 2);
+  CHECK(scene.lights.size() == 1);
+  CHECK(scene.cameras.size() == 1);
+  CHECK(scene.environment.horizon == glm::vec3(0));
+  CHECK(scene.notes.empty());
+}
+
+TEST_CASE("Smooth metal is a mirror, rough metal receives") {
+  Material material;
+  material.roughness = 0.2f;
+  CHECK(is_mirror(material));
+  CHECK_FALSE(is_receiver(material));
+  material.roughness = 0.3f;
+  CHECK(is_receiver(material));
+}
+
+TEST_CASE("The sky follows the light's level: candela fall off with the square of the distance") {
+  Scene scene = ball();
+  Light lamp;
+  lamp.type = LightType::Point;
+  lamp.intensity = 100.0f;
+  lamp.position = {0, 5, 0};
+  scene.lights.push_back(lamp);
+  CHECK(light_level(scene) == Approx(4.0));
+}
+
+TEST_CASE("stage: a scene without anything still gets a light and a camera") {
+  Scene scene;
+  complete_scene(scene, {});
+  CHECK(scene.meshes.empty());
+  CHECK(scene.lights.size() == 1);
+  CHECK(scene.cameras.size() == 1);
+}

@@ -1,0 +1,160 @@
+#include "pipeline/renderer/widest_views.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "pipeline/effects/backdrop.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/settings/settings.hpp"
+#include "pipeline/views/all_around.hpp"
+#include "pipeline/views/cone_range.hpp"
+#include "pipeline/views/landing_window.hpp"
+
+namespace caustics {
+
+namespace {
+
+// A window that nothing lies beside.
+constexpr double kEverywhere = 1e12;
+
+// Extent of something in window coordinates and along z.
+struct Extents {
+  glm::dvec2 lower{std::numeric_limits<double>::infinity()};
+  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -std::numeric_limits<double>::infinity();
+  bool empty() const { return lower.x > upper.x; }
+  void add(const glm::dvec2& window, double z) {
+    lower = glm::min(lower, window);
+    upper = glm::max(upper, window);
+    nearest = std::min(nearest, z);
+    farthest = std::max(farthest, z);
+  }
+  void add(const Extents& other) {
+    lower = glm::min(lower, other.lower);
+    upper = glm::max(upper, other.upper);
+    nearest = std::min(nearest, other.nearest);
+    farthest = std::max(farthest, other.farthest);
+  }
+};
+
+void add_point(Extents& extents, const View& axes, const glm::dvec3& p, double closest) {
+  glm::dvec3 q = axes.coordinates(p);
+  // What lies beside or behind a point light is seen at the widest angle.
+  if (axes.perspective && q.z < closest) q.z = closest;
+  glm::dvec2 w = axes.window(q);
+  if (axes.perspective) w = glm::clamp(w, glm::dvec2(-kWidestTangent), glm::dvec2(kWidestTangent));
+  extents.add(w, q.z);
+}
+
+Extents extents_of(const Mesh& mesh, const View& axes, double closest) {
+  Extents extents;
+  for (const Vertex& v : mesh.vertices) add_point(extents, axes, glm::dvec3(v.position), closest);
+  return extents;
+}
+
+// `reach`: how far from the light anything lies. Coordinates are rounded to some ulps of it, and what is
+// flat across the light has no depth of its own to spare.
+void set_depth(View& view, double nearest, double farthest, double reach) {
+  const double slack = std::max(1e-3 * (farthest - nearest), 4e-6 * std::fabs(reach));
+  view.near = nearest - slack;
+  view.far = farthest + slack;
+  if (view.perspective) view.near = std::max(view.near, view.far * 1e-4);
+}
+
+struct LightExtents {
+  View axes;
+  Extents casters, receivers, occluders, panes, everything;
+};
+
+// What of the casters a spot light's cone can light, so that a narrow cone gets the whole grid.
+void cut_to_cone(Extents& casters, const View& axes, const Light& light) {
+  if (light.type != LightType::Spot || casters.empty()) return;
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::optional<glm::dvec2> cone =
+        cone_range(axes, axis, light.direction, static_cast<double>(light.outer_cone));
+    if (!cone || cone->x >= casters.upper[axis] || cone->y <= casters.lower[axis]) continue;
+    casters.lower[axis] = std::max(casters.lower[axis], cone->x);
+    casters.upper[axis] = std::min(casters.upper[axis], cone->y);
+  }
+}
+
+LightExtents measure(const Scene& scene, const Effects& effects, const Light& light) {
+  LightExtents result;
+  const Bounds bounds = bounds_of(scene);
+  Bounds casters;
+  const auto shines = [&](std::size_t mesh) { return light.emitter == static_cast<int>(mesh); };
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    if (is_caster(effects.surfaces[i].role) && !shines(i)) casters.add(bounds_of(scene.meshes[i]));
+  const double radius = std::max(bounds.radius(), 1e-9);
+  double closest = 0.0;
+  if (light.type == LightType::Directional) {
+    result.axes = view_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
+  } else {
+    glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
+    // What an emitter turns away from it does not light.
+    if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
+      target = light.position + light.direction * radius;
+    result.axes = view_along(light.position, exact::normalise(target - light.position, light.direction));
+    result.axes.perspective = true;
+    closest = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
+  }
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (shines(i)) continue;
+    const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
+    result.everything.add(extents);
+    if (is_caster(effects.surfaces[i].role)) {
+      result.casters.add(extents);
+    } else if (effects.surfaces[i].role == Role::ThinPane) {
+      result.panes.add(extents);
+    } else {
+      result.receivers.add(extents);
+      if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
+    }
+  }
+  cut_to_cone(result.casters, result.axes, light);
+  return result;
+}
+
+LightViews through_windows(const LightExtents& extents, const Effects& effects, int grid) {
+  LightViews views{extents.axes, extents.axes, extents.axes, extents.axes,
+                   extents.axes, 0.0,          extents.axes, {}};
+  const Extents& shadow = extents.occluders.empty() ? extents.everything : extents.occluders;
+  const double reach = extents.everything.farthest;
+  if (!shadow.empty()) {
+    set_window(views.shadow, {shadow.lower, shadow.upper}, 0.01);
+    set_depth(views.shadow, extents.everything.nearest, reach, reach);
+  }
+  if (!extents.panes.empty()) {
+    set_window(views.panes, {extents.panes.lower, extents.panes.upper}, 0.01);
+    set_depth(views.panes, extents.everything.nearest, reach, reach);
+  }
+  if (extents.casters.empty()) return views;
+  set_window(views.caster, {extents.casters.lower, extents.casters.upper}, 4.0 / grid);
+  set_depth(views.caster, extents.everything.nearest, extents.casters.farthest, reach);
+  Extents all = extents.casters;
+  if (!extents.receivers.empty()) all.add(extents.receivers);
+  set_window(views.receiver, {all.lower, all.upper}, 0.01);
+  set_depth(views.receiver, all.nearest, all.farthest, reach);
+  views.casters_nearest = extents.casters.nearest;
+  views.column = views.caster;
+  if (!effects.mirrors.active && !effects.reflections.active) {
+    views.column.window_lower = glm::dvec2(-kEverywhere);
+    views.column.window_upper = glm::dvec2(kEverywhere);
+  }
+  views.caustic = views.receiver;
+  return views;
+}
+
+}  // namespace
+
+LightViews widest_views(const Scene& scene, const Effects& effects, const Settings& settings, int number) {
+  const auto index = static_cast<std::size_t>(number);
+  const Light& light = scene.lights[index];
+  if (!effects.lights[index].all_around.empty()) return views_all_around(scene, effects, settings, light);
+  return through_windows(measure(scene, effects, light), effects, settings.grid);
+}
+
+}  // namespace caustics
