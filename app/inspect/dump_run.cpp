@@ -90,6 +90,7 @@ Json dump_run(const std::filesystem::path& folder, const Json& beside, const Rec
     attachment["id"] = run["attachments"].size();
     attachment["pass"] = pass;
     attachment["texture"] = dumped.name.substr(label.size() + 1);
+    if (!known) attachment["label"] = attachment["texture"];
     attachment["name"] = known ? (*known)["name"] : attachment["texture"];
     attachment["format"] = format_name(image.shape.format);
     attachment["width"] = image.width();

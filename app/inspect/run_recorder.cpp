@@ -13,6 +13,7 @@
 #include "app/output/stats.hpp"
 #include "app/plan_report.hpp"
 #include "app/probe/pixel_light.hpp"
+#include "app/texture_label.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/gpu/device.hpp"
 
@@ -34,6 +35,18 @@ std::vector<std::uint8_t> display_bytes(const Image& image) {
   for (const float value : image.values)
     bytes.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)));
   return bytes;
+}
+
+// A flux whose unit is the light's, and nothing else that its meaning names.
+bool is_flux_of_light(const ChannelMeaning& channel) {
+  return channel.unit.empty() && channel.meaning.find("flux") != std::string::npos &&
+         channel.meaning.find("in that of") == std::string::npos;
+}
+
+std::string flux_unit_word(const Scene& scene, int light) {
+  if (light < 0) return {};
+  const bool parallel = scene.lights[static_cast<std::size_t>(light)].type == LightType::Directional;
+  return parallel ? "square metres" : "steradians";
 }
 
 }  // namespace
@@ -149,16 +162,18 @@ Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, co
                              const std::string& name, const std::string& meaning, const Image& image) {
   Json channels = Json::array(), codes, data, left_out;
   for (const ChannelMeaning& c : channel_meanings(meaning, image.channels()))
-    channels.push_back({{"name", c.name}, {"meaning", c.meaning}, {"unit", c.unit}});
+    channels.push_back({{"name", c.name},
+                        {"meaning", c.meaning},
+                        {"unit", is_flux_of_light(c) ? flux_unit_word(frame_.scene(), pass.light) : c.unit}});
   const int status = status_channel_of(meaning);
   if (status >= 0) codes = {{std::to_string(status), status_names()}};
   const AttachmentKind kind = kind_of(image.shape.format, meaning);
-  const std::string hash = sha256(image);
+  const std::string hash = sha256(image), label = texture_label(texture, frame_.scene());
   const auto texels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
   std::unique_ptr<Json>& known = by_hash_[hash];
   if (const std::string why = known ? "" : why_left_out(pass, texels); !why.empty()) {
     left_out = why + "; caustics render --dump writes it";
-    leave_out(pass.label + " " + texture.name + ": " + left_out.get<std::string>());
+    leave_out(pass.label + " " + label + ": " + left_out.get<std::string>());
   } else {
     const std::size_t before = blobs_.bytes();
     if (!known)
@@ -171,6 +186,7 @@ Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, co
   return {{"id", (*run_)["attachments"].size()},
           {"pass", pass_index},
           {"texture", texture.name},
+          {"label", label},
           {"name", name},
           {"format", format_name(texture.format)},
           {"width", image.width()},
@@ -339,16 +355,16 @@ Json RunRecorder::meshes() {
   for (std::size_t i = 0; i < frame_.scene().meshes.size(); ++i) {
     const Mesh& mesh = frame_.scene().meshes[i];
     Json positions, indices;
-    triangles += mesh.indices.size() / 3;
-    if (triangles <= limits_.triangles) {
+    if (triangles + mesh.indices.size() / 3 <= limits_.triangles) {
+      triangles += mesh.indices.size() / 3;
       std::vector<float> values;
       for (const Vertex& v : mesh.vertices)
         values.insert(values.end(), {v.position.x, v.position.y, v.position.z});
       positions = blobs_.add_floats(values);
       indices = blobs_.add(std::span<const std::uint32_t>(mesh.indices));
     } else {
-      leave_out("mesh '" + mesh.name + "': sections do not show it, the scene has more than " +
-                std::to_string(limits_.triangles) + " triangles");
+      leave_out("mesh '" + mesh.name + "': sections do not show it, they hold " +
+                std::to_string(limits_.triangles) + " triangles at most");
     }
     list.push_back({{"name", mesh.name},
                     {"material", frame_.scene().materials[static_cast<std::size_t>(mesh.material)].name},

@@ -6,6 +6,7 @@
 #include "app/flux.hpp"
 #include "app/json.hpp"
 #include "app/shell/terminal.hpp"
+#include "app/texture_label.hpp"
 #include "pipeline/measure/ledger.hpp"
 
 namespace caustics::app {
@@ -183,7 +184,8 @@ void print_light(const RenderedFrame& frame, const LightOnPixel& light) {
   if (light.texels.empty()) return;
   const PlannedTexture& map = frame.plan().textures[static_cast<std::size_t>(light.texels.front().texture)];
   std::printf("  the caustic comes from %s of %s, around %d,%d, and there from %s of the grid:\n",
-              plural(light.texels.size(), "texel").c_str(), map.name.c_str(), light.texels.front().x,
+              plural(light.texels.size(), "texel").c_str(),
+              one_line(texture_label(map, frame.scene())).c_str(), light.texels.front().x,
               light.texels.front().y, plural(light.contributions.size(), "primitive").c_str());
   for (std::size_t i = 0; i < std::min(kMostLines, light.contributions.size()); ++i) {
     const Contribution& c = light.contributions[i];

@@ -111,7 +111,9 @@ class BrowserTest(unittest.TestCase):
         """A real click at the middle of a texel, of a picture that is shown whole."""
         canvas = self.find(f"{view} canvas")
         side = min(canvas.size["width"] / width, canvas.size["height"] / height)
-        right, up = side * (x + 0.5 - width / 2), side * (y + 0.5 - height / 2)
+        # Pictures stand in the upper left corner; the mouse moves from the middle.
+        right = side * (x + 0.5) - canvas.size["width"] / 2
+        up = canvas.size["height"] / 2 - side * (height - y - 0.5)
         self.clicks += 1
         ActionChains(self.browser).move_to_element_with_offset(
             canvas, round(right), round(-up)

@@ -57,6 +57,28 @@ class Inspect(ProgramTest):
         self.assertGreater(flux, 0.0)
         self.assertAlmostEqual(given, flux, delta=1e-5 * flux)
 
+    def test_textures_bear_the_light_s_name_and_its_unit(self):
+        run = self.page("-D", "reflections=yes").recording["runs"][0]
+        of_map = [a for a in run["attachments"] if a["name"] == "caustic_map"]
+        self.assertEqual({(a["texture"], a["label"]) for a in of_map},
+                         {("caustic_map[0]", "caustic_map[sun]"),
+                          ("caustic_map.cascade[0]", "caustic_map[sun].cascade")})
+        self.assertEqual({a["channels"][0]["unit"] for a in of_map}, {"square metres"})
+        labels = {a["label"] for a in run["attachments"]}
+        self.assertIn("landing[sun reflected]", labels)
+        self.assertIn("caster_position.camera", labels)
+
+    def test_a_light_without_a_name_keeps_its_number(self):
+        unnamed = {"type": "point", "intensity": 1000}
+        document, blob = glb.unpack(glb.scene(light=unnamed))
+        del document["nodes"][2]["name"]
+        (self.folder / "ball.glb").write_bytes(glb.pack(document, blob))
+        run = self.page().recording["runs"][0]
+        (label,) = {a["label"] for a in run["attachments"] if a["texture"] == "caustic_map[0]"}
+        self.assertEqual([p["label"] for p in run["passes"] if p["name"] == "caustic_map"][0], label)
+        of_map = next(a for a in run["attachments"] if a["label"] == label)
+        self.assertEqual(of_map["channels"][0]["unit"], "steradians")
+
     def test_names_cannot_end_the_script(self):
         document, blob = glb.unpack(glb.scene())
         document["nodes"][0]["name"] = "</script><script>alert(1)</script>"

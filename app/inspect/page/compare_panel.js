@@ -93,7 +93,7 @@ class ComparePanel {
     const [a, b] = [this.a.values, this.b.values];
     if (!a || !b || a.length !== b.length) return this.difference.show(null, null, "it needs both");
     const {differences} = differenceOf(pair.a, a, b);
-    const attachment = {...pair.a, id: -1, texture: "|A − B|", kind: "difference", codes: null, data: {count: differences.length},
+    const attachment = {...pair.a, id: -1, label: "|A − B|", kind: "difference", codes: null, data: {count: differences.length},
       channels: [{name: "difference", meaning: "largest difference of the channels", unit: ""}]};
     await this.difference.show({values: async () => differences}, attachment);
     this.difference.change({mode: "log:0", range: null});

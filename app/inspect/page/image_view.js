@@ -24,6 +24,7 @@ class ImageView {
     if (changed) [this.source.width, this.source.height] = [image.width, image.height];
     this.source.getContext("2d").putImageData(image, 0, 0);
     this.empty = false;
+    if (changed) this.resize();
     if (changed || this.fitted) this.fit();
     this.redraw();
   }
@@ -48,6 +49,8 @@ class ImageView {
     const ratio = window.devicePixelRatio || 1;
     const {width, height} = this.element.getBoundingClientRect();
     if (!width || !height) return;
+    // No higher than the picture is when it fills the width: what stands below follows at once.
+    if (this.source.height) this.element.style.maxHeight = `${width * this.source.height / this.source.width}px`;
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
     if (this.fitted) this.fit();
@@ -57,8 +60,7 @@ class ImageView {
   fit() {
     const scale = Math.min(this.canvas.width / this.source.width, this.canvas.height / this.source.height);
     this.scale = scale > 0 && Number.isFinite(scale) ? scale : 1;
-    this.left = (this.canvas.width - this.scale * this.source.width) / 2;
-    this.top = (this.canvas.height - this.scale * this.source.height) / 2;
+    this.left = this.top = 0;
     this.fitted = true;
     this.redraw();
   }
@@ -168,7 +170,11 @@ class ImageView {
     if (this.empty || !this.source.width) return;
     context.imageSmoothingEnabled = this.scale < 1;
     context.imageSmoothingQuality = "medium";
-    context.drawImage(this.source, this.left, this.top, this.scale * this.source.width, this.scale * this.source.height);
+    const box = [this.left, this.top, this.scale * this.source.width, this.scale * this.source.height];
+    context.drawImage(this.source, ...box);
+    context.lineWidth = 1;
+    context.strokeStyle = "#8888";
+    context.strokeRect(...box);
     for (const mark of this.marks) this.drawMark(context, mark);
   }
 

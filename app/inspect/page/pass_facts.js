@@ -33,7 +33,7 @@ function readsOf(run, number, go) {
   if (!reads.length) return paragraph(make("strong", {}, "Reads: "), "no texture of another pass");
   const items = reads.map((texture) => {
     const attachment = run.attachmentBefore(number, texture);
-    return make("li", {}, attachment ? linkTo(texture, () => go.texture(attachment),
+    return make("li", {}, attachment ? linkTo(attachment.label, () => go.texture(attachment),
       `from ${run.passes[attachment.pass].label}`) : texture);
   });
   return make("div", {}, make("strong", {}, "Reads:"), make("ul", {class: "inline"}, items));

@@ -20,7 +20,7 @@ class PassesPanel {
     if (!run.passes.length) return;
     this.number = run.byLabel.get(state.pass) ?? firstWithData(run);
     const attachments = run.attachmentsOf(this.number);
-    const attachment = attachments.find((one) => one.texture === state.texture) ?? attachments[0] ?? null;
+    const attachment = attachments.find((one) => one.label === state.texture) ?? attachments[0] ?? null;
     this.graph.show(run, this.number);
     this.showFacts(run);
     this.showTabs(attachments, attachment);
@@ -32,13 +32,13 @@ class PassesPanel {
   showFacts(run) {
     this.facts.replaceChildren(...passFacts(run, this.number, {
       pass: (number) => this.page.set({pass: run.passes[number].label, texture: null, texel: null}),
-      texture: (one) => this.page.set({pass: run.passes[one.pass].label, texture: one.texture}),
+      texture: (one) => this.page.set({pass: run.passes[one.pass].label, texture: one.label}),
     }));
   }
 
   showTabs(attachments, chosen) {
     this.tabs.replaceChildren(...attachments.map((one) => make("button", {type: "button",
-      "aria-pressed": one === chosen ? "true" : "false", onclick: () => this.page.set({texture: one.texture})},
+      "aria-pressed": one === chosen ? "true" : "false", onclick: () => this.page.set({texture: one.label})},
     one.name)));
     this.meaning.textContent = chosen ?
       `${chosen.format}, ${chosen.width} × ${chosen.height}. ${chosen.meaning}` : "";
@@ -67,7 +67,7 @@ class PassesPanel {
     const attachments = run.attachmentsOf(this.number);
     const at = attachments.indexOf(this.view.attachment);
     const next = attachments[clamp(at + dx, 0, attachments.length - 1)];
-    if (next) this.page.set({texture: next.texture});
+    if (next) this.page.set({texture: next.label});
   }
 
   moveTexel(dx, dy) {

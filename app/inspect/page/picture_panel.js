@@ -104,7 +104,7 @@ class PicturePanel {
     if (!found) return {map: 0, pixels: [{x, y}], texels: [], vertices: [], words: [...head, this.noTexels()]};
     const {map, texels, rectangle} = found;
     const givers = await this.links.givers(map, texels);
-    const name = this.links.mapAttachment(map).texture;
+    const name = this.links.mapAttachment(map).label;
     const words = [...head,
       paragraph(`From ${this.links.light.name}, the pixel reads ${plural(texels.length, "texel")} of `,
         linkTo(name, () => this.page.set({pick: ["texel", texels[0].x, texels[0].y], map})), "."),
@@ -124,7 +124,7 @@ class PicturePanel {
     const givers = await this.links.givers(map, texels);
     const pixels = await this.links.pixelsOf(texels);
     const attachment = this.links.mapAttachment(map);
-    const words = [make("h3", {}, `Texel (${x}, ${y}) of ${attachment?.texture ?? "the caustic map"}`),
+    const words = [make("h3", {}, `Texel (${x}, ${y}) of ${attachment?.label ?? "the caustic map"}`),
       this.mapChoice(map), this.pixelsParagraph(pixels),
       this.historyLink(attachment, x, y), ...await this.words.giversOf(this.links, map, givers, 1)];
     return {map, pixels: pixels ?? [], texels, vertices: givers.list.map(asMark), words};
@@ -136,14 +136,14 @@ class PicturePanel {
       .filter(({made}) => made);
     if (maps.length < 2) return null;
     return make("p", {}, "Maps of this light: ", maps.map(({index, made}, number) => [number ? ", " : "",
-      index === map ? made.texture : linkTo(made.texture, () => this.page.set({map: index}))]));
+      index === map ? made.label : linkTo(made.label, () => this.page.set({map: index}))]));
   }
 
   historyLink(attachment, x, y) {
     if (!attachment) return null;
     const run = this.page.run();
     return paragraph(linkTo("All that was drawn into it, in order", () => this.page.set({panel: "passes",
-      pass: run.passes[attachment.pass].label, texture: attachment.texture, texel: [x, y]})));
+      pass: run.passes[attachment.pass].label, texture: attachment.label, texel: [x, y]})));
   }
 
   pixelsParagraph(pixels) {

@@ -8,6 +8,7 @@ class Run {
       "left_out", "notes"]) this[list] = json[list] ?? [];
     this.index = index;
     this.blobs = blobs;
+    for (const attachment of this.attachments) attachment.label ??= attachment.texture;
     this.byId = new Map(this.attachments.map((attachment) => [attachment.id, attachment]));
     this.byLabel = new Map(this.passes.map((pass, number) => [pass.label, number]));
   }

@@ -8,10 +8,10 @@ function matchedAttachments(a, b) {
     const other = inB.get(keyOf(a, one)) ?? null;
     inB.delete(keyOf(a, one));
     const state = !other ? `only in ${a.name}` : one.sha256 === other.sha256 ? "equal" : "differs";
-    return {key: keyOf(a, one), label: a.passes[one.pass]?.label, texture: one.texture, a: one, b: other, state};
+    return {key: keyOf(a, one), label: a.passes[one.pass]?.label, texture: one.label, a: one, b: other, state};
   });
   for (const [key, one] of inB) {
-    pairs.push({key, label: b.passes[one.pass]?.label, texture: one.texture, a: null, b: one, state: `only in ${b.name}`});
+    pairs.push({key, label: b.passes[one.pass]?.label, texture: one.label, a: null, b: one, state: `only in ${b.name}`});
   }
   return pairs;
 }

@@ -129,7 +129,7 @@ class TexelHistory {
       make("span", {class: event.outcome === 0 ? "passed" : "failed"}, kOutcomes[event.outcome] ?? "?")]);
     const header = ["#", "drawn", "gave", "before", "after", ...history.depth ? ["depth"] : [], "outcome"];
     const box = make("div", {class: "history-table"},
-      make("h4", {}, one.attachment?.texture ?? "", one.attachment ? make("small", {}, ` ${one.attachment.meaning}`) : ""),
+      make("h4", {}, one.attachment?.label ?? "", one.attachment ? make("small", {}, ` ${one.attachment.meaning}`) : ""),
       make("div", {class: "wide"}, table(header, rows)));
     if (events.length > count) {
       box.append(linkTo(`Show all ${wholeNumber(events.length)}`,

@@ -28,8 +28,8 @@ class TextureView {
     if (this.attachment === attachment && this.values) return;
     this.attachment = attachment;
     this.values = null;
-    const named = attachment && attachment.texture !== this.label.toLowerCase();
-    this.title.textContent = named ? `${this.label}: ${attachment.texture}` : this.label;
+    const named = attachment && attachment.label !== this.label.toLowerCase();
+    this.title.textContent = named ? `${this.label}: ${attachment.label}` : this.label;
     if (!attachment?.data) return this.showMissing(attachment?.left_out ?? why);
     this.reading.textContent = "Decoding …";
     const values = await run.values(attachment);
