@@ -33,7 +33,7 @@ bool parse(const Arguments& arguments, BenchOptions& options) {
                 "  caustics bench scene.glb --against gl\n"
                 "  caustics bench scene.glb -t 1,2 -r 640x360 --json\n");
   std::string scene;
-  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.positional("SCENE", kSceneMeaning, scene);
   parser.option("--against", "gl", {"measure this backend too, frame by frame in turn", "gl", "none"},
                 [&](const std::string& name) {
                   if (name != "gl")

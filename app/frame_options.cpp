@@ -1,6 +1,8 @@
 #include "app/frame_options.hpp"
 
 #include "app/shell/setting_options.hpp"
+#include "app/shell/standard_input.hpp"
+#include "pipeline/scene/gltf/load_gltf.hpp"
 #include "pipeline/settings/check_settings.hpp"
 
 namespace caustics::app {
@@ -36,11 +38,16 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
   add_backend_options(parser, request.backend, several, thread_counts);
 }
 
+std::string name_of_scene(const FrameRequest& request) {
+  return is_standard_input(request.scene) ? "stdin" : request.scene.stem().string();
+}
+
 void check_request(const FrameRequest& request, const std::string& command) {
   if (request.scene.empty()) {
     throw Error(ExitCode::WrongUsage, "no scene given; see 'caustics " + command + " --help' for examples");
   }
   check(request.settings);
+  if (is_standard_input(request.scene)) standard_input(LoadOptions{}.max_bytes);
 }
 
 }  // namespace caustics::app

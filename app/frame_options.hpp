@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/backend.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -25,7 +26,14 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
 // --animation and --time alone.
 void add_moment_options(Parser& parser, FrameRequest& request);
 
-// Throws Error (WrongUsage) when no scene was named or a size is beyond its limits.
+// The help's words for SCENE.
+inline constexpr char kSceneMeaning[] = "a glTF 2.0 file, .gltf or .glb; - reads one from standard input";
+inline bool is_standard_input(const std::filesystem::path& scene) { return scene == "-"; }
+// What outputs without a name of their own are named after: "glass" of "scenes/glass.glb".
+std::string name_of_scene(const FrameRequest& request);
+
+// Throws Error (WrongUsage) when no scene was named or a size is beyond its limits. Reads standard input, if
+// it is the scene.
 void check_request(const FrameRequest& request, const std::string& command);
 
 }  // namespace caustics::app

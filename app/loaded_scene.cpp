@@ -4,6 +4,7 @@
 
 #include "app/frame_options.hpp"
 #include "app/shell/interrupt.hpp"
+#include "app/shell/standard_input.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/renderer/stage.hpp"
@@ -56,7 +57,9 @@ void sample_area_lights(Scene& scene, int count) {
 AnimatedScene load(const FrameRequest& request) {
   LoadOptions options;
   options.animation = request.animation;
-  return load_animated(request.scene, options);
+  if (!is_standard_input(request.scene)) return load_animated(request.scene, options);
+  options.content = standard_input(options.max_bytes);
+  return load_animated("standard input", options);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
   FrameRequest request;
   std::string scene;
   bool json = false;
-  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Output");
   parser.flag("--json", json, "one JSON document instead of the text");
   add_frame_options(parser, request);

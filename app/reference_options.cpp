@@ -64,7 +64,7 @@ std::vector<Setting::Part> traced_parts() { return {Setting::Part::View, Setting
 bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   Parser parser("reference", kReferencePurpose, kReferenceExamples);
   std::string scene;
-  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Output");
   parser.option("-o,--output", "FILE.exr",
                 {"where the layers go", ".exr", "SCENE.reference.exr in the current folder"},
@@ -85,7 +85,7 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "reference");
-  if (request.output.empty()) request.output = request.frame.scene.stem().string() + ".reference.exr";
+  if (request.output.empty()) request.output = name_of_scene(request.frame) + ".reference.exr";
   if (request.layers.empty()) request.layers = all_reference_layers();
   if (!request.batches && !request.seconds && !request.error) request.batches = kUsualBatches;
   request.trace.width = request.frame.settings.width;

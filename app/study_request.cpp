@@ -150,12 +150,14 @@ std::string typed(const Arguments& arguments) {
 bool parse_study(const Arguments& arguments, StudyRequest& request) {
   Parser parser("study", kStudyPurpose, kStudyExamples);
   std::string scene;
-  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.positional("SCENE", kSceneMeaning, scene);
   add_study_options(parser, request);
   add_frame_options(parser, request.frame, &request.backends);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "study");
+  if (is_standard_input(request.frame.scene))
+    throw Error(ExitCode::WrongUsage, "study goes on with what it has found of a scene, which needs a file");
   // What is compared has given sides.
   request.frame.settings = with_least_sides(request.frame.settings);
   if (request.says_how_long && !request.traced.wanted)

@@ -50,7 +50,7 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
                 "  caustics inspect scene.glb --against gl\n"
                 "  caustics inspect scene.glb --against iterations=1 --against estimator=paper\n");
   std::string scene;
-  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Page");
   parser.option("-o,--output", "FILE.html", {"the page", ".html", "SCENE.html in the current folder"},
                 [&](const std::string& value) { request.output = value; });
@@ -66,7 +66,7 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "inspect");
-  if (request.output.empty()) request.output = request.frame.scene.stem().string() + ".html";
+  if (request.output.empty()) request.output = name_of_scene(request.frame) + ".html";
   if (request.output.extension() != ".html" && request.output.extension() != ".htm")
     throw Error(ExitCode::WrongUsage, "-o " + one_line(request.output.string()) + ": a page is a file .html");
   return true;

@@ -44,7 +44,7 @@ bool parse(const Arguments& arguments, ProbeRequest& request) {
                 "  caustics probe scene.glb --pixel 640,500\n"
                 "  caustics probe scene.glb --history 'caustic_cells[sun]:200,100' --json\n");
   std::string scene;
-  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("What to probe");
   parser.repeated(
       "--texel", "X,Y", {"the grid vertex, counted from the left and the bottom", "each 0..grid - 1"},

@@ -1,9 +1,11 @@
 """Files that are no scenes: exit code 3, one line, and nothing written."""
 
 import json
+import os
+import subprocess
 
 import glb
-from program import SMALL, ProgramTest, main
+from program import PROGRAM, SMALL, ProgramTest, main
 
 
 class BadInput(ProgramTest):
@@ -18,6 +20,15 @@ class BadInput(ProgramTest):
     def test_folder(self):
         (self.folder / "folder.glb").mkdir()
         self.fails(3, "folder.glb")
+
+    def test_folder_with_one_scene_names_it(self):
+        (self.folder / "export").mkdir()
+        (self.folder / "export/readme.txt").write_text("a vase")
+        self.fails(3, "export", saying="a folder with no glTF file")
+        (self.folder / "export/Scene.GLTF").write_text("{}")
+        self.fails(3, "export", saying="name the glTF file in it: export/Scene.GLTF")
+        (self.folder / "export/other.glb").write_text("")
+        self.fails(3, "export", saying="a folder with several glTF files")
 
     def test_empty(self):
         self.refuses("empty.glb", b"")
@@ -46,6 +57,89 @@ class BadInput(ProgramTest):
         self.fails(3, "ball.glb", "--environment", "missing.hdr", saying="missing.hdr")
         (self.folder / "bad.hdr").write_bytes(b"no picture")
         self.fails(3, "ball.glb", "--environment", "bad.hdr", saying="bad.hdr")
+
+
+class OtherFormats(ProgramTest):
+    """Told by what is in them, or else by the name: a line with what it is and how to get a glTF file."""
+
+    def says(self, name, content, what, advice):
+        (self.folder / name).write_bytes(content)
+        line = self.fails(3, name, saying=f"{name}: this is {what}; caustics reads glTF 2.0 (.glb, .gltf): ")
+        self.assertIn(advice, line)
+
+    def test_models_of_other_programs(self):
+        export = "File > Export > glTF 2.0"
+        for what, content in (
+                ("a Wavefront OBJ file", b"# by hand\n\nmtllib a.mtl\nv 0 0 0\n"),
+                ("a Wavefront OBJ file", b"v 0 0 0\n"), ("a PLY file", b"ply\nformat ascii 1.0\n"),
+                ("an STL file", b"solid cube\n"), ("an FBX file", b"Kaydara FBX Binary  \0\x1a\0"),
+                ("an FBX file", b"; FBX 7.3.0 project file\n"), ("a USD file", b"PXR-USDC\0\0"),
+                ("a USD file", b"#usda 1.0\n"), ("a Blender file", b"BLENDER-v303"),
+                ("a COLLADA file", b'<?xml version="1.0"?>\n<COLLADA version="1.4.1">')):
+            self.says("model.glb", content, what, export)
+        for what, extension in (("a Wavefront OBJ file", "obj"), ("a PLY file", "ply"),
+                                ("an STL file", "STL"), ("an FBX file", "fbx"), ("a USD file", "usd"),
+                                ("a Blender file", "blend"), ("a 3D Studio file", "3ds"),
+                                ("a COLLADA file", "dae")):
+            self.says("model." + extension, b"\x01\x02 of no known kind", what, export)
+        self.says("model.usdz", b"PK\3\4", "a USD file", export)
+
+    def test_archives_and_pictures(self):
+        self.says("model.bin", b"PK\3\4", "a zip archive", "unpack it")
+        for what, content in (("a PNG picture", b"\x89PNG\r\n"), ("a JPEG picture", b"\xff\xd8\xff\xe0"),
+                              ("a TIFF picture", b"II*\0")):
+            self.says("model.gltf", content, what, "name the scene")
+        for what, content in (("a Radiance HDR picture", b"#?RADIANCE\n"),
+                              ("an OpenEXR picture", b"\x76\x2f\x31\x01")):
+            self.says("sky.glb", content, what, "--environment")
+
+    def test_a_scene_is_a_scene_whatever_its_name(self):
+        (self.folder / "ball.obj").write_bytes(glb.scene())
+        self.succeeds("plan", "ball.obj")
+        document = json.dumps({"asset": {"version": "1.0"}}).encode()
+        for name in ("old.fbx", "old.zip"):
+            (self.folder / name).write_bytes(b"\n " + document)
+            self.fails(3, name, saying="only glTF 2.0 can be read")
+
+
+class StandardInput(ProgramTest):
+    def from_input(self, content, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, input=content,
+                              capture_output=True, timeout=300)
+
+    def test_draws_what_the_file_draws(self):
+        self.succeeds("ball.glb", *SMALL)
+        result = self.from_input(glb.scene(), "-", *SMALL)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "stdin.png").read_bytes(), (self.folder / "ball.png").read_bytes())
+
+    def test_is_read_once_for_many_frames(self):
+        result = self.from_input(glb.scene(), "-", *SMALL, "--time-budget", "1000", "-o", "-")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(result.stdout.startswith(b"\x89PNG"))
+
+    def test_cannot_refer_to_other_files(self):
+        document, blob = glb.unpack(glb.scene())
+        document["buffers"][0]["uri"] = "ball.bin"
+        (self.folder / "ball.bin").write_bytes(blob)
+        result = self.from_input(json.dumps(document).encode(), "-")
+        self.assertEqual(result.returncode, 3)
+        self.assertIn(b"standard input: buffers[0].uri: refers to another file", result.stderr)
+
+    def test_that_is_no_scene(self):
+        for content, saying in ((b"", b"is empty"), (b"hello", b"is not a glTF file"), (b"ply\n", b"a PLY file")):
+            result = self.from_input(content, "-")
+            self.assertEqual((result.returncode, result.stderr.count(b"\n")), (3, 1), result.stderr)
+            self.assertIn(b"caustics: standard input: ", result.stderr)
+            self.assertIn(saying, result.stderr)
+
+    def test_that_is_a_terminal_is_refused(self):
+        leader, follower = os.openpty()
+        result = self.run_program("-", stdin=follower)
+        os.close(leader)
+        os.close(follower)
+        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), result.stderr)
+        self.assertIn("terminal", result.stderr)
 
 
 class Reasons(ProgramTest):

@@ -1,8 +1,10 @@
 #include "pipeline/scene/gltf/container.hpp"
 
-#include <cstring>
+#include <algorithm>
 #include <fstream>
 #include <string_view>
+
+#include "pipeline/scene/gltf/other_format.hpp"
 
 namespace caustics::gltf {
 
@@ -130,9 +132,29 @@ Bytes read_file(Context& context, const std::filesystem::path& path, const std::
   return bytes;
 }
 
+namespace {
+
+// The bytes that the document is read from; what is known to be no glTF is refused before it is read whole.
+Bytes read_scene(Context& context) {
+  const auto& content = context.options().content;
+  std::optional<OtherFormat> other;
+  if (content) {
+    const std::size_t head = std::min<std::size_t>(content->size(), 1024);
+    other = other_format({reinterpret_cast<const char*>(content->data()), head}, "");
+  } else {
+    other = other_format(context.path());
+  }
+  if (other) context.fail("", other->what, other->advice);
+  if (!content) return read_file(context, context.path(), "");
+  context.spend_bytes(content->size(), "");
+  return *content;
+}
+
+}  // namespace
+
 Document read_document(Context& context) {
   Document document;
-  document.bytes = read_file(context, context.path(), "");
+  document.bytes = read_scene(context);
   if (document.bytes.empty()) context.fail("", "is empty", "name a .gltf or .glb file");
   std::string_view text(reinterpret_cast<const char*>(document.bytes.data()), document.bytes.size());
   if (is_glb(document.bytes)) {

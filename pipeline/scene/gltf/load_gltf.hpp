@@ -9,7 +9,9 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "pipeline/scene/animated_scene.hpp"
 
@@ -33,6 +35,9 @@ struct LoadOptions {
   double max_water_updates = 1e11;  // cells times the steps that they make before time 0, of all waters
   // The animation to show: its name or else its number; "" the first, "none" the scene at rest.
   std::string animation;
+  // The file's bytes where they do not lie under its path, which then only names them. Such a file can refer
+  // to no other.
+  std::shared_ptr<const std::vector<std::uint8_t>> content = nullptr;
   int max_image_side = 16384;                                 // pixels
   std::uint64_t max_image_pixels = std::uint64_t{128} << 20;  // of all decoded images together
 };

@@ -53,6 +53,9 @@ fs::path confined(const Context& context, const Cursor& uri, const std::string& 
   if (text.empty()) uri.fail("is empty", advice);
   if (text.size() > kLongestUri) uri.fail("is longer than 4096 characters", advice);
   if (has_scheme(text)) uri.fail("only data: URIs and relative files are read: " + text, advice);
+  if (context.options().content != nullptr)
+    uri.fail("refers to another file, and " + context.path().string() + " has no folder",
+             "give a .glb file, which holds all that it needs");
   const std::string name = percent_decoded(uri, text);
   if (std::any_of(name.begin(), name.end(),
                   [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\'; })) {
