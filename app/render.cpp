@@ -95,11 +95,11 @@ void add_frame_row_options(Parser& parser, RenderRequest& request) {
 bool parse(const Arguments& arguments, RenderRequest& request) {
   Parser parser("render", kRenderPurpose, kRenderExamples);
   std::string scene;
-  parser.positional("SCENE", "a glTF 2.0 file, .gltf or .glb", scene);
+  parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Output");
   parser.repeated("-o,--output", "FILE",
                   {"a picture, or with ffmpeg a film; may stand several times",
-                   ".png, .exr, .mp4, .mkv, .webm, .gif", "SCENE.png in the current folder"},
+                   known_outputs() + ", or - (PNG)", "SCENE.png in the current folder"},
                   [&](const std::string& file) { request.outputs.files.emplace_back(file); });
   parser.option("--aov", "LIST", {"layers of EXR files, listed below, with commas between", "", "beauty"},
                 [&](const std::string& list) { request.outputs.layers = parse_layers(list); });
@@ -132,7 +132,7 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   request.timed = request.frame.seconds.has_value();
   if (request.outputs.files.empty()) {
     const std::string number = request.frames ? ".%04d" : "";
-    request.outputs.files.emplace_back(request.frame.scene.stem().string() + number + ".png");
+    request.outputs.files.emplace_back(name_of_scene(request.frame) + number + ".png");
   }
   if (request.demand.error && request.demand.milliseconds)
     throw Error(ExitCode::WrongUsage, "--target-error and --time-budget exclude each other");

@@ -3,12 +3,12 @@
 #include <png.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <vector>
 
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
 #include "pipeline/gpu/error.hpp"
-#include "pipeline/image_io/image_io.hpp"
 
 namespace caustics::app {
 
@@ -30,7 +30,21 @@ float value_of(const ExrChannel& channel, int x, int y) {
   return static_cast<float>(static_cast<double>(value) + channel.offset);
 }
 
+void write_to_standard_output(const std::vector<std::uint8_t>& bytes, std::size_t size) {
+  if (std::fwrite(bytes.data(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+    throw Error(ExitCode::CannotWrite, "standard output cannot be written");
+}
+
+void write_encoded(const std::filesystem::path& path, const ImageToEncode& image) {
+  std::vector<unsigned char> bytes;
+  const std::string problem = image_io().encode(image, bytes);
+  if (!problem.empty()) refuse_to_encode(path, problem);
+  write_atomically(path, bytes.data(), bytes.size());
+}
+
 }  // namespace
+
+bool is_standard_output(const std::filesystem::path& path) { return path == "-"; }
 
 bool is_image_of_size(const std::filesystem::path& path, int width, int height) {
   std::error_code error;
@@ -58,7 +72,22 @@ void write_png(const std::filesystem::path& path, const ImageView& picture) {
   png_alloc_size_t size = bytes.size();
   if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, texels.data(), 0, nullptr))
     refuse_to_encode(path, png.message);
+  if (is_standard_output(path)) return write_to_standard_output(bytes, size);
   write_atomically(path, bytes.data(), size);
+}
+
+void write_picture(const std::filesystem::path& path, ImageFormat format, const ImageView& picture) {
+  ImageToEncode image;
+  image.format = format;
+  image.width = picture.width();
+  image.height = picture.height();
+  image.channels = {"R", "G", "B"};
+  image.row = [&](int row, float* values) {
+    look_for_interruption(row);
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) *values++ = picture.at(x, image.height - 1 - row, c);
+  };
+  write_encoded(path, image);
 }
 
 void write_exr(const std::filesystem::path& path, const std::vector<ExrChannel>& channels) {
@@ -72,10 +101,7 @@ void write_exr(const std::filesystem::path& path, const std::vector<ExrChannel>&
     for (int x = 0; x < width; ++x)
       for (const ExrChannel& channel : channels) *values++ = value_of(channel, x, height - 1 - row);
   };
-  std::vector<unsigned char> bytes;
-  const std::string problem = image_io().encode_exr(image, bytes);
-  if (!problem.empty()) refuse_to_encode(path, problem);
-  write_atomically(path, bytes.data(), bytes.size());
+  write_encoded(path, image);
 }
 
 std::vector<ExrChannel> channels_of(const Image& image) {

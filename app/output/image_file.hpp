@@ -1,16 +1,22 @@
-// PNG and OpenEXR files of images. The same texels give the same bytes: no dates, no names.
+// Files of images. The same texels give the same bytes: no dates, no names.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "pipeline/gpu/image_view.hpp"
+#include "pipeline/image_io/image_io.hpp"
 
 namespace caustics::app {
 
+// Is it "-", standard output?
+bool is_standard_output(const std::filesystem::path& path);
+
 // An 8-bit RGB picture from the first three channels of an image; its values are already encoded
-// for display (sRGB).
+// for display (sRGB). To standard output too.
 void write_png(const std::filesystem::path& path, const ImageView& picture);
+// Its first three channels as JPEG or TIFF, or linear values as HDR.
+void write_picture(const std::filesystem::path& path, ImageFormat format, const ImageView& picture);
 
 // Is there an image file whose head can be read, of this size? Its contents are not looked at.
 bool is_image_of_size(const std::filesystem::path& path, int width, int height);

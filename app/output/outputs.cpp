@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/output/fine_picture.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/stated_error.hpp"
 #include "app/output/video_file.hpp"
@@ -58,6 +59,35 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
+enum class Encoding { Png, Jpeg, Tiff, Exr, Hdr };
+
+// By the file's extension; those of four characters are told.
+struct PictureFormat {
+  std::string_view extension;
+  OutputKind kind;
+  Encoding encoding;
+};
+
+constexpr PictureFormat kPictureFormats[] = {
+    {".png", OutputKind::Display, Encoding::Png},   {".jpg", OutputKind::Display, Encoding::Jpeg},
+    {".tif", OutputKind::Display, Encoding::Tiff},  {".exr", OutputKind::Linear, Encoding::Exr},
+    {".hdr", OutputKind::Linear, Encoding::Hdr},    {".jpeg", OutputKind::Display, Encoding::Jpeg},
+    {".tiff", OutputKind::Display, Encoding::Tiff},
+};
+
+// Null: a film's, or no known one.
+const PictureFormat* format_of(const std::filesystem::path& file) {
+  const std::string extension = is_standard_output(file) ? ".png" : lower_extension(file);
+  const auto found = std::find_if(std::begin(kPictureFormats), std::end(kPictureFormats),
+                                  [&](const PictureFormat& format) { return format.extension == extension; });
+  return found == std::end(kPictureFormats) ? nullptr : found;
+}
+
+bool is_exr(const std::filesystem::path& file) {
+  const PictureFormat* format = format_of(file);
+  return format && format->encoding == Encoding::Exr;
+}
+
 // Without a list the picture's light alone; a list says all that is written.
 std::vector<std::string> layers_of(const OutputRequest& request) {
   return request.layers.empty() ? std::vector<std::string>{"beauty"} : request.layers;
@@ -83,7 +113,49 @@ void write_layers(const std::filesystem::path& path, const OutputRequest& reques
   write_exr(path, channels);
 }
 
+void write_output(const std::filesystem::path& file, const OutputRequest& request, const RenderedFrame& frame,
+                  const std::vector<LightLedger>& ledgers) {
+  switch (format_of(file)->encoding) {
+    case Encoding::Png:
+      return write_png(file, frame.look_at("picture"));
+    case Encoding::Jpeg:
+      return write_picture(file, ImageFormat::Jpeg, frame.look_at("picture"));
+    case Encoding::Tiff:
+      return write_picture(file, ImageFormat::Tiff, fine_picture(frame));
+    case Encoding::Exr:
+      return write_layers(file, request, frame, ledgers);
+    case Encoding::Hdr:
+      return write_picture(file, ImageFormat::Hdr, frame.look_at("beauty"));
+  }
+}
+
+std::vector<std::string> textures_of_layers(const OutputRequest& request) {
+  std::vector<std::string> textures;
+  for (const std::string& name : layers_of(request)) {
+    const Layer& wanted = find_layer(name);
+    if (is_stated_error(wanted)) {
+      textures.insert(textures.end(), std::begin(kForStatedError), std::end(kForStatedError));
+    } else {
+      textures.emplace_back(wanted.texture);
+    }
+  }
+  return textures;
+}
+
 }  // namespace
+
+OutputKind output_kind(const std::filesystem::path& file) {
+  if (is_video(file)) return OutputKind::Film;
+  const PictureFormat* format = format_of(file);
+  return format ? format->kind : OutputKind::Unknown;
+}
+
+std::string known_outputs() {
+  std::string text;
+  for (const PictureFormat& format : kPictureFormats)
+    if (format.extension.size() == 4) text.append(format.extension).append(", ");
+  return text + ".mp4, .mkv, .webm, .gif";
+}
 
 std::vector<std::string> parse_layers(const std::string& list) {
   std::vector<std::string> layers;
@@ -105,13 +177,14 @@ void check_outputs(const OutputRequest& request) {
   bool exr = false;
   for (std::size_t i = 0; i < request.files.size(); ++i) {
     const std::filesystem::path& file = request.files[i];
-    const std::string extension = lower_extension(file);
-    if (extension != ".png" && extension != ".exr" && !is_video(file)) {
-      throw Error(ExitCode::WrongUsage, file.string() +
-                                            ": outputs are named .png or .exr, which says their "
-                                            "format; films .mp4, .mkv, .webm or .gif");
-    }
-    exr = exr || extension == ".exr";
+    if (output_kind(file) == OutputKind::Unknown)
+      throw Error(ExitCode::WrongUsage, one_line(file.string()) +
+                                            ": the name says the format, and is to end in one of " +
+                                            known_outputs() + "; or - for a PNG to standard output");
+    if (is_standard_output(file) && is_terminal(stdout))
+      throw Error(ExitCode::WrongUsage,
+                  "-o -: standard output is a terminal; send it on, as in caustics scene.glb -o - > a.png");
+    exr = exr || is_exr(file);
     if (std::count(request.files.begin(), request.files.end(), file) > 1) {
       throw Error(ExitCode::WrongUsage, file.string() + ": named twice as an output");
     }
@@ -119,23 +192,20 @@ void check_outputs(const OutputRequest& request) {
   if (!request.layers.empty() && !exr) {
     throw Error(ExitCode::WrongUsage, "--aov needs an EXR output: add -o FILE.exr");
   }
-  for (const std::filesystem::path& file : request.files) require_writable(file);
+  for (const std::filesystem::path& file : request.files)
+    if (!is_standard_output(file)) require_writable(file);
 }
 
 std::vector<std::string> textures_for(const OutputRequest& request) {
   std::vector<std::string> textures;
   for (const std::filesystem::path& file : request.files) {
-    if (lower_extension(file) != ".exr") {
-      textures.emplace_back("picture");
+    if (is_exr(file)) {
+      for (std::string& texture : textures_of_layers(request)) textures.push_back(std::move(texture));
     } else {
-      for (const std::string& name : layers_of(request)) {
-        const Layer& wanted = find_layer(name);
-        if (is_stated_error(wanted)) {
-          textures.insert(textures.end(), std::begin(kForStatedError), std::end(kForStatedError));
-        } else {
-          textures.emplace_back(wanted.texture);
-        }
-      }
+      const PictureFormat* format = format_of(file);
+      const bool linear = format && format->kind == OutputKind::Linear;
+      textures.emplace_back(linear ? "beauty" : "picture");
+      if (format && format->encoding == Encoding::Tiff) textures.emplace_back(kForFinePicture);
     }
   }
   return textures;
@@ -144,11 +214,7 @@ std::vector<std::string> textures_for(const OutputRequest& request) {
 void write_outputs(const OutputRequest& request, const RenderedFrame& frame,
                    const std::vector<LightLedger>& ledgers) {
   for (const std::filesystem::path& file : request.files) {
-    if (lower_extension(file) == ".png") {
-      write_png(file, frame.look_at("picture"));
-    } else if (!is_video(file)) {
-      write_layers(file, request, frame, ledgers);
-    }
+    if (!is_video(file)) write_output(file, request, frame, ledgers);
   }
 }
 

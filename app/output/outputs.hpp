@@ -9,8 +9,14 @@
 
 namespace caustics::app {
 
+// By its name: display values as a screen shows them, linear light, or a film.
+enum class OutputKind { Unknown, Display, Linear, Film };
+OutputKind output_kind(const std::filesystem::path& file);
+// ".png, .jpg, ...", films too.
+std::string known_outputs();
+
 struct OutputRequest {
-  std::vector<std::filesystem::path> files;  // .png or .exr, or a film's
+  std::vector<std::filesystem::path> files;  // of every kind but Unknown
   std::vector<std::string> layers;           // of --aov, checked
 };
 
@@ -19,7 +25,8 @@ std::vector<std::string> parse_layers(const std::string& list);
 // Lists names and meanings in the help.
 void list_layers(Parser& parser);
 
-// Refuses unknown extensions and two outputs of one name (WrongUsage), and what cannot be written.
+// Refuses unknown extensions, two outputs of one name and a terminal (WrongUsage), and what cannot be
+// written.
 void check_outputs(const OutputRequest& request);
 // The textures that the files are made from.
 std::vector<std::string> textures_for(const OutputRequest& request);

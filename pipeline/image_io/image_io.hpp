@@ -47,8 +47,12 @@ struct ImagePlanes {
   ImagePlanes& operator=(ImagePlanes&&) = default;
 };
 
-// What becomes an EXR file of 32-bit floats, ZIP-compressed.
+// EXR: 32-bit floats, ZIP-compressed. HDR (Radiance): floats that share an exponent. Display values, 0..1:
+// TIFF of 16 bits, JPEG of quality 92.
+enum class ImageFormat { Exr, Hdr, Tiff, Jpeg };
+
 struct ImageToEncode {
+  ImageFormat format = ImageFormat::Exr;
   int width = 0, height = 0;
   std::vector<std::string> channels;  // names
   // Writes the row's values, channel by channel in each pixel. Row 0 is the top.
@@ -68,7 +72,7 @@ struct ImageIo {
                              ImagePlanes& planes) = nullptr;
   // From the head of a file. False: it holds no image.
   bool (*read_size)(const std::filesystem::path& path, int& width, int& height) = nullptr;
-  std::string (*encode_exr)(const ImageToEncode& image, std::vector<unsigned char>& bytes) = nullptr;
+  std::string (*encode)(const ImageToEncode& image, std::vector<unsigned char>& bytes) = nullptr;
 };
 
 // Loads the module at the first call: from beside the program that runs, from the library folder of the

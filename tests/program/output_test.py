@@ -71,6 +71,72 @@ class Outputs(ProgramTest):
         self.assertTrue((self.folder / "old.png").read_bytes().startswith(b"\x89PNG"))
 
 
+class Formats(ProgramTest):
+    """The same frame in every format: what the formats lose, and no more."""
+
+    def differences(self, a, b):
+        result = self.run_program("compare", a, b, "--json")
+        return [channel["absolute"]["maximum"] for channel in json.loads(result.stdout)["channels"]
+                if channel["channel"] in ("R", "G", "B")]
+
+    def test_hold_the_picture_of_the_png_and_the_light_of_the_exr(self):
+        names = ["a.png", "a.jpg", "a.jpeg", "a.tif", "a.TIFF", "a.exr", "a.hdr"]
+        self.succeeds("ball.glb", *SMALL, *(word for name in names for word in ("-o", name)))
+        # Sixteen bits: the picture before it was rounded to eight, so at most half a step of those away.
+        fine = max(self.differences("a.png", "a.tif"))
+        self.assertTrue(0 < fine <= 0.501 / 255, fine)
+        self.assertEqual(self.differences("a.tif", "a.TIFF"), [0, 0, 0])
+        self.assertEqual((self.folder / "a.jpg").read_bytes(), (self.folder / "a.jpeg").read_bytes())
+        jpeg = max(self.differences("a.png", "a.jpg"))
+        self.assertTrue(0 < jpeg < 0.15, jpeg)
+        # Eight bits of mantissa for the brightest channel, which is at most what the file holds anywhere.
+        brightest = max(max(v) for c, v in pictures.Exr((self.folder / "a.exr").read_bytes()).values().items()
+                        if c != "A")
+        self.assertTrue(0 < max(self.differences("a.exr", "a.hdr")) <= brightest / 128)
+
+    def test_bytes_do_not_depend_on_the_run(self):
+        for stem in "ab":
+            self.succeeds("ball.glb", *SMALL, "-o", stem + ".jpg", "-o", stem + ".tif", "-o", stem + ".hdr")
+        for extension in ("jpg", "tif", "hdr"):
+            self.assertEqual((self.folder / f"a.{extension}").read_bytes(),
+                             (self.folder / f"b.{extension}").read_bytes())
+
+    def test_are_numbered_in_a_row_of_frames(self):
+        self.succeeds("ball.glb", *SMALL, "--frames", "8..9", "-o", "f%02d.jpg", "-o", "f%02d.tif")
+        self.assertEqual(self.files(), ["ball.glb", "f08.jpg", "f08.tif", "f09.jpg", "f09.tif"])
+        again = self.succeeds("ball.glb", *SMALL, "--frames", "8..9", "-o", "f%02d.jpg", "-o", "f%02d.tif",
+                              "--resume")
+        self.assertIn("nothing was drawn", again.stderr)
+
+
+class StandardOutput(ProgramTest):
+    def test_is_the_png_that_a_file_holds(self):
+        self.succeeds("ball.glb", *SMALL)
+        result = subprocess.run([PROGRAM, "ball.glb", *SMALL, "-o", "-"], cwd=self.folder, capture_output=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout, (self.folder / "ball.png").read_bytes())
+        self.assertEqual(self.files(), ["ball.glb", "ball.png"])
+
+    def test_that_is_a_terminal_is_refused(self):
+        leader, follower = os.openpty()
+        result = subprocess.run([PROGRAM, "ball.glb", "-r", "4096x4096", "-o", "-"], cwd=self.folder,
+                                stdout=follower, stderr=subprocess.PIPE, text=True)
+        os.close(leader)
+        os.close(follower)
+        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), result.stderr)
+
+    def test_that_is_full_is_said(self):
+        if not pathlib.Path("/dev/full").exists():
+            self.skipTest("no /dev/full here")
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "ball.glb", *SMALL, "--quiet", "-o", "-"], cwd=self.folder,
+                                    stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (4, 1), result.stderr)
+
+    def test_takes_one_picture(self):
+        self.fails(2, "ball.glb", "-o", "-", "--frames", "0..1", saying="%04d")
+
+
 class Layers(ProgramTest):
     """A red ball over a floor far from the world's origin, under an open sky."""
 

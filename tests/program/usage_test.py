@@ -126,8 +126,8 @@ class Mistakes(ProgramTest):
         self.fails(3, "a\nb\033.glb")
 
     def test_outputs_of_unknown_format_or_named_twice(self):
-        self.fails(2, "ball.glb", "-o", "a.jpg", saying=".png or .exr")
-        self.fails(2, "ball.glb", "-o", "a", saying=".png or .exr")
+        for name in ("a.bmp", "a", ".png", "a.png "):
+            self.fails(2, "ball.glb", "-o", name, saying=".png, .jpg, .tif, .exr, .hdr, .mp4")
         self.fails(2, "ball.glb", "-o", "a.png", "-o", "a.png", saying="named twice")
         self.fails(2, "ball.glb", "-o", "a.png", "--aov", "depth", saying="-o FILE.exr")
 

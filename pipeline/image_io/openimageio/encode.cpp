@@ -7,11 +7,33 @@ namespace caustics::openimageio {
 
 namespace {
 
-OIIO::ImageSpec spec_of(const ImageToEncode& image) {
-  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
-                       OIIO::TypeDesc::FLOAT);
-  spec.attribute("oiio:ColorSpace", "Linear");
-  spec.attribute("compression", "zip");
+struct Encoding {
+  const char* name;  // of OpenImageIO
+  OIIO::TypeDesc::BASETYPE type;
+  const char* compression;
+  const char* color_space;
+};
+
+Encoding encoding_of(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::Exr:
+      return {"exr", OIIO::TypeDesc::FLOAT, "zip", "Linear"};
+    case ImageFormat::Hdr:
+      return {"hdr", OIIO::TypeDesc::FLOAT, "", "Linear"};
+    case ImageFormat::Tiff:
+      // With a colour space it would get a directory of Exif data, which goes wrong in memory (2.4.7).
+      return {"tiff", OIIO::TypeDesc::UINT16, "zip", ""};
+    case ImageFormat::Jpeg:
+      return {"jpeg", OIIO::TypeDesc::UINT8, "jpeg:92", "sRGB"};
+  }
+  return {};
+}
+
+OIIO::ImageSpec spec_of(const ImageToEncode& image, const Encoding& encoding) {
+  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), encoding.type);
+  if (*encoding.color_space) spec.attribute("oiio:ColorSpace", encoding.color_space);
+  spec.attribute("compression", encoding.compression);
+  spec.attribute("jpeg:subsampling", "4:4:4");
   // OpenImageIO would put the present time here, and no two files would be equal.
   spec.attribute("DateTime", "");
   spec.channelnames = image.channels;
@@ -20,17 +42,19 @@ OIIO::ImageSpec spec_of(const ImageToEncode& image) {
 
 }  // namespace
 
-std::string encode_exr(const ImageToEncode& image, std::vector<unsigned char>& bytes) {
-  const OIIO::ImageSpec spec = spec_of(image);
+std::string encode(const ImageToEncode& image, std::vector<unsigned char>& bytes) {
+  const Encoding encoding = encoding_of(image.format);
+  const OIIO::ImageSpec spec = spec_of(image, encoding);
   OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto output = OIIO::ImageOutput::create("exr");
-  if (!output || !output->supports("ioproxy")) return "this OpenImageIO cannot encode exr in memory";
+  const auto output = OIIO::ImageOutput::create(encoding.name);
+  if (!output || !output->supports("ioproxy"))
+    return std::string("this OpenImageIO cannot encode ") + encoding.name + " in memory";
   output->set_ioproxy(&memory);
-  if (!output->open("memory.exr", spec)) return output->geterror();
+  if (!output->open(std::string("memory.") + encoding.name, spec)) return output->geterror();
   std::vector<float> row(static_cast<std::size_t>(image.width) * image.channels.size());
   for (int y = 0; y < image.height; ++y) {
     image.row(y, row.data());
-    if (!output->write_scanline(y, 0, spec.format, row.data())) return output->geterror();
+    if (!output->write_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data())) return output->geterror();
   }
   return output->close() ? "" : output->geterror();
 }

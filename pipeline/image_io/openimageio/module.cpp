@@ -17,6 +17,6 @@ std::string reason(std::string message) {
 extern "C" const caustics::ImageIo& caustics_image_io() {
   using namespace caustics;
   static constexpr ImageIo functions{OIIO_VERSION_STRING, openimageio::decode, openimageio::read_planes,
-                                     openimageio::read_size, openimageio::encode_exr};
+                                     openimageio::read_size, openimageio::encode};
   return functions;
 }

@@ -13,7 +13,7 @@ std::string decode(const ImageToDecode& image, Pixels& pixels);
 std::string read_planes(const std::filesystem::path& path, const std::function<void()>& next_part,
                         ImagePlanes& planes);
 bool read_size(const std::filesystem::path& path, int& width, int& height);
-std::string encode_exr(const ImageToEncode& image, std::vector<unsigned char>& bytes);
+std::string encode(const ImageToEncode& image, std::vector<unsigned char>& bytes);
 
 // What OpenImageIO says, without the line breaks that it may add.
 std::string reason(std::string message);
