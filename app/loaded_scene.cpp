@@ -32,10 +32,8 @@ const Camera& camera_called(const Scene& scene, const std::string& wanted) {
     const std::size_t number = static_cast<std::size_t>(std::stoi(wanted));
     if (number < scene.cameras.size()) return scene.cameras[number];
   }
-  throw Error(ExitCode::WrongUsage, "there is no camera '" + one_line(wanted).substr(0, 60) +
-                                        "'; the scene has " + std::to_string(names.size()) +
-                                        ", the nearest name is '" + one_line(nearest_name(wanted, names)) +
-                                        "'");
+  throw Error(ExitCode::WrongUsage,
+              "there is no camera '" + one_line(wanted).substr(0, 60) + "'" + suggestion(wanted, names));
 }
 
 // More would plan for minutes before the memory that they need is refused.

@@ -62,7 +62,7 @@ HelpPage program_help() {
           "  caustics plan scene.glb                         why is there a caustic, or none?\n"
           "  caustics render --help                          examples, and every option\n",
       .positionals = {},
-      .groups = {{"Options", {{"--version", "", {"version, and the backends that work"}}}}},
+      .groups = {{"Options", {{"-V,--version", "", {"version, and the backends that work"}}}}},
       .lists = {{"Commands", {}}, {"Exit codes", {}}},
       .footer = {}};
   for (const Command& command : kCommands)
@@ -104,7 +104,7 @@ ExitCode dispatch(const Arguments& arguments) {
     std::fputs(program_help().markdown().c_str(), stdout);
     return ExitCode::Done;
   }
-  if (first == "--version") {
+  if (first == "--version" || first == "-V") {
     std::fputs(version_text().c_str(), stdout);
     return ExitCode::Done;
   }
@@ -115,8 +115,8 @@ ExitCode dispatch(const Arguments& arguments) {
   if (looks_like_command(first)) {
     std::vector<std::string> names;
     for (const Command& command : kCommands) names.emplace_back(command.name);
-    throw Error(ExitCode::WrongUsage, "no command or file '" + one_line(first) +
-                                          "'; the nearest command is '" + nearest_name(first, names) + "'");
+    throw Error(ExitCode::WrongUsage, "no command or file '" + one_line(first) + "'" +
+                                          suggestion(first, names, "see 'caustics --help'"));
   }
   return run_render(arguments);
 }

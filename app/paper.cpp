@@ -60,8 +60,8 @@ std::vector<Row> wanted_rows(const PaperRequest& request) {
   for (const Row& row : rows) ids.push_back(row.id);
   for (const std::string& id : request.rows)
     if (std::none_of(ids.begin(), ids.end(), [&](const std::string& each) { return is_called(each, id); }))
-      throw Error(ExitCode::WrongUsage, "there is no row '" + one_line(id).substr(0, 60) +
-                                            "'; the nearest is '" + nearest_name(id, ids) + "'");
+      throw Error(ExitCode::WrongUsage,
+                  "there is no row '" + one_line(id).substr(0, 60) + "'" + suggestion(id, ids));
   if (!request.rows.empty())
     std::erase_if(rows, [&](const Row& row) {
       return std::none_of(request.rows.begin(), request.rows.end(),

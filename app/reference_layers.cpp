@@ -40,8 +40,8 @@ const ReferenceLayer& find_reference_layer(const std::string& name) {
         "glass; 'caustic' and 'direct' are what to compare");
   std::vector<std::string> names;
   for (const ReferenceLayer& layer : kReferenceLayers) names.emplace_back(layer.name);
-  throw Error(ExitCode::WrongUsage, "--aov has no layer '" + one_line(name).substr(0, 60) +
-                                        "', did you mean '" + nearest_name(name, names) + "'?");
+  throw Error(ExitCode::WrongUsage,
+              "--aov has no layer '" + one_line(name).substr(0, 60) + "'" + suggestion(name, names));
 }
 
 Image image_of(const std::vector<float>& values, int width, int height) {

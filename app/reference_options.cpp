@@ -73,7 +73,7 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
                 [&](const std::string& list) { request.layers = parse_reference_layers(list); });
   parser.option("--stats", "F.json", {"rays, time, error and the flux ledger", "", "none"},
                 [&](const std::string& file) { request.stats = file; });
-  parser.flag("--quiet", request.quiet, "say nothing but errors");
+  parser.flag("-q,--quiet", request.quiet, "say nothing but errors");
   SettingOptions options(parser, request.frame.settings);
   parser.group("View");
   options.add_resolution();

@@ -33,9 +33,8 @@ void add_named(const Scene& scene, const ExactRequest::Named& wanted,
     shapes.push_back(tracer::exact_shape_of(scene, mesh, wanted.kind));
   }
   if (!found)
-    throw Error(ExitCode::WrongUsage, "--exact names no mesh: '" + one_line(wanted.mesh).substr(0, 60) +
-                                          "', did you mean '" + one_line(nearest_name(wanted.mesh, names)) +
-                                          "'?");
+    throw Error(ExitCode::WrongUsage, "--exact names no mesh: '" + one_line(wanted.mesh).substr(0, 60) + "'" +
+                                          suggestion(wanted.mesh, names));
 }
 
 }  // namespace

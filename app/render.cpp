@@ -10,6 +10,7 @@
 #include "app/output/dump.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/outputs.hpp"
+#include "app/output/reasons.hpp"
 #include "app/output/stats.hpp"
 #include "app/output/summary.hpp"
 #include "app/output/video_file.hpp"
@@ -46,7 +47,7 @@ struct RenderRequest {
   std::string stats, dump;
   bool pictures = false;  // of the dump
   Demand demand;
-  bool quiet = false;
+  bool quiet = false, verbose = false;
 
   bool films() const { return std::any_of(outputs.files.begin(), outputs.files.end(), is_video); }
   // Is there a row of frames, rather than one?
@@ -111,7 +112,8 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   parser.flag("--pictures", request.pictures,
               "beside --dump: the attachments to look at, index.html shows them");
   add_frame_row_options(parser, request);
-  parser.flag("--quiet", request.quiet, "say nothing but errors");
+  parser.flag("-q,--quiet", request.quiet, "say nothing but errors");
+  parser.flag("-v,--verbose", request.verbose, "say why each pass runs or not, and its time");
   list_layers(parser);
   parser.group("On demand");
   parser.option(
@@ -369,6 +371,7 @@ class Renderer {
     if (found_) std::fputs(demand_text(request_.demand, *found_, only_model_, choosing_).c_str(), stderr);
     print_summary(*frame_, ledgers, timing_, request_.outputs.files,
                   request_.several() ? static_cast<int>(todo_.size()) : 0);
+    if (request_.verbose) print_reasons(*frame_, reports_);
     if (there > 0) std::fprintf(stderr, "%d frames were there already\n", there);
   }
 

@@ -93,7 +93,7 @@ void add_study_options(Parser& parser, StudyRequest& request) {
   parser.option("-o,--output", "DIR", {"folder of the report; made where it is missing", "", "study"},
                 [&](const std::string& value) { request.folder = value; });
   parser.flag("--resume", request.resume, "keep the rows of DIR/study.json that still hold");
-  parser.flag("--quiet", request.quiet, "no progress on stderr");
+  parser.flag("-q,--quiet", request.quiet, "no progress on stderr");
   for (const Varied& each : kDefault)
     parser.list("Varied where no --vary is given", each.first, {each.second});
 }

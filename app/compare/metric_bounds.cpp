@@ -62,7 +62,7 @@ MetricBound parse_metric_bound(const std::string& text) {
   const std::vector<std::string> names = boundable_metrics();
   if (std::find(names.begin(), names.end(), metric) == names.end()) {
     throw Error(ExitCode::WrongUsage, "--fail-above knows no metric '" + one_line(metric).substr(0, 60) +
-                                          "', did you mean '" + nearest_name(metric, names) + "'?");
+                                          "'" + suggestion(metric, names));
   }
   const std::string number = split == std::string::npos ? "" : text.substr(split + 1);
   MetricBound bound{.metric = metric};

@@ -61,7 +61,7 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
        "gl|KEY=VALUE|DIR", "none"},
       [&](const std::string& value) { request.against.push_back(value); });
   parser.flag("--exact", request.limits.exact, "values as 32-bit floats instead of half: twice as large");
-  parser.flag("--quiet", request.quiet, "say nothing but errors");
+  parser.flag("-q,--quiet", request.quiet, "say nothing but errors");
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;

@@ -49,8 +49,8 @@ const Layer& find_layer(const std::string& name) {
   if (found != std::end(kLayers)) return *found;
   std::vector<std::string> names;
   for (const Layer& layer : kLayers) names.emplace_back(layer.name);
-  throw Error(ExitCode::WrongUsage, "--aov has no layer '" + one_line(name).substr(0, 60) +
-                                        "', did you mean '" + nearest_name(name, names) + "'?");
+  throw Error(ExitCode::WrongUsage,
+              "--aov has no layer '" + one_line(name).substr(0, 60) + "'" + suggestion(name, names));
 }
 
 std::string lower_extension(const std::filesystem::path& path) {

@@ -18,8 +18,8 @@ const PlannedPass& find_pass(const RenderedFrame& frame, const std::string& labe
     if (pass.label == label) return pass;
     names.push_back(pass.label);
   }
-  throw Error(ExitCode::WrongUsage, "no pass '" + one_line(label) + "' runs here; the nearest name is '" +
-                                        nearest_name(label, names) + "' ('caustics plan' lists them)");
+  throw Error(ExitCode::WrongUsage, "no pass '" + one_line(label) + "' runs here" +
+                                        suggestion(label, names, "'caustics plan' lists them"));
 }
 
 bool same_bits(const TexelValue& a, const TexelValue& b) {

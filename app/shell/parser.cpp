@@ -103,6 +103,8 @@ void Parser::positionals(const std::string& name, const std::string& meaning,
   page_.positionals.push_back({name, "FILE ...", {meaning}});
 }
 
+std::string Parser::help_command() const { return "'caustics " + page_.command + " --help'"; }
+
 void Parser::refuse_extras() const {
   for (const std::string& extra : app_->remaining()) {
     if (extra.size() < 2 || extra[0] != '-') continue;
@@ -111,12 +113,12 @@ void Parser::refuse_extras() const {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     const std::string typed = extra.substr(0, extra.find('='));
-    throw Error(ExitCode::WrongUsage, "unknown option " + in_quotes(typed) + ", did you mean '" +
-                                          nearest_name(typed, names) + "'?");
+    throw Error(ExitCode::WrongUsage,
+                "unknown option " + in_quotes(typed) + suggestion(typed, names, "see " + help_command()));
   }
   if (!app_->remaining().empty()) {
-    throw Error(ExitCode::WrongUsage, "unexpected argument " + in_quotes(app_->remaining().front()) +
-                                          "; see 'caustics " + page_.command + " --help'");
+    throw Error(ExitCode::WrongUsage,
+                "unexpected argument " + in_quotes(app_->remaining().front()) + "; see " + help_command());
   }
 }
 

@@ -68,6 +68,7 @@ class Parser {
 
  private:
   void refuse_extras() const;
+  std::string help_command() const;
   void say(const std::string& names, const std::string& value, const About& about);
 
   std::unique_ptr<CLI::App> app_;

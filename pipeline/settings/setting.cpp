@@ -91,7 +91,7 @@ const Setting& setting(std::string_view name) {
   std::vector<std::string> names;
   for (const Setting& row : rows) names.emplace_back(row.name);
   throw Error(ExitCode::WrongUsage,
-              "unknown key " + in_quotes(name) + ", did you mean '" + nearest_name(name, names) + "'?");
+              "unknown key " + in_quotes(name) + suggestion(name, names, "see 'caustics render --help'"));
 }
 
 void set_option(Settings& settings, std::string_view key, std::string_view value) {

@@ -163,7 +163,7 @@ TEST_CASE("settings: members out of range are named with the range") {
 }
 
 TEST_CASE("settings: an unknown key names the nearest") {
-  CHECK(refusal("girdd", "7") == "unknown key 'girdd', did you mean 'grid'?");
+  CHECK(refusal("gird", "7") == "unknown key 'gird', did you mean 'grid'?");
   CHECK(holds(refusal("mirror.metalic", "1"), "'mirror.metallic'"));
   CHECK_FALSE(holds(refusal("a\nb", "1"), "\n"));
 }
@@ -187,4 +187,19 @@ TEST_CASE("the nearest name is the one with the fewest edits") {
   // A letter too many within is one edit, two others are two.
   CHECK(nearest_name("abcdef", {"abcxyf", "abdef"}) == "abdef");
   CHECK(nearest_name("x", {}).empty());
+}
+
+TEST_CASE("a name is suggested only when it is near what was typed") {
+  // Two letters swapped are one edit; of four letters one may be wrong, of six two.
+  CHECK(suggestion("gird", {"grid", "map"}) == ", did you mean 'grid'?");
+  CHECK(suggestion("--gird", {"--grid", "--map"}) == ", did you mean '--grid'?");
+  CHECK(suggestion("girdle", {"grid", "map"}, "see --help") == "; see --help");
+  CHECK(suggestion("shadwo", {"shadow"}) == ", did you mean 'shadow'?");
+  CHECK(suggestion("shdaew", {"shadow"}) == ", did you mean 'shadow'?");
+  CHECK(suggestion("shudvew", {"shadow"}) == "; known: 'shadow'");
+  CHECK(suggestion("x", {"y"}) == ", did you mean 'y'?");
+  CHECK(suggestion("xx", {"yy", "z"}) == "; known: 'yy', 'z'");
+  CHECK(suggestion("x", {}) == "; there are none");
+  CHECK(suggestion("", {"grid"}, "see --help") == "; see --help");
+  CHECK(suggestion("zzz", std::vector<std::string>(13, "y")).ends_with("'y', ..."));
 }

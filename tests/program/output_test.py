@@ -21,8 +21,17 @@ class Outputs(ProgramTest):
         self.assertNotIn("\033", result.stderr)
 
     def test_quiet_says_nothing(self):
-        result = self.succeeds("ball.glb", *SMALL, "--quiet")
-        self.assertEqual(result.stdout + result.stderr, "")
+        for quiet in ("--quiet", "-q"):
+            result = self.succeeds("ball.glb", *SMALL, quiet)
+            self.assertEqual(result.stdout + result.stderr, "")
+
+    def test_verbose_adds_effects_and_passes_with_time_and_reason(self):
+        plain, verbose = (self.succeeds("ball.glb", *SMALL, *more) for more in ((), ("-v",)))
+        self.assertEqual(verbose.stdout, "")
+        self.assertRegex(verbose.stderr, r"(?m)^effects\n(  (yes|no) .*\n)+passes\n")
+        self.assertRegex(verbose.stderr, r"(?m)^  tone_map +[0-9.]+ ms +a picture for a screen is wanted$")
+        self.assertRegex(verbose.stderr, r"(?m)^not run\n(  \S+ .*\n)+")
+        self.assertNotIn("\npasses\n", plain.stderr)
 
     def test_one_pixel(self):
         self.succeeds("ball.glb", "-r", "1x1", "--grid", "1", "--map", "1", "-o", "dot.png")

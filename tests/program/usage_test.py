@@ -47,6 +47,7 @@ class Help(ProgramTest):
     def test_version_names_the_backends_that_work(self):
         self.assertRegex(self.succeeds("--version").stdout,
                          r"\Acaustics \d+\.\d+\.\d+ .*\nsoftware: .*\nOpenGL: .*\n\Z")
+        self.assertEqual(self.succeeds("-V").stdout, self.succeeds("--version").stdout)
 
 
 class Settings(ProgramTest):
@@ -78,7 +79,18 @@ class Mistakes(ProgramTest):
             self.fails(2, command, saying="no scene given")
 
     def test_misspelt_command(self):
-        self.fails(2, "rendr", "ball.glb", saying="'render'")
+        self.fails(2, "rendr", "ball.glb", saying=", did you mean 'render'?")
+        line = self.fails(2, "banana", "ball.glb", saying="see 'caustics --help'")
+        self.assertNotIn("did you mean", line)
+
+    def test_nothing_is_suggested_that_is_not_near(self):
+        for saying, arguments in (("; see 'caustics render --help'", ("--banana", "7")),
+                                  ("; see 'caustics render --help'", ("-x",)),
+                                  ("; see 'caustics render --help'", ("-D", "banana=7")),
+                                  ("; known: 'beauty', 'caustic', ", ("--aov", "banana")),
+                                  ("; known: 'eye'", ("--camera", "banana"))):
+            line = self.fails(2, "ball.glb", *arguments, saying=saying)
+            self.assertNotIn("did you mean", line)
 
     def test_misspelt_option(self):
         for typed, meant in (("--gird", "--grid"), ("--resolutoin", "--resolution"),

@@ -103,7 +103,7 @@ TEST_CASE("Folders, missing files and broken data URIs are no buffers") {
 TEST_CASE("A file that is missing or a folder is refused") {
   const Folder folder;
   CHECK(contains(outcome(folder.path() / "none.gltf"), "no such file"));
-  CHECK(contains(outcome(folder.path()), "is not a regular file"));
+  CHECK(contains(outcome(folder.path()), "this is a folder with no glTF file"));
 }
 
 TEST_CASE("The budget of bytes holds for a file and its buffers together") {
