@@ -113,7 +113,7 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
               "beside --dump: the attachments to look at, index.html shows them");
   add_frame_row_options(parser, request);
   parser.flag("-q,--quiet", request.quiet, "say nothing but errors");
-  parser.flag("-v,--verbose", request.verbose, "say why each pass runs or not, and its time");
+  parser.flag("-v,--verbose", request.verbose, "each pass's time and reason");
   list_layers(parser);
   parser.group("On demand");
   parser.option(

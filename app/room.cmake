@@ -26,5 +26,17 @@ include(app/inspect/room.cmake)
 
 include(GNUInstallDirs)
 install(TARGETS caustics_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# What the program prints of itself, where man and the shells look for it.
+foreach(form IN ITEMS man:man/man1/caustics.1 bash:bash-completion/completions/caustics
+    zsh:zsh/site-functions/_caustics fish:fish/vendor_completions.d/caustics.fish)
+  string(REPLACE ":" ";" form ${form})
+  list(GET form 0 name)
+  list(GET form 1 place)
+  cmake_path(GET place PARENT_PATH folder)
+  set(share "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}")
+  install(CODE "file(MAKE_DIRECTORY \"${share}/${folder}\")
+    execute_process(COMMAND \"$<TARGET_FILE:caustics_app>\" completion ${name} OUTPUT_FILE \"${share}/${place}\"
+      COMMAND_ERROR_IS_FATAL ANY)")
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/caustics/scenes
   FILES_MATCHING PATTERN *.glb PATTERN *.gltf PATTERN *.bin PATTERN *.png PATTERN *.jpg)

@@ -29,5 +29,6 @@ ExitCode run_compare(const Arguments& arguments);
 ExitCode run_study(const Arguments& arguments);
 ExitCode run_paper(const Arguments& arguments);
 ExitCode run_doctor(const Arguments& arguments);
+ExitCode run_completion(const Arguments& arguments);
 
 }  // namespace caustics::app

@@ -13,6 +13,9 @@ namespace caustics::app {
 
 namespace {
 
+// Where the next parser puts what its help says, instead of parsing (page_of); null: it parses.
+HelpPage* wanted_page = nullptr;
+
 std::string in_quotes(const std::string& text) { return "'" + one_line(text).substr(0, 80) + "'"; }
 
 // As people write it: 1e6, not 1e+06.
@@ -92,9 +95,10 @@ void Parser::repeated(const std::string& names, const std::string& value, const 
   say(names, value, about);
 }
 
-void Parser::positional(const std::string& name, const std::string& meaning, std::string& target) {
+void Parser::positional(const std::string& name, const std::string& meaning, std::string& target,
+                        const std::string& range) {
   app_->add_option(name, target)->type_name("FILE");
-  page_.positionals.push_back({name, "FILE", {meaning}});
+  page_.positionals.push_back({name, "FILE", {meaning, range}});
 }
 
 void Parser::positionals(const std::string& name, const std::string& meaning,
@@ -122,7 +126,19 @@ void Parser::refuse_extras() const {
   }
 }
 
+HelpPage page_of(const Command& command) {
+  HelpPage page;
+  wanted_page = &page;
+  command.run({});
+  wanted_page = nullptr;
+  return page;
+}
+
 bool Parser::parse(const Arguments& arguments) {
+  if (wanted_page) {
+    *wanted_page = page_;
+    return false;
+  }
   try {
     // CLI11 takes the arguments last first.
     app_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -54,7 +54,8 @@ class Parser {
   template <class T, class Target>
   void number(const std::string& name, const std::string& value, About about, Limits<T> bounds,
               Target& target);
-  void positional(const std::string& name, const std::string& meaning, std::string& target);
+  void positional(const std::string& name, const std::string& meaning, std::string& target,
+                  const std::string& range = "");
   void positionals(const std::string& name, const std::string& meaning, std::vector<std::string>& target);
   // Options added from here on are listed under this heading.
   void group(const std::string& heading) { group_ = heading; }
@@ -75,6 +76,9 @@ class Parser {
   HelpPage page_;
   std::string group_ = "Options";
 };
+
+// What the help of a command says, from the calls that build its parser; the command is not run.
+HelpPage page_of(const Command& command);
 
 template <class T, class Target>
 void Parser::number(const std::string& name, const std::string& value, About about, Limits<T> bounds,

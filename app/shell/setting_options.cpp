@@ -13,13 +13,6 @@ bool has(const std::vector<Setting::Part>& parts, const Setting& row) {
   return std::find(parts.begin(), parts.end(), row.part) != parts.end();
 }
 
-// --assume-solid for assume_solid.
-std::string option_name(std::string_view name) {
-  std::string option = "--" + std::string(name);
-  std::replace(option.begin(), option.end(), '_', '-');
-  return option;
-}
-
 std::string placeholder(const Setting& row) {
   if (row.is_number()) return row.kind == Setting::Kind::Count ? "N" : "X";
   return row.kind == Setting::Kind::Text && row.unset.empty() ? "VALUE" : "NAME";
@@ -42,6 +35,12 @@ void assign(Settings& settings, const std::string& assignment, const std::vector
 }
 
 }  // namespace
+
+std::string option_name(std::string_view name) {
+  std::string option = "--" + std::string(name);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
 
 void SettingOptions::add_resolution() {
   const Setting &width = setting("width"), &height = setting("height");

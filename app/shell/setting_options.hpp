@@ -28,6 +28,9 @@ class SettingOptions {
   std::vector<std::string_view> own_;  // settings that have options of their own
 };
 
+// The option of a setting: --assume-solid for assume_solid.
+std::string option_name(std::string_view name);
+
 // What `digest` and `parity` begin with: small frames.
 Settings small_settings();
 // "width 320, height 180": where they are not what a setting is by default.

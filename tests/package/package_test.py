@@ -27,6 +27,10 @@ def main():
         headers = [path.name for path in installed.rglob("*.hpp")]
         if "software_device.hpp" not in headers or any("_test" in name for name in headers):
             sys.exit(f"wrong headers in the install tree: {headers}")
+        for file in ("man/man1/caustics.1", "bash-completion/completions/caustics",
+                     "zsh/site-functions/_caustics", "fish/vendor_completions.d/caustics.fish"):
+            if "caustics" not in (installed / "share" / file).read_text():
+                sys.exit(f"share/{file} says nothing")
         run(cmake, "-S", ROOT / "examples", "-B", folder, f"-DCMAKE_PREFIX_PATH={installed}",
             f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={' '.join(flags)}",
             "-DCMAKE_BUILD_TYPE=Release")
