@@ -50,4 +50,10 @@ void check_request(const FrameRequest& request, const std::string& command) {
   if (is_standard_input(request.scene)) standard_input(LoadOptions{}.max_bytes);
 }
 
+void require_one_sample(const Settings& settings, const std::string& command) {
+  if (samples_a_pixel(settings) > 1)
+    throw Error(ExitCode::WrongUsage, command + " looks at the pixels' middles, which are no samples of " +
+                                          std::to_string(settings.samples) + "; leave out -D samples");
+}
+
 }  // namespace caustics::app

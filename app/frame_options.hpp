@@ -36,4 +36,7 @@ std::string name_of_scene(const FrameRequest& request);
 // it is the scene.
 void check_request(const FrameRequest& request, const std::string& command);
 
+// Throws Error (WrongUsage) when a command that looks at the pixels' middles alone is asked for more samples.
+void require_one_sample(const Settings& settings, const std::string& command);
+
 }  // namespace caustics::app

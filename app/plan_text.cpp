@@ -162,10 +162,11 @@ class TextReport {
     text_ += table.text();
   }
 
-  // Do both the same for the samples of one light?
+  // Do both the same for the samples of one light, or of each pixel?
   bool alike(const PlannedPass& a, const PlannedPass& b) const {
-    return a.light >= 0 && b.light >= 0 && a.pass == b.pass && a.drawn_for == b.drawn_for &&
-           source(a) == source(b);
+    if (a.pass != b.pass || a.drawn_for != b.drawn_for || (a.sample > 0) != (b.sample > 0)) return false;
+    if (a.light < 0 || b.light < 0) return a.light < 0 && b.light < 0 && a.sample > 0;
+    return source(a) == source(b);
   }
 
   // In the order of the first ones.
@@ -231,11 +232,13 @@ class TextReport {
 
   std::string pass_label(const PlannedPass& pass, std::size_t count) const {
     if (count == 1) return pass.label;
-    const std::string& name = of().sources[static_cast<std::size_t>(source(pass))].name;
+    std::string text(pass_registry()[static_cast<std::size_t>(pass.pass)].name);
+    if (pass.light >= 0) {
+      const std::string& name = of().sources[static_cast<std::size_t>(source(pass))].name;
+      text += "[" + (name.empty() ? std::to_string(source(pass)) : name) + "]";
+    }
     const std::string_view label = pass.drawn_for->label;
-    return std::string(pass_registry()[static_cast<std::size_t>(pass.pass)].name) + "[" +
-           (name.empty() ? std::to_string(source(pass)) : name) + "]" + (label.empty() ? "" : ".") +
-           std::string(label) + " x " + std::to_string(count);
+    return text.append(label.empty() ? "" : ".").append(label) + " x " + std::to_string(count);
   }
 
   void passes() {

@@ -36,6 +36,7 @@ constexpr char kRenderExamples[] =
     "  caustics render moving.glb --frames 0..99 --fps 25 -o frame.%04d.png --resume\n"
     "  caustics render moving.glb -o film.mp4\n";
 
+constexpr int kShownSamples = 4;                      // a pixel, of pictures to look at
 constexpr Limits<double> kTargetError{0.001, 100.0};  // percent
 
 struct RenderRequest {
@@ -78,6 +79,12 @@ void check_frames(const RenderRequest& request) {
   if (!request.dump.empty()) {
     throw Error(ExitCode::WrongUsage, "--dump is for one frame; use --frames N with one number");
   }
+}
+
+// Nothing is measured, so that a pixel need not be what its middle sees.
+bool is_only_looked_at(const RenderRequest& request) {
+  return are_for_display(request.outputs) && request.outputs.layers.empty() && request.stats.empty() &&
+         request.dump.empty() && !request.demand.any();
 }
 
 void add_frame_row_options(Parser& parser, RenderRequest& request) {
@@ -141,6 +148,8 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
   if (request.pictures && request.dump.empty())
     throw Error(ExitCode::WrongUsage, "--pictures needs --dump DIR, the folder that they are put in");
   check_frames(request);
+  if (request.frame.settings.samples == 0 && is_only_looked_at(request))
+    request.frame.settings.samples = kShownSamples;
   return true;
 }
 

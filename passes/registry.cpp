@@ -1,5 +1,6 @@
 #include "passes/registry.hpp"
 
+#include "passes/average_samples/average_samples.hpp"
 #include "passes/beams/beams.hpp"
 #include "passes/bend/bend.hpp"
 #include "passes/caster_exit_map/caster_exit_map.hpp"
@@ -77,6 +78,8 @@ Registry registered() {
       light_haze_pass(),
       light_shafts_pass(),
       haze_pass(),
+      // And what all its samples saw.
+      average_samples_pass(),
       first_hit_pass(),
       tone_map_pass(),
   };

@@ -33,6 +33,7 @@ caustics_add_shader(caustics_passes pane_light TEXT passes/pane_light/pane_light
 caustics_add_shader(caustics_passes view_panes TEXT passes/view_panes/view_panes.glsl)
 caustics_add_shader(caustics_passes first_hit TEXT passes/first_hit/first_hit.glsl)
 caustics_add_shader(caustics_passes water_step TEXT passes/water_step/water_step.glsl)
+caustics_add_shader(caustics_passes average_samples TEXT passes/average_samples/average_samples.glsl)
 caustics_add_shader(caustics_passes tone_map TEXT passes/tone_map/tone_map.glsl)
 caustics_add_shader(caustics_passes landing_in_medium TEXT passes/landing/landing.glsl DEFINES HAZE=1)
 caustics_add_shader(caustics_passes light_shading_in_medium TEXT passes/light_shading/light_shading.glsl

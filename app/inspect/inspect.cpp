@@ -66,6 +66,7 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "inspect");
+  require_one_sample(request.frame.settings, "inspect");
   if (request.output.empty()) request.output = name_of_scene(request.frame) + ".html";
   if (request.output.extension() != ".html" && request.output.extension() != ".htm")
     throw Error(ExitCode::WrongUsage, "-o " + one_line(request.output.string()) + ": a page is a file .html");
@@ -85,6 +86,7 @@ FrameRequest other_request(const InspectRequest& request) {
     else
       set_option(other.settings, what.substr(0, equals), what.substr(equals + 1));
   }
+  require_one_sample(other.settings, "inspect");
   return other;
 }
 

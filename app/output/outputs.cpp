@@ -196,6 +196,12 @@ void check_outputs(const OutputRequest& request) {
     if (!is_standard_output(file)) require_writable(file);
 }
 
+bool are_for_display(const OutputRequest& request) {
+  return std::none_of(request.files.begin(), request.files.end(), [](const std::filesystem::path& file) {
+    return output_kind(file) == OutputKind::Linear;
+  });
+}
+
 std::vector<std::string> textures_for(const OutputRequest& request) {
   std::vector<std::string> textures;
   for (const std::filesystem::path& file : request.files) {

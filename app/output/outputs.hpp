@@ -28,6 +28,8 @@ void list_layers(Parser& parser);
 // Refuses unknown extensions, two outputs of one name and a terminal (WrongUsage), and what cannot be
 // written.
 void check_outputs(const OutputRequest& request);
+// Are all of them to be looked at, and none to be calculated with?
+bool are_for_display(const OutputRequest& request);
 // The textures that the files are made from.
 std::vector<std::string> textures_for(const OutputRequest& request);
 

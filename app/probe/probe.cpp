@@ -68,6 +68,7 @@ bool parse(const Arguments& arguments, ProbeRequest& request) {
   if (!parser.parse(arguments)) return false;
   request.frame.scene = scene;
   check_request(request.frame, "probe");
+  require_one_sample(request.frame.settings, "probe");
   if (request.vertices.vertices.empty() && request.pixels.empty() && request.texels.empty())
     throw Error(ExitCode::WrongUsage,
                 "no grid vertex given; add --texel X,Y (or --pixel X,Y, or --history PASS:X,Y)");

@@ -68,10 +68,12 @@ DUMPS = {  # name: (scene, options): small frames that together run every pass
     'lens': ('hazy_lens', '-r 192x108 --grid 128 --map 128 -D shafts=64 --exposure 3.5'),
     'panes': ('thin_panes', '-r 192x108 --grid 128 --map 128 -D shadow=128'),
     'pool': ('water_plops', '-r 96x54 --grid 64 --map 64'),
+    'smooth': ('receivers', '-r 192x108 --grid 128 --map 128 -D shadow=128 -D samples=4'),
     'hazy_panes': ('thin_panes', '-r 192x108 --grid 128 --map 128 -D shadow=512'),
 }
 HAZE = {'hazy_panes': {'scattering': 0.25, 'anisotropy': 0.3}}  # added to that scene
 PASSES = {  # pass: (dump, the instances shown)
+    'average_samples': ('smooth', ['average_samples.sample 1', 'average_samples.sample 4']),
     'beams': ('lens', ['beams[sun]']),
     'bend': ('tumbler', ['bend[sun].2']),
     'caster_exit_map': ('sphere', ['caster_exit_map[sun]']),

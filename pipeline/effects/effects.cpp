@@ -163,6 +163,14 @@ void add_paper_weights(const Settings& settings, Effects& effects) {
                                                                  : "there is no caustic"};
 }
 
+void add_sub_pixels(const Settings& settings, Effects& effects) {
+  effects.sub_pixels = {samples_a_pixel(settings) > 1,
+                        settings.samples > 1   ? std::to_string(settings.samples) + " samples a pixel"
+                        : settings.samples > 0 ? "one sample a pixel, as asked for"
+                                               : "one sample a pixel, but 4 where render writes nothing but "
+                                                 "pictures to look at"};
+}
+
 // What is found in the scene but not simulated yet: never active, and the reason says so.
 void add_missing_effects(const std::vector<Judgement>& judgements, Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(
@@ -228,6 +236,7 @@ std::span<const NamedEffect> named_effects() {
       {"all around", &Effects::all_around},
       {"cascades", &Effects::cascades},
       {"hidden receivers", &Effects::hidden_receivers},
+      {"sub-pixels", &Effects::sub_pixels},
       {"paper weights", &Effects::paper_weights},
       {"rough glass", &Effects::rough_glass},
   };
@@ -254,6 +263,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   effects.cascades = {false, why_no_cascades(settings)};
   effects.receivers_are_one_plane = receivers_are_one_plane(scene, effects);
   add_hidden_receivers(settings, effects);
+  add_sub_pixels(settings, effects);
   add_paper_weights(settings, effects);
   effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
   add_missing_effects(judgements, effects);

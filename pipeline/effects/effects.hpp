@@ -118,6 +118,7 @@ struct Effects {
   Effect cascades;            // a light whose caustic is small in its map, as a pilot has found
   Effect hidden_receivers;  // caustics on receivers that are not one plane, so that one can hide another from
                             // a light
+  Effect sub_pixels;        // several samples a pixel (Settings::samples)
   Effect paper_weights;     // every grid vertex has an equal part of the light (Weights::Paper)
   Effect rough_glass;       // found and left to later: never active
 };

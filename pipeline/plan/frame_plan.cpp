@@ -11,6 +11,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/plan/light_order.hpp"
 #include "pipeline/plan/needed_passes.hpp"
+#include "pipeline/plan/sample_passes.hpp"
 #include "pipeline/plan/texture_memory.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -190,7 +191,7 @@ class Planner {
     for (const DrawnFor& drawn_for : pass.drawn_for) {
       if (const auto reason = not_called_for(pass, drawn_for, effects_)) {
         plan_.skipped.push_back({with_label(pass.name, drawn_for.label), *reason});
-      } else if (drawn_for.each == Each::Frame) {
+      } else if (drawn_for.each == Each::Frame || drawn_for.each == Each::Sample) {
         add(index, drawn_for, {});
       } else if (drawn_for.each == Each::Water) {
         for (std::size_t water = 0; water < scene_.waters.size(); ++water) add_water(index, drawn_for, water);
@@ -232,10 +233,8 @@ class Planner {
   TargetSize size_of(const Pass& pass, const DrawnFor& drawn_for, Owner user) const {
     const LightEffects* light =
         user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
-    // What the camera sees of the lights' passes has the picture's size.
-    if (pass.size && drawn_for.label != kCamera.label) return pass.size(settings_, effects_, light);
-    if (drawn_for.camera == CameraView::Picture) return {settings_.width, settings_.height};
-    return {(settings_.width + 1) / 2, (settings_.height + 1) / 2};
+    return is_of_camera(pass, drawn_for) ? picture_size(settings_, drawn_for.camera)
+                                         : pass.size(settings_, effects_, light);
   }
 
   void add(int index, const DrawnFor& drawn_for, Owner user) {
@@ -425,6 +424,17 @@ class Planner {
   std::map<std::pair<int, int>, int> branch_queries_;
 };
 
+// A light's maps are needed until the last sample is drawn, or else, light by light, what all samples have
+// seen of the lights before: the bits are the same.
+FramePlan in_least_memory(FramePlan plan) {
+  FramePlan by_light = plan;
+  order_by_light(plan, SampleOrder::SampleBySample);
+  share_memory(plan);
+  order_by_light(by_light, SampleOrder::LightByLight);
+  share_memory(by_light);
+  return by_light.bytes() < plan.bytes() ? by_light : plan;
+}
+
 }  // namespace
 
 FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& settings,
@@ -435,9 +445,7 @@ FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& 
     texture.kept_for_light = goal.light_by_light && texture.light >= 0 && texture.kept;
     texture.kept = texture.kept && !texture.kept_for_light;
   }
-  order_by_light(plan);
-  share_memory(plan);
-  return plan;
+  return in_least_memory(with_samples(std::move(plan), registry, samples_a_pixel(settings), goal));
 }
 
 }  // namespace caustics

@@ -39,9 +39,11 @@ struct PlannedPass {
   const DrawnFor* drawn_for = nullptr;  // of the registry's pass
   PassDefinition definition;            // what a device runs
   int light = -1;                       // index into Scene::lights, -1 for a pass of the frame
-  int branch = -1;    // index into Effects::branches, -1 for a pass of the frame or of a light
-  int water = -1;     // index into Scene::waters, -1 for all other passes
-  int surface = 0;    // on a branch's way, counted from 1; 0 for passes that follow no light
+  int branch = -1;  // index into Effects::branches, -1 for a pass of the frame or of a light
+  int water = -1;   // index into Scene::waters, -1 for all other passes
+  int surface = 0;  // on a branch's way, counted from 1; 0 for passes that follow no light
+  int sample =
+      0;  // of each pixel, counted from 1; 0 for what the camera's samples share, and for their middle
   std::string label;  // "caustic_map[sun]", "landing[sun].far"
   std::string reason;
   std::vector<int> reads{};  // indices into FramePlan::textures, or the constants above
@@ -52,7 +54,7 @@ struct PlannedPass {
   // Queries, numbered from 1 on; 0: none. A pass that finds whether the light reaches its casters, or how
   // many rays are under way, counts for those that follow, which draw nothing where the count is 0 (PassRun).
   int counts_into = 0, only_if = 0;
-  bool ends_light = false;  // no pass of its light follows
+  bool ends_light = false;  // no pass of its light follows, but for samples of pixels
 
   // The textures that it writes: colours in turn, depth last.
   std::vector<int> attachments() const;

@@ -18,13 +18,17 @@ struct Access {
 // Passes are sorted by phase; in a phase those of the frame come first, then light by light.
 class Phases {
  public:
-  explicit Phases(const FramePlan& plan) : accesses_(plan.textures.size()) {}
+  Phases(const FramePlan& plan, SampleOrder order) : order_(order), accesses_(plan.textures.size()) {}
 
   // The phase of the plan's next pass.
   int of(const PlannedPass& pass) {
-    int phase = 0;
+    if (order_ == SampleOrder::SampleBySample && pass.sample > sample_) {
+      sample_ = pass.sample;
+      first_of_sample_ = latest_ + 1;
+    }
+    int phase = pass.sample > 0 ? first_of_sample_ : 0;
     // A light's passes keep their order among each other.
-    if (pass.light >= 0) phase = light_phases_[pass.light];
+    if (pass.light >= 0) phase = std::max(phase, light_phases_[pass.light]);
     for_each_use(pass, [&](std::size_t texture, Use use) {
       for (const Access& before : accesses_[texture]) phase = std::max(phase, earliest(before, pass, use));
     });
@@ -32,6 +36,7 @@ class Phases {
       accesses_[texture].push_back({pass.light, phase, use});
     });
     if (pass.light >= 0) light_phases_[pass.light] = phase;
+    latest_ = std::max(latest_, phase);
     return phase;
   }
 
@@ -55,14 +60,16 @@ class Phases {
     if (pass.depth >= 0) visit(static_cast<std::size_t>(pass.depth), Use::Write);
   }
 
-  std::vector<std::vector<Access>> accesses_;  // by texture
-  std::map<int, int> light_phases_;            // by light: of its latest pass
+  SampleOrder order_;
+  int latest_ = 0, sample_ = 0, first_of_sample_ = 0;  // phases, and the sample that passes are of
+  std::vector<std::vector<Access>> accesses_;          // by texture
+  std::map<int, int> light_phases_;                    // by light: of its latest pass
 };
 
 }  // namespace
 
-void order_by_light(FramePlan& plan) {
-  Phases phases(plan);
+void order_by_light(FramePlan& plan, SampleOrder order) {
+  Phases phases(plan, order);
   struct Place {
     int phase, light;
     std::size_t pass;
@@ -76,7 +83,7 @@ void order_by_light(FramePlan& plan) {
   std::vector<PlannedPass> ordered;
   std::map<int, std::size_t> last;
   for (const Place& place : places) {
-    last[place.light] = ordered.size();
+    if (plan.passes[place.pass].sample == 0) last[place.light] = ordered.size();
     ordered.push_back(std::move(plan.passes[place.pass]));
   }
   plan.passes = std::move(ordered);

@@ -90,33 +90,40 @@ class BackwardWalk {
 
 }  // namespace
 
-FramePlan needed_for(const PlanGoal& goal, FramePlan plan) {
-  const std::vector<std::string> reasons = BackwardWalk(plan, goal).walk();
-  FramePlan result;
-  result.skipped = std::move(plan.skipped);
-  result.before = std::move(plan.before);
-  std::vector<int> renumbered(plan.textures.size(), -1);
-  const auto keep_texture = [&](int& texture) {
+void keep_used_textures(FramePlan& plan) {
+  const std::vector<PlannedTexture> all = std::move(plan.textures);
+  plan.textures.clear();
+  std::vector<int> renumbered(all.size(), -1);
+  const auto keep = [&](int& texture) {
     if (texture < 0) return;
     int& number = renumbered[static_cast<std::size_t>(texture)];
     if (number < 0) {
-      number = static_cast<int>(result.textures.size());
-      result.textures.push_back(plan.textures[static_cast<std::size_t>(texture)]);
+      number = static_cast<int>(plan.textures.size());
+      plan.textures.push_back(all[static_cast<std::size_t>(texture)]);
     }
     texture = number;
   };
+  for (PlannedPass& pass : plan.passes) {
+    for (int& texture : pass.reads) keep(texture);
+    for (int& texture : pass.writes) keep(texture);
+    keep(pass.depth);
+  }
+}
+
+FramePlan needed_for(const PlanGoal& goal, FramePlan plan) {
+  const std::vector<std::string> reasons = BackwardWalk(plan, goal).walk();
+  std::vector<PlannedPass> needed;
   for (std::size_t i = 0; i < plan.passes.size(); ++i) {
     PlannedPass& pass = plan.passes[i];
     if (!reasons[i].empty()) {
-      if (pass.water < 0) result.skipped.push_back({pass.label, reasons[i]});
+      if (pass.water < 0) plan.skipped.push_back({pass.label, reasons[i]});
       continue;
     }
-    for (int& texture : pass.reads) keep_texture(texture);
-    for (int& texture : pass.writes) keep_texture(texture);
-    keep_texture(pass.depth);
-    result.passes.push_back(std::move(pass));
+    needed.push_back(std::move(pass));
   }
-  return result;
+  plan.passes = std::move(needed);
+  keep_used_textures(plan);
+  return plan;
 }
 
 }  // namespace caustics

@@ -143,6 +143,15 @@ void validate(const Registry& registry) {
   }
 }
 
+bool is_of_camera(const Pass& pass, const DrawnFor& drawn_for) {
+  return drawn_for.each != Each::Water && (!pass.size || drawn_for.label == kCamera.label);
+}
+
+TargetSize picture_size(const Settings& settings, CameraView camera) {
+  if (camera == CameraView::Picture) return {settings.width, settings.height};
+  return {(settings.width + 1) / 2, (settings.height + 1) / 2};
+}
+
 TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*) {
   return {settings.grid, settings.grid};
 }

@@ -21,8 +21,9 @@ namespace caustics {
 // How often a pass runs in a frame. What belongs to a Water runs before the frame's passes, as many times
 // as its waves need steps (pipeline/renderer/moving_water.hpp); a plan that is to be looked at in full has
 // the last step again.
-// A Round is one surface on a branch's way.
-enum class Each : std::uint8_t { Frame, Light, Branch, Round, Water };
+// A Round is one surface on a branch's way, a Sample one of a pixel, after all that the camera's passes see
+// there (pipeline/plan/sample_passes.hpp).
+enum class Each : std::uint8_t { Frame, Light, Branch, Round, Water, Sample };
 
 // Which of the receivers behind the casters, where one can hide another from the light.
 enum class ReceiverLayer : std::uint8_t { Nearest, Farthest };
@@ -107,6 +108,7 @@ inline constexpr DrawnFor kFirstSurface{.each = Each::Round, .surfaces = Surface
 inline constexpr DrawnFor kSurfaceAhead{.each = Each::Round, .surfaces = Surfaces::Ahead};
 inline constexpr DrawnFor kFurtherSurface{.each = Each::Round, .surfaces = Surfaces::Bent};
 inline constexpr DrawnFor kWater{.each = Each::Water};
+inline constexpr DrawnFor kSample{.each = Each::Sample};
 
 // What a pass draws.
 enum class DrawSet : std::uint8_t {
@@ -283,6 +285,10 @@ using Registry = std::vector<Pass>;
 // name; a uniform block of another size than the shader's; a choice that a shader asks and the pass does not
 // make, or the reverse; a state of no instance.
 void validate(const Registry& registry);
+
+// Does the instance show what the camera sees? Such have the size of what it sees.
+bool is_of_camera(const Pass& pass, const DrawnFor& drawn_for);
+TargetSize picture_size(const Settings& settings, CameraView camera);
 
 // Sizes that several passes share.
 TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*);

@@ -15,7 +15,7 @@ void find_ends(FramePlan& plan) {
     const auto use = [&](int texture) {
       if (texture >= 0) plan.textures[static_cast<std::size_t>(texture)].until = static_cast<int>(i);
     };
-    light_ends[plan.passes[i].light] = static_cast<int>(i);
+    if (plan.passes[i].sample == 0) light_ends[plan.passes[i].light] = static_cast<int>(i);
     for (const int texture : plan.passes[i].reads) use(texture);
     for (const int texture : plan.passes[i].writes) use(texture);
     use(plan.passes[i].depth);

@@ -8,6 +8,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/renderer/picture_sides.hpp"
 #include "pipeline/views/cascades.hpp"
+#include "pipeline/views/sub_pixel.hpp"
 
 namespace caustics {
 
@@ -19,10 +20,12 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
                      const View* camera, const PlanGoal& goal, const Breath& breath,
                      Effect Effects::*without = nullptr) {
   PlannedFrame frame;
+  std::optional<View> seen;
+  if (camera) seen = around_samples(*camera, samples_a_pixel(asked), asked.width, asked.height);
   std::vector<FurtherShare> shares;
   const auto fit = [&](const Settings& settings, std::vector<LandingSurvey>* surveys) {
     frame.settings = settings;
-    frame.effects = effects_of(scene, settings, camera);
+    frame.effects = effects_of(scene, settings, seen ? &*seen : nullptr);
     if (without) frame.effects.*without = {false, "left out on request"};
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings);

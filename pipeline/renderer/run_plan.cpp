@@ -4,6 +4,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/cube_view.hpp"
 #include "pipeline/settings/settings.hpp"
+#include "pipeline/views/sub_pixel.hpp"
 
 namespace caustics {
 
@@ -51,7 +52,12 @@ class PassRunner {
         scene_(scene),
         targets_(targets),
         inputs_(inputs),
-        surroundings_(widened(inputs.camera, 3.0)) {}
+        cameras_{{.picture = inputs.camera, .surroundings = widened(inputs.camera, 3.0)}} {
+    for (const SubPixel& by : sub_pixels(samples_a_pixel(*inputs.settings)))
+      cameras_.push_back(
+          {.picture = shifted_by(by, cameras_[0].picture, CameraView::Picture),
+           .surroundings = shifted_by(by, cameras_[0].surroundings, CameraView::Surroundings)});
+  }
 
   PassRun prepare(const PlannedPass& planned) const {
     const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
@@ -93,13 +99,24 @@ class PassRunner {
   }
 
  private:
+  // What one sample of each pixel sees.
+  struct Camera {
+    View picture, surroundings;
+  };
+
+  View shifted_by(const SubPixel& by, const View& view, CameraView camera) const {
+    const TargetSize size = picture_size(*inputs_.settings, camera);
+    return shifted(view, by, size.width, size.height);
+  }
+
   PassContext frame_context(const PlannedPass& planned) const {
+    const Camera& seen = cameras_[static_cast<std::size_t>(planned.sample)];
     PassContext context{
         .scene = &scene_.scene(),
         .settings = inputs_.settings,
         .effects = inputs_.effects,
-        .camera = planned.drawn_for->camera == CameraView::Picture ? &inputs_.camera : &surroundings_,
-        .surroundings = &surroundings_,
+        .camera = planned.drawn_for->camera == CameraView::Picture ? &seen.picture : &seen.surroundings,
+        .surroundings = &seen.surroundings,
         .width = planned.width,
         .height = planned.height,
         .exposure = inputs_.exposure,
@@ -196,7 +213,7 @@ class PassRunner {
   const SceneOnDevice& scene_;
   const FrameTargets& targets_;
   const FrameInputs& inputs_;
-  View surroundings_;
+  std::vector<Camera> cameras_;  // the pixels' middles, then by sample
 };
 
 }  // namespace

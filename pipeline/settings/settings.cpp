@@ -31,6 +31,7 @@ constexpr Named<Splat> kSplats[] = {
 constexpr Named<Weights> kWeights[] = {{"physical", Weights::Physical}, {"paper", Weights::Paper}};
 constexpr Named<Interfaces> kInterfaces[] = {
     {"auto", Interfaces::Auto}, {"1", Interfaces::One}, {"2", Interfaces::Two}};
+constexpr Named<int> kSamples[] = {{"auto", 0}, {"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}};
 constexpr Named<bool> kViews[] = {{"fitted", false}, {"shared", true}};
 constexpr Named<Cube> kCubes[] = {{"auto", Cube::Auto}, {"on", Cube::On}, {"off", Cube::Off}};
 constexpr Named<bool> kNoYes[] = {{"no", false}, {"yes", true}};
@@ -250,6 +251,9 @@ constexpr Setting kTable[] = {
                                      "glass without KHR_materials_volume is solid instead of a thin wall"),
     optional_number<&S::exposure>("exposure", Part::Picture, {-40, 40, "EV"},
                                   "brightness of PNG pictures beside the automatic one"),
+    choice<&S::samples, kSamples>(
+        "samples", Part::Picture,
+        "of a pixel, whose mean is shown; auto: 4 where pictures are only looked at"),
     text<&S::camera>("camera", Part::View, "a name or a number", "the first", "a camera of the scene"),
     staged<&S::view>(
         "view", Part::View, "auto|AZIMUTH,ELEVATION",

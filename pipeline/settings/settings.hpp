@@ -74,7 +74,11 @@ struct Settings {
   std::optional<float> fov;  // degrees; none: the camera's own
   float mirror_metallic = 0.5f, mirror_roughness = 0.2f;
   float glass_roughness = 0.2f;
+  int samples = 0;  // a pixel, as sub_pixels (pipeline/views/sub_pixel.hpp) takes them; 0: automatic
 };
+
+// What is measured has one sample, in the pixels' middles.
+inline int samples_a_pixel(const Settings& settings) { return settings.samples > 0 ? settings.samples : 1; }
 
 // Sets one `-D key=value`. Throws Error (WrongUsage) naming the key, its range and the nearest key.
 void set_option(Settings& settings, std::string_view key, std::string_view value);

@@ -79,6 +79,20 @@ TEST_CASE("determinism: light that is followed has the same bits on every lane w
     }
 }
 
+TEST_CASE("determinism: 4 samples a pixel have the same bits on every lane width, by 1 and 3 threads") {
+  Settings settings = small_settings(40, 40, 30);
+  settings.samples = 4;
+  const auto picture = [&](SoftwareOptions options) {
+    return render_alone(lively_scene(), settings, {"beauty", "picture"}, options).images;
+  };
+  const auto expected = picture({.threads = 1, .lanes = Lanes::Scalar});
+  for (const Lanes lanes : supported_lanes())
+    for (const int threads : {1, 3}) {
+      INFO("lanes " << lanes_name(lanes) << ", threads " << threads);
+      CHECK(differing(picture({.threads = threads, .lanes = lanes}), expected) == Names{});
+    }
+}
+
 TEST_CASE("determinism: no attachment holds a value that is not finite") {
   Settings settings = small_settings(96, 96, 64);
   const Rendering r = render(lively_scene(), settings, {"picture", "aov_direct"});

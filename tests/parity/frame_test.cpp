@@ -264,6 +264,15 @@ TEST_CASE("parity: OpenGL draws every pass and the whole frame as the software d
   check_against_gl(ReadyFrame(textured_scene()), *gl);
 }
 
+TEST_CASE("parity: OpenGL draws 4 samples a pixel as the software device does") {
+  const auto gl = gl_or_skip();
+  Settings settings = small_settings(48, 48, 40);
+  settings.samples = 4;
+  const ReadyFrame frame(frame_scene(), settings);
+  REQUIRE(frame.renderer.has("beauty.sample 4"));
+  check_against_gl(frame, *gl);
+}
+
 TEST_CASE("parity: OpenGL follows light from surface to surface as the software device does") {
   const auto gl = gl_or_skip();
   Settings settings = small_settings(48, 48, 40);

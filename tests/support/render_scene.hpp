@@ -67,9 +67,9 @@ inline Rendering render(const Scene& scene, const Settings& settings,
 
 // These textures and no others, in the memory and time of a frame.
 inline Rendering render_alone(const Scene& given, const Settings& settings,
-                              const std::vector<std::string>& textures) {
+                              const std::vector<std::string>& textures, SoftwareOptions options = {}) {
   Scene scene = given;
-  const auto device = make_software_device({});
+  const auto device = make_software_device(options);
   FrameRenderer renderer(scene, settings, pass_registry(), *device, {.goal = {textures}});
   return rendering_of(renderer);
 }

@@ -1,0 +1,1 @@
+float weight;  // of a sample: 1 over their number
