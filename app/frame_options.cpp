@@ -27,6 +27,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
                 {"light from all around: an equirectangular image, linear, nit; its centre looks along -z",
                  ".hdr, .exr", "a grey sky"},
                 [&](const std::string& value) { request.environment = value; });
+  for (const char* name : {"environment_strength", "environment_turn", "tone_map"}) options.add(name);
   add_moment_options(parser, request);
   parser.group("Method");
   options.add_preset();

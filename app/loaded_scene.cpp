@@ -9,6 +9,7 @@
 #include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/renderer/stage.hpp"
 #include "pipeline/scene/emitter.hpp"
+#include "pipeline/scene/environment.hpp"
 #include "pipeline/scene/far_lights.hpp"
 #include "pipeline/scene/gltf/load_environment.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
@@ -89,6 +90,8 @@ void LoadedScene::complete() {
   }
   add_what_shines();
   const Completed completed = complete_scene(scene_, settings_);
+  adjust(scene_.environment, static_cast<double>(settings_.environment_strength),
+         static_cast<double>(settings_.environment_turn));
   if (completed.lights) {
     added_lights_ = scene_.lights;
     added_sources_ = scene_.sources;

@@ -2,7 +2,6 @@
 
 #include <glm/glm.hpp>
 
-#include "passes/compose/environment_irradiance.hpp"
 #include "passes/shared/camera_rays.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 
@@ -22,8 +21,7 @@ namespace {
 
 std140::Compose compose_uniforms(const PassContext& context) {
   const Environment& environment = context.scene->environment;
-  const std::array<glm::vec3, 9> ambient =
-      environment.image ? environment_irradiance(*environment.image) : std::array<glm::vec3, 9>{};
+  const std::array<glm::vec3, 9>& ambient = environment.ambient;
   return {
       .sky = shader_sky(environment),
       .camera = shader_camera_rays(*context.camera, context.width, context.height),

@@ -5,4 +5,5 @@ struct Sky {
   vec3 horizon;   // nit
   vec3 ground;    // nit
   int has_image;  // 1: the texture environment, instead of these
+  vec2 turn;      // of the image about the vertical: cosine and sine
 };

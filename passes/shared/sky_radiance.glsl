@@ -1,8 +1,10 @@
 // Radiance of the environment along a unit direction, nit. Expects the texture environment.
 
-// Equirectangular: the picture's middle looks along -z, +x lies to the right of it.
-Vec3 image_radiance(Vec3 d) {
-  Float turn = atan2_of(d.x, -d.z) * 0.159154943f + 0.5f;
+// Equirectangular: unless it is turned the picture's middle looks along -z, +x lies to the right of it.
+Vec3 image_radiance(IN(Sky) sky, Vec3 d) {
+  Float right = d.x * sky.turn.x - d.z * sky.turn.y;
+  Float back = d.z * sky.turn.x + d.x * sky.turn.y;
+  Float turn = atan2_of(right, -back) * 0.159154943f + 0.5f;
   Float rise = atan2_of(d.y, sqrt(d.x * d.x + d.z * d.z)) * 0.318309886f + 0.5f;
   Float width = Float(texture_width(environment));
   Float x = turn * width - 0.5f;
@@ -27,6 +29,6 @@ Vec3 sky_radiance(IN(Sky) sky, Vec3 d) {
   Float below = clamp_to(d.y * -5.0f, 0.0f, 1.0f);
   Vec3 horizon = Vec3(sky.horizon);
   Vec3 color = horizon + (Vec3(sky.zenith) - horizon) * up + (Vec3(sky.ground) - horizon) * below;
-  if (sky.has_image != 0) color = image_radiance(d);
+  if (sky.has_image != 0) color = image_radiance(sky, d);
   return color;
 }

@@ -13,7 +13,8 @@ inline std140::Sky shader_sky(const Environment& environment) {
   return {.zenith = environment.zenith,
           .horizon = environment.horizon,
           .ground = environment.ground,
-          .has_image = environment.image ? 1 : 0};
+          .has_image = environment.image ? 1 : 0,
+          .turn = glm::vec2(environment.turn)};
 }
 
 }  // namespace caustics

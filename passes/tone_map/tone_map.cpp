@@ -1,5 +1,6 @@
 #include "passes/tone_map/tone_map.hpp"
 
+#include "pipeline/settings/settings.hpp"
 #include "pipeline/shader/std140.hpp"
 
 namespace caustics::std140 {
@@ -14,6 +15,14 @@ namespace caustics {
 
 extern const Shader tone_map_shader;
 
+namespace {
+
+int is_linear(const PassContext& context) {
+  return context.settings && context.settings->tone_map == ToneMap::Linear ? 1 : 0;
+}
+
+}  // namespace
+
 Pass tone_map_pass() {
   return {
       .name = "tone_map",
@@ -25,6 +34,7 @@ Pass tone_map_pass() {
                   .meaning = "rgb: sRGB-encoded display values; a: 1"}},
       .shaders = {{&tone_map_shader,
                    block_of<[](const PassContext& c) { return std140::ToneMap{.exposure = c.exposure}; }>}},
+      .choices = {{"is_linear", is_linear}},
   };
 }
 

@@ -9,8 +9,8 @@ TEXTURE(0, beauty)
 #else
 OUTPUT(0, Vec4, picture)
 
-// The Khronos PBR Neutral tone mapper (Khronos 3D Commerce, 2024): colours stay as they are up to 0.8,
-// what is brighter is compressed towards 1 and, far beyond, towards white.
+// The Khronos PBR Neutral tone mapper (github.com/KhronosGroup/ToneMapping, PBR_Neutral, 2024): colours stay
+// as they are up to 0.8, what is brighter is compressed towards 1 and, far beyond, towards white.
 Vec3 neutral(Vec3 c) {
   Float least = min_of(c.x, min_of(c.y, c.z));
   Float offset = sel(least < 0.08f, least - 6.25f * least * least, Float(0.04f));
@@ -36,7 +36,8 @@ void main() {
   Vec3 exposed = Vec3(clamp_to(radiance.x * u.exposure, 0.0f, 1.0e6f),
                       clamp_to(radiance.y * u.exposure, 0.0f, 1.0e6f),
                       clamp_to(radiance.z * u.exposure, 0.0f, 1.0e6f));
-  Vec3 toned = neutral(exposed);
+  Vec3 toned = exposed;
+  if (u.is_linear == 0) toned = neutral(exposed);
   picture = Vec4(encoded(toned.x), encoded(toned.y), encoded(toned.z), Float(1.0f));
 }
 #endif

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 
@@ -12,10 +13,11 @@ using namespace caustics::test;
 namespace {
 
 // Display levels, 0 to 255, of one pixel of this radiance.
-glm::ivec4 shown(const glm::vec4& radiance, float exposure = 1.0f) {
+glm::ivec4 shown(const glm::vec4& radiance, float exposure = 1.0f, const Settings& settings = {}) {
   const Pass pass = tone_map_pass();
-  const Image picture = run_pass(definition_of(pass), {.uniforms = pass.uniforms({.exposure = exposure}),
-                                                       .textures = {filled(1, 1, radiance)}})["picture"];
+  const Image picture =
+      run_pass(definition_of(pass), {.uniforms = pass.uniforms({.settings = &settings, .exposure = exposure}),
+                                     .textures = {filled(1, 1, radiance)}})["picture"];
   return glm::ivec4(glm::round(texel(picture, 0, 0) * 255.0f));
 }
 
@@ -55,6 +57,19 @@ TEST_CASE("tone_map: dim colours keep their channels, a very bright one turns wh
   const glm::ivec4 glaring = shown({1e5f, 0.0f, 0.0f, 1.0f});
   CHECK(glaring.x == 255);
   CHECK(glaring.y > 250);
+}
+
+TEST_CASE("tone_map: a bright colour takes the published formula's values") {
+  // PBRNeutralToneMapping(2, 1, 0.5): 0.04 off; 1.96 is pressed to 1 - 0.0576 / 1.44 = 0.96, all by its
+  // factor 0.48980; a share of 1 - 1 / 1.15 = 0.13043 of 0.96 is white. sRGB of (0.96, 0.53409, 0.32114).
+  CHECK(shown({2.0f, 1.0f, 0.5f, 1.0f}) == glm::ivec4(250, 193, 154, 255));
+}
+
+TEST_CASE("tone_map: linear cuts off what is brighter than white and takes the sRGB curve") {
+  Settings linear;
+  linear.tone_map = ToneMap::Linear;
+  // 1.055 * 0.5^(1 / 2.4) - 0.055 = 0.73536, 187.5 of 255.
+  CHECK(shown({0.5f, 1.0f, 7.0f, 1.0f}, 1.0f, linear) == glm::ivec4(188, 255, 255, 255));
 }
 
 TEST_CASE("tone_map: what is not a number, or negative, is shown as black") {

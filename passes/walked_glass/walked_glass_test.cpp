@@ -46,7 +46,9 @@ struct Bench {
     for (int x = 0; x < 3; ++x)
       for (int c = 0; c < 4; ++c) materials.at(x, 0, c) = texels[x][c];
     const glm::vec3 sky(0.5f);
-    const std140::WalkedGlass u{.sky = {.zenith = sky, .horizon = sky, .ground = sky},
+    Environment environment;
+    environment.zenith = environment.horizon = environment.ground = sky;
+    const std140::WalkedGlass u{.sky = shader_sky(environment),
                                 .view = shader_view(view),
                                 .surroundings = shader_view(widened(view, 3.0)),
                                 .eye = view.origin,

@@ -16,6 +16,7 @@
 #include "pipeline/renderer/run_plan.hpp"
 #include "pipeline/renderer/widest_views.hpp"
 #include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/environment.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
@@ -224,7 +225,10 @@ std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effect
 float exposure_of(const Scene& scene, const Settings& settings) {
   const glm::vec3 horizon = scene.environment.horizon;
   const double sky = exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
-  const double white = std::max(light_level(scene), sky) / exact::kPi;
+  const double level = light_level(scene);
+  const double white =
+      (scene.environment.image ? level + upward_irradiance(scene.environment) : std::max(level, sky)) /
+      exact::kPi;
   double exposure = white > 0.0 ? 0.45 / white : 1.0;
   const double ev = settings.exposure ? static_cast<double>(*settings.exposure) : 0.0;
   // 2^ev by whole steps and a series for the rest.

@@ -42,8 +42,9 @@ std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effect
                                         const Settings& settings, const Registry& registry);
 
 // The factor from nit to display white: `settings.exposure` EV above or below the automatic one,
-// under which a white diffuse surface in the light that reaches the scene (light_level) shows at 0.45 of
-// display white (linear), so that caustics have room above.
+// under which a white diffuse surface in the light that reaches the scene (light_level, and what an
+// environment image gives a surface that faces up) shows at 0.45 of display white (linear), so that caustics
+// have room above.
 float exposure_of(const Scene& scene, const Settings& settings);
 
 }  // namespace caustics

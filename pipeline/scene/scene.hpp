@@ -133,7 +133,9 @@ struct Camera {
 
 // The light from everywhere else: an equirectangular image, or a neutral gradient of the sky.
 struct Environment {
-  std::optional<Image> image;  // RGBA32F, linear, nit; the horizontal centre looks along -z
+  std::optional<Image> image;  // RGBA32F, linear, nit; the horizontal centre looks along -z, but for `turn`
+  std::array<glm::vec3, 9> ambient{};  // of the image: environment_irradiance (environment.hpp)
+  glm::dvec2 turn{1.0, 0.0};  // about the vertical, anticlockwise as seen from above: cosine and sine
   glm::vec3 zenith{0.0f}, horizon{0.0f}, ground{0.0f};  // nit, without an image
 };
 

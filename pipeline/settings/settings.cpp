@@ -32,6 +32,7 @@ constexpr Named<Weights> kWeights[] = {{"physical", Weights::Physical}, {"paper"
 constexpr Named<Interfaces> kInterfaces[] = {
     {"auto", Interfaces::Auto}, {"1", Interfaces::One}, {"2", Interfaces::Two}};
 constexpr Named<int> kSamples[] = {{"auto", 0}, {"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}};
+constexpr Named<ToneMap> kToneMaps[] = {{"neutral", ToneMap::Neutral}, {"linear", ToneMap::Linear}};
 constexpr Named<bool> kViews[] = {{"fitted", false}, {"shared", true}};
 constexpr Named<Cube> kCubes[] = {{"auto", Cube::Auto}, {"on", Cube::On}, {"off", Cube::Off}};
 constexpr Named<bool> kNoYes[] = {{"no", false}, {"yes", true}};
@@ -254,22 +255,25 @@ constexpr Setting kTable[] = {
     choice<&S::samples, kSamples>(
         "samples", Part::Picture,
         "of a pixel, whose mean is shown; auto: 4 where pictures are only looked at"),
+    choice<&S::tone_map, kToneMaps>(
+        "tone_map", Part::Picture, "bright light in PNG pictures: pressed (Khronos PBR Neutral), or cut off"),
+    number<&S::environment_strength>("environment_strength", Part::Picture, {0, 1e6},
+                                     "factor on the light from all around"),
+    number<&S::environment_turn>("environment_turn", Part::Picture, {-360, 360, "degrees"},
+                                 "turned about the vertical, anticlockwise from above"),
     text<&S::camera>("camera", Part::View, "a name or a number", "the first", "a camera of the scene"),
-    staged<&S::view>(
-        "view", Part::View, "auto|AZIMUTH,ELEVATION",
-        "from where the casters and their caustics are shown whole, in place of the scene's camera: "
-        "degrees from +z towards +x, and above the horizon; auto: the scene's camera, else 37,34"),
+    staged<&S::view>("view", Part::View, "auto|AZIMUTH,ELEVATION",
+                     "shows the casters and their caustics whole, from there instead of the scene's camera: degrees "
+                     "from +z towards +x, and above the horizon; auto: 37,34 where there is no camera"),
     number<&S::zoom>("zoom", Part::View, {0.01, 100}, "how much larger the camera shows what it looks at"),
     optional_number<&S::fov>("fov", Part::View, {1, 170, "degrees"},
                              "the camera's vertical angle of view; auto: its own, else 34"),
-    staged<&S::ground>(
-        "ground", Part::Light, "auto|on|off|HEIGHT",
-        "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
-        "catches less than half of what of its caustics would land with one"),
-    staged<&S::sun>(
-        "sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]",
-        "a sun that stands there, in place of the scene's lights: degrees, as of the view; 10 lux "
-        "unless said; auto: where the scene has no light"),
+    staged<&S::ground>("ground", Part::Light, "auto|on|off|HEIGHT",
+                       "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
+                       "catches less than half of its caustics"),
+    staged<&S::sun>("sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]",
+                    "a sun that stands there, in place of the scene's lights: degrees as for view; 10 lux "
+                    "unless said; auto: where there is no light"),
     number<&S::mirror_metallic>("mirror.metallic", Part::Light, {0, 1},
                                 "metal is a mirror where it is at least so metallic"),
     number<&S::mirror_roughness>("mirror.roughness", Part::Light, {0, 1}, "rougher metal is no mirror"),

@@ -21,6 +21,7 @@ enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 enum class Thickness : std::uint8_t { Map, Wyman };
 enum class Cube : std::uint8_t { Auto, On, Off };
+enum class ToneMap : std::uint8_t { Neutral, Linear };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
 // A side in grid vertices or texels: of so many, or chosen for what a picture shows
@@ -66,6 +67,8 @@ struct Settings {
   double outside_share = 4e-3;
   bool assume_solid = false;
   std::optional<float> exposure;  // none: automatic
+  ToneMap tone_map = ToneMap::Neutral;
+  float environment_strength = 1.0f, environment_turn = 0.0f;
   std::string camera;             // empty: the first
   Ground ground;
   std::optional<SunWish> sun;   // none: the scene's lights
