@@ -25,6 +25,7 @@ std140::Compose compose_uniforms(const PassContext& context) {
   return {
       .sky = shader_sky(environment),
       .camera = shader_camera_rays(*context.camera, context.width, context.height),
+      .boxes_mean = environment.boxes_mean,
       .ambient_0 = ambient[0],
       .ambient_1 = ambient[1],
       .ambient_2 = ambient[2],

@@ -21,9 +21,9 @@ OUTPUT(0, Vec4, scene_color)
 
 // Irradiance from the environment. The gradient counts as two uniform hemispheres, for which a surface
 // leaning by n.y sees (1 + n.y) / 2 of the upper one; the upper one's mean under the cosine is a third of
-// the horizon's radiance and two thirds of the zenith's.
+// the horizon's radiance and two thirds of the zenith's; soft boxes add theirs.
 Vec3 ambient_irradiance(Vec3 n) {
-  Vec3 above = (Vec3(u.sky.horizon) + Vec3(u.sky.zenith) * 2.0f) / Float(3.0f);
+  Vec3 above = (Vec3(u.sky.horizon) + Vec3(u.sky.zenith) * 2.0f) / Float(3.0f) + Vec3(u.boxes_mean);
   Vec3 below = Vec3(u.sky.ground);
   Vec3 radiance = below + (above - below) * ((1.0f + n.y) * 0.5f);
   if (u.sky.has_image != 0) {
@@ -60,7 +60,7 @@ void main() {
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;
-  Vec3 background = sky_radiance(u.sky, ray_direction());
+  Vec3 background = backdrop_radiance(u.sky, ray_direction());
   Vec3 shown = surface * colour.w + background * (1.0f - colour.w);
   scene_color = Vec4(sel(covered, shown, background), Float(1.0f));
 }

@@ -23,12 +23,42 @@ Vec3 image_radiance(IN(Sky) sky, Vec3 d) {
   return Vec3(low * (1.0f - fy) + high * fy);
 }
 
-Vec3 sky_radiance(IN(Sky) sky, Vec3 d) {
-  // Without an image: from the horizon up a linear ramp of the height, below it a quick one to the ground.
+// Without an image: from the horizon up a linear ramp of the height, below it a quick one to `ground`.
+Vec3 gradient_radiance(IN(Sky) sky, vec3 ground, Vec3 d) {
   Float up = clamp_to(d.y, 0.0f, 1.0f);
   Float below = clamp_to(d.y * -5.0f, 0.0f, 1.0f);
   Vec3 horizon = Vec3(sky.horizon);
-  Vec3 color = horizon + (Vec3(sky.zenith) - horizon) * up + (Vec3(sky.ground) - horizon) * below;
+  return horizon + (Vec3(sky.zenith) - horizon) * up + (Vec3(ground) - horizon) * below;
+}
+
+// 1 within 0.7 of half a side, smooth to 0 at its end.
+Float box_edge(Float x, float side) {
+  Float t = clamp_to((side - abs(x)) / (0.3f * side), 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+// Radiance of a soft box along d, all channels.
+Float box_radiance(IN(SoftBox) box, Vec3 d) {
+  Float along = dot3(d, Vec3(box.middle));
+  Bool ahead = along > 0.0f;
+  Float w = sel(ahead, along, Float(1.0f));
+  Float x = box_edge(dot3(d, Vec3(box.across)) / w, box.half_width);
+  Float y = box_edge(dot3(d, Vec3(box.upward)) / w, box.half_height);
+  return sel(ahead, box.radiance * (x * y), Float(0.0f));
+}
+
+// As glass and metal show it.
+Vec3 sky_radiance(IN(Sky) sky, Vec3 d) {
+  Vec3 color = gradient_radiance(sky, sky.ground, d);
+  if (sky.has_boxes != 0)
+    color = color + Vec3(box_radiance(sky.key, d) + box_radiance(sky.rim, d) + box_radiance(sky.fill, d));
+  if (sky.has_image != 0) color = image_radiance(sky, d);
+  return color;
+}
+
+// As it is seen directly: without soft boxes.
+Vec3 backdrop_radiance(IN(Sky) sky, Vec3 d) {
+  Vec3 color = gradient_radiance(sky, sky.backdrop, d);
   if (sky.has_image != 0) color = image_radiance(sky, d);
   return color;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/studio.hpp"
 
 namespace caustics {
 
@@ -108,11 +109,9 @@ void add_sky(Scene& scene) {
   if (given) return;
   // A sky of radiance L everywhere lights a horizontal surface with pi L.
   const double mean = kSkyShare * light_level(scene) / exact::kPi;
-  sky.zenith = glm::vec3(static_cast<float>(0.6 * mean));
-  sky.horizon = glm::vec3(static_cast<float>(1.8 * mean));
-  sky.ground = glm::vec3(static_cast<float>(0.5 * mean));
+  sky = studio(mean);
   scene.notes.push_back(
-      "No environment image was given: a neutral sky lights the scene with 30 % of "
+      "No environment image was given: a neutral studio lights the scene with 30 % of "
       "what its lights give.");
 }
 

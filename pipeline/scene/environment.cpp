@@ -29,9 +29,20 @@ Turn turn_of(double angle) {
 
 void adjust(Environment& environment, double strength, double degrees) {
   const double turn = degrees * (exact::kPi / 180.0);
+  const auto strengthen = [strength](glm::vec3& color) {
+    for (int c = 0; c < 3; ++c) color[c] = times(color[c], strength);
+  };
   for (glm::vec3* color : {&environment.zenith, &environment.horizon, &environment.ground})
-    for (int c = 0; c < 3; ++c) (*color)[c] = times((*color)[c], strength);
+    strengthen(*color);
+  if (environment.backdrop) strengthen(*environment.backdrop);
+  environment.boxes_mean = times(environment.boxes_mean, strength);
   const Turn turned = turn_of(turn);
+  for (SoftBox& box : environment.boxes) {
+    box.radiance = times(box.radiance, strength);
+    for (glm::dvec3* way : {&box.middle, &box.across, &box.upward})
+      *way = {way->x * turned.cosine + way->z * turned.sine, way->y,
+              way->z * turned.cosine - way->x * turned.sine};
+  }
   environment.turn = {turned.cosine, turned.sine};
   if (!environment.image) return;
   std::vector<float>& values = environment.image->values;

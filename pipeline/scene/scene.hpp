@@ -131,12 +131,22 @@ struct Camera {
   double far = std::numeric_limits<double>::infinity();
 };
 
-// The light from everywhere else: an equirectangular image, or a neutral gradient of the sky.
+// A rectangle of light infinitely far away, dimmer towards its edges.
+struct SoftBox {
+  glm::dvec3 middle{0.0, 1.0, 0.0}, across{1.0, 0.0, 0.0}, upward{0.0, 0.0, 1.0};  // orthonormal
+  double half_width = 1.0, half_height = 1.0;  // tangents of the angles from the middle
+  float radiance = 0.0f;                       // nit, of all channels
+};
+
+// The light from everywhere else: an equirectangular image, or a neutral gradient of the sky with soft boxes.
 struct Environment {
   std::optional<Image> image;  // RGBA32F, linear, nit; the horizontal centre looks along -z, but for `turn`
   std::array<glm::vec3, 9> ambient{};  // of the image: environment_irradiance (environment.hpp)
   glm::dvec2 turn{1.0, 0.0};  // about the vertical, anticlockwise as seen from above: cosine and sine
   glm::vec3 zenith{0.0f}, horizon{0.0f}, ground{0.0f};  // nit, without an image
+  std::array<SoftBox, 3> boxes{};  // not seen directly; a surface that faces up gets boxes_mean pi of them
+  float boxes_mean = 0.0f;
+  std::optional<glm::vec3> backdrop;  // nit: what is seen directly below the horizon, instead of `ground`
 };
 
 // Haze in the air: homogeneous, outside of glass, in the box that medium_bounds gives (docs/medium.md).
