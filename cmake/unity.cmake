@@ -25,8 +25,8 @@ function(caustics_batch_apart target size)
   endforeach()
   list(LENGTH apart count)
   foreach(first RANGE 0 ${count} ${size})
-    list(SUBLIST apart ${first} ${size} sources)
-    if(sources)
+    if(first LESS count)
+      list(SUBLIST apart ${first} ${size} sources)
       set(batch ${CMAKE_CURRENT_BINARY_DIR}/batches/${target}_${first}.cpp)
       add_custom_command(OUTPUT ${batch} VERBATIM COMMENT ""
         COMMAND ${CMAKE_COMMAND} -DBATCH=${batch} "-DSOURCES=${sources}" -P ${CAUSTICS_CMAKE_DIR}/batch.cmake

@@ -262,15 +262,17 @@ constexpr Setting kTable[] = {
     number<&S::environment_turn>("environment_turn", Part::Picture, {-360, 360, "degrees"},
                                  "turned about the vertical, anticlockwise from above"),
     text<&S::camera>("camera", Part::View, "a name or a number", "the first", "a camera of the scene"),
-    staged<&S::view>("view", Part::View, "auto|AZIMUTH,ELEVATION",
-                     "shows the casters and their caustics whole, from there instead of the scene's camera: degrees "
-                     "from +z towards +x, and above the horizon; auto: 37,34 where there is no camera"),
+    staged<&S::view>(
+        "view", Part::View, "auto|AZIMUTH,ELEVATION",
+        "shows the casters and their caustics whole, from there instead of the scene's camera: degrees "
+        "from +z towards +x, and above the horizon; auto: 37,34 where there is no camera"),
     number<&S::zoom>("zoom", Part::View, {0.01, 100}, "how much larger the camera shows what it looks at"),
     optional_number<&S::fov>("fov", Part::View, {1, 170, "degrees"},
                              "the camera's vertical angle of view; auto: its own, else 34"),
-    staged<&S::ground>("ground", Part::Light, "auto|on|off|HEIGHT",
-                       "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
-                       "catches less than half of its caustics"),
+    staged<&S::ground>(
+        "ground", Part::Light, "auto|on|off|HEIGHT",
+        "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
+        "catches less than half of its caustics"),
     staged<&S::sun>("sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]",
                     "a sun that stands there, in place of the scene's lights: degrees as for view; 10 lux "
                     "unless said; auto: where there is no light"),

@@ -69,7 +69,7 @@ struct Settings {
   std::optional<float> exposure;  // none: automatic
   ToneMap tone_map = ToneMap::Neutral;
   float environment_strength = 1.0f, environment_turn = 0.0f;
-  std::string camera;             // empty: the first
+  std::string camera;  // empty: the first
   Ground ground;
   std::optional<SunWish> sun;   // none: the scene's lights
   std::optional<Bearing> view;  // none: the scene's camera
