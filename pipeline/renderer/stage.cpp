@@ -120,11 +120,14 @@ class Stage {
   }
 
   Completed complete() {
+    const auto loaded = static_cast<std::ptrdiff_t>(scene_.notes.size());
     completed_ = {scene_.lights.empty() || settings_.sun, scene_.cameras.empty() || settings_.view};
     if (completed_.lights) place_sun();
     lay_ground();
     if (completed_.cameras) place_camera();
     add_sky(scene_);
+    // Said before what the loader noted, of which there may be much.
+    std::rotate(scene_.notes.begin(), scene_.notes.begin() + loaded, scene_.notes.end());
     return completed_;
   }
 

@@ -39,6 +39,7 @@ glm::dvec2 shown_at(const Camera& camera, const glm::dvec3& p) {
 
 TEST_CASE("stage: a bare glass object gets a ground, a sun, a camera and a sky, and says so") {
   Scene scene = ball();
+  scene.notes = {"loaded"};
   const Completed completed = complete_scene(scene, {});
   CHECK(completed.lights);
   CHECK(completed.cameras);
@@ -59,7 +60,8 @@ TEST_CASE("stage: a bare glass object gets a ground, a sun, a camera and a sky, 
   CHECK(scene.lights[0].intensity == 10.0f);
   REQUIRE(scene.cameras.size() == 1);
   CHECK(scene.environment.zenith.x > 0.0f);
-  CHECK(scene.notes.size() == 4);
+  CHECK(scene.notes.size() == 5);
+  CHECK(scene.notes.back() == "loaded");
 }
 
 TEST_CASE("stage: the added camera shows the object and the focus of its light, and nothing much larger") {
