@@ -62,7 +62,7 @@ class Frames(MovingTest):
                               "-o", "one.%d.exr")
                 self.assertEqual(self.picture(f"one.{n:03}.png"), row[n])
                 self.assertEqual(self.picture(f"one.{n}.exr"), self.picture(f"row.{n}.exr"))
-            self.succeeds("go.glb", *SMALL, "--time", "0.5", "-o", "still.png")
+            self.succeeds("go.glb", *SMALL, "--time", "0.5", "-o", "still.png", "-o", "still.exr")
             self.assertEqual(self.picture("still.png"), row[3])
 
     def test_the_animation_begins_again(self):
@@ -74,7 +74,7 @@ class Frames(MovingTest):
     def test_the_device_keeps_what_it_made(self):
         for backend in ("software", "gl"):
             result = self.run_program("go.glb", *SMALL, "--backend", backend, "--frames", "0..3",
-                                      "-o", "f.%d.png", "--stats", "s.json", "--quiet")
+                                      "-D", "samples=4", "-o", "f.%d.png", "--stats", "s.json", "--quiet")
             if result.returncode == 5 and backend == "gl":
                 self.skip_without_gl(result.stderr)
             self.assertEqual(result.returncode, 0, result.stderr)

@@ -72,6 +72,34 @@ class Outputs(ProgramTest):
         for attachment in manifest["attachments"]:
             self.assertRegex(attachment["sha256"], r"\A[0-9a-f]{64}\Z")
 
+    def drawn(self, *arguments):
+        self.succeeds("ball.glb", *SMALL, "-o", "a.png", *arguments)
+        return (self.folder / "a.png").read_bytes()
+
+    def test_what_is_only_looked_at_has_4_samples_a_pixel(self):
+        one, four = self.drawn("-D", "samples=1"), self.drawn("-D", "samples=4")
+        self.assertNotEqual(one, four)
+        self.assertEqual(self.drawn(), four)
+        self.assertEqual(self.drawn("-o", "b.png"), four)
+        for measured in (["--stats", "s.json"], ["--dump", "passes"], ["-o", "a.exr"]):
+            self.assertEqual(self.drawn(*measured), one, measured)
+        demand = "--target-error", "50"
+        self.assertEqual(self.drawn(*demand), self.drawn(*demand, "-D", "samples=1"))
+
+    def test_layers_and_stated_error_are_those_of_one_sample(self):
+        files = []
+        for samples in (1, 4):
+            self.drawn("-D", f"samples={samples}", "-o", "a.exr", "--aov",
+                       "caustic,direct,position,normal,depth,coverage,error")
+            files.append((self.folder / "a.exr").read_bytes())
+        self.assertEqual(*files)
+
+    def test_commands_that_look_at_a_pixel_take_one_sample(self):
+        for command in (["probe", "--pixel", "1,1"], ["inspect"], ["inspect", "--against", "iterations=1"]):
+            self.fails(2, command[0], "ball.glb", *SMALL, *command[1:], "-D", "samples=4",
+                       saying="leave out -D samples")
+        self.fails(2, "inspect", "ball.glb", *SMALL, "--against", "samples=4", saying="leave out -D samples")
+
     def test_replaces_a_file_and_keeps_a_link(self):
         (self.folder / "old.png").write_text("old")
         (self.folder / "link.png").symlink_to("old.png")
