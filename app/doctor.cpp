@@ -14,6 +14,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/shader.hpp"
 #include "pipeline/image_io/image_io.hpp"
+#include "pipeline/scene/gltf/compressed.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::app {
@@ -69,6 +70,12 @@ void describe_gl() {
   }
 }
 
+std::string unpacked_formats() {
+  const bool draco = gltf::has_draco_decoder(), meshopt = gltf::has_meshopt_decoder();
+  if (!draco && !meshopt) return "nothing: neither Draco nor meshoptimizer in this build";
+  return draco && meshopt ? "Draco, meshopt" : draco ? "Draco" : "meshopt";
+}
+
 }  // namespace
 
 ExitCode run_doctor(const Arguments& arguments) {
@@ -87,6 +94,7 @@ ExitCode run_doctor(const Arguments& arguments) {
   describe_gl();
   line("passes", std::to_string(pass_registry().size()));
   line("OpenImageIO", image_io().version);
+  line("unpacks from glTF", unpacked_formats());
   line("CLI11", CLI11_VERSION);
   line("nlohmann-json", std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
                             std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +

@@ -36,6 +36,7 @@ OWNED = {
     'embree': {'lab/reference'}, 'CLI/': {'app'},
     'nlohmann/': {'pipeline/scene', 'lab/study', 'lab/paper', 'app'},
     'OpenImageIO/': {'pipeline/image_io'},
+    'draco/': {'pipeline/scene'}, 'meshoptimizer': {'pipeline/scene'},
 }
 
 

@@ -112,13 +112,25 @@ TEST_CASE("Emission is the factor times its strength, unlit is kept") {
 }
 
 TEST_CASE("Extensions that we lack are refused when required, noted when used") {
-  const std::string draco = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";
   Gltf gltf = triangle();
-  gltf.rest = draco;
-  CHECK(contains(refusal(gltf), "extensionsRequired[0]: "));
-  CHECK(contains(refusal(gltf), "gltf-transform copy in.glb out.glb"));
+  gltf.rest = R"(,"extensionsRequired":["EXT_texture_webp"])";
+  CHECK(contains(refusal(gltf), "extensionsRequired[0]: the extension EXT_texture_webp is not supported"));
+  CHECK(contains(refusal(gltf), "re-export with PNG or JPEG textures"));
   gltf.rest = R"(,"extensionsUsed":["KHR_materials_sheen"])";
   CHECK(has_note(load(gltf), "The extension KHR_materials_sheen is ignored."));
+}
+
+TEST_CASE("Basis textures leave a scene without them, and one note that says so") {
+  Gltf gltf = triangle();
+  gltf.mesh += R"(,"material":0)";
+  gltf.rest = R"(,"extensionsRequired":["KHR_texture_basisu"],"extensionsUsed":["KHR_texture_basisu"],
+      "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+      "textures":[{"extensions":{"KHR_texture_basisu":{"source":0}}}],
+      "images":[{"mimeType":"image/ktx2","uri":"missing.ktx2"}])";
+  const Scene scene = load(gltf);
+  CHECK(scene.images.empty());
+  CHECK(has_note(scene, "Basis textures cannot be read"));
+  CHECK(has_note(scene, "re-export with PNG or JPEG textures"));
 }
 
 TEST_CASE("A colour texture is decoded to linear half floats with its bottom row first") {

@@ -100,20 +100,10 @@ void check_accessor(const Cursor& root, const Cursor& accessor, const Counts& co
   if (sparse.present()) check_sparse(root, sparse, counts, elements, size);
 }
 
-void check_primitive(const Cursor& root, const Cursor& primitive, const Counts& counts) {
+void check_primitive(const Cursor& primitive, const Counts& counts) {
   const Cursor attributes = primitive.member("attributes");
   for (const std::string& name : attributes.keys()) {
     attributes.member(name).index("accessors", counts.accessors);
-  }
-  const Cursor packed = primitive.member("extensions").member("KHR_draco_mesh_compression");
-  const Cursor position = attributes.member("POSITION");
-  if (packed.present() && position.present()) {
-    // Without a plain copy of the data the accessors are empty shells.
-    const auto index = static_cast<std::size_t>(position.index("accessors", counts.accessors));
-    if (!root.member("accessors").element(index).member("bufferView").present()) {
-      packed.fail("the mesh is only there in compressed form",
-                  "re-export without Draco compression: gltf-transform copy in.glb out.glb");
-    }
   }
   primitive.member("indices").optional_index("accessors", counts.accessors);
   primitive.member("material").optional_index("materials", counts.materials);
@@ -152,7 +142,7 @@ void check_structure(const Context& context, const Document& document) {
   check_each(root.member("meshes"), [&](const Cursor& mesh) {
     mesh.member("name").string("");
     check_each(mesh.member("primitives"),
-               [&](const Cursor& primitive) { check_primitive(root, primitive, counts); });
+               [&](const Cursor& primitive) { check_primitive(primitive, counts); });
   });
   check_each(root.member("nodes"), [&](const Cursor& node) { check_node(node, counts); });
   check_each(root.member("scenes"), [&](const Cursor& scene) {

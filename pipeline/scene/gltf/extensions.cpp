@@ -3,12 +3,13 @@
 #include <string_view>
 
 #include "pipeline/scene/gltf/check.hpp"
+#include "pipeline/scene/gltf/compressed.hpp"
 
 namespace caustics::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> kSupported = {"KHR_materials_transmission",
+constexpr std::array<std::string_view, 16> kSupported = {"KHR_materials_transmission",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_volume",
                                                          "KHR_materials_dispersion",
@@ -20,7 +21,10 @@ constexpr std::array<std::string_view, 13> kSupported = {"KHR_materials_transmis
                                                          "KHR_texture_transform",
                                                          "EXT_mesh_gpu_instancing",
                                                          "KHR_node_visibility",
-                                                         "KHR_xmp_json_ld"};
+                                                         "KHR_xmp_json_ld",
+                                                         "KHR_texture_basisu",
+                                                         kMeshopt,
+                                                         kDraco};
 
 // Extensions that change how light looks on a surface but neither geometry nor refraction: a file
 // that requires them still makes a meaningful scene.
@@ -37,14 +41,10 @@ bool contains(const std::array<std::string_view, N>& list, std::string_view name
 }
 
 std::string advice_for(std::string_view name) {
-  if (name.find("draco") != std::string_view::npos) {
-    return "re-export without Draco compression: gltf-transform copy in.glb out.glb";
-  }
   if (name.find("meshopt") != std::string_view::npos) {
     return "re-export without meshopt compression: gltf-transform copy in.glb out.glb";
   }
-  if (name.find("texture_basisu") != std::string_view::npos || name.find("webp") != std::string_view::npos ||
-      name.find("avif") != std::string_view::npos) {
+  if (name.find("webp") != std::string_view::npos || name.find("avif") != std::string_view::npos) {
     return "re-export with PNG or JPEG textures";
   }
   return "re-export without this extension";
@@ -73,6 +73,9 @@ void check_extensions(Context& context, const Document& document) {
   std::vector<std::string> ignored;
   for (std::size_t i = 0; i < required.size(); ++i) {
     const std::string name = required.element(i).string();
+    const bool undecoded =
+        (name == kMeshopt && !has_meshopt_decoder()) || (name == kDraco && !has_draco_decoder());
+    if (undecoded) fail_without_decoder(required.element(i), name);
     if (contains(kSupported, name)) continue;
     if (!contains(kHarmless, name)) {
       required.element(i).fail("the extension " + name + " is not supported", advice_for(name));
@@ -83,6 +86,10 @@ void check_extensions(Context& context, const Document& document) {
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::string name = used.element(i).string();
     if (name == "KHR_materials_variants") context.note("Material variants: the base one is shown.");
+    if (name == "KHR_texture_basisu")
+      context.note(
+          "Basis textures cannot be read: where nothing else is there, surfaces have none; "
+          "re-export with PNG or JPEG textures.");
     if (contains(kSupported, name)) continue;
     ignored.push_back(name);
   }

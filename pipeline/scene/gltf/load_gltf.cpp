@@ -7,6 +7,7 @@
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/gltf/check.hpp"
+#include "pipeline/scene/gltf/compressed.hpp"
 #include "pipeline/scene/gltf/lights.hpp"
 #include "pipeline/scene/gltf/materials.hpp"
 #include "pipeline/scene/gltf/medium.hpp"
@@ -269,7 +270,9 @@ Loaded load(Context& context) {
   Document document = gltf::read_document(context);
   gltf::check_extensions(context, document);
   gltf::check_structure(context, document);
-  const gltf::Model model = gltf::build_model(context, document, gltf::read_buffers(context, document));
+  gltf::Model model = gltf::build_model(context, document, gltf::read_buffers(context, document));
+  gltf::unpack_views(context, document, model);
+  gltf::unpack_primitives(context, document, model);
   document.bin = {};
   document.bytes = {};
   Loaded loaded;

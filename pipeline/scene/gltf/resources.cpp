@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "pipeline/scene/gltf/compressed.hpp"
+
 namespace caustics::gltf {
 
 namespace {
@@ -123,6 +125,8 @@ Bytes read_buffer(Context& context, const Document& document, std::size_t i) {
   } else if (i == 0 && document.has_bin) {
     context.spend_bytes(document.bin.size(), buffer.path());
     bytes.assign(document.bin.begin(), document.bin.end());
+  } else if (is_meshopt_fallback(buffer)) {
+    return {};
   } else {
     uri.fail("is missing, and there is no binary chunk for this buffer", "export the file again");
   }

@@ -12,7 +12,8 @@ namespace caustics::gltf {
 // file.
 Bytes read_uri(Context& context, const Cursor& uri);
 
-// The contents of all buffers, each exactly byteLength long. A GLB's binary chunk is the first one.
+// The contents of all buffers, each exactly byteLength long, or empty (is_meshopt_fallback). A GLB's binary
+// chunk is the first one.
 std::vector<Bytes> read_buffers(Context& context, const Document& document);
 
 }  // namespace caustics::gltf
