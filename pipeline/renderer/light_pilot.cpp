@@ -211,9 +211,14 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
   const Scene& scene = scene_.scene();
   const LightPaths paths(scene, effects);
   std::vector<FurtherShare> shares;
-  for (const int i : lights_to_pilot(scene, effects))
-    add_shares(paths, scene.lights[static_cast<std::size_t>(i)], i,
-               widest_views(scene, effects, settings, i).caster, shares);
+  Settings coarse = settings;
+  coarse.grid = kCoarseGrid;
+  for (const int i : lights_to_pilot(scene, effects)) {
+    const auto index = static_cast<std::size_t>(i);
+    const bool all_around = !effects.lights[index].all_around.empty();
+    const View caster = widest_views(scene, effects, all_around ? settings : coarse, i).caster;
+    add_shares(paths, scene.lights[index], i, caster, shares);
+  }
   return shares;
 }
 

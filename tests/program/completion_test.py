@@ -56,7 +56,7 @@ class Bash(CompletionTest):
         self.assertEqual(self.completed("plan", "-D", "splat", "=", "g"), ["gaussian"])
         self.assertEqual(self.completed("study", "--vary", "iter"), ["iterations="])
         # The reference has no maps.
-        self.assertEqual(self.completed("reference", "-D", "gr"), [])
+        self.assertEqual(self.completed("reference", "-D", "gri"), [])
 
     def test_every_option_of_every_command_is_there(self):
         for command in self.commands():

@@ -196,12 +196,12 @@ class WithoutACaster(PlanTest):
 
 
 class WhatBecomesOfTheLight(PlanTest):
-    def expectation(self, **scene):
+    def expectation(self, *options, **scene):
         (self.folder / "case.glb").write_bytes(glb.scene(**scene))
-        plan = self.plan("case.glb")
+        plan = self.plan("case.glb", *options)
         self.assertEqual(len(plan["expectations"]), 1)
         # `render` says the same.
-        result = self.succeeds("render", "case.glb", *SMALL)
+        result = self.succeeds("render", "case.glb", *SMALL, *options)
         said = plan["expectations"][0]
         self.assertEqual(said["expected"], "no caustic:" not in result.stderr, result.stderr)
         if not said["expected"]:
@@ -233,7 +233,7 @@ class WhatBecomesOfTheLight(PlanTest):
         self.assertEqual(said["reason"], "all of its light is totally reflected inside")
 
     def test_light_that_misses_every_receiver_throws_none(self):
-        said = self.expectation(floors=((50, 0, 0),))
+        said = self.expectation("--ground", "off", floors=((50, 0, 0),))
         self.assertFalse(said["expected"])
         self.assertEqual(said["reason"], "all of its light misses every receiver")
 
