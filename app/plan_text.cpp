@@ -8,6 +8,7 @@
 #include "app/plan_report.hpp"
 #include "app/shell/table.hpp"
 #include "app/shell/terminal.hpp"
+#include "app/texture_label.hpp"
 #include "passes/registry.hpp"
 
 namespace caustics::app {
@@ -190,20 +191,21 @@ class TextReport {
     return of().lights[static_cast<std::size_t>(pass.light)].source;
   }
 
-  // "landing RGBA32F", or "landing[0..15] RGBA32F" of passes that write a texture each.
+  // "landing[sun] RGBA32F", or "landing[sun.00..sun.15] RGBA32F" of passes that write a texture each.
   std::string texture_text(int first, int last) const {
     const std::vector<PlannedTexture>& textures = report_.plan.textures;
     const PlannedTexture& texture = textures[static_cast<std::size_t>(first)];
-    std::string name = texture.name;
-    const std::string& other_name = textures[static_cast<std::size_t>(last)].name;
-    const auto of_branch = [](const std::string& texture) { return texture.find(' ') != texture.npos; };
-    if (first != last && (of_branch(name) || of_branch(other_name))) {
-      name += " .. " + other_name;
-    } else if (first != last) {
-      const std::string& other = textures[static_cast<std::size_t>(last)].name;
-      name = name.substr(0, name.size() - 1) + ".." + other.substr(other.find('[') + 1);
+    const PlannedTexture& other = textures[static_cast<std::size_t>(last)];
+    const auto of_branch = [](const std::string& name) { return name.find(' ') != name.npos; };
+    std::string label = texture_label(texture, of());
+    if (first != last) {
+      const std::string last_label = texture_label(other, of());
+      if (of_branch(texture.name) || of_branch(other.name))
+        label += " .. " + last_label;
+      else
+        label.replace(label.rfind(']'), label.npos, ".." + last_label.substr(last_label.find('[') + 1));
     }
-    return name + " " + std::string(format_name(texture.format));
+    return label + " " + std::string(format_name(texture.format));
   }
 
   std::string written(const PlannedPass& first, const PlannedPass& last) const {
@@ -252,9 +254,9 @@ class TextReport {
       table.row({one_line(steps.label),
                  std::to_string(steps.writes.width) + "x" + std::to_string(steps.writes.height),
                  one_line(steps.reason) + ", before the frame"});
-      table.row(
-          {"", "",
-           "writes " + one_line(steps.writes.name) + " " + std::string(format_name(steps.writes.format))});
+      table.row({"", "",
+                 "writes " + one_line(texture_label(steps.writes, of())) + " " +
+                     std::string(format_name(steps.writes.format))});
     }
     for (const std::vector<const PlannedPass*>& group : groups()) {
       const PlannedPass& pass = *group.front();

@@ -81,8 +81,8 @@ FrameRequest other_request(const InspectRequest& request) {
     if (what == "gl")
       other.backend.backend = Backend::OpenGl;
     else if (equals == std::string::npos)
-      throw Error(ExitCode::WrongUsage,
-                  "--against cannot be '" + one_line(what) + "': gl, or key=value, as in iterations=1");
+      throw Error(ExitCode::WrongUsage, "--against cannot be '" + one_line(what) +
+                                            "': gl, key=value, as in iterations=1, or a folder of --dump");
     else
       set_option(other.settings, what.substr(0, equals), what.substr(equals + 1));
   }
@@ -153,6 +153,7 @@ ExitCode run_inspect(const Arguments& arguments) {
   if (!parse(arguments, request)) return ExitCode::Done;
   require_writable(request.output);
   check_against(request);
+  if (!request.against.empty()) request.limits.branch_bytes /= 2;  // a page of two runs is no larger
   Progress progress(request.quiet);
   Blobs blobs;
   Json runs = Json::array();

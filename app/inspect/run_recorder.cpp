@@ -21,6 +21,8 @@ namespace caustics::app {
 
 namespace {
 
+constexpr char kFull[] = "earlier branches of its light fill the page";
+
 DrawSet draws_of(const PlannedPass& pass) {
   return pass_registry()[static_cast<std::size_t>(pass.pass)].draws;
 }
@@ -97,10 +99,11 @@ void RunRecorder::draw(const AfterPass& after) {
 }
 
 void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
-  const std::size_t index = (*run_)["passes"].size();
+  const std::size_t index = (*run_)["passes"].size(), before = blobs_.bytes();
   const std::vector<int> attachments = add_attachments(pass, index);
   (*run_)["passes"].push_back(pass_record(pass, result, attachments));
   if (draws_of(pass) != DrawSet::FullScreen) add_history(pass, index, result, attachments);
+  if (pass.branch >= 0) branch_bytes_[pass.light] += blobs_.bytes() - before;
   if (shades_picture(pass) && is_first_sample(frame_.scene(), pass.light)) add_pixels(pass);
 }
 
@@ -153,9 +156,25 @@ std::string RunRecorder::why_left_out(const PlannedPass& pass, std::size_t texel
   if (pass.light >= 0 && !is_first_sample(frame_.scene(), pass.light))
     return "of a light with a size the page shows the first sample";
   if (texels > limits_.texels) return std::to_string(texels) + " texels are more than the page holds";
-  if (pass.surface > 0 && followed_bytes_ > limits_.followed_bytes)
-    return "light that is followed from surface to surface fills the page before it comes so far";
   return {};
+}
+
+bool RunRecorder::is_full(const PlannedPass& pass) const {
+  const auto found = branch_bytes_.find(pass.light);
+  if (pass.branch < 0 || found == branch_bytes_.end()) return false;
+  const Scene& scene = frame_.scene();
+  const std::size_t lights = std::max(scene.sources.size(), std::size_t{1});
+  return found->second > limits_.branch_bytes / lights;
+}
+
+bool RunRecorder::finishes_map(const PlannedPass& pass, const PlannedTexture& texture) const {
+  const FramePlan& plan = frame_.plan();
+  const int map = plan.find(texture.name);
+  if (!texture.name.starts_with(kCausticMap)) return false;
+  const auto last = std::find_if(plan.passes.rbegin(), plan.passes.rend(), [&](const PlannedPass& other) {
+    return std::find(other.writes.begin(), other.writes.end(), map) != other.writes.end();
+  });
+  return last != plan.passes.rend() && last->label == pass.label;
 }
 
 Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, const PlannedTexture& texture,
@@ -171,16 +190,16 @@ Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, co
   const std::string hash = sha256(image), label = texture_label(texture, frame_.scene());
   const auto texels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
   std::unique_ptr<Json>& known = by_hash_[hash];
-  if (const std::string why = known ? "" : why_left_out(pass, texels); !why.empty()) {
+  std::string why = known ? "" : why_left_out(pass, texels);
+  if (!known && why.empty() && is_full(pass) && !finishes_map(pass, texture)) why = kFull;
+  if (!why.empty()) {
     left_out = why + "; caustics render --dump writes it";
     leave_out(pass.label + " " + label + ": " + left_out.get<std::string>());
   } else {
-    const std::size_t before = blobs_.bytes();
     if (!known)
       known = std::make_unique<Json>(kind == AttachmentKind::Display && !limits_.exact
                                          ? blobs_.add(std::span<const std::uint8_t>(display_bytes(image)))
                                          : stored(image.values));
-    if (pass.surface > 0) followed_bytes_ += blobs_.bytes() - before;
     data = *known;
   }
   return {{"id", (*run_)["attachments"].size()},
@@ -216,8 +235,8 @@ void RunRecorder::add_history(const PlannedPass& pass, std::size_t pass_index, c
   history["values"] = history["before"] = Json::object();
   history["left_out"] = Json();
   if (const std::string why = why_no_history(pass, result); !why.empty()) {
-    history["left_out"] = why;
-    leave_out(pass.label + ": " + why);
+    history["left_out"] = why + "; caustics probe SCENE --history '" + pass.label + ":X,Y' tells one texel's";
+    leave_out("history of " + pass.label + ": " + why + "; caustics probe SCENE --history tells a texel's");
   } else if (!result.left_out) {
     fill_history(pass, attachments, history);
   }
@@ -231,8 +250,8 @@ std::string RunRecorder::why_no_history(const PlannedPass& pass, const PassResul
       why_left_out(pass, static_cast<std::size_t>(pass.width) * static_cast<std::size_t>(pass.height));
   if (why.empty() && result.fragments > limits_.fragments)
     why = std::to_string(result.fragments) + " fragments are more than the page holds";
-  if (why.empty()) return why;
-  return why + "; caustics probe SCENE --history '" + pass.label + ":X,Y' tells one texel's";
+  if (why.empty() && is_full(pass)) why = kFull;
+  return why;
 }
 
 void RunRecorder::fill_history(const PlannedPass& pass, const std::vector<int>& attachments, Json& history) {

@@ -25,7 +25,7 @@ class AreaLights(ProgramTest):
         self.assertIn("disk of 5 degrees, 16 samples", text)
         self.assertEqual(text.count("landing[sun"), 1)
         self.assertIn("landing[sun] x 16", text)
-        self.assertIn("caustic_map[0..15] R32F", text)
+        self.assertIn("caustic_map[sun.00..sun.15] R32F", text)
         document = json.loads(self.succeeds("plan", "sun.glb", "--json").stdout)
         self.assertEqual(len(document["lights"]), 1)
         self.assertEqual(document["lights"][0]["samples"], 16)

@@ -64,7 +64,7 @@ class ComparePanel {
     if (pair.state !== "differs") return null;
     if (!this.found.has(pair)) {
       const [a, b] = await Promise.all(this.page.recording.runs.slice(0, 2).map((run, i) => run.values(i ? pair.b : pair.a)));
-      const {most, texel, count, missing} = a && b && a.length === b.length ? differenceOf(pair.a, a, b) : {missing: true};
+      const {most, texel, count, missing} = a && b && a.length === b.length && sameSize(pair) ? differenceOf(pair.a, a, b) : {missing: true};
       this.found.set(pair, {most, texel, count, missing});
     }
     return this.found.get(pair);
@@ -91,7 +91,8 @@ class ComparePanel {
   // A texture of its own, made here: one channel, the largest difference of a texel's channels.
   async showDifference(pair) {
     const [a, b] = [this.a.values, this.b.values];
-    if (!a || !b || a.length !== b.length) return this.difference.show(null, null, "it needs both");
+    if (!a || !b) return this.difference.show(null, null, "it needs both");
+    if (!sameSize(pair)) return this.difference.show(null, null, "it needs two of one size");
     const {differences} = differenceOf(pair.a, a, b);
     const attachment = {...pair.a, id: -1, label: "|A − B|", kind: "difference", codes: null, data: {count: differences.length},
       channels: [{name: "difference", meaning: "largest difference of the channels", unit: ""}]};

@@ -53,6 +53,7 @@ class LightWords {
       return [missing.length ? paragraph("Which cells gave this light is not in this page: ", missing.join(" ")) :
         paragraph("No cell of the grid puts light there.")];
     }
+    const unknown = links.leftOut(map).length;
     const noun = list[0].history.vertices_of === "vertex" ? "grid vertex" : "cell";
     const many = noun === "cell" ? "cells" : "grid vertices";
     const table = make("div", {});
@@ -61,6 +62,7 @@ class LightWords {
       paragraph(`${plural(list.length, noun, many)} of the grid gave light to ` +
         (texelCount === 1 ? "this texel" : `these ${texelCount} texels`) +
         (list.length > 1 ? `; the largest gives ${formatShare(list[0].share)}: ` : ": "), this.giverLink(list[0]), "."),
+      unknown ? paragraph(`What ${plural(unknown, "more pass", "more passes")} drew there is not in this page: shares are of the others' light.`) : null,
       table];
   }
 

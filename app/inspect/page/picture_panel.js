@@ -92,7 +92,8 @@ class PicturePanel {
     const notes = run.notes.length ? [folded(plural(run.notes.length, "note"), make("ul", {},
       run.notes.map((note) => make("li", {}, note))))] : [];
     if (!run.left_out.length) return notes;
-    return [...notes, folded("What this page leaves out", make("ul", {}, run.left_out.map((line) => make("li", {}, line))))];
+    return [...notes, folded("What this page leaves out", make("ul", {}, byReason(run.left_out).map(([why, names]) =>
+      make("li", {}, make("strong", {}, why), `: ${names.join(", ")}`))))];
   }
 
   async followPixel(x, y) {
@@ -215,6 +216,17 @@ class PicturePanel {
   views() {
     return [this.picture, this.map, this.caster];
   }
+}
+
+// [reason, names] of lines "name: reason".
+function byReason(lines) {
+  const found = new Map();
+  for (const line of lines) {
+    const [name, ...reason] = line.split(": ");
+    const why = reason.join(": ");
+    found.set(why, [...found.get(why) ?? [], name]);
+  }
+  return [...found];
 }
 
 // All are filled; the first, or a rectangle around them, has an outline, so that it is found.

@@ -16,6 +16,10 @@ function matchedAttachments(a, b) {
   return pairs;
 }
 
+function sameSize({a, b}) {
+  return a.width === b.width && a.height === b.height;
+}
+
 function keyOf(run, attachment) {
   return `${run.passes[attachment.pass]?.label}/${attachment.texture}`;
 }
@@ -44,7 +48,7 @@ function differenceOf(attachment, a, b) {
 function differenceText(pair, found) {
   if (pair.state !== "differs") return pair.state;
   if (!found) return "differs";
-  if (pair.a.width !== pair.b.width || pair.a.height !== pair.b.height) {
+  if (!sameSize(pair)) {
     return `sizes differ: ${pair.a.width} × ${pair.a.height} and ${pair.b.width} × ${pair.b.height}`;
   }
   if (found.missing) return "hashes differ; the values are not in this page";
