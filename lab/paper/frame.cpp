@@ -49,7 +49,10 @@ Row dynamic_row() {
 Row composition_row() {
   return {"12",
           "fits any renderer, and restricts no shadow",
-          {{"layers", "glass_sphere.glb", {"-r", "512x512", "--camera", "floor"}, "beauty,direct,caustic"},
+          {{"layers",
+            "glass_sphere.glb",
+            {"-r", "512x512", "--camera", "floor", "-D", "highlights=off"},
+            "beauty,direct,caustic"},
            floor_shot("preset_512", "glass_sphere.glb", {"--preset", "paper", "--grid", "512"})},
           "layers",
           "the picture is albedo / pi times direct light and caustic, and an even sky: 1e-5; the direct "

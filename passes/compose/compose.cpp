@@ -38,6 +38,11 @@ std140::Compose compose_uniforms(const PassContext& context) {
   };
 }
 
+// Glass would show them from other sides than that from which they are seen.
+int shows_highlights(const PassContext& context) {
+  return context.effects && context.effects->highlights.active && !context.effects->seen_casters.active;
+}
+
 // Without glass before it the shaded scene is the picture.
 std::string_view shaded(const Effects& effects) {
   return effects.seen_casters.active ? "scene_color" : "beauty";
@@ -63,11 +68,16 @@ Pass compose_pass() {
                  .meaning = "caustic irradiance, lux",
                  .optional = true,
                  .needed_with = &Effects::reflecting_receivers},
-                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true}},
+                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true},
+                {.name = "highlight",
+                 .meaning = "what it mirrors of the lights, nit",
+                 .optional = true,
+                 .needed_with = &Effects::highlights}},
       .writes = {{.name = "scene_color",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
+      .choices = {{"shows_highlights", shows_highlights}},
   };
 }
 

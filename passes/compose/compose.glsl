@@ -11,6 +11,7 @@ TEXTURE(3, view_emission)
 TEXTURE(4, direct)
 TEXTURE(5, caustic)
 TEXTURE(6, environment)
+TEXTURE(7, highlight)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -60,6 +61,7 @@ void main() {
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;
+  if (u.shows_highlights != 0) surface = surface + Vec3(fetch_clamped(highlight, column, row));
   Vec3 background = backdrop_radiance(u.sky, ray_direction());
   Vec3 shown = surface * colour.w + background * (1.0f - colour.w);
   scene_color = Vec4(sel(covered, shown, background), Float(1.0f));

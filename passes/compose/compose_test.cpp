@@ -21,20 +21,25 @@ struct Bench {
   float covered = 1.0f, shown = 1.0f;
   glm::vec3 normal{0.0f, 1.0f, 0.0f}, albedo{0.5f}, emission{0.0f};
   glm::vec3 direct{0.0f}, caustic{0.0f};
-  bool lights = true;
+  glm::vec3 highlight{0.0f};
+  bool lights = true, highlights = false, glass_before = false;
 
   Image image() const {
     const auto all = [&](const glm::vec3& rgb, float w) { return filled(width, height, {rgb, w}); };
     const Pass pass = compose_pass();
+    Effects effects;
+    effects.highlights.active = highlights;
+    effects.seen_casters.active = glass_before;
     return run_pass(
         definition_of(pass),
         {.width = width,
          .height = height,
-         .uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = width, .height = height}),
+         .uniforms = pass.uniforms(
+             {.scene = &scene, .effects = &effects, .camera = &view, .width = width, .height = height}),
          .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f), all(albedo, shown),
                       all(emission, 1.0f), lights ? all(direct, 0.0f) : Image{},
-                      lights ? all(caustic, 0.0f) : Image{},
-                      scene.environment.image.value_or(Image{})}})["scene_color"];
+                      lights ? all(caustic, 0.0f) : Image{}, scene.environment.image.value_or(Image{}),
+                      all(highlight, 0.0f)}})["scene_color"];
   }
   glm::vec3 color(int x = 0, int y = 0) const { return glm::vec3(texel(image(), x, y)); }
 };
@@ -61,6 +66,16 @@ TEST_CASE("compose: a diffuse surface sends albedo / pi of its irradiance, and i
   bench.emission = {0.0f, 10.0f, 0.5f};
   // (1 + 3) * 0.5; 10 + 2 * 0.25; 0.5 + 1.
   check_color(bench.color(), {2.0f, 10.5f, 1.5f});
+}
+
+TEST_CASE("compose: a surface's highlight is added, unless glass before it may show it from elsewhere") {
+  Bench bench;
+  bench.highlight = {1.0f, 2.0f, 3.0f};
+  check_color(bench.color(), glm::vec3(0.0f));
+  bench.highlights = true;
+  check_color(bench.color(), {1.0f, 2.0f, 3.0f});
+  bench.glass_before = true;
+  check_color(bench.color(), glm::vec3(0.0f));
 }
 
 TEST_CASE("compose: a picture without lights shows what shines by itself in every pixel") {
@@ -213,6 +228,7 @@ TEST_CASE("compose: the picture and its surroundings are composed by the same ru
                                        filled(1, 1, {0.5f, 0.5f, 0.5f, 1.0f}),
                                        filled(1, 1, glm::vec4(0.0f)),
                                        filled(1, 1, glm::vec4(kPi)),
+                                       Image{},
                                        Image{},
                                        Image{}};
   const Scene scene;

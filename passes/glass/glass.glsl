@@ -15,6 +15,7 @@ TEXTURE(7, view_exit_normal)
 TEXTURE(8, caster_materials)
 TEXTURE(9, environment)
 TEXTURE(10, view_caster_tint)
+TEXTURE(11, highlight)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -156,6 +157,7 @@ void main() {
   Bool seen = is_covered(caster) && (!is_covered(surface) || z < surface_z);
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
-  beauty = Vec4(color, Float(1.0f));
+  // What the frame lacks is one texel of zeros.
+  beauty = Vec4(color + Vec3(fetch_clamped(highlight, column, row)), Float(1.0f));
 }
 #endif

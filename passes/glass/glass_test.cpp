@@ -44,6 +44,8 @@ struct Bench {
     return image;
   }
 
+  Image highlight{};  // what the lights add
+
   Image run() const {
     Image materials(Format::RGBA32F, 3, 2);
     for (int c = 0; c < 3; ++c) {
@@ -74,7 +76,7 @@ struct Bench {
                       filled(8, 8, {normal, 1.0f}), solid ? level(view, 4.0, 1.0f) : Image{},
                       solid ? filled(8, 8, {exit_normal, 1.0f}) : Image{}, materials,
                       scene.environment.image.value_or(Image{}),
-                      pixel_tint ? filled(8, 8, {*pixel_tint, 1.0f}) : Image{}}})["beauty"];
+                      pixel_tint ? filled(8, 8, {*pixel_tint, 1.0f}) : Image{}, highlight}})["beauty"];
   }
 };
 
@@ -107,6 +109,18 @@ TEST_CASE("glass: a slab of index 1 shows exactly what is behind it") {
   check_same(bench.run(), bench.scene_color);
   bench.solid = false;
   check_same(bench.run(), bench.scene_color);
+}
+
+TEST_CASE("glass: a highlight is added in its pixel") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.highlight = pattern();
+  Image expected = pattern();
+  for (float& value : expected.values) value += 1.0f;
+  bench.scene_color = filled(8, 8, glm::vec4(1.0f));
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) expected.at(x, y, 3) = 1.0f;
+  check_same(bench.run(), expected);
 }
 
 TEST_CASE("glass: a slab of index 1 vanishes for a perspective camera too") {

@@ -43,11 +43,18 @@ glm::vec2 tile_reach(const View& view) {
                    static_cast<double>(view.cube->side));
 }
 
+// Not of what glass shows from beyond the picture: there only the light that goes all ways is known.
+int has_highlights(const PassContext& context) {
+  const bool picture = !context.drawn_for || context.drawn_for->camera == CameraView::Picture;
+  return picture && context.effects->highlights.active ? 1 : 0;
+}
+
 std140::LightShading light_shading_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
   const bool cascade = has_finer_map(context);
   const View cascade_view = views.cascade.value_or(View{});
+  const View camera = context.camera ? *context.camera : View{};
   const double texels = static_cast<double>(settings.map) * static_cast<double>(settings.map);
   return {
       .light = shader_light(*context.light, views.shadow.forward),
@@ -64,6 +71,9 @@ std140::LightShading light_shading_uniforms(const PassContext& context) {
       .cascade_border =
           cascade ? static_cast<float>((splat_kernel(settings).radius + kBorder) / settings.map) : 0.0f,
       .tile_reach = tile_reach(views.caustic),
+      .eye = camera.origin,
+      .forward = camera.forward,
+      .is_perspective = camera.perspective ? 1 : 0,
   };
 }
 
@@ -105,14 +115,36 @@ Pass light_shading_pass() {
                  .meaning = "the casters' light on these",
                  .texture = "caustic_map.far",
                  .optional = true,
-                 .only_towards = "caustic"}},
+                 .only_towards = "caustic"},
+                {.name = "view_specular",
+                 .meaning = "how the surfaces mirror",
+                 .optional = true,
+                 .only_towards = "highlight"},
+                {.name = "view_caster_position",
+                 .meaning = "the glass and metal in view",
+                 .texture = "caster_position.camera",
+                 .optional = true,
+                 .only_towards = "highlight"},
+                {.name = "view_caster_normal",
+                 .meaning = "its normals and materials",
+                 .texture = "caster_normal.camera",
+                 .optional = true,
+                 .only_towards = "highlight"},
+                {.name = kCasterMaterials,
+                 .meaning = "indices, roughness, tint",
+                 .optional = true,
+                 .only_towards = "highlight"}},
       .writes = {{.name = "direct",
                   .meaning = "rgb: direct irradiance after shadows, lux",
                   .blend = kAccumulate},
                  {.name = "caustic",
                   .meaning = "rgb: irradiance from caustics, lux",
                   .blend = kAccumulate,
-                  .needed_with = &Effects::caustics}},
+                  .needed_with = &Effects::caustics},
+                 {.name = "highlight",
+                  .meaning = "rgb: radiance that the first surface mirrors of the lights, nit",
+                  .blend = kAccumulate,
+                  .needed_with = &Effects::highlights}},
       .owner = Each::Frame,
       .shaders = {{&light_shading_shader, block_of<light_shading_uniforms>},
                   {&light_shading_in_medium_shader, block_of<in_medium<light_shading_uniforms>>,
@@ -124,6 +156,7 @@ Pass light_shading_pass() {
                   {"receivers_are_layered", receivers_are_layered},
                   {"caustic_is_grey",
                    [](const PassContext& c) { return c.effects->coloured_caustics.active ? 0 : 1; }},
+                  {"has_highlights", has_highlights},
                   {"samples_across",
                    [](const PassContext& c) { return c.settings->pixel_means ? kMostSamples : 0; }}},
   };

@@ -1,5 +1,5 @@
-// What one light gives to the surfaces that the camera sees: direct irradiance after shadows, and
-// irradiance from its caustics.
+// What one light gives to the surfaces that the camera sees: direct irradiance after shadows, irradiance
+// from its caustics, and its mirror image.
 #include "passes/shared/light_cone.glsl"
 #include "passes/shared/light.glsl"
 #include "passes/shared/homogeneous_medium.glsl"
@@ -19,21 +19,29 @@ TEXTURE(6, cascade_map)
 TEXTURE(7, pane_transmittance)
 TEXTURE(8, far_receiver_position)
 TEXTURE(9, far_caustic_map)
+TEXTURE(10, view_specular)
+TEXTURE(11, view_caster_position)
+TEXTURE(12, view_caster_normal)
+TEXTURE(13, caster_materials)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, direct)
 OUTPUT(1, Vec4, caustic)
+OUTPUT(2, Vec4, highlight)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/cone_falloff.glsl"
 #include "passes/shared/light_falloff.glsl"
+#include "passes/shared/incidence.glsl"
+#include "passes/shared/caster_material.glsl"
+#include "passes/shared/optics.glsl"
+#include "passes/shared/highlight.glsl"
 #include "passes/shared/casters_column.glsl"
 #include "passes/shared/surface_plane.glsl"
 #ifdef HAZE
-#include "passes/shared/optics.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/medium_optics.glsl"
 #include "passes/shared/light_way.glsl"
@@ -48,29 +56,6 @@ SurfacePoint surface_at(Int column, Int row) {
   s.position = Vec3(position);
   s.normal = Vec3(texel_fetch(view_normal, column, row));
   return s;
-}
-
-// The light as it would arrive at a surface with nothing on its way.
-struct Incidence {
-  Vec3 travel;             // the way it goes, unit, scene space
-  Float distance_squared;  // from a light with a position, else 1
-  Float falloff;           // what is left of its intensity here
-  Float facing;            // cosine between its way and the surface's normal; 0 from behind
-};
-
-Incidence incidence_at(IN(SurfacePoint) surface) {
-  Incidence light;
-  light.travel = Vec3(u.light.direction);
-  light.falloff = Float(1.0f);
-  light.distance_squared = Float(1.0f);
-  if (u.light.has_position != 0) {
-    Vec3 path = surface.position - Vec3(u.light.position);
-    light.distance_squared = max_of(dot3(path, path), 1.0e-20f);
-    light.travel = normalize_or(path, Vec3(u.light.cone.axis));
-    light.falloff = light_falloff(u.light, light.travel, light.distance_squared);
-  }
-  light.facing = max_of(-dot3(surface.normal, light.travel), 0.0f);
-  return light;
 }
 
 #include "passes/light_shading/tangent_plane.glsl"
@@ -154,6 +139,17 @@ Vec3 through_medium(Vec3 position) {
 }
 #endif
 
+// By the share of the light that opaque surfaces and casters leave.
+Vec3 irradiance_by(IN(Incidence) light, IN(TangentPlane) p, Float lit) {
+  Float irradiance = light.facing * light.falloff * lit / light.distance_squared;
+  Vec3 tint = Vec3(1.0f);
+  if (u.has_panes != 0) tint = through_panes(p.at);
+#ifdef HAZE
+  tint = tint * through_medium(light.at);
+#endif
+  return Vec3(u.light.intensity) * tint * irradiance;
+}
+
 // What arrives at a surface: past what keeps it, and by casters.
 struct Arrival {
   Vec3 direct;
@@ -161,7 +157,7 @@ struct Arrival {
 };
 
 Arrival arrival_at(IN(SurfacePoint) surface) {
-  Incidence light = incidence_at(surface);
+  Incidence light = incidence_of(u.light, surface.position, surface.normal);
   Vec3 triangle_normal = plane_normal(view_position, surface);
   TangentPlane p = tangent_plane(surface.position, triangle_normal);
   CasterLight casters = light_of_casters(surface, p, light);
@@ -170,27 +166,28 @@ Arrival arrival_at(IN(SurfacePoint) surface) {
 
   Float lit = lit_share(p, triangle_normal, surface.normal, light.travel);
   if (u.has_caustic != 0) lit = lit * (1.0f - casters.shadowed);
-  Float irradiance = light.facing * light.falloff * lit / light.distance_squared;
-  Vec3 tint = Vec3(1.0f);
-  if (u.has_panes != 0) tint = through_panes(p.at);
-#ifdef HAZE
-  tint = tint * through_medium(surface.position);
-#endif
-  arrival.direct = Vec3(u.light.intensity) * tint * irradiance;
+  arrival.direct = irradiance_by(light, p, lit);
   return arrival;
 }
+
+#include "passes/light_shading/highlights.glsl"
 
 void main() {
   TRACE(pixel, Vec2(frag_x(), frag_y()));
   SurfacePoint surface = surface_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
   Vec3 arriving = Vec3(0.0f);
   Vec3 bent = Vec3(0.0f);
+  Vec3 mirrored = Vec3(0.0f);
   if (any_lane(surface.visible)) {
     Arrival arrival = arrival_at(surface);
     arriving = sel(surface.visible, arrival.direct, arriving);
     bent = sel(surface.visible, arrival.caustic, bent);
+    if (u.has_highlights != 0)
+      mirrored = sel(surface.visible, receiver_highlight(surface, arrival.direct), mirrored);
   }
+  if (u.has_highlights != 0) mirrored = first_highlight(surface, mirrored);
   direct = Vec4(arriving, Float(0.0f));
   caustic = Vec4(bent, Float(0.0f));
+  highlight = Vec4(mirrored, Float(0.0f));
 }
 #endif

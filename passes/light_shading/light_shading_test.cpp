@@ -1,6 +1,7 @@
 #include "passes/light_shading/light_shading.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
@@ -27,6 +28,10 @@ struct Bench {
   double casters_nearest = 0.0;
   Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, cascade_map{}, panes{}, far_receiver{},
       far_caustic_map{};
+  // What the camera sees with it: reflectance at normal incidence and roughness; glass and metal before it.
+  bool highlights = false;
+  std::optional<View> camera{};
+  Image specular{}, glass{}, glass_normal{}, materials{};
 
   UniformBytes uniforms(const Pass& pass) const {
     Scene scene;
@@ -40,6 +45,7 @@ struct Bench {
     effects.coloured_caustics.active = caustic_map.channels() > 1;
     effects.thin_panes.active = !panes.values.empty();
     effects.hidden_receivers.active = !far_receiver.values.empty();
+    effects.highlights.active = highlights;
     if (caustics) effects.expectations = {{0, 0, true, ""}};
     View view = down(4.0, 10.0, 20.0);
     if (light.type != LightType::Directional) {
@@ -60,6 +66,7 @@ struct Bench {
                           .settings = &settings,
                           .effects = &effects,
                           .views = &views,
+                          .camera = camera ? &*camera : nullptr,
                           .light = &scene.lights[0]});
   }
 
@@ -73,7 +80,11 @@ struct Bench {
             cascade_map,
             panes,
             far_receiver,
-            far_caustic_map};
+            far_caustic_map,
+            specular,
+            glass,
+            glass_normal,
+            materials};
   }
 
   PassImages run() const {
@@ -82,6 +93,7 @@ struct Bench {
   }
   float direct() const { return run()["direct"].at(0, 0, 0); }
   float caustic() const { return run()["caustic"].at(0, 0, 0); }
+  glm::vec3 highlight() const { return glm::vec3(texel(run()["highlight"], 0, 0)); }
 };
 
 Bench lamp(LightType type = LightType::Point) {
@@ -99,6 +111,24 @@ Bench with_caustic() {
   bench.receiver = filled(8, 8, {0.0f, 0.0f, 0.0f, 1.0f});
   bench.caustic_map = filled(8, 8, {0.25f, 0.5f, 0.0f, 1.0f});
   return bench;
+}
+
+// A floor of this roughness seen along a way, reflectance 0.04.
+Bench glossy(float roughness, const glm::dvec3& way) {
+  Bench bench;
+  bench.highlights = true;
+  bench.camera = view_along(-10.0 * way, way);
+  bench.specular = filled(1, 1, {0.04f, 0.04f, 0.04f, roughness});
+  return bench;
+}
+
+// Radiance over irradiance as glTF 2.0 states it (appendix B.3), by the cosines of the normal with the ways
+// to light and camera, and of the half vector with the normal and the camera's way.
+double gltf_specular(double f0, double roughness, double nl, double nv, double nh, double vh) {
+  const double a2 = std::pow(roughness, 4.0);
+  const double d = a2 / (3.14159265358979 * std::pow(nh * nh * (a2 - 1.0) + 1.0, 2.0));
+  const auto shadowed = [a2](double c) { return c + std::sqrt(a2 + (1.0 - a2) * c * c); };
+  return d / (shadowed(nl) * shadowed(nv)) * (f0 + (1.0 - f0) * std::pow(1.0 - vh, 5.0));
 }
 
 // Left half of a map filled, right half empty.
@@ -409,4 +439,61 @@ TEST_CASE("light_shading: without pixel means a wide pixel shows its middle") {
   bench.pixel_means = false;
   const PassImages out = run_wide_pixels(bench, 0, 0);
   for (const float value : out["caustic"].values) CHECK(value == 0.0f);
+}
+
+TEST_CASE("light_shading: a highlight is glTF's specular lobe times the irradiance") {
+  // Straight down, in the mirror's direction: 1 / (4 pi alpha^2) with alpha = 0.25, 100 lux, 0.04.
+  CHECK(glossy(0.5f, {0.0, -1.0, 0.0}).highlight().x ==
+        Approx(100.0 * 0.04 * 4.0 / 3.14159265).epsilon(1e-5));
+  // Seen from 60 degrees: the half vector lies at 30.
+  const glm::dvec3 slanted{std::sqrt(0.75), -0.5, 0.0};
+  for (const float roughness : {0.3f, 0.5f, 1.0f})
+    CHECK(glossy(roughness, slanted).highlight().x ==
+          Approx(100.0 * gltf_specular(0.04, double(roughness), 1.0, 0.5, std::sqrt(0.75), std::sqrt(0.75)))
+              .epsilon(1e-5));
+  // Smoother than 0.2 the highlight keeps its size.
+  CHECK(glossy(0.0f, slanted).highlight() == glossy(0.2f, slanted).highlight());
+}
+
+TEST_CASE("light_shading: a camera in perspective sees a highlight from where it stands") {
+  Bench bench = glossy(0.5f, {0.0, -1.0, 0.0});
+  bench.camera->perspective = true;
+  // Over x = 0 at 10 m, the point at (0.5, -0.5): nv = 10 / sqrt(100.5).
+  const double nv = 10.0 / std::sqrt(100.5), nh = std::sqrt((1.0 + nv) / 2.0);
+  CHECK(bench.highlight().x == Approx(100.0 * gltf_specular(0.04, 0.5, 1.0, nv, nh, nh)).epsilon(1e-4));
+}
+
+TEST_CASE("light_shading: no highlight in shadow, and none where none are wanted") {
+  Bench bench = glossy(0.5f, {0.0, -1.0, 0.0});
+  bench.occluders = true;
+  bench.shadow_depth = filled(8, 8, glm::vec4(5.0f));
+  CHECK(bench.highlight() == glm::vec3(0.0f));
+  bench.occluders = bench.highlights = false;
+  CHECK(bench.highlight() == glm::vec3(0.0f));
+}
+
+TEST_CASE("light_shading: glass and metal before a surface show their own highlight") {
+  Bench bench = glossy(0.5f, {0.0, -1.0, 0.0});
+  bench.glass = filled(1, 1, {0.5f, 2.0f, -0.5f, 1.0f});
+  bench.glass_normal = filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f});
+  // Index 1.5, roughness 0.4: alpha^2 = 0.0256.
+  bench.materials = Image(Format::RGBA32F, 3, 1);
+  bench.materials.at(0, 0, 0) = 1.5f;
+  for (int c = 0; c < 3; ++c) bench.materials.at(2, 0, c) = 0.9f - 0.3f * static_cast<float>(c);
+  bench.materials.at(2, 0, 3) = 0.4f;
+  const double lobe = 100.0 / (4.0 * 3.14159265 * 0.0256);
+  CHECK(bench.highlight().z == Approx(0.04 * lobe).epsilon(1e-5));
+  bench.materials.at(0, 0, 3) = 1.0f;  // metal: its colour
+  CHECK(bench.highlight().x == Approx(0.9 * lobe).epsilon(1e-5));
+  CHECK(bench.highlight().z == Approx(0.3 * lobe).epsilon(1e-5));
+  // In an opaque surface's shadow, 5 m along the light, there is none.
+  bench.occluders = true;
+  bench.shadow_depth = filled(8, 8, glm::vec4(5.0f));
+  CHECK(bench.highlight() == glm::vec3(0.0f));
+  bench.occluders = false;
+  // Seen from inside there is none; behind the floor it is the floor's.
+  bench.glass = filled(1, 1, {0.5f, 2.0f, -0.5f, -1.0f});
+  CHECK(bench.highlight() == glm::vec3(0.0f));
+  bench.glass = filled(1, 1, {0.5f, -2.0f, -0.5f, 1.0f});
+  CHECK(bench.highlight() == glossy(0.5f, {0.0, -1.0, 0.0}).highlight());
 }

@@ -1,5 +1,7 @@
 // What thin panes leave of a light's colour on its way to the first opaque surface.
 #include "passes/shared/sky_model.glsl"
+#include "passes/shared/light_cone.glsl"
+#include "passes/shared/light.glsl"
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/shared/pane_uniforms.glsl"

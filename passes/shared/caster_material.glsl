@@ -7,6 +7,7 @@ struct Material {
   Bool mirror;       // metal, which lets nothing in
   Bool solid;        // closed: what enters leaves by a second surface
   Vec3 absorption;   // per metre
+  Float roughness;
   Vec3 color;        // what glass lets through; what metal mirrors at normal incidence
 };
 
@@ -22,6 +23,8 @@ Material fetch_material(Texture materials, Int row) {
   material.mirror = interface_texel.w > 0.5f;
   material.solid = inside_texel.w > 0.5f;
   material.absorption = Vec3(inside_texel);
-  material.color = Vec3(fetch_clamped(materials, Int(2), row));
+  Vec4 color_texel = fetch_clamped(materials, Int(2), row);
+  material.color = Vec3(color_texel);
+  material.roughness = color_texel.w;
   return material;
 }

@@ -2,6 +2,7 @@ Sky sky;
 View view;            // the view drawn into
 int map_side;         // of a cube's map, texels
 CHOICE(shows_mirror)  // write what the pane mirrors, not what it lets through
+CHOICE(shows_light)   // and of that, what it mirrors of the light, not of all around
 vec3 eye;             // where a perspective view's rays start
 vec3 forward;         // the view's axis, the way of parallel rays
 vec3 color;           // base colour times transmission
@@ -11,3 +12,5 @@ TextureTransform base_color_uv;
 AlphaMask alpha_mask;
 View shadow_view;     // of a light: the view of shadow_depth
 CHOICE(has_shadow_map)
+Light light;
+float roughness;

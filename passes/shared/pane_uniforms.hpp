@@ -1,5 +1,6 @@
 // What the passes that draw thin panes get of a pane.
 #pragma once
+#include "passes/shared/light_uniforms.hpp"
 #include "passes/shared/material_uniforms.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 #include "pipeline/plan/pass.hpp"
@@ -12,7 +13,7 @@ struct Pane {
 };
 }  // namespace std140
 
-// Without what shadows a light.
+// Without a light and what shadows it.
 inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const PassContext& context) {
   const Material& m = *context.material;
   return {.sky = shader_sky(context.scene->environment),
@@ -25,7 +26,9 @@ inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const
           .has_base_color = m.base_color_texture.present() ? 1 : 0,
           .base_color_uv = std140::texture_transform(m.base_color_texture),
           .alpha_mask = std140::alpha_mask(m),
-          .shadow_view = {}};
+          .shadow_view = {},
+          .light = {},
+          .roughness = m.roughness};
 }
 
 }  // namespace caustics

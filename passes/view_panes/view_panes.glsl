@@ -1,5 +1,7 @@
 // Thin panes as the camera sees them: what lies behind is tinted, the environment mirrored on top.
 #include "passes/shared/sky_model.glsl"
+#include "passes/shared/light_cone.glsl"
+#include "passes/shared/light.glsl"
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/shared/pane_uniforms.glsl"
@@ -15,6 +17,10 @@ TEXTURE(4, environment)
 OUTPUT(0, Vec4, beauty)
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/sky_radiance.glsl"
+#include "passes/shared/cone_falloff.glsl"
+#include "passes/shared/light_falloff.glsl"
+#include "passes/shared/incidence.glsl"
+#include "passes/shared/highlight.glsl"
 
 // Does an opaque surface or glass stand before the pane?
 Bool hidden() {
@@ -28,6 +34,19 @@ Bool hidden() {
   return (surface && surface_z < z) || (is_covered(glass) && glass_z < z);
 }
 
+// Radiance along d that the pane, whose normal n faces the eye, mirrors of all around or of the light.
+Vec3 mirrored(Vec3 n, Vec3 d) {
+  Vec3 color = Vec3(0.0f);
+  if (u.shows_light != 0) {
+    Incidence light = incidence_of(u.light, surface_position, n);
+    Float lobe = highlight_lobe(n, -d, -light.travel, Float(u.roughness));
+    color = Vec3(u.light.intensity) * (light.facing * light.falloff / light.distance_squared * lobe);
+  } else {
+    color = sky_radiance(u.sky, reflected(d, n, clamp_to(-dot3(d, n), 0.0f, 1.0f)));
+  }
+  return color;
+}
+
 void main() {
   discard_if(cut_out(u.alpha_mask, surface_uv) || hidden());
   Vec3 d = ray_direction();
@@ -36,8 +55,7 @@ void main() {
     // Both faces together mirror 2 r / (1 + r).
     Float r = face_reflectance(d);
     Vec3 n = facing_normal(normalize_or(surface_normal, -d), d, dot3(surface_normal, d) > 0.0f);
-    Vec3 up = reflected(d, n, clamp_to(-dot3(d, n), 0.0f, 1.0f));
-    color = sky_radiance(u.sky, up) * (2.0f * r / (1.0f + r));
+    color = mirrored(n, d) * (2.0f * r / (1.0f + r));
   }
   beauty = Vec4(color, Float(1.0f));
 }

@@ -18,7 +18,8 @@ void main() {
 OUTPUT(0, Vec4, view_position)
 OUTPUT(1, Vec4, view_normal)
 OUTPUT(2, Vec4, view_albedo)
-OUTPUT(3, Vec4, view_emission)
+OUTPUT(3, Vec4, view_specular)
+OUTPUT(4, Vec4, view_emission)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
@@ -63,6 +64,8 @@ void main() {
   view_position = Vec4(surface_position, Float(1.0f));
   view_normal = Vec4(n, view_coordinates(u.view, surface_position).z);
   view_albedo = Vec4(base.x, base.y, base.z, shown_here());
+  Vec3 reflectance = Vec3(base) * u.metallic + Vec3(Float(u.dielectric * (1.0f - u.metallic)));
+  view_specular = Vec4(reflectance, Float(u.roughness));
   view_emission = Vec4(emission, Float(1.0f));
 }
 #endif

@@ -187,3 +187,21 @@ TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
   CHECK(out["view_normal"].at(3, 2, 3) == Approx(8.0));
   CHECK(out["view_albedo"].at(3, 2, 0) == 0.8f);
 }
+
+TEST_CASE("view_surfaces: what is not metal mirrors 0.04 at index 1.5, metal its colour") {
+  Material material = plain();
+  material.base_color = {0.8f, 0.4f, 0.2f, 1.0f};
+  material.metallic = 0.0f;
+  material.roughness = 0.25f;
+  const auto seen = [&] {
+    return texel(see(quad(kFront, {0.0f, 1.0f, 0.0f}), material)["view_specular"], 2, 2);
+  };
+  CHECK(seen().x == Approx(0.04));
+  CHECK(seen().w == 0.25f);
+  material.metallic = 1.0f;
+  CHECK(seen().y == Approx(0.4));
+  material.metallic = 0.5f;
+  CHECK(seen().y == Approx(0.22));
+  material.unlit = true;
+  CHECK(seen().y == Approx(0.2));
+}

@@ -9,6 +9,9 @@ vec3 emissive_factor;   // nit
 vec3 fade_centre;       // from all of the surface to none of it, by the distance from here
 float fade_from;
 float fade_to;          // 0: no fade
+float metallic;
+float dielectric;       // reflectance at normal incidence of what is not metal
+float roughness;
 TextureTransform base_color_uv;
 TextureTransform normal_uv;
 TextureTransform emissive_uv;

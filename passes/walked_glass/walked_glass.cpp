@@ -56,7 +56,11 @@ Pass walked_glass_pass() {
                 kReadHierarchyNodes,
                 kReadHierarchyTriangles,
                 kReadHierarchyNormals,
-                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true}},
+                {.name = kEnvironment, .meaning = "radiance from all around", .optional = true},
+                {.name = "highlight",
+                 .meaning = "what the first surface mirrors of the lights, nit",
+                 .optional = true,
+                 .needed_with = &Effects::highlights}},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&walked_glass_shader, block_of<walked_glass_uniforms>}},
   };

@@ -15,6 +15,7 @@ TEXTURE(8, hierarchy_nodes)
 TEXTURE(9, hierarchy_triangles)
 TEXTURE(10, hierarchy_normals)
 TEXTURE(11, environment)
+TEXTURE(12, highlight)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -172,6 +173,7 @@ void main() {
   Bool seen = is_covered(caster) && (!is_covered(surface) || z < surface_z);
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
-  beauty = Vec4(color, Float(1.0f));
+  // What the frame lacks is one texel of zeros.
+  beauty = Vec4(color + Vec3(fetch_clamped(highlight, column, row)), Float(1.0f));
 }
 #endif

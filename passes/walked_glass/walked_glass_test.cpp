@@ -64,7 +64,7 @@ struct Bench {
         {.uniforms = uniform_bytes(u),
          .textures = {filled(1, 1, glm::vec4(1.0f)), level(0.0f), Image{}, Image{}, level(tops.front()),
                       filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), filled(1, 1, glm::vec4(2.0f)), materials,
-                      tables.nodes, tables.triangles, tables.normals, Image{}}})["beauty"];
+                      tables.nodes, tables.triangles, tables.normals, Image{}, Image{}}})["beauty"];
     return beauty.at(0, 0, 0);
   }
 };

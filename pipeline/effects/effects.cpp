@@ -83,6 +83,9 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
   const std::size_t mirrors = count_roles(effects, Role::Mirror);
   const std::string diffuse_surfaces = count(receivers, "diffuse surface", "diffuse surfaces");
   effects.light = {lit > 0, lit > 0 ? count(lit, "light", "lights") : "no light shines"};
+  effects.highlights = {lit > 0 && settings.highlights, !settings.highlights ? "not asked for"
+                                                        : lit > 0            ? "surfaces mirror the lights"
+                                                                             : "no light shines"};
   add_area_lights(scene, effects);
   effects.receivers = {receivers > 0, receivers > 0 ? diffuse_surfaces : "no surface is diffuse"};
   const bool reached = std::any_of(effects.expectations.begin(), effects.expectations.end(),
@@ -219,6 +222,7 @@ std::span<const NamedEffect> named_effects() {
       {"occluders", &Effects::occluders},
       {"thin panes", &Effects::thin_panes},
       {"mirrors", &Effects::mirrors},
+      {"highlights", &Effects::highlights},
       {"seen casters", &Effects::seen_casters},
       {"textured casters", &Effects::textured_casters},
       {"normal-mapped casters", &Effects::normal_mapped_casters},

@@ -100,6 +100,7 @@ struct Effects {
   Effect occluders;              // diffuse surfaces that can shadow others or a caster
   Effect thin_panes;             // a transmissive surface without a volume
   Effect mirrors;                // smooth metal, which reflects light and view
+  Effect highlights;             // what smooth surfaces mirror of the lights
   Effect seen_casters;           // a refractor or mirror, in which the camera sees other things
   Effect textured_casters;       // a caster whose colour or transmission varies by a texture
   Effect normal_mapped_casters;  // a caster with a normal texture

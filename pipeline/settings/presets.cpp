@@ -14,7 +14,7 @@ namespace {
 constexpr PresetValue kPaper[] = {
     {"grid", "128"},        {"iterations", "3"}, {"estimator", "paper"},      {"search.start", "0.1"},
     {"thickness", "wyman"}, {"splat", "point"},  {"unconverged", "draw"},     {"weights", "paper"},
-    {"pixel_means", "off"}, {"cascades", "off"}, {"hidden_receivers", "off"},
+    {"pixel_means", "off"}, {"cascades", "off"}, {"hidden_receivers", "off"}, {"highlights", "off"},
 };
 
 constexpr Preset kPresets[] = {{"paper", "the frame of Shah, Konttinen and Pattanaik (2007)", kPaper}};

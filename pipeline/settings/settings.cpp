@@ -255,6 +255,8 @@ constexpr Setting kTable[] = {
     choice<&S::samples, kSamples>(
         "samples", Part::Picture,
         "of a pixel, whose mean is shown; auto: 4 where pictures are only looked at"),
+    choice<&S::highlights, kAutoOff>("highlights", Part::Picture,
+                                     "mirror images of the lights, in beauty only"),
     choice<&S::tone_map, kToneMaps>(
         "tone_map", Part::Picture, "bright light in PNG pictures: pressed (Khronos PBR Neutral), or cut off"),
     number<&S::environment_strength>("environment_strength", Part::Picture, {0, 1e6},

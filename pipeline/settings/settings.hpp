@@ -67,6 +67,7 @@ struct Settings {
   double outside_share = 4e-3;
   bool assume_solid = false;
   std::optional<float> exposure;  // none: automatic
+  bool highlights = true;
   ToneMap tone_map = ToneMap::Neutral;
   float environment_strength = 1.0f, environment_turn = 0.0f;
   std::string camera;  // empty: the first

@@ -1,0 +1,56 @@
+// What the first surface in a pixel mirrors of the light. Needs tangent_plane.glsl, shadows.glsl,
+// highlight.glsl, caster_material.glsl, optics.glsl.
+
+// Where the camera's ray to a point comes from.
+Vec3 towards_camera(Vec3 p) {
+  Vec3 sight = Vec3(u.forward);
+  if (u.is_perspective != 0) sight = normalize_or(p - Vec3(u.eye), sight);
+  return -sight;
+}
+
+Float depth_of(Vec3 p) { return dot3(p - Vec3(u.eye), Vec3(u.forward)); }
+
+// Of a diffuse surface's coat or of rough metal, for its irradiance.
+Vec3 receiver_highlight(IN(SurfacePoint) surface, Vec3 irradiance) {
+  Vec4 specular = texel_fetch(view_specular, surface.column, surface.row);
+  Vec3 l = -incidence_of(u.light, surface.position, surface.normal).travel;
+  Vec3 v = towards_camera(surface.position);
+  Float lobe = highlight_lobe(surface.normal, v, l, specular.w);
+  return irradiance * metal_reflectance(Vec3(specular), highlight_cosine(v, l)) * lobe;
+}
+
+// Reflectance of a caster at normal incidence.
+Vec3 facing_reflectance(IN(Material) material) {
+  Float r = (material.ior - 1.0f) / (material.ior + 1.0f);
+  return sel(material.mirror, material.color, Vec3(r * r * material.fresnel));
+}
+
+// A caster's point, its normal on the camera's side.
+Vec3 caster_highlight(IN(SurfacePoint) caster, IN(Material) material) {
+  Incidence light = incidence_of(u.light, caster.position, caster.normal);
+  TangentPlane p = tangent_plane(caster.position, caster.normal);
+  Float lit = Float(1.0f);
+  if (u.has_shadow_map != 0) lit = 1.0f - shadow_share(p);
+  Vec3 v = towards_camera(caster.position);
+  Vec3 reflectance = metal_reflectance(facing_reflectance(material), highlight_cosine(v, -light.travel));
+  Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness);
+  return irradiance_by(light, p, lit) * reflectance * lobe;
+}
+
+// The receiver's highlight, or of glass and metal before it theirs: none on surfaces seen from inside.
+Vec3 first_highlight(IN(SurfacePoint) surface, Vec3 of_receiver) {
+  Vec4 position = fetch_clamped(view_caster_position, surface.column, surface.row);
+  Vec4 normal = fetch_clamped(view_caster_normal, surface.column, surface.row);
+  Bool before = is_covered(position) &&
+                (!surface.visible || depth_of(Vec3(position)) < depth_of(surface.position));
+  Bool shines = before && !is_back_face(position);
+  Vec3 result = sel(before, Vec3(0.0f), of_receiver);
+  if (any_lane(shines)) {
+    SurfacePoint caster = surface;
+    caster.position = Vec3(position);
+    caster.normal = facing_normal(Vec3(normal), -towards_camera(caster.position), Bool(false));
+    Material material = fetch_material(caster_materials, material_row(normal));
+    result = sel(shines, caster_highlight(caster, material), result);
+  }
+  return result;
+}
