@@ -25,7 +25,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
   options.add("exposure");
   parser.option("--environment", "F.hdr",
                 {"light from all around: an equirectangular image, linear, nit; its centre looks along -z",
-                 ".hdr, .exr", "a grey sky"},
+                 ".hdr, .exr", "a studio"},
                 [&](const std::string& value) { request.environment = value; });
   for (const char* name : {"environment_strength", "environment_turn", "tone_map"}) options.add(name);
   add_moment_options(parser, request);

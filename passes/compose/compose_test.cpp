@@ -119,6 +119,21 @@ TEST_CASE("compose: where nothing is covered the sky is seen along the pixel's r
   check_color(bench.color(0, 1), {2.0f - 2.0f * up, 2.0f - 2.0f * up, 2.0f + 2.0f * up});
 }
 
+TEST_CASE("compose: soft boxes light surfaces, and are not seen directly") {
+  Bench bench;
+  bench.scene.environment.boxes_mean = 2.0f;
+  bench.scene.environment.boxes[0] = {
+      .middle = {0.0, 0.0, -1.0}, .upward = {0.0, 1.0, 0.0}, .radiance = 50.0f};
+  bench.scene.environment.backdrop = glm::vec3(7.0f);
+  check_color(bench.color(), glm::vec3(1.0f));
+  bench.covered = 0.0f;
+  bench.view = level_view();
+  check_color(bench.color(), glm::vec3(0.0f));
+  // Straight down the backdrop takes the ground's place.
+  bench.view = down(1.0, 10.0, 20.0);
+  check_color(bench.color(), glm::vec3(7.0f));
+}
+
 TEST_CASE("compose: an environment image is the sky, its middle straight ahead along -z") {
   // Four columns: 0 and 1 left of -z, 2 and 3 right. Straight ahead lies between columns 1 and 2.
   Bench bench;

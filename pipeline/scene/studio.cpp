@@ -49,12 +49,16 @@ double upward_irradiance(const SoftBox& box) {
 
 Environment studio(double mean) {
   const auto grey = [mean](double times) { return glm::vec3(static_cast<float>(times * mean)); };
-  Environment sky{.zenith = grey(0.1), .horizon = grey(1.8), .ground = grey(0.5), .backdrop = grey(1.5)};
-  sky.boxes = {soft_box({-0.8, 0.0, -0.6}, 0.7, 0.24, 0.16, 10.0f),
-               soft_box({0.2, 0.0, -1.0}, 0.35, 0.05, 0.45, 10.0f),
-               soft_box({1.0, 0.0, 0.15}, 0.45, 0.30, 0.24, 3.0f)};
+  Environment sky;
+  sky.zenith = grey(0.1);
+  sky.horizon = grey(2.0);
+  sky.ground = grey(0.5);
+  sky.backdrop = grey(2.0);
+  sky.boxes = {soft_box({-0.8, 0.0, -0.6}, 0.7, 0.20, 0.13, 10.0f),
+               soft_box({0.2, 0.0, -1.0}, 0.35, 0.045, 0.36, 10.0f),
+               soft_box({1.0, 0.0, 0.15}, 0.45, 0.25, 0.20, 3.0f)};
   // The gradient gives a third of the horizon's radiance and two thirds of the zenith's (compose.md).
-  const double left = mean * (1.0 - (1.8 + 2.0 * 0.1) / 3.0);
+  const double left = mean * (1.0 - (2.0 + 2.0 * 0.1) / 3.0);
   double given = 0.0;
   for (const SoftBox& box : sky.boxes) given += box.radiance * upward_irradiance(box) / exact::kPi;
   for (SoftBox& box : sky.boxes) box.radiance = static_cast<float>(box.radiance * (left / given));
