@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/gpu/device.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/owned.hpp"
 
 namespace caustics::app {
