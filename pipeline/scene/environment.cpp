@@ -56,6 +56,7 @@ std::array<glm::vec3, 9> environment_irradiance(const Image& environment, double
   double solid_angle = 0.0;
   const int width = environment.width(), height = environment.height();
   std::vector<Turn> columns;
+  columns.reserve(static_cast<std::size_t>(width));
   for (int column = 0; column < width; ++column)
     columns.push_back(turn_of(((column + 0.5) / width - 0.5) * 2.0 * exact::kPi - turn));
   for (int row = 0; row < height; ++row) {

@@ -124,7 +124,7 @@ int unpack_attribute(Context& context, const Cursor& id, const draco::Mesh& mesh
 }
 
 int unpack_triangles(const Cursor& packed, const draco::Mesh& mesh, Model& model) {
-  Bytes bytes(mesh.num_faces() * 3 * sizeof(std::uint32_t));
+  Bytes bytes(std::size_t{mesh.num_faces()} * 3 * sizeof(std::uint32_t));
   std::uint8_t* out = bytes.data();
   for (std::uint32_t i = 0; i < mesh.num_faces(); ++i) {
     for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(i))) {

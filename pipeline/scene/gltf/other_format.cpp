@@ -43,7 +43,7 @@ const std::vector<Format>& formats() {
 }
 
 std::string advice_for(Family family) {
-  const std::string reads = "caustics reads glTF 2.0 (.glb, .gltf): ";
+  std::string reads = "caustics reads glTF 2.0 (.glb, .gltf): ";
   switch (family) {
     case Family::Model:
       return reads + "convert it with Blender: File > Import, then File > Export > glTF 2.0";
