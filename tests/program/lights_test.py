@@ -23,7 +23,7 @@ class AreaLights(ProgramTest):
     def test_plan_shows_one_light_with_its_size(self):
         text = self.succeeds("plan", "sun.glb").stdout
         self.assertIn("disk of 5 degrees, 16 samples", text)
-        self.assertEqual(text.count("landing[sun"), 1)
+        self.assertEqual(text.count("  landing[sun"), 1)
         self.assertIn("landing[sun] x 16", text)
         self.assertIn("caustic_map[sun.00..sun.15] R32F", text)
         document = json.loads(self.succeeds("plan", "sun.glb", "--json").stdout)
