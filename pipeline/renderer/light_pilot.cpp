@@ -193,6 +193,7 @@ void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings
 std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& settings,
                                         std::vector<LandingSurvey>* surveys) {
   std::vector<LightViews> views;
+  views.reserve(scene_.scene().lights.size());
   for (int i = 0; i < static_cast<int>(scene_.scene().lights.size()); ++i)
     views.push_back(widest_views(scene_.scene(), effects, settings, i));
   if (surveys) surveys->assign(views.size(), {});
