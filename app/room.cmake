@@ -35,7 +35,8 @@ foreach(form IN ITEMS man:man/man1/caustics.1 bash:bash-completion/completions/c
   cmake_path(GET place PARENT_PATH folder)
   set(share "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}")
   install(CODE "file(MAKE_DIRECTORY \"${share}/${folder}\")
-    execute_process(COMMAND \"$<TARGET_FILE:caustics_app>\" completion ${name} OUTPUT_FILE \"${share}/${place}\"
+    execute_process(COMMAND \"$<TARGET_FILE:caustics_app>\" completion ${name}
+      OUTPUT_FILE \"${share}/${place}\"
       COMMAND_ERROR_IS_FATAL ANY)")
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/caustics/scenes

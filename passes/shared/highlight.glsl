@@ -3,7 +3,7 @@
 // counts as LEAST_ROUGHNESS, so that what it shows of a light is some pixels wide.
 #define LEAST_ROUGHNESS 0.2f
 
-// Over the irradiance, per steradian. v, l: unit, from the surface to the camera and the light; n: its normal.
+// Over the irradiance, per steradian. v, l: unit, from the surface to camera and light; n: its normal.
 Float highlight_lobe(Vec3 n, Vec3 v, Vec3 l, Float roughness) {
   Float least = max_of(roughness, LEAST_ROUGHNESS);
   Float alpha = least * least;

@@ -1,4 +1,4 @@
-// The environment, as a uniform: a gradient with soft boxes, or an image beside it. Include before UNIFORMS_BEGIN;
+// The environment, as a uniform: a gradient with soft boxes, or an image. Include before UNIFORMS_BEGIN;
 // shader_sky() in passes/shared/sky_uniforms.hpp fills it.
 struct SoftBox {
   vec3 middle;        // its axes, orthonormal

@@ -25,7 +25,8 @@ class CompletionTest(ProgramTest):
         """Runs the shell, where there is one; without it the test is skipped once all else is checked."""
         if not shutil.which(name):
             self.skipTest(f"no {name} here")
-        result = subprocess.run([name, *arguments], cwd=self.folder, text=True, capture_output=True, timeout=60)
+        result = subprocess.run([name, *arguments], cwd=self.folder, text=True, capture_output=True,
+                                timeout=60)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return result.stdout
 

@@ -127,7 +127,8 @@ class StandardInput(ProgramTest):
         self.assertIn(b"standard input: buffers[0].uri: refers to another file", result.stderr)
 
     def test_that_is_no_scene(self):
-        for content, saying in ((b"", b"is empty"), (b"hello", b"is not a glTF file"), (b"ply\n", b"a PLY file")):
+        for content, saying in ((b"", b"is empty"), (b"hello", b"is not a glTF file"),
+                                (b"ply\n", b"a PLY file")):
             result = self.from_input(content, "-")
             self.assertEqual((result.returncode, result.stderr.count(b"\n")), (3, 1), result.stderr)
             self.assertIn(b"caustics: standard input: ", result.stderr)

@@ -149,7 +149,8 @@ class Formats(ProgramTest):
 class StandardOutput(ProgramTest):
     def test_is_the_png_that_a_file_holds(self):
         self.succeeds("ball.glb", *SMALL)
-        result = subprocess.run([PROGRAM, "ball.glb", *SMALL, "-o", "-"], cwd=self.folder, capture_output=True)
+        result = subprocess.run([PROGRAM, "ball.glb", *SMALL, "-o", "-"], cwd=self.folder,
+                                capture_output=True)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stdout, (self.folder / "ball.png").read_bytes())
         self.assertEqual(self.files(), ["ball.glb", "ball.png"])
@@ -209,7 +210,7 @@ class Layers(ProgramTest):
 
 class LargestValues(ProgramTest):
     def test_of_an_environment_give_a_finite_picture(self):
-        # The largest that a Radiance file can hold: pi times as much would be more than single precision holds.
+        # The largest that a Radiance file can hold: pi times as much is more than single precision holds.
         (self.folder / "bright.hdr").write_bytes(
             b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + b"\xff\xff\xff\xff" * 128)
         self.succeeds("ball.glb", *SMALL, "--environment", "bright.hdr", "--quiet", "-o", "bright.exr")
