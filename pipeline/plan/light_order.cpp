@@ -1,6 +1,7 @@
 #include "pipeline/plan/light_order.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace caustics {
@@ -66,17 +67,39 @@ class Phases {
   std::map<int, int> light_phases_;                    // by light: of its latest pass
 };
 
+struct Place {
+  int phase, light;
+  std::size_t pass;
+};
+
+// Samples' passes that read no textures, as of the glass that the camera sees, wait for the first phase that
+// uses what they draw.
+void wait_for_users(const FramePlan& plan, std::vector<Place>& places) {
+  std::map<int, int> used;  // by texture: in which phase for the first time
+  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+    const PlannedPass& pass = plan.passes[place->pass];
+    std::vector<int> textures = pass.attachments();
+    const bool reads = std::any_of(pass.reads.begin(), pass.reads.end(), [](int t) { return t >= 0; });
+    int first = std::numeric_limits<int>::max();
+    for (const int texture : textures)
+      if (used.contains(texture)) first = std::min(first, used[texture]);
+    if (pass.sample > 0 && !reads && first != std::numeric_limits<int>::max()) place->phase = first;
+    textures.insert(textures.end(), pass.reads.begin(), pass.reads.end());
+    for (const int texture : textures) {
+      int& phase = used.try_emplace(texture, place->phase).first->second;
+      phase = std::min(phase, place->phase);
+    }
+  }
+}
+
 }  // namespace
 
 void order_by_light(FramePlan& plan, SampleOrder order) {
   Phases phases(plan, order);
-  struct Place {
-    int phase, light;
-    std::size_t pass;
-  };
   std::vector<Place> places;
   for (std::size_t i = 0; i < plan.passes.size(); ++i)
     places.push_back({phases.of(plan.passes[i]), plan.passes[i].light, i});
+  if (order == SampleOrder::LightByLight) wait_for_users(plan, places);
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
     return a.phase != b.phase ? a.phase < b.phase : a.light < b.light;
   });

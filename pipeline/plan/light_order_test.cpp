@@ -22,11 +22,12 @@ PlannedPass pass(const std::string& label, int light, std::vector<int> reads, st
   return planned;
 }
 
-std::string order_of(const std::vector<PlannedPass>& passes) {
+std::string order_of(const std::vector<PlannedPass>& passes,
+                     SampleOrder order = SampleOrder::SampleBySample) {
   FramePlan plan;
   plan.textures.resize(8);
   plan.passes = passes;
-  order_by_light(plan);
+  order_by_light(plan, order);
   std::string text;
   for (const PlannedPass& planned : plan.passes) {
     text += (text.empty() ? "" : " ") + planned.label;
@@ -63,4 +64,23 @@ TEST_CASE("light order: light is added light by light, what overwrites keeps its
 
 TEST_CASE("light order: the pass that clears a sum comes first, whoever's it is") {
   CHECK(order_of({pass("a1", 1, {}, {kSum}), pass("a0", 0, {}, {kSum}, true)}) == "a1! a0!");
+}
+
+TEST_CASE(
+    "light order: samples come one after the other, or together light by light, glass when it is needed") {
+  std::vector<PlannedPass> passes = {pass("map0", 0, {}, {2}), pass("map1", 1, {}, {3})};
+  // Of each sample: where glass is, what lights add up, and both together.
+  for (int sample = 1; sample <= 2; ++sample) {
+    const std::string of = "/" + std::to_string(sample);
+    const int glass = 2 + 2 * sample, sum = glass + 1;
+    for (const PlannedPass& each : {pass("glass" + of, -1, {}, {glass}), pass("shade0" + of, 0, {2}, {sum}),
+                                    pass("shade1" + of, 1, {3}, {sum}, true),
+                                    pass("join" + of, -1, {glass, sum}, {kSum}, sample > 1)}) {
+      passes.push_back(each);
+      passes.back().sample = sample;
+    }
+  }
+  CHECK(order_of(passes) == "map0! map1! glass/1 shade0/1 shade1/1 join/1 glass/2 shade0/2 shade1/2 join/2");
+  CHECK(order_of(passes, SampleOrder::LightByLight) ==
+        "map0! shade0/1 shade0/2 map1! shade1/1 shade1/2 glass/1 join/1 glass/2 join/2");
 }

@@ -1,4 +1,5 @@
 // Several samples a pixel, in whole frames: what a pixel that an edge crosses shows.
+#include <algorithm>
 #include <set>
 
 #include "pipeline/gpu/device.hpp"
@@ -72,7 +73,11 @@ TEST_CASE("pixel samples: an edge aslant has every quarter between what it parts
 }
 
 TEST_CASE("pixel samples: the picture is the mean of those through shifted windows, to the bit") {
+  // 12 lights are drawn light by light, one sample by sample (pipeline/plan/light_order.hpp).
+  const std::size_t lights = GENERATE(1u, 12u);
   Scene scene = ball_and_box(0.2);  // below the ball: no glass is seen, so no surroundings either
+  for (std::size_t i = 1; i < lights; ++i)
+    scene.lights.push_back(sun({0.1 * static_cast<double>(i) - 0.6, -1.0, 0.3}, 0.7f));
   constexpr int kSide = 40;
   const auto device = make_software_device();
   FrameRenderer middles(scene, small_settings(48, 48, kSide), pass_registry(), *device,
@@ -88,7 +93,12 @@ TEST_CASE("pixel samples: the picture is the mean of those through shifted windo
   }
   Settings settings = small_settings(48, 48, kSide);
   settings.samples = 4;
-  CHECK(render_alone(scene, settings, {"beauty"})["beauty"].values == mean.values);
+  FrameRenderer four(scene, settings, pass_registry(), *device, {.goal = {{"beauty"}}});
+  std::vector<int> order;
+  for (const PlannedPass& pass : four.plan().passes)
+    if (pass.sample > 0) order.push_back(pass.sample);
+  CHECK(std::is_sorted(order.begin(), order.end()) == (lights == 1));
+  CHECK(rendering_of(four)["beauty"].values == mean.values);
 }
 
 TEST_CASE("pixel samples: layers have the bits that they have with one") {
