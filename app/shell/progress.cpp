@@ -1,5 +1,6 @@
 #include "app/shell/progress.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 #include "app/shell/terminal.hpp"
@@ -9,7 +10,14 @@ namespace caustics::app {
 namespace {
 constexpr double kQuietStart = 2000.0, kBetweenLines = 1000.0;  // milliseconds, off a terminal
 constexpr std::size_t kColumns = 78;
+constexpr double kFirstGuess = 1000.0, kLeastShare = 0.1;
 }  // namespace
+
+std::string left_text(double milliseconds, double share) {
+  if (milliseconds < kFirstGuess || share < kLeastShare || share >= 1.0) return {};
+  const double seconds = std::ceil(milliseconds * (1.0 - share) / share / 1000.0);
+  return ", about " + duration_text(1000.0 * seconds) + " left";
+}
 
 Progress::Progress(bool quiet) : quiet_(quiet), terminal_(is_terminal(stderr)) {}
 

@@ -7,6 +7,10 @@
 
 namespace caustics::app {
 
+// ", about 12 s left" of work of which a share was done in so many milliseconds; empty before that can be
+// told.
+std::string left_text(double milliseconds, double share);
+
 class Progress {
  public:
   explicit Progress(bool quiet);

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -106,6 +107,17 @@ class Outputs(ProgramTest):
         self.succeeds("ball.glb", *SMALL, "-o", "link.png")
         self.assertTrue((self.folder / "link.png").is_symlink())
         self.assertTrue((self.folder / "old.png").read_bytes().startswith(b"\x89PNG"))
+
+
+class Progress(ProgramTest):
+    def test_says_what_is_left_of_a_picture_that_takes_seconds(self):
+        for side in (1024, 2048, 4096):
+            result = self.succeeds("ball.glb", "-r", f"{side}x{side}", "-t", "1")
+            found = re.search(r"(?m)^pass (\d+) of (\d+): \S+, about \d[0-9.]* (s|min \d+ s) left  \d", result.stderr)
+            if found:
+                break
+        self.assertTrue(found, result.stderr)
+        self.assertLess(int(found[1]), int(found[2]))
 
 
 class Formats(ProgramTest):
