@@ -101,9 +101,13 @@ void RunRecorder::draw(const AfterPass& after) {
 void RunRecorder::look(const PlannedPass& pass, const PassResult& result) {
   const std::size_t index = (*run_)["passes"].size(), before = blobs_.bytes();
   const std::vector<int> attachments = add_attachments(pass, index);
+  const std::size_t between = blobs_.bytes();
   (*run_)["passes"].push_back(pass_record(pass, result, attachments));
   if (draws_of(pass) != DrawSet::FullScreen) add_history(pass, index, result, attachments);
-  if (pass.branch >= 0) branch_bytes_[pass.light] += blobs_.bytes() - before;
+  if (pass.branch >= 0) {
+    branch_attachments_[pass.light] += between - before;
+    branch_histories_[pass.light] += blobs_.bytes() - between;
+  }
   if (shades_picture(pass) && is_first_sample(frame_.scene(), pass.light)) add_pixels(pass);
 }
 
@@ -159,9 +163,9 @@ std::string RunRecorder::why_left_out(const PlannedPass& pass, std::size_t texel
   return {};
 }
 
-bool RunRecorder::is_full(const PlannedPass& pass) const {
-  const auto found = branch_bytes_.find(pass.light);
-  if (pass.branch < 0 || found == branch_bytes_.end()) return false;
+bool RunRecorder::is_full(const PlannedPass& pass, const std::map<int, std::size_t>& bytes) const {
+  const auto found = bytes.find(pass.light);
+  if (pass.branch < 0 || found == bytes.end()) return false;
   const Scene& scene = frame_.scene();
   const std::size_t lights = std::max(scene.sources.size(), std::size_t{1});
   return found->second > limits_.branch_bytes / lights;
@@ -191,7 +195,8 @@ Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, co
   const auto texels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
   std::unique_ptr<Json>& known = by_hash_[hash];
   std::string why = known ? "" : why_left_out(pass, texels);
-  if (!known && why.empty() && is_full(pass) && !finishes_map(pass, texture)) why = kFull;
+  if (!known && why.empty() && is_full(pass, branch_attachments_) && !finishes_map(pass, texture))
+    why = kFull;
   if (!why.empty()) {
     left_out = why + "; caustics render --dump writes it";
     leave_out(pass.label + " " + label + ": " + left_out.get<std::string>());
@@ -250,7 +255,7 @@ std::string RunRecorder::why_no_history(const PlannedPass& pass, const PassResul
       why_left_out(pass, static_cast<std::size_t>(pass.width) * static_cast<std::size_t>(pass.height));
   if (why.empty() && result.fragments > limits_.fragments)
     why = std::to_string(result.fragments) + " fragments are more than the page holds";
-  if (why.empty() && is_full(pass)) why = kFull;
+  if (why.empty() && is_full(pass, branch_histories_)) why = kFull;
   return why;
 }
 

@@ -18,9 +18,9 @@ struct RecordingLimits {
   std::size_t texels = std::size_t{1} << 20;     // of an attachment; larger ones are left out
   std::size_t fragments = std::size_t{2} << 20;  // of a pass whose history is kept
   std::size_t triangles = 200'000;               // of all meshes that sections show
-  // Of what the branches of all lights leave, in the page: later branches of a light are left out, but not
-  // what its caustic maps come to.
-  std::size_t branch_bytes = std::size_t{14} << 20;
+  // Of attachments of the branches of all lights, in the page, and as many of their histories: later branches
+  // of a light are left out, but not what its caustic maps come to.
+  std::size_t branch_bytes = std::size_t{5} << 20;
 };
 
 class RunRecorder {
@@ -41,7 +41,7 @@ class RunRecorder {
 
   // "": it is shown.
   std::string why_left_out(const PlannedPass& pass, std::size_t texels) const;
-  bool is_full(const PlannedPass& pass) const;
+  bool is_full(const PlannedPass& pass, const std::map<int, std::size_t>& bytes) const;
   bool finishes_map(const PlannedPass& pass, const PlannedTexture& texture) const;
   void look(const PlannedPass& pass, const PassResult& result);
   std::vector<int> add_attachments(const PlannedPass& pass, std::size_t pass_index);
@@ -66,10 +66,10 @@ class RunRecorder {
   RecordingLimits limits_;
   Blobs& blobs_;
   LedgerReader ledgers_;
-  TargetsBefore before_;                                  // of the pass that runs next
-  std::map<std::string, std::unique_ptr<Json>> by_hash_;  // arrays of equal images
-  std::map<int, std::unique_ptr<Json>> pixels_;           // by light
-  std::map<int, std::size_t> branch_bytes_;               // by light
+  TargetsBefore before_;                                              // of the pass that runs next
+  std::map<std::string, std::unique_ptr<Json>> by_hash_;              // arrays of equal images
+  std::map<int, std::unique_ptr<Json>> pixels_;                       // by light
+  std::map<int, std::size_t> branch_attachments_, branch_histories_;  // bytes, by light
   std::unique_ptr<Json> run_;
 };
 

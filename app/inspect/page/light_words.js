@@ -50,7 +50,8 @@ class LightWords {
   async giversOf(links, map, {list}, texelCount) {
     if (!list.length) {
       const missing = links.leftOut(map);
-      return [missing.length ? paragraph("Which cells gave this light is not in this page: ", missing.join(" ")) :
+      const more = missing.length > 1 ? `; likewise ${plural(missing.length - 1, "more pass", "more passes")}` : "";
+      return [missing.length ? paragraph("Which cells gave this light is not in this page: ", missing[0], more, ".") :
         paragraph("No cell of the grid puts light there.")];
     }
     const unknown = links.leftOut(map).length;
