@@ -55,8 +55,8 @@ class LightWords {
         paragraph("No cell of the grid puts light there.")];
     }
     const unknown = links.leftOut(map).length;
-    const noun = list[0].history.vertices_of === "vertex" ? "grid vertex" : "cell";
-    const many = noun === "cell" ? "cells" : "grid vertices";
+    const noun = list[0].history.vertices_of === "vertex" ? "vertex" : "cell";
+    const many = noun === "cell" ? "cells" : "vertices";
     const table = make("div", {});
     await this.fillGivers(table, links, map, list, kGiversAtFirst);
     return [
