@@ -72,12 +72,16 @@ Pass compose_pass() {
                 {.name = "highlight",
                  .meaning = "what it mirrors of the lights, nit",
                  .optional = true,
+                 .needed_with = &Effects::highlights},
+                {.name = "view_specular",
+                 .meaning = "how the surfaces mirror",
+                 .optional = true,
                  .needed_with = &Effects::highlights}},
       .writes = {{.name = "scene_color",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
-      .choices = {{"shows_highlights", shows_highlights}},
+      .choices = {{"mirrors", chosen_by<&Effects::highlights>}, {"shows_highlights", shows_highlights}},
   };
 }
 

@@ -12,6 +12,7 @@ TEXTURE(4, direct)
 TEXTURE(5, caustic)
 TEXTURE(6, environment)
 TEXTURE(7, highlight)
+TEXTURE(8, view_specular)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -49,6 +50,25 @@ Vec3 ray_direction() {
   return direction;
 }
 
+// What a surface mirrors of the environment along a camera's ray: between the sharp image and the mean over the
+// cosine by its roughness, times glTF's specular BRDF over all directions (Karis, "Physically based shading on
+// mobile", 2014).
+Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
+  Float cosine = clamp_to(-dot3(n, sight), 0.0f, 1.0f);
+  Vec3 onward = normalize_or(sight + n * (2.0f * cosine), n);
+  Float roughness = specular.w;
+  Vec3 blurred = ambient_irradiance(onward) * 0.318309886f;
+  Bool smooth_enough = roughness < 1.0f;
+  Vec3 sharp = blurred;
+  if (any_lane(smooth_enough)) sharp = sky_radiance(u.sky, onward);
+  Vec3 radiance = sel(smooth_enough, sharp * (1.0f - roughness) + blurred * roughness, blurred);
+  Float smoothness = 1.0f - roughness;
+  Float grazing = min_of(smoothness * smoothness, exp_of(cosine * -6.43240f)) * smoothness + 0.0425f - 0.0275f * roughness;
+  Float scale = grazing * -1.04f + 1.04f - 0.572f * roughness;
+  Float bias = grazing * 1.04f + 0.022f * roughness - 0.04f;
+  return radiance * (Vec3(specular) * scale + Vec3(max_of(bias, 0.0f)));
+}
+
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
@@ -61,6 +81,8 @@ void main() {
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;
+  if (u.mirrors != 0)
+    surface = surface + mirrored_environment(n, ray_direction(), fetch_clamped(view_specular, column, row));
   if (u.shows_highlights != 0) surface = surface + Vec3(fetch_clamped(highlight, column, row));
   Vec3 background = backdrop_radiance(u.sky, ray_direction());
   Vec3 shown = surface * colour.w + background * (1.0f - colour.w);

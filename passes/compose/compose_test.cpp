@@ -21,7 +21,8 @@ struct Bench {
   float covered = 1.0f, shown = 1.0f;
   glm::vec3 normal{0.0f, 1.0f, 0.0f}, albedo{0.5f}, emission{0.0f};
   glm::vec3 direct{0.0f}, caustic{0.0f};
-  glm::vec3 highlight{0.0f};
+  glm::vec3 highlight{0.0f}, reflectance{0.0f};
+  float roughness = 1.0f;
   bool lights = true, highlights = false, glass_before = false;
 
   Image image() const {
@@ -39,7 +40,7 @@ struct Bench {
          .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f), all(albedo, shown),
                       all(emission, 1.0f), lights ? all(direct, 0.0f) : Image{},
                       lights ? all(caustic, 0.0f) : Image{}, scene.environment.image.value_or(Image{}),
-                      all(highlight, 0.0f)}})["scene_color"];
+                      all(highlight, 0.0f), all(reflectance, roughness)}})["scene_color"];
   }
   glm::vec3 color(int x = 0, int y = 0) const { return glm::vec3(texel(image(), x, y)); }
 };
@@ -71,11 +72,37 @@ TEST_CASE("compose: a diffuse surface sends albedo / pi of its irradiance, and i
 TEST_CASE("compose: a surface's highlight is added, unless glass before it may show it from elsewhere") {
   Bench bench;
   bench.highlight = {1.0f, 2.0f, 3.0f};
+  bench.scene.environment = {};
   check_color(bench.color(), glm::vec3(0.0f));
   bench.highlights = true;
   check_color(bench.color(), {1.0f, 2.0f, 3.0f});
   bench.glass_before = true;
   check_color(bench.color(), glm::vec3(0.0f));
+}
+
+TEST_CASE("compose: metal and coats mirror the environment, sharply as far as they are smooth") {
+  // Seen straight down the level surface mirrors the zenith, 6; the mean is (3 + 2 * 6) / 3 = 5. By Karis'
+  // (2014) fit: roughness 0, a = 2^-9.28 + 0.0425 = 0.044110, 0.99413 f0 + 0.00587; roughness 1, a = 0.015,
+  // 0.4524 f0; roughness 0.5, a = 2^-9.28 / 2 + 0.02875 = 0.029555, 0.72326 f0 + 0.00174.
+  Bench bench;
+  bench.scene.environment.zenith = glm::vec3(6.0f);
+  bench.scene.environment.horizon = glm::vec3(3.0f);
+  bench.albedo = glm::vec3(0.0f);
+  bench.highlights = true;
+  bench.reflectance = {1.0f, 0.5f, 0.04f};
+  bench.roughness = 0.0f;
+  const auto check_mirrored = [&](float radiance, float scale, float bias) {
+    const glm::vec3 color = bench.color();
+    for (int c = 0; c < 3; ++c)
+      CHECK(color[c] == Approx(radiance * (bench.reflectance[c] * scale + bias)).epsilon(1e-3));
+  };
+  check_mirrored(6.0f, 0.99413f, 0.00587f);
+  bench.roughness = 1.0f;
+  check_mirrored(5.0f, 0.4524f, 0.0f);
+  bench.roughness = 0.5f;
+  check_mirrored(5.5f, 0.72326f, 0.00174f);
+  bench.highlights = false;
+  CHECK(bench.color() == glm::vec3(0.0f));
 }
 
 TEST_CASE("compose: a picture without lights shows what shines by itself in every pixel") {
@@ -245,10 +272,13 @@ TEST_CASE("compose: the picture and its surroundings are composed by the same ru
                                        filled(1, 1, glm::vec4(kPi)),
                                        Image{},
                                        Image{},
+                                       Image{},
                                        Image{}};
   const Scene scene;
   const View view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
-  const PassContext context{.scene = &scene, .camera = &view, .surroundings = &wide, .width = 1, .height = 1};
+  const Effects effects;
+  const PassContext context{
+      .scene = &scene, .effects = &effects, .camera = &view, .surroundings = &wide, .width = 1, .height = 1};
   const Pass pass = compose_pass();
   PassContext around = context;
   around.camera = &wide;

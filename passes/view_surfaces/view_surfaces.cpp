@@ -18,6 +18,8 @@ namespace {
 
 std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   const Material& m = *context.material;
+  // What metal mirrors is shown with the highlights; without them it is drawn as diffuse.
+  const bool mirrors = context.effects && context.effects->highlights.active;
   return {
       .view = shader_view(*context.camera),
       .base_factor = m.base_color,
@@ -30,7 +32,7 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .fade_centre = m.fade.centre,
       .fade_from = m.fade.from,
       .fade_to = m.fade.to,
-      .metallic = m.metallic,
+      .metallic = mirrors && !m.unlit ? m.metallic : 0.0f,
       .dielectric = m.unlit ? 0.0f : ((m.ior - 1.0f) / (m.ior + 1.0f)) * ((m.ior - 1.0f) / (m.ior + 1.0f)),
       .roughness = m.roughness,
       .base_color_uv = std140::texture_transform(m.base_color_texture),

@@ -63,7 +63,8 @@ void main() {
   }
   view_position = Vec4(surface_position, Float(1.0f));
   view_normal = Vec4(n, view_coordinates(u.view, surface_position).z);
-  view_albedo = Vec4(base.x, base.y, base.z, shown_here());
+  Vec3 albedo = Vec3(base) * (1.0f - u.metallic);
+  view_albedo = Vec4(albedo, shown_here());
   Vec3 reflectance = Vec3(base) * u.metallic + Vec3(Float(u.dielectric * (1.0f - u.metallic)));
   view_specular = Vec4(reflectance, Float(u.roughness));
   view_emission = Vec4(emission, Float(1.0f));

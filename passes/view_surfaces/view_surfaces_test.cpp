@@ -24,16 +24,19 @@ Material plain() {
 
 // A camera 10 m up that looks down on +-half metres, 8 x 8 pixels.
 PassImages see(const MeshData& mesh, const Material& material, const std::vector<Image>& textures = {},
-               double half = 2.0) {
+               double half = 2.0, bool highlights = false) {
+  Effects effects;
+  effects.highlights.active = highlights;
   const View view = down(half, 10.0, 20.0);
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
   bound.resize(3);
-  return run_pass(definition_of(pass), {.width = 8,
-                                        .height = 8,
-                                        .uniforms = pass.uniforms({.camera = &view, .material = &material}),
-                                        .textures = bound,
-                                        .mesh = mesh});
+  return run_pass(definition_of(pass),
+                  {.width = 8,
+                   .height = 8,
+                   .uniforms = pass.uniforms({.effects = &effects, .camera = &view, .material = &material}),
+                   .textures = bound,
+                   .mesh = mesh});
 }
 
 void check_direction(const glm::vec4& found, const glm::vec3& expected) {
@@ -188,20 +191,22 @@ TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
   CHECK(out["view_albedo"].at(3, 2, 0) == 0.8f);
 }
 
-TEST_CASE("view_surfaces: what is not metal mirrors 0.04 at index 1.5, metal its colour") {
+TEST_CASE("view_surfaces: what is not metal mirrors 0.04 at index 1.5, metal its colour instead of albedo") {
   Material material = plain();
   material.base_color = {0.8f, 0.4f, 0.2f, 1.0f};
-  material.metallic = 0.0f;
   material.roughness = 0.25f;
-  const auto seen = [&] {
-    return texel(see(quad(kFront, {0.0f, 1.0f, 0.0f}), material)["view_specular"], 2, 2);
+  const auto seen = [&](const char* name, bool highlights = true) {
+    return texel(see(quad(kFront, {0.0f, 1.0f, 0.0f}), material, {}, 2.0, highlights)[name], 2, 2);
   };
-  CHECK(seen().x == Approx(0.04));
-  CHECK(seen().w == 0.25f);
+  material.metallic = 0.0f;
+  CHECK(seen("view_specular").x == Approx(0.04));
+  CHECK(seen("view_specular").w == 0.25f);
   material.metallic = 1.0f;
-  CHECK(seen().y == Approx(0.4));
+  CHECK(seen("view_specular").y == Approx(0.4));
+  CHECK(seen("view_albedo").y == 0.0f);
   material.metallic = 0.5f;
-  CHECK(seen().y == Approx(0.22));
-  material.unlit = true;
-  CHECK(seen().y == Approx(0.2));
+  CHECK(seen("view_specular").y == Approx(0.22));
+  CHECK(seen("view_albedo").y == 0.2f);
+  // Nothing shows what it mirrors: it is drawn as diffuse.
+  CHECK(seen("view_albedo", false).y == 0.4f);
 }

@@ -256,7 +256,7 @@ constexpr Setting kTable[] = {
         "samples", Part::Picture,
         "of a pixel, whose mean is shown; auto: 4 where pictures are only looked at"),
     choice<&S::highlights, kAutoOff>("highlights", Part::Picture,
-                                     "mirror images of the lights, in beauty only"),
+                                     "mirror images of lights, and in receivers of the environment"),
     choice<&S::tone_map, kToneMaps>(
         "tone_map", Part::Picture, "bright light in PNG pictures: pressed (Khronos PBR Neutral), or cut off"),
     number<&S::environment_strength>("environment_strength", Part::Picture, {0, 1e6},
