@@ -77,7 +77,7 @@ std::array<glm::vec3, 9> environment_irradiance(const Image& environment, double
   std::array<glm::vec3, 9> result;
   for (std::size_t i = 0; i < 9; ++i) {
     const glm::dvec3 mean = sums[i] * (factors[i] / solid_angle);
-    constexpr double kMost = std::numeric_limits<float>::max() / 64;
+    constexpr double kMost = std::numeric_limits<float>::max();
     result[i] = glm::vec3(glm::clamp(mean, glm::dvec3(-kMost), glm::dvec3(kMost)));
   }
   return result;

@@ -1,6 +1,7 @@
 """render --dump: what a pass was fed with is enough to compute what it wrote, and --pictures show it."""
 
 import json
+import math
 import pathlib
 import sys
 
@@ -164,6 +165,23 @@ class Pictures(DumpTest):
         for i, y in enumerate(values["G"]):
             if values["A"][i] > 0:
                 self.assertAlmostEqual(shown[i][1] / 255, 0.5 + 0.5 * y, delta=0.51 / 255)
+
+    def test_what_is_not_finite_is_striking(self):
+        # The largest values that a Radiance file can hold: their sum over the sky overflows.
+        (self.folder / "bright.hdr").write_bytes(
+            b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + b"\xff\xff\xff\xff" * 128)
+        result = self.run_program("ball.glb", *SMALL, "--environment", "bright.hdr", "--quiet", "--dump", "d",
+                                  "--pictures")
+        self.assertEqual(result.returncode, 7, result.stderr)
+        self.manifest = json.loads((self.folder / "d/manifest.json").read_text())
+        beauty = self.attachment("beauty")
+        values = self.texels(beauty["file"])
+        broken = [not all(map(math.isfinite, texel)) for texel in zip(*(values[c] for c in "RGBA"))]
+        self.assertGreater(sum(broken), 100)
+        caption = beauty["pictures"][0]["caption"]
+        self.assertTrue(caption.endswith(f"; {sum(broken):,} texels are NaN or infinite (magenta)"), caption)
+        shown = self.shown(beauty["pictures"][0]["file"])
+        self.assertEqual([texel == (255, 0, 255) for texel in shown], broken)
 
     def test_pictures_need_a_dump(self):
         self.fails(2, "ball.glb", "--pictures", saying="--dump DIR")
