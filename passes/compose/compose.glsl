@@ -50,9 +50,9 @@ Vec3 ray_direction() {
   return direction;
 }
 
-// What a surface mirrors of the environment along a camera's ray: between the sharp image and the mean over the
-// cosine by its roughness, times glTF's specular BRDF over all directions (Karis, "Physically based shading on
-// mobile", 2014).
+// What a surface mirrors of the environment along a camera's ray: between the sharp image and the mean over
+// the cosine by its roughness, times glTF's specular BRDF over all directions (Karis, "Physically based
+// shading on mobile", 2014).
 Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
   Float cosine = clamp_to(-dot3(n, sight), 0.0f, 1.0f);
   Vec3 onward = normalize_or(sight + n * (2.0f * cosine), n);
@@ -63,7 +63,8 @@ Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
   if (any_lane(smooth_enough)) sharp = sky_radiance(u.sky, onward);
   Vec3 radiance = sel(smooth_enough, sharp * (1.0f - roughness) + blurred * roughness, blurred);
   Float smoothness = 1.0f - roughness;
-  Float grazing = min_of(smoothness * smoothness, exp_of(cosine * -6.43240f)) * smoothness + 0.0425f - 0.0275f * roughness;
+  Float grazing = min_of(smoothness * smoothness, exp_of(cosine * -6.43240f)) * smoothness + 0.0425f -
+                  0.0275f * roughness;
   Float scale = grazing * -1.04f + 1.04f - 0.572f * roughness;
   Float bias = grazing * 1.04f + 0.022f * roughness - 0.04f;
   return radiance * (Vec3(specular) * scale + Vec3(max_of(bias, 0.0f)));

@@ -159,13 +159,19 @@ class Stage {
     if (settings_.ground.wish == Ground::Wish::Auto && scene_.meshes.empty()) return {};
     const Bounds all = bounds_of(scene_);
     // A hair below, so that a flat underside does not lie in the ground.
-    return (all.empty() ? subject_ : all).lower.y - 1e-4 * widest(subject_);
+    const double height = (all.empty() ? subject_ : all).lower.y - 1e-4 * widest(subject_);
+    const bool hides = settings_.ground.wish == Ground::Wish::Auto &&
+                       std::any_of(scene_.cameras.begin(), scene_.cameras.end(),
+                                   [&](const Camera& camera) { return !(camera.position.y > height); });
+    if (hides && !completed_.cameras) return {};
+    return height;
   }
 
   void lay_ground() {
     const bool tries = settings_.ground.wish == Ground::Wish::Auto && has_receiver(scene_);
     const std::optional<double> height = ground_height();
-    stands_ = has_floor(scene_);
+    // A camera of its own shows the scene as its author wants it, on the floor or without.
+    stands_ = !completed_.cameras || has_floor(scene_);
     if (height) add_ground(scene_, subject_, *height);
     if (!(height && tries) && !completed_.cameras) return;
     landed_ = landed_light(scene_, settings_);
@@ -250,7 +256,7 @@ class Stage {
   Scene& scene_;
   const Settings& settings_;
   Bounds subject_;
-  bool stands_ = false;  // on a floor of its own
+  bool stands_ = false;  // on a floor of its own, or needs none
   std::vector<Landed> landed_;
   Completed completed_;
 };

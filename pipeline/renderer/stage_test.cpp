@@ -115,6 +115,21 @@ TEST_CASE("stage: opaque things that stand on nothing get a ground, those on a f
   CHECK_FALSE(ground_of(standing));
 }
 
+TEST_CASE(
+    "stage: no ground comes between the scene and its own camera below, nor under opaque things it shows") {
+  Scene below = ball({box({5.0, -1.0, -1.0}, {5.5, 1.0, 1.0}, 0)}), opaque = ball();
+  below.cameras = {camera_down(0.2, 1.0)};
+  Scene above = below;
+  below.cameras[0].position = {0.0, -4.0, 0.0};
+  above.cameras[0].position = {0.0, 4.0, 0.0};
+  opaque.cameras = above.cameras;
+  opaque.meshes.back().material = 0;
+  for (Scene* scene : {&below, &opaque, &above}) complete_scene(*scene, {});
+  CHECK_FALSE(ground_of(below));
+  CHECK_FALSE(ground_of(opaque));
+  CHECK(ground_of(above));
+}
+
 TEST_CASE("stage: a sun and a view that are asked for take the place of the scene's") {
   Settings settings;
   set_option(settings, "sun", "90,30,5");
