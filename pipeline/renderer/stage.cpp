@@ -37,8 +37,7 @@ constexpr double kFov = 0.6;  // radians
 struct Landed {
   glm::dvec3 position{0.0};
   double share = 0.0;  // of its light's
-  double area =
-      0.0;  // which its ray would light without casters, times what is left of its flux; square metres
+  double area = 0.0;   // that its ray has without casters, times what is left of its flux, square metres
   int mesh = -1;
 };
 
@@ -70,7 +69,7 @@ std::vector<Landed> landed_light(const Scene& scene, const Settings& settings) {
     const double area = casters.window_area() * away * away / (kPilotRaysASide * kPilotRaysASide);
     for (const LightLanding& landing : landings) {
       const double flux = largest(landing.flux);
-      landed.push_back({landing.position, flux / all, flux * area, landing.mesh});
+      landed.push_back({landing.position, flux / std::max(all, 1e-300), flux * area, landing.mesh});
     }
   }
   return landed;

@@ -14,17 +14,13 @@ struct Completed {
 
 // Adds in this order, and says in Scene::notes:
 // - a sun where there is no light, or settings.sun asks for one in place of the scene's: behind what the
-// camera
-//   shows, on its left, 60 degrees high, so that the light falls towards the camera;
-// - a ground under the lowest point (settings.ground), unless what is there catches the light: at least half
-// of
-//   what of the casters' light would land with it, by a few thousand rays of each light. Where nothing throws
+//   camera shows, on its left, 60 degrees high, so that the light falls towards the camera;
+// - a ground under the lowest point (settings.ground), unless at least half of what of the casters' light
+//   would land with it lands on the scene itself, by a few thousand rays of each light. Where nothing throws
 //   caustics: under what stands on no floor, if the camera is added too. Never between the scene and a camera
 //   of its own below. It is twelve times as wide as the casters, and fades into the background;
-// - a camera where there is none, or settings.view asks for one in place of the scene's: a three-quarter view
-// from
-//   above, which shows the casters, what stands by them, and the bright part of their caustics, as large as
-//   fits;
+// - a camera where there is none, or settings.view asks for one: a three-quarter view from above of the
+//   casters, what stands by them, and the bright part of their caustics, as large as fits;
 // - a sky where there is no environment (pipeline/scene/defaults.hpp).
 Completed complete_scene(Scene& scene, const Settings& settings);
 
