@@ -265,7 +265,7 @@ constexpr Setting kTable[] = {
                                  "turned about the vertical, anticlockwise from above"),
     text<&S::camera>("camera", Part::View, "a name or a number", "the first", "a camera of the scene"),
     staged<&S::view>(
-        "view", Part::View, "auto|AZIMUTH,ELEVATION",
+        "view", Part::View, "auto|AZIMUTH,ELEVATION: -360..360, -90..90",
         "shows the casters and their caustics whole, from there instead of the scene's camera: degrees "
         "from +z towards +x, and above the horizon; auto: 37,34 where there is no camera"),
     number<&S::zoom>("zoom", Part::View, {0.01, 100}, "how much larger the camera shows what it looks at"),
@@ -275,7 +275,7 @@ constexpr Setting kTable[] = {
         "ground", Part::Light, "auto|on|off|HEIGHT",
         "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
         "catches less than half of its caustics"),
-    staged<&S::sun>("sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]",
+    staged<&S::sun>("sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]: -360..360, -90..90, 0..1e9",
                     "a sun that stands there, in place of the scene's lights: degrees as for view; 10 lux "
                     "unless said; auto: where there is no light"),
     number<&S::mirror_metallic>("mirror.metallic", Part::Light, {0, 1},
