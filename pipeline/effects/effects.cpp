@@ -83,10 +83,10 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
   const std::size_t mirrors = count_roles(effects, Role::Mirror);
   const std::string diffuse_surfaces = count(receivers, "diffuse surface", "diffuse surfaces");
   effects.light = {lit > 0, lit > 0 ? count(lit, "light", "lights") : "no light shines"};
-  effects.highlights = {settings.highlights,
-                        settings.highlights
-                            ? "smooth surfaces mirror the lights, diffuse ones the environment"
-                            : "not asked for"};
+  effects.highlights = {settings.highlights && !scene.meshes.empty(),
+                        !settings.highlights   ? "not asked for"
+                        : scene.meshes.empty() ? "there is no surface"
+                                               : "surfaces mirror the lights, diffuse ones the environment"};
   add_area_lights(scene, effects);
   effects.receivers = {receivers > 0, receivers > 0 ? diffuse_surfaces : "no surface is diffuse"};
   const bool reached = std::any_of(effects.expectations.begin(), effects.expectations.end(),

@@ -113,7 +113,7 @@ class Progress(ProgramTest):
     def test_says_what_is_left_of_a_picture_that_takes_seconds(self):
         for side in (1024, 2048, 4096):
             result = self.succeeds("ball.glb", "-r", f"{side}x{side}", "-t", "1")
-            found = re.search(r"(?m)^pass (\d+) of (\d+): \S+, about \d[0-9.]* (s|min \d+ s) left  \d",
+            found = re.search(r"(?m)^pass (\d+) of (\d+): .+, about \d[0-9.]* (s|min \d+ s) left  \d",
                               result.stderr)
             if found:
                 break
