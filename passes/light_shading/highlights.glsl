@@ -12,7 +12,8 @@ Float depth_of(Vec3 p) { return dot3(p - Vec3(u.eye), Vec3(u.forward)); }
 
 // Of a diffuse surface's coat or of rough metal, for its irradiance.
 Vec3 receiver_highlight(IN(SurfacePoint) surface, Vec3 irradiance) {
-  Vec4 specular = texel_fetch(view_specular, surface.column, surface.row);
+  // One texel of zeros where no picture is wanted of the frame.
+  Vec4 specular = fetch_clamped(view_specular, surface.column, surface.row);
   Vec3 l = -incidence_of(u.light, surface.position, surface.normal).travel;
   Vec3 v = towards_camera(surface.position);
   Float lobe = highlight_lobe(surface.normal, v, l, specular.w);

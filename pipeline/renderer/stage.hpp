@@ -22,6 +22,7 @@ struct Completed {
 // - a camera where there is none, or settings.view asks for one: a three-quarter view from above of the
 //   casters, what stands by them, and the bright part of their caustics, as large as fits;
 // - a sky where there is no environment (pipeline/scene/defaults.hpp).
+// Throws Error, as effects_of does.
 Completed complete_scene(Scene& scene, const Settings& settings);
 
 }  // namespace caustics

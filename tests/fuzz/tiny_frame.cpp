@@ -153,9 +153,9 @@ bool render_frame(Scene scene, const Settings& settings, double seconds) {
   }
   if (settings.emissive_lights) add_emissive_lights(scene);
   sample_lights(scene, settings.light_samples);
-  complete_scene(scene, settings);
-  if (scene.lights.size() > kMostLights) return false;
   try {
+    complete_scene(scene, settings);
+    if (scene.lights.size() > kMostLights) return false;
     TinyFrame frame(std::move(scene), settings, seconds);
     frame.run();
     frame.check_finite();

@@ -132,8 +132,8 @@ class Formats(ProgramTest):
     def test_hold_the_picture_of_the_png_and_the_light_of_the_exr(self):
         names = ["a.png", "a.jpg", "a.jpeg", "a.tif", "a.TIFF", "a.exr", "a.hdr"]
         self.succeeds("ball.glb", *SMALL, *(word for name in names for word in ("-o", name)))
-        # Sixteen bits: the picture before it was rounded to eight, so at most half a step of those away; and of
-        # 9,216 values one by nearly as much.
+        # Sixteen bits: the picture before it was rounded to eight, so at most half a step of those away; and
+        # of 9,216 values one by nearly as much.
         fine = max(self.differences("a.png", "a.tif"))
         self.assertTrue(0.4 / 255 < fine <= 0.501 / 255, fine)
         self.assertEqual(self.differences("a.tif", "a.TIFF"), [0, 0, 0])
