@@ -23,6 +23,7 @@ TEXTURE(10, view_specular)
 TEXTURE(11, view_caster_position)
 TEXTURE(12, view_caster_normal)
 TEXTURE(13, caster_materials)
+TEXTURE(14, view_lift)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -120,13 +121,20 @@ CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(In
   return casters;
 }
 
-// The share of the direct light that opaque surfaces let through. A triangle that faces away from the light,
-// unlike its shading normal, lies in shadow.
-Float lit_share(IN(TangentPlane) p, Vec3 triangle_normal, Vec3 normal, Vec3 travel) {
+// The share of the direct light that opaque surfaces let through: to where the smooth surface is, which a
+// coarse mesh stands for, not to its triangle (after Hanika, Hacking the Shadow Terminator, 2021). Where that
+// faces away from the light, unlike the shading normal, it lies in shadow.
+Float lit_share(IN(SurfacePoint) surface, IN(TangentPlane) triangle, Vec3 triangle_normal, Vec3 travel) {
   Float lit = Float(1.0f);
   if (u.has_shadow_map != 0) {
-    Float turned = -dot3(triangle_normal, travel);
-    Bool away = turned * dot3(triangle_normal, normal) <= 0.0f;
+    TangentPlane p = triangle;
+    Vec3 normal = triangle_normal;
+    if (u.has_lift != 0) {
+      Vec3 lift = Vec3(fetch_clamped(view_lift, surface.column, surface.row));
+      normal = normalize_or(lift, triangle_normal);
+      p = tangent_plane(surface.position + lift, normal);
+    }
+    Bool away = -dot3(normal, travel) * dot3(normal, surface.normal) <= 0.0f;
     lit = sel(away, Float(0.0f), 1.0f - shadow_share(p));
   }
   return lit;
@@ -164,7 +172,7 @@ Arrival arrival_at(IN(SurfacePoint) surface) {
   Arrival arrival;
   arrival.caustic = Vec3(u.light.intensity) * casters.caustic;
 
-  Float lit = lit_share(p, triangle_normal, surface.normal, light.travel);
+  Float lit = lit_share(surface, p, triangle_normal, light.travel);
   if (u.has_caustic != 0) lit = lit * (1.0f - casters.shadowed);
   arrival.direct = irradiance_by(light, p, lit);
   return arrival;

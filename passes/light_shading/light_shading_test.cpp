@@ -32,6 +32,7 @@ struct Bench {
   bool highlights = false;
   std::optional<View> camera{};
   Image specular{}, glass{}, glass_normal{}, materials{};
+  Image lift{};
 
   UniformBytes uniforms(const Pass& pass) const {
     Scene scene;
@@ -41,6 +42,7 @@ struct Bench {
     settings.pixel_means = pixel_means;
     Effects effects;
     effects.occluders.active = occluders;
+    effects.smooth_shading.active = !lift.values.empty();
     effects.caustics.active = caustics;
     effects.coloured_caustics.active = caustic_map.channels() > 1;
     effects.thin_panes.active = !panes.values.empty();
@@ -84,7 +86,8 @@ struct Bench {
             specular,
             glass,
             glass_normal,
-            materials};
+            materials,
+            lift};
   }
 
   PassImages run() const {
@@ -222,6 +225,23 @@ TEST_CASE("light_shading: an opaque surface nearer to the light casts a shadow")
   bench.shadow_depth = filled(8, 8, glm::vec4(5.0f));
   bench.occluders = false;
   CHECK(bench.direct() == Approx(100.0));
+}
+
+TEST_CASE("light_shading: a smooth surface is shadowed where it is, not where its triangle is") {
+  // The triangle lies 10 m along the light, 2 m behind the occluder; the surface 3 m above it, before that.
+  Bench bench;
+  bench.occluders = true;
+  bench.shadow_depth = filled(8, 8, glm::vec4(8.0f));
+  bench.lift = filled(1, 1, glm::vec4(0.0f));
+  CHECK(bench.direct() == 0.0f);
+  bench.lift = filled(1, 1, {0.0f, 3.0f, 0.0f, 0.0f});
+  CHECK(bench.direct() == Approx(100.0));
+  // A surface that faces away lies in its own shadow, whatever a normal texture says.
+  bench.normal = {0.8f, 0.6f, 0.0f};
+  bench.lift = filled(1, 1, {3.0f, 3.0f, 0.0f, 0.0f});
+  CHECK(bench.direct() == Approx(60.0));
+  bench.lift = filled(1, 1, {3.0f, -1.0f, 0.0f, 0.0f});
+  CHECK(bench.direct() == 0.0f);
 }
 
 TEST_CASE("light_shading: a shadow's edge is interpolated between texels") {

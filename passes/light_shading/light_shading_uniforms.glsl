@@ -8,6 +8,7 @@ View pane_view;
 View column;                   // the window that receivers leave free before the casters
 float casters_nearest;         // z of the casters' nearest point, metres
 CHOICE(has_shadow_map)
+CHOICE(has_lift)               // some surfaces bulge over their triangles
 CHOICE(has_panes)
 CHOICE(has_caustic)            // there are maps of casters, of receivers and of the casters' light on them
 CHOICE(has_cascade)            // a part of the caustic map in finer texels

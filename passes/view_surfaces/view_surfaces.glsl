@@ -8,11 +8,13 @@ TEXTURE(1, normal_texture)
 TEXTURE(2, emissive)
 #include "passes/shared/tangent_vertex.glsl"
 VARYING_SMOOTH(10, Vec2, surface_uv)
+VARYING_SMOOTH(12, Float, tangent_plane_height)  // of the vertex's, over the origin
 
 #ifdef VERTEX_STAGE
 void main() {
   place_surface();
   surface_uv = uv;
+  tangent_plane_height = dot3(position, normal);
 }
 #else
 OUTPUT(0, Vec4, view_position)
@@ -20,6 +22,7 @@ OUTPUT(1, Vec4, view_normal)
 OUTPUT(2, Vec4, view_albedo)
 OUTPUT(3, Vec4, view_specular)
 OUTPUT(4, Vec4, view_emission)
+OUTPUT(5, Vec4, view_lift)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
@@ -43,6 +46,15 @@ Float shown_here() {
   return shown;
 }
 
+// Along the surface's normal n, out to the mean of the vertices' tangent planes. Zero where they do not lie
+// on the side that is seen: of a flat surface, of a hollow one.
+Vec3 lift_along(Vec3 n, Bool behind) {
+  Float height = tangent_plane_height - dot3(surface_position, surface_normal);
+  Float towards_viewer = sel(behind, -height, height);
+  Float rounding = 1.0e-5f * (abs(surface_position.x) + abs(surface_position.y) + abs(surface_position.z));
+  return n * sel(towards_viewer > rounding, height, Float(0.0f));
+}
+
 void main() {
   Vec2 uv = transformed_uv(u.base_color_uv, surface_uv);
   Vec4 base = Vec4(u.base_factor);
@@ -51,9 +63,10 @@ void main() {
   discard_if(opacity < u.alpha_cutoff);
 
   Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
+  Bool behind = !front_facing();
+  view_lift = Vec4(lift_along(n, behind), Float(0.0f));
   if (u.has_normal != 0) n = textured_normal(n);
   // A surface seen from behind shows its other side: the textured normal as a whole is reversed.
-  Bool behind = !front_facing();
   n = sel(behind, -n, n);
 
   Vec3 emission = Vec3(u.emissive_factor);

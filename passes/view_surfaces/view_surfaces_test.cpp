@@ -26,6 +26,7 @@ Material plain() {
 PassImages see(const MeshData& mesh, const Material& material, const std::vector<Image>& textures = {},
                double half = 2.0, bool highlights = false) {
   Effects effects;
+  effects.smooth_shading.active = true;
   effects.highlights.active = highlights;
   const View view = down(half, 10.0, 20.0);
   const Pass pass = view_surfaces_pass();
@@ -71,6 +72,26 @@ TEST_CASE("view_surfaces: the nearer surface is seen, and beside all of them w i
 TEST_CASE("view_surfaces: a back face shows its normal turned to the viewer") {
   check_direction(texel(see(quad(kFront, {0, 1, 0}), plain())["view_normal"], 2, 2), {0, 1, 0});
   check_direction(texel(see(quad(kBack, {0, -1, 0}), plain())["view_normal"], 2, 2), {0, 1, 0});
+}
+
+TEST_CASE("view_surfaces: the lift reaches from a triangle out to its vertices' tangent planes") {
+  // A triangle within the unit sphere, with the sphere's normals, seen from above. The centre of pixel (4, 3)
+  // shows p = (1/4, 1/2, 1/4); the tangent planes, x = 1 and so on, weighted like the vertices, lie
+  // 1 - p . p = 5/8 away along the normal p / |p|.
+  const glm::vec3 corners[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) {
+      mesh.vertices[i * 12 + static_cast<std::size_t>(c)] = corners[i][c];
+      mesh.vertices[i * 12 + 3 + static_cast<std::size_t>(c)] = corners[i][c];
+    }
+  mesh.indices = {0, 1, 2};
+  const glm::vec3 normal = glm::vec3(1, 2, 1) / std::sqrt(6.0f);
+  check_direction(texel(see(mesh, plain())["view_lift"], 4, 3), 0.625f * normal);
+  // From within it is hollow; and a flat square has none.
+  mesh.indices = {0, 2, 1};
+  check_direction(texel(see(mesh, plain())["view_lift"], 4, 3), {0, 0, 0});
+  check_direction(texel(see(quad(kFront, {0, 1, 0}), plain())["view_lift"], 2, 2), {0, 0, 0});
 }
 
 TEST_CASE("view_surfaces: normals come out with length 1") {

@@ -12,6 +12,7 @@
 #include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/effects/medium_effects.hpp"
+#include "pipeline/effects/smooth_shading.hpp"
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/effects/water_waves.hpp"
@@ -221,6 +222,7 @@ std::span<const NamedEffect> named_effects() {
       {"cells", &Effects::cells},
       {"exit surface", &Effects::exit_surface},
       {"occluders", &Effects::occluders},
+      {"smooth shading", &Effects::smooth_shading},
       {"thin panes", &Effects::thin_panes},
       {"mirrors", &Effects::mirrors},
       {"highlights", &Effects::highlights},
@@ -258,6 +260,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   effects.expectations = expectations_of(scene, judgements);
   effects.lights.resize(scene.lights.size());
   add_light_effects(scene, settings, effects);
+  add_smooth_shading(scene, effects);
   add_textured_casters(scene, settings, effects);
   add_emitters(scene, effects);
   add_branches(scene, settings, effects);

@@ -98,6 +98,7 @@ struct Effects {
   Effect cells;                  // caustics whose landings are joined to cells (Splat::Cell)
   Effect exit_surface;           // a refractor with two interfaces
   Effect occluders;              // diffuse surfaces that can shadow others or a caster
+  Effect smooth_shading;         // of a diffuse surface: normals that vary over its triangles
   Effect thin_panes;             // a transmissive surface without a volume
   Effect mirrors;                // smooth metal, which reflects light and view
   Effect highlights;             // what smooth surfaces mirror of the lights
