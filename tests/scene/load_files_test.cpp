@@ -126,6 +126,17 @@ TEST_CASE("A Radiance image becomes an environment with its bottom row first") {
   CHECK(environment.image->at(0, 0, 3) == 1.0f);
 }
 
+TEST_CASE("An environment wider than 8192 pixels is averaged down") {
+  const Folder folder;
+  std::string texels;  // red 1 and 2 in turn: 1.5 in the mean of every two
+  for (int x = 0; x < 16384; x += 2) texels += std::string("\x80\x00\x00\x81\x80\x00\x00\x82", 8);
+  const Environment environment = load_environment(
+      folder.write("wide.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 16384\n" + texels));
+  REQUIRE(environment.image);
+  CHECK(environment.image->shape == ImageShape{Format::RGBA32F, 8192, 1});
+  for (const int x : {0, 1, 8191}) CHECK(environment.image->at(x, 0, 0) == Approx(1.5).margin(0.02));
+}
+
 TEST_CASE("Other images are no environments") {
   const Folder folder;
   CHECK_THROWS_AS(load_environment(folder.write("a.hdr", "not an image")), Error);
