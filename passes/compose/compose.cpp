@@ -76,12 +76,18 @@ Pass compose_pass() {
                 {.name = "view_specular",
                  .meaning = "how the surfaces mirror",
                  .optional = true,
-                 .needed_with = &Effects::highlights}},
+                 .needed_with = &Effects::highlights},
+                {.name = "view_ambient",
+                 .meaning = "the share of the environment's light that arrives",
+                 .optional = true,
+                 .needed_with = &Effects::occlusion}},
       .writes = {{.name = "scene_color",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1",
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
-      .choices = {{"mirrors", chosen_by<&Effects::highlights>}, {"shows_highlights", shows_highlights}},
+      .choices = {{"mirrors", chosen_by<&Effects::highlights>},
+                  {"is_occluded", chosen_by<&Effects::occlusion>},
+                  {"shows_highlights", shows_highlights}},
   };
 }
 

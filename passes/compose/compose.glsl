@@ -13,6 +13,7 @@ TEXTURE(5, caustic)
 TEXTURE(6, environment)
 TEXTURE(7, highlight)
 TEXTURE(8, view_specular)
+TEXTURE(9, view_ambient)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -79,11 +80,18 @@ void main() {
   Vec3 albedo = Vec3(colour);
   // What the frame lacks is one texel of zeros.
   Vec3 emission = Vec3(fetch_clamped(view_emission, column, row));
-  Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
-                    Vec3(fetch_clamped(caustic, column, row)) + ambient_irradiance(n);
-  Vec3 surface = emission + (albedo * 0.318309886f) * irradiance;
+  Vec3 ambient = ambient_irradiance(n);
+  Vec3 mirrored = Vec3(0.0f);
   if (u.mirrors != 0)
-    surface = surface + mirrored_environment(n, ray_direction(), fetch_clamped(view_specular, column, row));
+    mirrored = mirrored_environment(n, ray_direction(), fetch_clamped(view_specular, column, row));
+  if (u.is_occluded != 0) {
+    Float share = fetch_clamped(view_ambient, column, row).x;
+    ambient = ambient * share;
+    mirrored = mirrored * share;
+  }
+  Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
+                    Vec3(fetch_clamped(caustic, column, row)) + ambient;
+  Vec3 surface = emission + (albedo * 0.318309886f) * irradiance + mirrored;
   if (u.shows_highlights != 0) surface = surface + Vec3(fetch_clamped(highlight, column, row));
   Vec3 background = backdrop_radiance(u.sky, ray_direction());
   Vec3 shown = surface * colour.w + background * (1.0f - colour.w);

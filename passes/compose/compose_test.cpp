@@ -1,6 +1,7 @@
 #include "passes/compose/compose.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "pipeline/scene/environment.hpp"
 #include "tests/support/catch.hpp"
@@ -24,6 +25,7 @@ struct Bench {
   glm::vec3 highlight{0.0f}, reflectance{0.0f};
   float roughness = 1.0f;
   bool lights = true, highlights = false, glass_before = false;
+  std::optional<float> ambient;
 
   Image image() const {
     const auto all = [&](const glm::vec3& rgb, float w) { return filled(width, height, {rgb, w}); };
@@ -31,6 +33,7 @@ struct Bench {
     Effects effects;
     effects.highlights.active = highlights;
     effects.seen_casters.active = glass_before;
+    effects.occlusion.active = ambient.has_value();
     return run_pass(
         definition_of(pass),
         {.width = width,
@@ -40,7 +43,8 @@ struct Bench {
          .textures = {all(glm::vec3(0.0f), covered), all(normal, 10.0f), all(albedo, shown),
                       all(emission, 1.0f), lights ? all(direct, 0.0f) : Image{},
                       lights ? all(caustic, 0.0f) : Image{}, scene.environment.image.value_or(Image{}),
-                      all(highlight, 0.0f), all(reflectance, roughness)}})["scene_color"];
+                      all(highlight, 0.0f), all(reflectance, roughness),
+                      all(glm::vec3(ambient.value_or(0.0f)), 1.0f)}})["scene_color"];
   }
   glm::vec3 color(int x = 0, int y = 0) const { return glm::vec3(texel(image(), x, y)); }
 };
@@ -273,6 +277,7 @@ TEST_CASE("compose: the picture and its surroundings are composed by the same ru
                                        Image{},
                                        Image{},
                                        Image{},
+                                       Image{},
                                        Image{}};
   const Scene scene;
   const View view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
@@ -286,4 +291,22 @@ TEST_CASE("compose: the picture and its surroundings are composed by the same ru
     CHECK(
         run_pass(definition_of(pass), {.uniforms = pass.uniforms(each), .textures = textures})["scene_color"]
             .at(0, 0, 1) == Approx(0.5));
+}
+
+TEST_CASE("compose: occlusion keeps the environment's light away, diffuse and mirrored, not that of lights") {
+  Bench bench;
+  bench.highlights = true;
+  bench.view = level_view();
+  bench.reflectance = glm::vec3(0.5f);
+  bench.scene.environment.zenith = bench.scene.environment.horizon = bench.scene.environment.ground =
+      glm::vec3(2.0f);
+  bench.direct = bench.caustic = bench.emission = bench.highlight = glm::vec3(0.0f);
+  const glm::vec3 of_environment = bench.color();
+  CHECK(of_environment.x > 0.5f);
+  bench.ambient = 0.25f;
+  check_color(bench.color(), of_environment * 0.25f);
+  bench.direct = glm::vec3(3.0f);
+  bench.emission = glm::vec3(1.0f);
+  bench.highlight = glm::vec3(0.5f);
+  check_color(bench.color(), of_environment * 0.25f + bench.albedo * (3.0f / kPi) + glm::vec3(1.5f));
 }

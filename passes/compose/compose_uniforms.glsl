@@ -1,6 +1,7 @@
 Sky sky;
 CameraRays camera;
 CHOICE(mirrors)           // surfaces show the environment
+CHOICE(is_occluded)       // textures keep some of its light away
 CHOICE(shows_highlights)  // else the passes that draw glass add them
 float boxes_mean;  // nit: of the soft boxes over the upper hemisphere, under the cosine
 // Ambient irradiance by second-order spherical harmonics: the bands 0, 1 (y, z, x), 2 (xy, yz, 3zz-1, xz,

@@ -20,6 +20,8 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   const Material& m = *context.material;
   // What metal mirrors is shown with the highlights; without them it is drawn as diffuse.
   const bool mirrors = context.effects && context.effects->highlights.active;
+  const bool textured = mirrors && m.metallic_roughness_texture.present();
+  const float metallic = textured ? m.metallic_factor : m.metallic;
   return {
       .view = shader_view(*context.camera),
       .base_factor = m.base_color,
@@ -27,17 +29,22 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .has_base_color = m.base_color_texture.present() ? 1 : 0,
       .has_normal = m.normal_texture.present() ? 1 : 0,
       .has_emissive = m.emissive_texture.present() ? 1 : 0,
+      .has_metallic_roughness = textured ? 1 : 0,
+      .has_occlusion = m.occlusion_texture.present() && !m.unlit ? 1 : 0,
       .normal_scale = m.normal_scale,
       .emissive_factor = m.emissive,
       .fade_centre = m.fade.centre,
       .fade_from = m.fade.from,
       .fade_to = m.fade.to,
-      .metallic = mirrors && !m.unlit ? m.metallic : 0.0f,
+      .metallic = mirrors && !m.unlit ? metallic : 0.0f,
       .dielectric = m.unlit ? 0.0f : ((m.ior - 1.0f) / (m.ior + 1.0f)) * ((m.ior - 1.0f) / (m.ior + 1.0f)),
-      .roughness = m.roughness,
+      .roughness = textured ? m.roughness_factor : m.roughness,
       .base_color_uv = std140::texture_transform(m.base_color_texture),
       .normal_uv = std140::texture_transform(m.normal_texture),
       .emissive_uv = std140::texture_transform(m.emissive_texture),
+      .metallic_roughness_uv = std140::texture_transform(m.metallic_roughness_texture),
+      .occlusion_uv = std140::texture_transform(m.occlusion_texture),
+      .occlusion_strength = m.occlusion_strength,
   };
 }
 
@@ -52,7 +59,9 @@ Pass view_surfaces_pass() {
       .draws = DrawSet::Receivers,
       .reads = {{.name = "base_color", .meaning = "albedo and opacity", .of_material = true},
                 {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true},
-                {.name = "emissive", .meaning = "light of its own", .of_material = true}},
+                {.name = "emissive", .meaning = "light of its own", .of_material = true},
+                {.name = "metallic_roughness", .meaning = "g: roughness, b: metallic", .of_material = true},
+                {.name = "occlusion", .meaning = "r: the share of ambient light", .of_material = true}},
       .writes = {{.name = "view_position",
                   .meaning = "xyz: position of the first opaque surface, metres, scene space; w: 1 "
                              "where there is one, else 0"},
@@ -70,7 +79,11 @@ Pass view_surfaces_pass() {
                   .needed_with = &Effects::emission},
                  {.name = "view_lift",
                   .meaning = "xyz: from the triangle out to the tangent planes of its vertices, metres",
-                  .needed_with = &Effects::smooth_shading}},
+                  .needed_with = &Effects::smooth_shading},
+                 {.name = "view_ambient",
+                  .format = Format::R32F,
+                  .meaning = "the share of the environment's light that arrives",
+                  .needed_with = &Effects::occlusion}},
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .shaders = {{&view_surfaces_shader, block_of<view_surfaces_uniforms>}},

@@ -6,6 +6,8 @@ UNIFORMS_END
 TEXTURE(0, base_color)
 TEXTURE(1, normal_texture)
 TEXTURE(2, emissive)
+TEXTURE(3, metallic_roughness)
+TEXTURE(4, occlusion)
 #include "passes/shared/tangent_vertex.glsl"
 VARYING_SMOOTH(10, Vec2, surface_uv)
 VARYING_SMOOTH(12, Float, tangent_plane_height)  // of the vertex's, over the origin
@@ -23,6 +25,7 @@ OUTPUT(2, Vec4, view_albedo)
 OUTPUT(3, Vec4, view_specular)
 OUTPUT(4, Vec4, view_emission)
 OUTPUT(5, Vec4, view_lift)
+OUTPUT(6, Float, view_ambient)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
@@ -33,6 +36,35 @@ Vec3 textured_normal(Vec3 n) {
   Vec2 uv = transformed_uv(u.normal_uv, surface_uv);
   Vec4 texel = fetch_repeat(normal_texture, uv.x, uv.y);
   return leaned_normal(n, surface_tangent, tangent_space_normal(texel, Float(u.normal_scale)));
+}
+
+// How rough the surface is, and how much of it is metal.
+struct Finish {
+  Float roughness;
+  Float metallic;
+};
+
+Finish finish_here() {
+  Finish f;
+  f.roughness = Float(u.roughness);
+  f.metallic = Float(u.metallic);
+  if (u.has_metallic_roughness != 0) {
+    Vec2 at = transformed_uv(u.metallic_roughness_uv, surface_uv);
+    Vec4 texel = fetch_repeat(metallic_roughness, at.x, at.y);
+    f.roughness = f.roughness * texel.y;
+    f.metallic = f.metallic * texel.z;
+  }
+  return f;
+}
+
+Float ambient_share() {
+  Float share = Float(1.0f);
+  if (u.has_occlusion != 0) {
+    Vec2 at = transformed_uv(u.occlusion_uv, surface_uv);
+    Vec4 texel = fetch_repeat(occlusion, at.x, at.y);
+    share = 1.0f - u.occlusion_strength * (1.0f - texel.x);
+  }
+  return share;
 }
 
 // How much of the surface is shown: smoothly from 1 to 0, by the distance from the fade's middle.
@@ -76,10 +108,12 @@ void main() {
   }
   view_position = Vec4(surface_position, Float(1.0f));
   view_normal = Vec4(n, view_coordinates(u.view, surface_position).z);
-  Vec3 albedo = Vec3(base) * (1.0f - u.metallic);
+  Finish finish = finish_here();
+  Vec3 albedo = Vec3(base) * (1.0f - finish.metallic);
   view_albedo = Vec4(albedo, shown_here());
-  Vec3 reflectance = Vec3(base) * u.metallic + Vec3(Float(u.dielectric * (1.0f - u.metallic)));
-  view_specular = Vec4(reflectance, Float(u.roughness));
+  Vec3 reflectance = Vec3(base) * finish.metallic + Vec3(u.dielectric * (1.0f - finish.metallic));
+  view_specular = Vec4(reflectance, finish.roughness);
   view_emission = Vec4(emission, Float(1.0f));
+  view_ambient = ambient_share();
 }
 #endif

@@ -31,7 +31,7 @@ PassImages see(const MeshData& mesh, const Material& material, const std::vector
   const View view = down(half, 10.0, 20.0);
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
-  bound.resize(3);
+  bound.resize(5);
   return run_pass(definition_of(pass),
                   {.width = 8,
                    .height = 8,
@@ -203,7 +203,7 @@ TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
       run_pass(definition_of(pass), {.width = 6,
                                      .height = 6,
                                      .uniforms = pass.uniforms({.camera = &wide, .material = &material}),
-                                     .textures = {Image{}, Image{}, Image{}},
+                                     .textures = std::vector<Image>(5),
                                      .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});
   // 12 m in 6 pixels: the 4 m square covers the middle 2 x 2, centres at +-1.
   CHECK(out["view_position"].at(1, 2, 3) == 0.0f);
@@ -230,4 +230,50 @@ TEST_CASE("view_surfaces: what is not metal mirrors 0.04 at index 1.5, metal its
   CHECK(seen("view_albedo").y == 0.2f);
   // Nothing shows what it mirrors: it is drawn as diffuse.
   CHECK(seen("view_albedo", false).y == 0.4f);
+}
+
+TEST_CASE("view_surfaces: roughness is green, metal is blue, texel by texel, times their factors") {
+  // Left texel: roughness 1, no metal. Right: a half each. The means are not asked.
+  Image texels(Format::RGBA16F, 2, 1);
+  texels.at(0, 0, 1) = 1.0f;
+  texels.at(1, 0, 1) = texels.at(1, 0, 2) = 0.5f;
+  Material material = plain();
+  material.base_color = {0.8f, 0.4f, 0.2f, 1.0f};
+  material.metallic = material.roughness = 0.9f;
+  material.metallic_factor = 0.5f;
+  material.roughness_factor = 0.75f;
+  material.metallic_roughness_texture.image = 3;
+  // Seen within a quarter of a texel around each texel's middle, at u = 0.25 and 0.75.
+  const auto seen = [&](const char* name, int x, bool highlights = true) {
+    const MeshData mesh = quad({{-4, 2, 4}, {4, 2, 4}, {4, 2, -4}, {-4, 2, -4}}, {0.0f, 1.0f, 0.0f});
+    return texel(
+        see(mesh, material, {Image{}, Image{}, Image{}, texels, Image{}}, 2.285714285, highlights)[name], x,
+        4);
+  };
+  CHECK(seen("view_specular", 0).w == Approx(0.75));
+  CHECK(seen("view_specular", 0).x == Approx(0.04));
+  CHECK(seen("view_albedo", 0).x == Approx(0.8));
+  // A quarter of metal: 0.25 x 0.4 + 0.75 x 0.04.
+  CHECK(seen("view_specular", 7).w == Approx(0.375));
+  CHECK(seen("view_specular", 7).y == Approx(0.13));
+  CHECK(seen("view_albedo", 7).y == Approx(0.3));
+  // Nothing shows what it mirrors: it is drawn as diffuse.
+  CHECK(seen("view_albedo", 7, false).y == 0.4f);
+}
+
+TEST_CASE("view_surfaces: of the environment's light arrives what the occlusion texture's red leaves") {
+  Material material = plain();
+  const auto share = [&] {
+    return see(quad(kFront, {0.0f, 1.0f, 0.0f}), material,
+               {Image{}, Image{}, Image{}, Image{}, filled(1, 1, {0.25f, 1.0f, 1.0f, 1.0f})})["view_ambient"]
+        .at(2, 2, 0);
+  };
+  CHECK(share() == 1.0f);
+  material.occlusion_texture.image = 4;
+  CHECK(share() == 0.25f);
+  // glTF 2.0, 3.9.2: 1 + strength (texel - 1).
+  material.occlusion_strength = 0.5f;
+  CHECK(share() == 0.625f);
+  material.unlit = true;
+  CHECK(share() == 1.0f);
 }

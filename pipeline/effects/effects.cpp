@@ -142,6 +142,18 @@ void add_emitters(const Scene& scene, Effects& effects) {
                                : found + ", but not on others; -D emissive.lights=on makes lights of them"};
 }
 
+void add_occlusion(const Scene& scene, Effects& effects) {
+  std::size_t occluded = 0;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Material& m = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
+    occluded += effects.surfaces[i].role == Role::Receiver && m.occlusion_texture.present() &&
+                m.occlusion_strength > 0.0f;
+  }
+  effects.occlusion = {occluded > 0, occluded > 0 ? count(occluded, "surface", "surfaces") +
+                                                        " whose texture keeps the environment's light away"
+                                                  : "no diffuse surface has an occlusion texture"};
+}
+
 // Receivers that are one plane hide nothing from any light.
 void add_hidden_receivers(const Settings& settings, Effects& effects) {
   const bool window = std::any_of(effects.lights.begin(), effects.lights.end(),
@@ -218,6 +230,7 @@ std::span<const NamedEffect> named_effects() {
       {"receivers", &Effects::receivers},
       {"reflecting receivers", &Effects::reflecting_receivers},
       {"emission", &Effects::emission},
+      {"occlusion", &Effects::occlusion},
       {"caustics", &Effects::caustics},
       {"cells", &Effects::cells},
       {"exit surface", &Effects::exit_surface},
@@ -263,6 +276,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_smooth_shading(scene, effects);
   add_textured_casters(scene, settings, effects);
   add_emitters(scene, effects);
+  add_occlusion(scene, effects);
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);
   add_water_waves(scene, effects);

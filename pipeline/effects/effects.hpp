@@ -94,6 +94,7 @@ struct Effects {
   Effect receivers;              // any diffuse surface
   Effect reflecting_receivers;   // one that is not black
   Effect emission;               // a surface that shines
+  Effect occlusion;              // a diffuse surface whose texture keeps the environment's light away
   Effect caustics;               // a refractor or mirror that a light can reach
   Effect cells;                  // caustics whose landings are joined to cells (Splat::Cell)
   Effect exit_surface;           // a refractor with two interfaces

@@ -205,6 +205,8 @@ class PassRunner {
     if (name == "normal_texture") return scene_.image(material.normal_texture.image);
     if (name == "transmission_texture") return scene_.image(material.transmission_texture.image);
     if (name == "emissive") return scene_.image(material.emissive_texture.image);
+    if (name == "metallic_roughness") return scene_.image(material.metallic_roughness_texture.image);
+    if (name == "occlusion") return scene_.image(material.occlusion_texture.image);
     throw Error(ExitCode::InternalError, "no material has a texture '" + name + "'");
   }
 

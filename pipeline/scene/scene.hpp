@@ -51,6 +51,11 @@ struct Material {
   TextureUse emissive_texture;
   float metallic = 1.0f;   // the mean over metallicRoughnessTexture where there is one
   float roughness = 1.0f;  // likewise
+  // Where it is present, texel by texel: g times the one factor, b times the other.
+  TextureUse metallic_roughness_texture;
+  float roughness_factor = 1.0f, metallic_factor = 1.0f;
+  TextureUse occlusion_texture;     // r: the share of the environment's light that arrives
+  float occlusion_strength = 1.0f;  // 0: none of it is kept away
   bool double_sided = false;
   bool unlit = false;
   float transmission = 0.0f;        // KHR_materials_transmission: 0..1; mean over its texture
@@ -167,7 +172,7 @@ struct Scene {
   glm::dvec3 origin{0.0};  // glTF world coordinates of scene space's origin
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
-  std::vector<Image> images;  // RGBA16F for colours, RGBA32F for normals and other data
+  std::vector<Image> images;  // RGBA32F for normals and transmission, else RGBA16F
   // What is drawn, each with maps of its own: as a person knows them until sample_lights puts an area
   // light's samples in its place, and then keeps the lights as a person knows them in `sources`.
   std::vector<Light> lights;

@@ -76,12 +76,12 @@ void check_texture(const Scene& scene, const TextureUse& use) {
 }
 
 void check_material(const Scene& scene, const Material& m) {
-  for (const TextureUse* use :
-       {&m.base_color_texture, &m.normal_texture, &m.emissive_texture, &m.transmission_texture})
+  for (const TextureUse* use : {&m.base_color_texture, &m.normal_texture, &m.emissive_texture,
+                                &m.transmission_texture, &m.metallic_roughness_texture, &m.occlusion_texture})
     check_texture(scene, *use);
   const float sum = m.base_color.x + m.base_color.y + m.base_color.z + m.base_color.w + m.normal_scale +
-                    m.alpha_cutoff + m.metallic + m.roughness + m.transmission + m.ior + m.thickness +
-                    m.dispersion;
+                    m.alpha_cutoff + m.metallic + m.roughness + m.occlusion_strength + m.transmission +
+                    m.ior + m.thickness + m.dispersion;
   if (!std::isfinite(sum) || !finite(m.emissive) || !finite(m.attenuation_color) ||
       std::isnan(m.attenuation_distance))
     finding("a material is not finite");

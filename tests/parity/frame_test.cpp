@@ -43,7 +43,7 @@ Scene frame_scene() {
   return scene;
 }
 
-// The same with textures of every kind on glass and metal, holes included.
+// The same with textures of every kind, holes in glass and metal included.
 Scene textured_scene() {
   Scene scene = frame_scene();
   for (const Format format : {Format::RGBA16F, Format::RGBA32F, Format::RGBA32F}) {
@@ -64,6 +64,12 @@ Scene textured_scene() {
     material.alpha_mode = AlphaMode::Mask;
     material.alpha_cutoff = 0.2f;
   }
+  Material& receiver = scene.materials[0];
+  receiver.emissive = glm::vec3(0.1f);
+  receiver.base_color_texture.image = receiver.emissive_texture.image =
+      receiver.metallic_roughness_texture.image = receiver.occlusion_texture.image = 0;
+  receiver.normal_texture.image = 1;
+  receiver.occlusion_strength = 0.7f;
   return scene;
 }
 

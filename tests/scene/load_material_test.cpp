@@ -188,10 +188,26 @@ TEST_CASE("A metallic-roughness texture counts with its mean") {
                                          std::string("data:image/png;base64,") + kPng));
   CHECK(scene.materials.at(0).roughness == 0.0f);
   CHECK(scene.materials.at(0).metallic == 0.0f);
+  // And texel by texel, with the factors beside it.
+  CHECK(scene.materials[0].roughness_factor == 1.0f);
+  REQUIRE(scene.materials[0].metallic_roughness_texture.present());
+  CHECK(scene.images.at(0).shape.format == Format::RGBA16F);
+  CHECK(scene.images[0].at(0, 0, 0) == stored_value(Format::RGBA16F, 188.0f / 255.0f));
   const Scene glass = load_text(textured(
       extension("KHR_materials_transmission", R"("transmissionFactor":1,"transmissionTexture":{"index":0})"),
       std::string("data:image/png;base64,") + kPng));
   CHECK(glass.materials.at(0).transmission == Approx((255 + 0 + 188 + 188) / (4 * 255.0)));
+}
+
+TEST_CASE("An occlusion texture is data with a strength, one image with the metallic-roughness texture") {
+  const Scene scene = load_text(textured(
+      R"("occlusionTexture":{"index":0,"strength":0.25},
+         "pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}})",
+      std::string("data:image/png;base64,") + kPng));
+  CHECK(scene.images.size() == 1);
+  CHECK(scene.materials.at(0).occlusion_texture.image == 0);
+  CHECK(scene.materials[0].occlusion_strength == 0.25f);
+  CHECK(scene.images[0].at(0, 0, 0) == stored_value(Format::RGBA16F, 188.0f / 255.0f));
 }
 
 TEST_CASE("KHR_texture_transform turns as its own example says") {

@@ -115,7 +115,8 @@ std::vector<Part> parts_of(const Source& source, std::size_t placement, int obje
     } else {
       shape.tangents.clear();
     }
-    const bool textured = m.normal_texture.present() || m.base_color_texture.present();
+    const bool textured = m.normal_texture.present() || m.base_color_texture.present() ||
+                          m.metallic_roughness_texture.present() || m.occlusion_texture.present();
     if (textured && shape.uvs.empty()) {
       source.context.note(shape.name + " has no texture coordinates for its textures.");
     }

@@ -59,7 +59,7 @@ class Reader {
   void read_ior();
   void read_volume();
   int read_textures();
-  TextureUse placed(const Cursor& info, int set, bool is_data);
+  TextureUse placed(const Cursor& info, int set, Reading reading);
 
   Context& context_;
   Textures& textures_;
@@ -80,6 +80,8 @@ void Reader::read_core() {
   result_.roughness = factor(context_, pbr.member("roughnessFactor"), 1, 0, 1);
   const Cursor both = pbr.member("metallicRoughnessTexture");
   const auto roughness = textures_.mean(both, 1), metallic = textures_.mean(both, 2);
+  result_.roughness_factor = result_.roughness;
+  result_.metallic_factor = result_.metallic;
   if (roughness) result_.roughness *= static_cast<float>(*roughness);
   if (metallic) result_.metallic *= static_cast<float>(*metallic);
   const Cursor strength = extensions_.member("KHR_materials_emissive_strength").member("emissiveStrength");
@@ -154,31 +156,41 @@ void Reader::read_volume() {
   result_.dispersion = factor(context_, dispersion, 0, 0, 20);
 }
 
-TextureUse Reader::placed(const Cursor& info, int set, bool is_data) {
+TextureUse Reader::placed(const Cursor& info, int set, Reading reading) {
   if (!info.present()) return {};
   if (Textures::uv_set(info) != set) {
     context_.note(info.path() + " uses TEXCOORD_" + std::to_string(Textures::uv_set(info)) +
                   ", other textures of the material TEXCOORD_" + std::to_string(set) + "; it is left out.");
     return {};
   }
-  return is_data ? textures_.normal(info) : textures_.color(info);
+  return textures_.use(info, reading);
 }
 
 int Reader::read_textures() {
   const Cursor base = material_.member("pbrMetallicRoughness").member("baseColorTexture");
   const Cursor normal = material_.member("normalTexture");
   const Cursor emissive = material_.member("emissiveTexture");
+  const Cursor both = material_.member("pbrMetallicRoughness").member("metallicRoughnessTexture");
+  const Cursor occlusion = material_.member("occlusionTexture");
   // One set of coordinates serves all. Where light passes, the normals matter more than the colour.
   const bool normal_first = result_.transmission > 0 && normal.present();
-  const Cursor& first = normal_first ? normal : base.present() ? base : normal.present() ? normal : emissive;
+  const Cursor& first = normal_first         ? normal
+                        : base.present()     ? base
+                        : normal.present()   ? normal
+                        : emissive.present() ? emissive
+                        : both.present()     ? both
+                                             : occlusion;
   const int set = Textures::uv_set(first);
-  result_.base_color_texture = placed(base, set, false);
-  result_.normal_texture = placed(normal, set, true);
+  result_.base_color_texture = placed(base, set, Reading::Color);
+  result_.normal_texture = placed(normal, set, Reading::FineData);
   result_.normal_scale = factor(context_, normal.member("scale"), 1, -1000, 1000);
-  result_.emissive_texture = placed(emissive, set, false);
+  result_.emissive_texture = placed(emissive, set, Reading::Color);
+  result_.metallic_roughness_texture = placed(both, set, Reading::Data);
+  result_.occlusion_texture = placed(occlusion, set, Reading::Data);
+  result_.occlusion_strength = factor(context_, occlusion.member("strength"), 1, 0, 1);
   if (result_.transmission > 0) {
     const Cursor extension = extensions_.member("KHR_materials_transmission");
-    result_.transmission_texture = placed(extension.member("transmissionTexture"), set, true);
+    result_.transmission_texture = placed(extension.member("transmissionTexture"), set, Reading::FineData);
   }
   return set;
 }

@@ -32,12 +32,12 @@ std::vector<float> plain_table(double largest, Format format) {
   return table;
 }
 
-// Data keep every bit of 8 and 16 bits a channel: light that normals bend shows their steps, and llvmpipe
-// does not round what it reads of 8-bit textures to the nearest float.
-Image to_image(const Pixels& pixels, bool is_normal) {
-  const Format format = is_normal ? Format::RGBA32F : Format::RGBA16F;
+// Fine data keep every bit of 8 and 16 bits a channel: light that normals bend shows their steps, and
+// llvmpipe does not round what it reads of 8-bit textures to the nearest float.
+Image to_image(const Pixels& pixels, Reading reading) {
+  const Format format = reading == Reading::FineData ? Format::RGBA32F : Format::RGBA16F;
   const std::vector<float> plain = plain_table(pixels.largest, format);
-  const std::vector<float> color = is_normal ? plain : color_table(pixels.largest);
+  const std::vector<float> color = reading == Reading::Color ? color_table(pixels.largest) : plain;
   Image image(format, pixels.width, pixels.height);
   const auto channels = static_cast<std::size_t>(pixels.channels);
   const auto width = static_cast<std::size_t>(pixels.width);
@@ -135,13 +135,13 @@ bool Textures::decode(int index, Pixels& pixels) {
   return false;
 }
 
-TextureUse Textures::use(const Cursor& info, bool is_normal) {
+TextureUse Textures::use(const Cursor& info, Reading reading) {
   TextureUse result;
   if (!info.present()) return result;
   const auto source = image_index(info);
   if (!source) return result;
   result.uv_transform = uv_transform(info);
-  const auto key = std::make_pair(*source, is_normal);
+  const auto key = std::make_pair(*source, reading);
   const auto known = loaded_.find(key);
   if (known != loaded_.end()) {
     result.image = known->second;
@@ -150,7 +150,7 @@ TextureUse Textures::use(const Cursor& info, bool is_normal) {
   Pixels pixels;
   if (decode(*source, pixels)) {
     result.image = static_cast<int>(images_.size());
-    images_.push_back(to_image(pixels, is_normal));
+    images_.push_back(to_image(pixels, reading));
   }
   loaded_[key] = result.image;
   return result;

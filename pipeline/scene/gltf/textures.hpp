@@ -4,6 +4,7 @@
 // left out with a note. Sources: glTF 2.0 sections 3.8 and 5.30; KHR_texture_transform.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,6 +14,13 @@
 
 namespace caustics::gltf {
 
+// What an image's numbers stand for.
+enum class Reading : std::uint8_t {
+  Color,     // sRGB, decoded to linear RGBA16F; alpha as it is
+  Data,      // not decoded: RGBA16F
+  FineData,  // not decoded: RGBA32F, for normals and shares of light
+};
+
 class Textures {
  public:
   Textures(Context& context, const Document& document, const Model& model)
@@ -21,10 +29,8 @@ class Textures {
         model_(model),
         pixels_left_(context.options().max_image_pixels) {}
 
-  // A colour texture: sRGB decoded to linear RGBA16F, alpha as it is. `info` may stand on nothing.
-  TextureUse color(const Cursor& info) { return use(info, false); }
-  // A normal map, or other data: RGBA32F without decoding.
-  TextureUse normal(const Cursor& info) { return use(info, true); }
+  // `info` may stand on nothing.
+  TextureUse use(const Cursor& info, Reading reading);
   // The mean of one channel over the whole image, 0..1 without decoding.
   std::optional<double> mean(const Cursor& info, int channel);
 
@@ -34,7 +40,6 @@ class Textures {
   std::vector<Image>& images() { return images_; }
 
  private:
-  TextureUse use(const Cursor& info, bool is_normal);
   std::optional<int> image_index(const Cursor& info);
   bool decode(int image, Pixels& pixels);
   Bytes image_bytes(const Cursor& image);
@@ -44,8 +49,8 @@ class Textures {
   const Model& model_;
   std::uint64_t pixels_left_;
   std::vector<Image> images_;
-  std::map<std::pair<int, bool>, int> loaded_;  // image and is_normal -> index, -1: failed
-  std::map<int, std::array<double, 4>> means_;  // image -> mean of each channel, -1: failed
+  std::map<std::pair<int, Reading>, int> loaded_;  // -> index, -1: failed
+  std::map<int, std::array<double, 4>> means_;     // image -> mean of each channel, -1: failed
 };
 
 }  // namespace caustics::gltf
