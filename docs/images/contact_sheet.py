@@ -22,7 +22,7 @@ def draw(program, scene, picture):
     if run.returncode:
         subprocess.run(['ffmpeg', '-v', 'error', '-y', '-f', 'lavfi', '-i', 'color=black:s=%dx%d' % SIZE,
                         '-frames:v', '1', picture], check=True)
-    return run.stderr.strip()
+    return '\n'.join(line for line in run.stderr.splitlines() if not line.startswith(('pass ', 'finding ')))
 
 
 def tiled(pictures, columns, sheet):
