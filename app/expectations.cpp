@@ -38,6 +38,36 @@ std::vector<Expectation> known_expectations(const Scene& scene, const Effects& e
   return known;
 }
 
+std::string mesh_label(const Scene& scene, int mesh) {
+  const std::string& name = scene.meshes[static_cast<std::size_t>(mesh)].name;
+  return name.empty() ? "mesh " + std::to_string(mesh) : "'" + one_line(name) + "'";
+}
+
+std::vector<NoCaustic> missing_caustics(const Scene& scene, const std::vector<Expectation>& expectations) {
+  std::vector<NoCaustic> groups;
+  for (const Expectation& e : expectations) {
+    if (e.expected) continue;
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const NoCaustic& each) { return each.reason == e.reason; });
+    if (group == groups.end())
+      group = groups.insert(
+          group,
+          {"light " + light_label(scene, e.light) + " through " + mesh_label(scene, e.mesh), e.reason});
+    group->meshes.insert(e.mesh);
+    ++group->count;
+  }
+  if (expectations.empty())
+    groups.push_back(
+        {{},
+         "nothing in the scene bends or mirrors light: glass needs KHR_materials_transmission and "
+         "KHR_materials_volume, a mirror metallic 1 and roughness 0"});
+  for (NoCaustic& group : groups)
+    if (group.count > 1) group.casters += " (and " + std::to_string(group.count - 1) + " more)";
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const NoCaustic& a, const NoCaustic& b) { return a.count > b.count; });
+  return groups;
+}
+
 std::string leaving_sentence(const Scene& scene, const LightLedger& ledger) {
   if (!(ledger.leaves() > kMostLeaving)) return {};
   return "light " + light_label(scene, ledger.light) + ": " + percent(ledger.leaves()) +

@@ -1,5 +1,6 @@
 // Which caustics are to be expected, by the scene and by what became of the light.
 #pragma once
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,18 @@ std::vector<Expectation> known_expectations(const Scene& scene, const Effects& e
 
 // "light 'sun': 3.2% of the light onto its casters leaves its maps ..."; empty for 1 % and less.
 std::string leaving_sentence(const Scene& scene, const LightLedger& ledger);
+
+// Casters that throw no caustic, for one reason.
+struct NoCaustic {
+  std::string casters;  // "light 'sun' through 'pane' (and 3 more)"
+  std::string reason;
+  std::set<int> meshes{};  // indices into Scene::meshes; none where nothing looks as if it threw one
+  std::size_t count = 0;   // with each light
+  std::string sentence() const { return casters.empty() ? reason : casters + ": " + reason; }
+};
+// Those of the most casters first.
+std::vector<NoCaustic> missing_caustics(const Scene& scene, const std::vector<Expectation>& expectations);
+
+std::string mesh_label(const Scene& scene, int mesh);
 
 }  // namespace caustics::app

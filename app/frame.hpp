@@ -40,6 +40,7 @@ class RenderedFrame {
   ImageView look_at(const std::string& texture) const { return renderer_->look_at(texture); }
   PassRun prepare(const PlannedPass& pass) const { return renderer_->prepare(pass); }
 
+  const LoadedScene& loaded() const { return *loaded_; }
   const Scene& scene() const { return renderer_->scene(); }
   const Effects& effects() const { return renderer_->effects(); }
   const Settings& settings() const { return renderer_->settings(); }

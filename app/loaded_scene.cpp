@@ -97,6 +97,7 @@ void LoadedScene::complete() {
     added_sources_ = scene_.sources;
   }
   if (completed.cameras) added_cameras_ = scene_.cameras;
+  added_ = completed.added;
   notes_ = scene_.notes;
   exposure_ = exposure_of(scene_, settings_);
 }

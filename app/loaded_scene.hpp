@@ -27,6 +27,8 @@ class LoadedScene {
 
   bool moves() const { return animation_.moves(); }
   double duration() const { return animation_.duration(); }
+  // Completed::added.
+  const std::vector<std::string>& added() const { return added_; }
   const std::vector<int>& moving_meshes() const { return moving_; }
   // Everything as it is at that moment, whatever moment came before.
   void move_to(double seconds);
@@ -44,7 +46,7 @@ class LoadedScene {
   // What completing the scene added, if anything; each moment starts without it.
   std::vector<Light> added_lights_, added_sources_;
   std::vector<Camera> added_cameras_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> added_, notes_;
   float exposure_ = 1.0f;
   Camera camera_;
 };

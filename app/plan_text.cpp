@@ -4,7 +4,6 @@
 #include "app/expectations.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/output/light_groups.hpp"
-#include "app/output/summary.hpp"
 #include "app/plan_report.hpp"
 #include "app/shell/table.hpp"
 #include "app/shell/terminal.hpp"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/expectations.hpp"
 #include "app/flux.hpp"
 #include "app/json.hpp"
 #include "app/output/stats.hpp"
-#include "app/output/summary.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
 
@@ -40,8 +40,8 @@ void print_notes(const Scene& scene, const Effects& effects) {
         "note: normal textures of receivers are left out: 'direct', 'normal' and 'caustic' have the "
         "smooth surface\n",
         stderr);
-  for (const std::string& why : missing_caustics(scene, effects.expectations))
-    std::fprintf(stderr, "no caustic: %s\n", one_line(why).c_str());
+  for (const NoCaustic& each : missing_caustics(scene, effects.expectations))
+    std::fprintf(stderr, "no caustic: %s\n", one_line(each.sentence()).c_str());
 }
 
 void print_ledger(const Scene& scene, int source, const tracer::Account& account) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include "app/caustic_sight.hpp"
 #include "app/frame_options.hpp"
 #include "app/frame_range.hpp"
 #include "app/loaded_scene.hpp"
@@ -340,18 +341,20 @@ class Renderer {
     // Of a row of frames the last one's, but for layers that are made from them.
     const bool layered = wants_ledgers(request_.outputs);
     const bool booked = layered || (n == todo_.back() && (!request_.quiet || !request_.stats.empty()));
+    const bool said = n == todo_.back() && !request_.quiet;
     if (layered) books_ = {};
     const std::vector<double> shares = shares_done(frame_->plan());
     const Stopwatch watch;
     reports_ = frame_->run([&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
       if (booked) books_.look(*frame_, pass);
+      if (said) sight_.look(*frame_, pass);
       if (dump_) dump_->add(*frame_, pass);
       progress_.show(frame_text(n) + "pass " + std::to_string(done) + " of " + std::to_string(of) + ": " +
                      pass.label + (request_.several() ? "" : left_text(watch.milliseconds(), shares[done])));
       return true;
     });
     frame_->device().finish();
-    frame_times_.push_back(watch.milliseconds() - books_.milliseconds());
+    frame_times_.push_back(watch.milliseconds() - books_.milliseconds() - sight_.milliseconds());
     timing_.passes += frame_times_.back();
     if (frame_times_.size() == 1) first_made_ = frame_->device().made();
     if (dump_) dump_->finish();
@@ -386,12 +389,10 @@ class Renderer {
     }
     progress_.clear();
     if (request_.quiet) return;
-    if (ledgers.empty() && frame_->effects().caustics.active)
-      std::fputs("no flux ledger and no estimated error: nothing that is asked for depends on the caustics\n",
-                 stderr);
+    print_summary(*frame_, ledgers, sight_.seen(), request_.verbose);
     if (found_) std::fputs(demand_text(request_.demand, *found_, only_model_, choosing_).c_str(), stderr);
-    print_summary(*frame_, ledgers, timing_, request_.outputs.files,
-                  request_.several() ? static_cast<int>(todo_.size()) : 0);
+    print_work(*frame_, timing_, request_.outputs.files,
+               request_.several() ? static_cast<int>(todo_.size()) : 0);
     if (request_.verbose) print_reasons(*frame_, reports_);
     if (there > 0) std::fprintf(stderr, "%d frames were there already\n", there);
   }
@@ -425,6 +426,7 @@ class Renderer {
   std::optional<Dump> dump_;
   std::vector<PassReport> reports_;  // of the last frame
   LedgerReader books_;               // likewise
+  CausticSight sight_;               // likewise
   std::vector<double> frame_times_;
   DeviceObjects first_made_;  // after the first frame
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/expectations.hpp"
+#include "app/loaded_scene.hpp"
+#include "app/output/first_lines.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/settings/setting.hpp"
@@ -40,19 +42,42 @@ std::string ledger_sentence(const Scene& scene, const LightLedger& entry) {
 // Of the light that lands, what goes other ways than the passes follow is worth a sentence from here on.
 constexpr double kWorthSaying = 0.05;
 
-// "estimated error 1.2% (map 0.9%, grid 0.2%, missing 0.1%, model 12.0% +- 0.5%)"; empty where there is no
-// estimate.
-std::string error_text(const ErrorEstimate& error, const std::string& why_not_judged) {
+// No more than that is worth a figure.
+std::string part_text(double share) { return share > 1.0 ? "over 100%" : percent(share); }
+
+// "; error 1.2%: map 0.9%, grid 0.2%, missing 0.1%, model 12.0% +- 0.5%"; empty where there is no estimate.
+// `alone`: the sum was said before.
+std::string error_text(const ErrorEstimate& error, const std::string& why_not_judged, bool alone) {
   if (!(error.landed > 0.0)) return {};
-  const auto part = [&](double value) { return percent(error.relative(value)); };
-  std::string text = "; estimated error " + percent(error.total());
-  if (error.total() > 1.0) text += ", more than all the light that lands";
-  text += " (map " + part(error.map) + ", grid " + part(error.grid) + ", missing " + part(error.missing);
-  if (!error.judged) return text + ", model not known: " + why_not_judged + ")";
-  text += ", model " + part(error.model) + " +- " + part(error.sampling) + ")";
+  const auto part = [&](double value) { return part_text(error.relative(value)); };
+  std::string text = "; error" + (alone ? "" : " " + part_text(error.total())) + ": map " + part(error.map) +
+                     ", grid " + part(error.grid) + ", missing " + part(error.missing);
+  if (!error.judged) return text + ", model not known: " + why_not_judged;
+  text += ", model " + part(error.model) + " +- " + part(error.sampling);
   if (error.relative(error.not_followed) > kWorthSaying)
     text += "; " + part(error.not_followed) + " of its light lands by ways that are not followed";
   return text;
+}
+
+// Sentences that say the same of several things, "materials[1].x: why", as one of the first and so many more.
+std::vector<std::string> gathered(const std::vector<std::string>& sentences) {
+  struct Group {
+    std::string what, says;
+    std::size_t more = 0;
+  };
+  std::vector<Group> groups;
+  for (const std::string& sentence : sentences) {
+    const std::size_t end = std::min(sentence.find(": "), sentence.size());
+    const std::string says = sentence.substr(end);
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group& group) { return !says.empty() && group.says == says; });
+    same == groups.end() ? groups.push_back({sentence.substr(0, end), says}) : void(++same->more);
+  }
+  std::vector<std::string> lines;
+  for (const Group& group : groups)
+    lines.push_back(group.what + (group.more == 0 ? "" : " and " + grouped(group.more) + " more") +
+                    group.says);
+  return lines;
 }
 
 void print_some(const char* kind, const std::vector<std::string>& sentences) {
@@ -67,51 +92,28 @@ void print_some(const char* kind, const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-std::string mesh_label(const Scene& scene, int mesh) {
-  const std::string& name = scene.meshes[static_cast<std::size_t>(mesh)].name;
-  return name.empty() ? "mesh " + std::to_string(mesh) : "'" + one_line(name) + "'";
-}
-
-std::vector<std::string> missing_caustics(const Scene& scene, const std::vector<Expectation>& expectations) {
-  struct Group {
-    std::string reason, first;
-    std::size_t more = 0;
-  };
-  std::vector<Group> groups;
-  for (const Expectation& e : expectations) {
-    if (e.expected) continue;
-    const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [&](const Group& group) { return group.reason == e.reason; });
-    if (same != groups.end()) {
-      ++same->more;
-    } else {
-      groups.push_back(
-          {e.reason, "light " + light_label(scene, e.light) + " through " + mesh_label(scene, e.mesh), 0});
-    }
-  }
-  std::vector<std::string> sentences;
-  if (expectations.empty()) {
-    sentences.emplace_back("nothing in the scene bends or mirrors light");
-  }
-  for (const Group& group : groups) {
-    const std::string others = group.more == 0 ? "" : " (and " + std::to_string(group.more) + " more)";
-    sentences.push_back(group.first + others + ": " + group.reason);
-  }
-  return sentences;
-}
-
-void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers, const Timing& timing,
-                   const std::vector<std::filesystem::path>& outputs, int drawn) {
-  print_some("note", frame.scene().notes);
-  print_some("no caustic",
-             missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)));
+void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
+                   const std::optional<SeenCaustic>& seen, bool verbose) {
+  std::fputs(first_lines(frame, ledgers, seen).c_str(), stderr);
+  const std::vector<std::string>& notes = frame.scene().notes;
+  const std::size_t said = verbose ? 0 : frame.loaded().added().size();
+  print_some("note", gathered({notes.begin() + static_cast<std::ptrdiff_t>(said), notes.end()}));
+  std::vector<std::string> missing;
+  for (const NoCaustic& each :
+       missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)))
+    missing.push_back(each.sentence());
+  if (!missing.empty() && shows_none(frame, ledgers)) missing.erase(missing.begin());  // is said
+  print_some("no caustic", missing);
   for (const LightLedger& ledger : ledgers) {
-    std::fprintf(
-        stderr, "%s\n",
-        (ledger_sentence(frame.scene(), ledger) + error_text(ledger.error, why_not_judged(frame))).c_str());
+    std::fprintf(stderr, "%s%s\n", ledger_sentence(frame.scene(), ledger).c_str(),
+                 error_text(ledger.error, why_not_judged(frame), ledgers.size() == 1).c_str());
     const std::string warning = leaving_sentence(frame.scene(), ledger);
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
+}
+
+void print_work(const RenderedFrame& frame, const Timing& timing,
+                const std::vector<std::filesystem::path>& outputs, int drawn) {
   std::string files;
   for (const std::filesystem::path& file : outputs) {
     files += (files.empty() ? "" : ", ") + one_line(file.string());

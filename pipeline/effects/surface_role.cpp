@@ -103,10 +103,11 @@ Judgement judge(const Mesh& mesh, const Material& material, const Settings& sett
   // Metal lets nothing through, so only the other part transmits (KHR_materials_transmission).
   const float transmissive = material.transmission * (1.0f - material.metallic);
   if (transmissive >= kMostlyTransmissive) return judge_glass(mesh, material, name, settings);
-  if (transmissive > 0.0f) {
-    return diffuse_instead(name, "transmission " + rounded_text(transmissive) +
-                                     (material.metallic > 0 ? " beside the metal" : "") +
-                                     " is below 0.5: more diffuse than clear");
+  if (material.transmission > 0.0f) {
+    return diffuse_instead(name,
+                           "transmission " + rounded_text(transmissive) +
+                               (material.metallic > 0 ? " beside the metal, which lets none through," : "") +
+                               " is below 0.5: more diffuse than clear");
   }
   if (material.alpha_mode == AlphaMode::Blend) {
     return diffuse_instead(name,

@@ -16,11 +16,12 @@ double mean(const ImageView& image, int x, int y) {
 std::string reason_of(LandingStatus status) {
   switch (status) {
     case LandingStatus::TotalReflection:
-      return "all of its light is totally reflected inside";
+      return "all of its light is totally reflected inside; --sun lights it from another side";
     case LandingStatus::Missed:
-      return "all of its light misses every receiver";
     case LandingStatus::Outside:
-      return "all of its light leaves the frames of the light";
+      return "all of its light goes past everything that could show it; --ground on puts a ground below, "
+             "--sun "
+             "moves the light";
     case LandingStatus::Absorbed:
       return "its material absorbs all of the light";
     case LandingStatus::NotConverged:

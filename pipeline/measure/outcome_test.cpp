@@ -20,9 +20,9 @@ std::string reason(LandingStatus most) {
 
 TEST_CASE("outcome: the reason why there is no caustic is what became of most of the light") {
   CHECK(reason(LandingStatus::Landed).empty());
-  CHECK(reason(LandingStatus::Missed) == "all of its light misses every receiver");
-  CHECK(reason(LandingStatus::Outside) == "all of its light leaves the frames of the light");
-  CHECK(reason(LandingStatus::TotalReflection) == "all of its light is totally reflected inside");
+  CHECK(reason(LandingStatus::Missed).starts_with("all of its light goes past everything"));
+  CHECK(reason(LandingStatus::Outside) == reason(LandingStatus::Missed));
+  CHECK(reason(LandingStatus::TotalReflection).starts_with("all of its light is totally reflected inside"));
   CHECK(reason(LandingStatus::Absorbed) == "its material absorbs all of the light");
   CHECK(reason(LandingStatus::NotConverged) == "none of its light could be followed to the end");
   CHECK(reason(LandingStatus::ExitNotFound) ==

@@ -120,17 +120,26 @@ class Stage {
 
   Completed complete() {
     const auto loaded = static_cast<std::ptrdiff_t>(scene_.notes.size());
-    completed_ = {scene_.lights.empty() || settings_.sun, scene_.cameras.empty() || settings_.view};
+    completed_ = {.lights = scene_.lights.empty() || settings_.sun,
+                  .cameras = scene_.cameras.empty() || settings_.view};
     if (completed_.lights) place_sun();
     lay_ground();
     if (completed_.cameras) place_camera();
-    add_sky(scene_);
+    if (add_sky(scene_))
+      say("the light of a studio",
+          "No environment image was given: a neutral studio lights the scene with 30 % of what its lights "
+          "give.");
     // Said before what the loader noted, of which there may be much.
     std::rotate(scene_.notes.begin(), scene_.notes.begin() + loaded, scene_.notes.end());
     return completed_;
   }
 
  private:
+  void say(const std::string& what, const std::string& why) {
+    completed_.added.push_back(what);
+    scene_.notes.push_back(why);
+  }
+
   // From the scene to where the camera stands, along the ground: a unit vector.
   glm::dvec3 camera_side() const {
     glm::dvec3 side = toward(settings_.view.value_or(kView));
@@ -147,7 +156,7 @@ class Stage {
     const glm::dvec3 front = camera_side(), right{front.z, 0.0, -front.x};
     const double level = 0.5, height = 0.86602540378443865;  // cosine and sine of 60 degrees
     set_sun(scene_, subject_, (front * 0.8 + right * 0.6) * level - glm::dvec3(0.0, height, 0.0), kSunLux);
-    scene_.notes.push_back("The scene has no light: a sun of 10 lux, 60 degrees high, was added behind it.");
+    say("a sun of 10 lux", "The scene has no light: a sun of 10 lux, 60 degrees high, was added behind it.");
   }
 
   // Where the ground is to be tried; none where it is not wanted.
@@ -190,7 +199,7 @@ class Stage {
       why = "the scene stands on nothing";
     else if (settings_.ground.wish == Ground::Wish::Auto)
       why = "nothing in the scene can show a caustic";
-    scene_.notes.push_back("A grey ground was added: " + why + ".");
+    say("a grey ground", "A grey ground was added: " + why + ".");
   }
 
   void remove_ground(double above) {
@@ -233,7 +242,7 @@ class Stage {
                        static_cast<double>(settings_.width) / settings_.height, 0.1 * widest(subject_));
     camera.name = settings_.view ? "view " + text_of(settings_.view) : "three-quarter view (added)";
     if (!settings_.view)
-      scene_.notes.push_back("The scene has no camera: a three-quarter view from above was added.");
+      say(kAddedCamera, "The scene has no camera: a three-quarter view from above was added.");
     scene_.cameras = {camera};
   }
 

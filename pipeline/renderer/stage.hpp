@@ -1,18 +1,27 @@
 // What a file leaves out, so that a bare model is enough for a picture: a ground that catches its light, a
 // sun, a camera, a sky.
 #pragma once
+#include <string>
+#include <vector>
+
 #include "pipeline/scene/scene.hpp"
 
 namespace caustics {
 
 struct Settings;
 
+// Of Completed::added.
+inline constexpr const char* kAddedCamera = "a camera";
+
 // What complete_scene put in the place of the scene's own.
 struct Completed {
   bool lights = false, cameras = false;
+  // What was added, in a few words each: "a grey ground". Why it was is said by as many sentences at the
+  // beginning of Scene::notes.
+  std::vector<std::string> added{};
 };
 
-// Adds in this order, and says in Scene::notes:
+// Adds in this order, and says:
 // - a sun where there is no light, or settings.sun asks for one in place of the scene's: behind what the
 //   camera shows, on its left, 60 degrees high, so that the light falls towards the camera;
 // - a ground under the lowest point (settings.ground), unless at least half of what of the casters' light

@@ -102,17 +102,15 @@ void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, f
   scene.lights = {sun};
 }
 
-void add_sky(Scene& scene) {
+bool add_sky(Scene& scene) {
   Environment& sky = scene.environment;
   const bool given =
       sky.image || sky.zenith != glm::vec3(0) || sky.horizon != glm::vec3(0) || sky.ground != glm::vec3(0);
-  if (given) return;
+  if (given) return false;
   // A sky of radiance L everywhere lights a horizontal surface with pi L.
   const double mean = kSkyShare * light_level(scene) / exact::kPi;
   sky = studio(mean);
-  scene.notes.push_back(
-      "No environment image was given: a neutral studio lights the scene with 30 % of "
-      "what its lights give.");
+  return true;
 }
 
 bool is_mirror(const Material& material) { return material.metallic >= 0.5f && material.roughness <= 0.2f; }

@@ -28,8 +28,8 @@ void add_ground(Scene& scene, const Bounds& subject, double height);
 void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, float lux);
 
 // A studio's light, unless there is an environment image or one was already set: lighting a horizontal
-// surface with 30 % of what the scene's lights give. Said in Scene::notes.
-void add_sky(Scene& scene);
+// surface with 30 % of what the scene's lights give. False where nothing was added.
+bool add_sky(Scene& scene);
 
 // What the scene's lights together give at its centre on a surface facing each of them, in lux.
 double light_level(const Scene& scene);

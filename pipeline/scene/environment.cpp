@@ -85,8 +85,12 @@ std::array<glm::vec3, 9> environment_irradiance(const Image& environment, double
 
 double upward_irradiance(const Environment& environment) {
   const std::array<glm::vec3, 9>& ambient = environment.ambient;
-  const glm::dvec3 up =
-      (glm::dvec3(ambient[0]) + glm::dvec3(ambient[1])) - (glm::dvec3(ambient[6]) + glm::dvec3(ambient[8]));
+  // A gradient as compose.glsl takes it.
+  const glm::dvec3 up = environment.image
+                            ? (glm::dvec3(ambient[0]) + glm::dvec3(ambient[1])) -
+                                  (glm::dvec3(ambient[6]) + glm::dvec3(ambient[8]))
+                            : (glm::dvec3(environment.horizon) + glm::dvec3(environment.zenith) * 2.0) / 3.0 +
+                                  glm::dvec3(static_cast<double>(environment.boxes_mean));
   return exact::kPi * std::max(exact::dot(up, {0.2126, 0.7152, 0.0722}), 0.0);
 }
 

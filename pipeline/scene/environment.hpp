@@ -14,7 +14,7 @@ void adjust(Environment& environment, double strength, double degrees);
 // (Ramamoorthi and Hanrahan 2001). Coefficients of 1, y, z, x, xy, yz, 3zz-1, xz, xx-yy. `turn`: radians.
 std::array<glm::vec3, 9> environment_irradiance(const Image& environment, double turn = 0.0);
 
-// What an image gives a surface that faces up, lux, by luminance.
+// What it gives a surface that faces up, lux, by luminance.
 double upward_irradiance(const Environment& environment);
 
 }  // namespace caustics

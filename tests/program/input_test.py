@@ -185,6 +185,27 @@ class Reasons(ProgramTest):
         spot = {"type": "spot", "intensity": 100, "spot": {"outerConeAngle": 0.5}}
         self.assertTrue(self.expectation(light=spot)["expected"])
 
+    def first_lines(self, *options):
+        """From "added:" on; progress may come before."""
+        lines = self.succeeds("ball.glb", *SMALL, *options).stderr.splitlines()
+        first = next(i for i, line in enumerate(lines) if line.startswith("added: "))
+        return lines[first:first + 3]
+
+    def test_three_lines_come_first(self):
+        added, caustic, error = self.first_lines()
+        self.assertEqual(added, "added: the light of a studio")
+        # The ball stands in the middle, 1 m above its caustic.
+        self.assertRegex(caustic, r"^caustic: [78]\d.\d% of the light onto 'ball' makes one; brightest in the "
+                                  r"middle of the picture \(x 3[0-4], y \d+\), [1-9.]+ times as bright as")
+        self.assertRegex(error, r"^error: estimated \d+.\d%, most of it by ")
+
+    def test_a_caustic_outside_the_picture_is_told_with_what_to_do(self):
+        self.assertIn("but the picture does not show it: --view 37,34", self.first_lines("--zoom", "60")[1])
+
+    def test_where_there_is_none_the_second_line_says_why(self):
+        (self.folder / "ball.glb").write_bytes(glb.scene(glb.glass()))
+        self.assertRegex(self.first_lines()[1], r"^caustic: none; 'ball': thin wall .*--assume-solid")
+
 
 if __name__ == "__main__":
     main()

@@ -24,7 +24,7 @@ class OnDemand(ProgramTest):
         self.assertAlmostEqual(error["total"], sum(error[part] for part in parts))
         self.assertGreater(error["total"], 0.001)
         self.assertLess(error["total"], 0.5)
-        said = float(result.stderr.split("estimated error ")[1].split("%")[0])
+        said = float(result.stderr.split("error: estimated ")[1].split("%")[0])
         self.assertAlmostEqual(said, 100 * error["total"], delta=0.11)  # cut after one digit
 
     def mean_of(self, layer, width=64, height=48):

@@ -207,7 +207,7 @@ class WhatBecomesOfTheLight(PlanTest):
         # `render` says the same.
         result = self.succeeds("render", "case.glb", *SMALL, *options)
         said = plan["expectations"][0]
-        self.assertEqual(said["expected"], "no caustic:" not in result.stderr, result.stderr)
+        self.assertEqual(said["expected"], "caustic: none" not in result.stderr, result.stderr)
         if not said["expected"]:
             self.assertIn(said["reason"], result.stderr)
         return said
@@ -234,12 +234,12 @@ class WhatBecomesOfTheLight(PlanTest):
         # 45 degrees are beyond the critical angle of 41.8.
         said = self.expectation(caster=glb.roof())
         self.assertFalse(said["expected"])
-        self.assertEqual(said["reason"], "all of its light is totally reflected inside")
+        self.assertIn("all of its light is totally reflected inside", said["reason"])
 
     def test_light_that_misses_every_receiver_throws_none(self):
         said = self.expectation("--ground", "off", floors=((50, 0, 0),))
         self.assertFalse(said["expected"])
-        self.assertEqual(said["reason"], "all of its light misses every receiver")
+        self.assertIn("all of its light goes past everything that could show it", said["reason"])
 
     def test_a_caster_in_the_dark_throws_none(self):
         said = self.expectation(floors=((0, 0, 0), (0, 3, 0)))
