@@ -65,6 +65,7 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const S
     case DrawSet::Casters:
     case DrawSet::SolidCasters:
     case DrawSet::ThinPanes:
+    case DrawSet::LightTinters:
       break;
   }
   std::uint64_t most = 0;

@@ -51,6 +51,8 @@ Registry registered() {
       caster_flux_pass(),
       caster_exit_map_pass(),
       receiver_map_pass(),
+      shadow_map_pass(),
+      pane_light_pass(),
       landing_pass(),
       enter_pass(),
       next_surface_pass(),
@@ -62,8 +64,6 @@ Registry registered() {
       caustic_cells_pass(),
       caustic_map_pass(),
       caustic_footprints_pass(),
-      shadow_map_pass(),
-      pane_light_pass(),
       // Of the camera: the scene without glass, in the picture and around it.
       view_surfaces_pass(),
       view_range_pass(),

@@ -1,8 +1,10 @@
 #include "passes/compose/compose.hpp"
 
+#include <algorithm>
 #include <glm/glm.hpp>
 
 #include "passes/shared/camera_rays.hpp"
+#include "passes/shared/layer_reads.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 
 namespace caustics::std140 {
@@ -40,7 +42,8 @@ std140::Compose compose_uniforms(const PassContext& context) {
 
 // Glass would show them from other sides than that from which they are seen.
 int shows_highlights(const PassContext& context) {
-  return context.effects && context.effects->highlights.active && !context.effects->seen_casters.active;
+  return context.effects && context.effects->highlights.active &&
+         (context.layer() > 0 || !context.effects->seen_casters.active);
 }
 
 // Without glass before it the shaded scene is the picture.
@@ -55,7 +58,7 @@ Pass compose_pass() {
       .name = "compose",
       .purpose = "shades diffuse surfaces under all their light, before the sky",
       .reason = "the camera sees the surfaces",
-      .drawn_for = {kFrame, kSurroundings},
+      .drawn_for = with_layers({kFrame, kSurroundings}),
       .reads = {{.name = "view_position", .meaning = "the surfaces"},
                 {.name = "view_normal", .meaning = "their normals"},
                 {.name = "view_albedo", .meaning = "their colours"},
@@ -80,12 +83,16 @@ Pass compose_pass() {
                 {.name = "view_ambient",
                  .meaning = "the share of the environment's light that arrives",
                  .optional = true,
-                 .needed_with = &Effects::occlusion}},
+                 .needed_with = &Effects::occlusion},
+                kReadLayers,
+                kReadFirstLayer},
       .writes = {{.name = "scene_color",
-                  .meaning = "rgb: radiance towards the camera, nit; a: 1",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1; of a layer: how much passes it",
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
-      .choices = {{"mirrors", chosen_by<&Effects::highlights>},
+      .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},
+                  {"blends", chosen_by<&Effects::blended>},
+                  {"mirrors", chosen_by<&Effects::highlights>},
                   {"is_occluded", chosen_by<&Effects::occlusion>},
                   {"shows_highlights", shows_highlights}},
   };

@@ -14,6 +14,8 @@ TEXTURE(6, environment)
 TEXTURE(7, highlight)
 TEXTURE(8, view_specular)
 TEXTURE(9, view_ambient)
+TEXTURE(10, layers)
+TEXTURE(11, first_layer)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -71,6 +73,18 @@ Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
   return radiance * (Vec3(specular) * scale + Vec3(max_of(bias, 0.0f)));
 }
 
+// rgb: radiance of the blended surfaces that are nearer, w: how much passes them. The passes that draw glass
+// add what lies before it.
+Vec4 layers_before(Int column, Int row) {
+  Vec4 nearer = fetch_clamped(layers, column, row);
+  Vec4 none = Vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  if (u.layer == 0) {
+    Vec4 first = fetch_clamped(first_layer, column, row);
+    nearer = sel(is_covered(first) && !is_before_glass(first), nearer, none);
+  }
+  return nearer;
+}
+
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
@@ -94,7 +108,17 @@ void main() {
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance + mirrored;
   if (u.shows_highlights != 0) surface = surface + Vec3(fetch_clamped(highlight, column, row));
   Vec3 background = backdrop_radiance(u.sky, ray_direction());
+  Vec4 nearer = Vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  if (u.blends != 0 && u.layer != 1) nearer = layers_before(column, row);
   Vec3 shown = surface * colour.w + background * (1.0f - colour.w);
-  scene_color = Vec4(sel(covered, shown, background), Float(1.0f));
+  if (u.layer != 0) shown = surface * colour.w;
+  Vec3 color = sel(covered, shown, background);
+  Float passes = Float(1.0f);
+  if (u.layer != 0) {
+    color = sel(covered, shown, Vec3(0.0f));
+    passes = nearer.w * sel(covered, 1.0f - colour.w, Float(1.0f));
+  }
+  if (u.blends != 0) color = Vec3(nearer) + color * nearer.w;
+  scene_color = Vec4(color, passes);
 }
 #endif

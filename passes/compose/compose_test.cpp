@@ -1,5 +1,6 @@
 #include "passes/compose/compose.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -309,4 +310,52 @@ TEST_CASE("compose: occlusion keeps the environment's light away, diffuse and mi
   bench.emission = glm::vec3(1.0f);
   bench.highlight = glm::vec3(0.5f);
   check_color(bench.color(), of_environment * 0.25f + bench.albedo * (3.0f / kPi) + glm::vec3(1.5f));
+}
+
+namespace {
+
+// A black surface of alpha 0.25, of a layer or behind all layers; `nearer`: radiance of the nearer layers and
+// how much passes them; `first`: w of the nearest's position.
+glm::vec4 composed(int number, const glm::vec4& nearer, float first) {
+  const Pass pass = compose_pass();
+  const auto is_layer = [&](const DrawnFor& each) { return each.layer == number; };
+  const DrawnFor& drawn_for = *std::find_if(pass.drawn_for.begin(), pass.drawn_for.end(), is_layer);
+  Scene scene;
+  scene.environment.zenith = scene.environment.horizon = scene.environment.ground = glm::vec3(0.0f);
+  Effects effects;
+  effects.blended.active = true;
+  const View view = down(1.0, 10.0, 20.0);
+  const auto all = [](const glm::vec4& value) { return filled(1, 1, value); };
+  // Irradiance pi on the opaque surface's albedo 1.
+  const glm::vec4 albedo = number > 0 ? glm::vec4(0.0f, 0.0f, 0.0f, 0.25f) : glm::vec4(1.0f);
+  return texel(run_pass(definition_of(pass, {}, drawn_for),
+                        {.uniforms = pass.uniforms({.scene = &scene,
+                                                    .effects = &effects,
+                                                    .camera = &view,
+                                                    .width = 1,
+                                                    .height = 1,
+                                                    .drawn_for = &drawn_for}),
+                         .textures = {all(glm::vec4(1.0f)), all({0, 1, 0, 10}), all(albedo), Image{},
+                                      all(glm::vec4(kPi)), Image{}, Image{}, Image{}, Image{}, Image{},
+                                      all(nearer), all(glm::vec4(first))}})["scene_color"],
+               0, 0);
+}
+
+}  // namespace
+
+TEST_CASE("compose: a black sheet of alpha 0.25 lets 0.75 of a white floor through, two let 0.5625") {
+  const glm::vec4 one = composed(1, {}, 1.0f);
+  CHECK(one == glm::vec4(0.0f, 0.0f, 0.0f, 0.75f));
+  CHECK(composed(0, one, 1.0f).x == Approx(0.75));
+  const glm::vec4 two = composed(2, one, 1.0f);
+  CHECK(two.w == 0.5625f);
+  CHECK(composed(0, two, 1.0f).x == Approx(0.5625));
+}
+
+TEST_CASE("compose: what shines in a nearer layer is kept, and what lies before glass left to it") {
+  const glm::vec4 bright{0.5f, 0.25f, 0.0f, 0.5f};
+  CHECK(composed(2, bright, 1.0f) == glm::vec4(0.5f, 0.25f, 0.0f, 0.375f));
+  CHECK(composed(0, bright, 1.0f).x == Approx(0.5 + 0.5 * 1.0));
+  CHECK(composed(0, bright, 2.0f).x == Approx(1.0));
+  CHECK(composed(0, bright, 0.0f).x == Approx(1.0));
 }

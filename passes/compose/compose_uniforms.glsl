@@ -1,5 +1,7 @@
 Sky sky;
 CameraRays camera;
+CHOICE(layer)             // of blended surfaces: 1: the nearest; 2: a further one; 0: all else
+CHOICE(blends)            // there are such
 CHOICE(mirrors)           // surfaces show the environment
 CHOICE(is_occluded)       // textures keep some of its light away
 CHOICE(shows_highlights)  // else the passes that draw glass add them

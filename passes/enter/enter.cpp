@@ -33,11 +33,12 @@ Pass enter_pass() {
                 {.name = kCasterTriangle, .meaning = "their triangles"},
                 {.name = kCasterMaterials, .meaning = "a row a material"},
                 kReadHierarchyTriangles,
-                kReadHierarchyNormals},
+                kReadHierarchyNormals,
+                kReadReaching},
       .writes = path_writes(),
       .count_samples = true,
       .shaders = {{&enter_shader, block_of<enter_uniforms>}},
-      .choices = {kBothWays, kFollowsMirrored},
+      .choices = {kBothWays, kFollowsMirrored, kIsTinted},
   };
 }
 

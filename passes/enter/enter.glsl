@@ -9,6 +9,7 @@ TEXTURE(2, caster_triangle)
 TEXTURE(3, caster_materials)
 TEXTURE(4, hierarchy_triangles)
 TEXTURE(5, hierarchy_normals)
+TEXTURE(6, reaching)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -83,6 +84,7 @@ void main() {
   CasterTriangle triangle = fetch_triangle(max_of(number, 0.0f));
   Meeting at = first_meeting(position, normal, number, triangle);
   Incident light = light_onto(cell, at.point);
+  if (u.is_tinted != 0) light.flux = light.flux * texel_fetch(reaching, column, row).x;
   LightPath path;
   path.ray = ray_from(at.point, light.direction);
   path.path = Float(0.0f);

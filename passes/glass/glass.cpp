@@ -1,6 +1,7 @@
 #include "passes/glass/glass.hpp"
 
 #include "passes/caster_map/caster_map.hpp"
+#include "passes/shared/layer_reads.hpp"
 #include "passes/shared/receiver_search_uniforms.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 #include "pipeline/effects/textured_casters.hpp"
@@ -73,10 +74,13 @@ Pass glass_pass() {
                 {.name = "highlight",
                  .meaning = "what the first surface mirrors of the lights, nit",
                  .optional = true,
-                 .needed_with = &Effects::highlights}},
+                 .needed_with = &Effects::highlights},
+                kReadLayers,
+                kReadFirstLayer},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&glass_shader, block_of<glass_uniforms>}},
-      .choices = {{"has_caster_tint", chosen_by<&Effects::textured_casters>}},
+      .choices = {{"blends", chosen_by<&Effects::blended>},
+                  {"has_caster_tint", chosen_by<&Effects::textured_casters>}},
   };
 }
 

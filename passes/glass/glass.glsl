@@ -16,6 +16,8 @@ TEXTURE(8, caster_materials)
 TEXTURE(9, environment)
 TEXTURE(10, view_caster_tint)
 TEXTURE(11, highlight)
+TEXTURE(12, layers)
+TEXTURE(13, first_layer)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -25,6 +27,7 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/position_texel.glsl"
+#include "passes/shared/layers_before_glass.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/receivers_box.glsl"
 #include "passes/shared/refraction.glsl"
@@ -158,6 +161,8 @@ void main() {
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
   // What the frame lacks is one texel of zeros.
-  beauty = Vec4(color + Vec3(fetch_clamped(highlight, column, row)), Float(1.0f));
+  color = color + Vec3(fetch_clamped(highlight, column, row));
+  if (u.blends != 0) color = behind_layers(color, column, row);
+  beauty = Vec4(color, Float(1.0f));
 }
 #endif

@@ -7,3 +7,4 @@ vec3 forward;            // the way the camera looks
 vec3 receivers_lower;    // the box around all receivers, scene space
 vec3 receivers_upper;
 CHOICE(has_caster_tint)  // 1: view_caster_tint has the colours, not caster_materials
+CHOICE(blends)           // there are blended surfaces

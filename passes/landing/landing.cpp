@@ -56,7 +56,8 @@ Pass landing_pass() {
                 {.name = "caster_flux",
                  .meaning = "how much light all grid vertices have, and how many they are, for weights of "
                             "equal parts",
-                 .optional = true}},
+                 .optional = true},
+                kReadReaching},
       .writes = {{.name = kLanding,
                   .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
                  {.name = kLandingFlux,
@@ -91,6 +92,7 @@ Pass landing_pass() {
                   {"has_exit_maps", chosen_by<&Effects::exit_surface>},
                   {"wyman_thickness",
                    [](const PassContext& c) { return c.settings->thickness == Thickness::Wyman ? 1 : 0; }},
+                  kIsTinted,
                   {"has_caster_tint", chosen_by<&Effects::textured_casters>},
                   {"only_unconverged", [](const PassContext& c) { return c.farthest() ? 1 : 0; }}},
   };

@@ -18,6 +18,7 @@ TEXTURE(6, caster_tint)
 TEXTURE(7, impostor_position)
 TEXTURE(8, landed_before)
 TEXTURE(9, caster_flux)
+TEXTURE(10, reaching)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -58,6 +59,7 @@ struct Entry {
   Vec3 outward;      // the surface's normal
   Material material;
   GridCell cell;
+  Float reaching;    // the share of the light that blended surfaces before it leave
 };
 
 Entry entry_at(Int column, Int row) {
@@ -68,6 +70,8 @@ Entry entry_at(Int column, Int row) {
   entry.point = Vec3(position);
   entry.cell = cell_of(column, row, entry.covered);
   entry.covered = entry.cell.covered;
+  entry.reaching = Float(1.0f);
+  if (u.is_tinted != 0) entry.reaching = texel_fetch(reaching, column, row).x;
   if (u.only_unconverged != 0) {
     Vec4 before = texel_fetch(landed_before, column, row);
     entry.covered = entry.covered && has_status(before, STATUS_NOT_CONVERGED);
@@ -361,6 +365,7 @@ void clear_outputs() {
 void follow(IN(Entry) entry) {
   TRACE(entry_point, entry.point);
   Incident light = light_onto(entry.cell, entry.point);
+  if (u.is_tinted != 0) light.flux = light.flux * entry.reaching;
   if (u.paper_weights != 0) light.flux = equal_part(entry);
   FirstSurface first = enter_caster(entry, light);
   Exit exit = cross_caster(entry, light.direction, first);

@@ -9,5 +9,6 @@ CHOICE(is_reflection)     // 1: follows what dielectrics mirror, not what they l
 CHOICE(has_mirrors)       // 1: some casters are metal
 CHOICE(has_exit_maps)     // 1: solid casters let light out by a second surface
 CHOICE(wyman_thickness)   // 1: the way inside is Wyman's thickness, not met in the exit maps
+CHOICE(is_tinted)         // 1: blended surfaces may stand before casters
 CHOICE(has_caster_tint)   // 1: caster_tint has the colours, not caster_materials
 CHOICE(only_unconverged)  // 1: follows only what landed_before has not converged

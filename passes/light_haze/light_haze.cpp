@@ -52,7 +52,7 @@ Pass light_haze_pass() {
       .shaders = {{&light_haze_shader, block_of<light_uniforms>}},
       .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>},
                   {"has_caustic", throws_caustic},
-                  {"has_panes", chosen_by<&Effects::thin_panes>}},
+                  {"has_panes", chosen_by<&Effects::tinted_light>}},
   };
 }
 

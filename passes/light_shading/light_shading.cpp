@@ -49,6 +49,11 @@ int has_highlights(const PassContext& context) {
   return picture && context.effects->highlights.active ? 1 : 0;
 }
 
+// Blended surfaces do not shadow one another.
+int has_panes(const PassContext& context) {
+  return context.effects->tinted_light.active && context.layer() == 0 ? 1 : 0;
+}
+
 std140::LightShading light_shading_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const Settings& settings = *context.settings;
@@ -85,7 +90,7 @@ Pass light_shading_pass() {
       .purpose = "adds what one light gives to the surfaces in view, directly and by its caustics",
       .reason = "the light shines on what the camera sees",
       .when = {&Effects::light},
-      .drawn_for = {kLight, kLightSurroundings},
+      .drawn_for = with_layers({kLight, kLightSurroundings}),
       .reads = {{.name = "view_position", .meaning = "the surfaces"},
                 {.name = "view_normal", .meaning = "their normals"},
                 {.name = "shadow_depth", .meaning = "what shadows them", .optional = true},
@@ -156,13 +161,14 @@ Pass light_shading_pass() {
                    with<&Effects::medium>}},
       .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>},
                   {"has_lift", chosen_by<&Effects::smooth_shading>},
-                  {"has_panes", chosen_by<&Effects::thin_panes>},
+                  {"has_panes", has_panes},
                   {"has_caustic", throws_caustic},
                   {"has_cascade", has_finer_map},
                   {"receivers_are_layered", receivers_are_layered},
                   {"caustic_is_grey",
                    [](const PassContext& c) { return c.effects->coloured_caustics.active ? 0 : 1; }},
                   {"has_highlights", has_highlights},
+                  {"is_layer", [](const PassContext& c) { return c.layer() > 0 ? 1 : 0; }},
                   {"samples_across",
                    [](const PassContext& c) { return c.settings->pixel_means ? kMostSamples : 0; }}},
   };

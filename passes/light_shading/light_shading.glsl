@@ -193,7 +193,7 @@ void main() {
     if (u.has_highlights != 0)
       mirrored = sel(surface.visible, receiver_highlight(surface, arrival.direct), mirrored);
   }
-  if (u.has_highlights != 0) mirrored = first_highlight(surface, mirrored);
+  if (u.has_highlights != 0 && u.is_layer == 0) mirrored = first_highlight(surface, mirrored);
   direct = Vec4(arriving, Float(0.0f));
   caustic = Vec4(bent, Float(0.0f));
   highlight = Vec4(mirrored, Float(0.0f));

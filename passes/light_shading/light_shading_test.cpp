@@ -45,7 +45,7 @@ struct Bench {
     effects.smooth_shading.active = !lift.values.empty();
     effects.caustics.active = caustics;
     effects.coloured_caustics.active = caustic_map.channels() > 1;
-    effects.thin_panes.active = !panes.values.empty();
+    effects.tinted_light.active = !panes.values.empty();
     effects.hidden_receivers.active = !far_receiver.values.empty();
     effects.highlights.active = highlights;
     if (caustics) effects.expectations = {{0, 0, true, ""}};

@@ -8,9 +8,20 @@ extern const Shader pane_light_shader;
 
 namespace {
 
+constexpr DrawnFor kCasters{.each = Each::Light,
+                            .label = "casters",
+                            .size = grid_size,
+                            .also = &Effects::blended,
+                            .reason = "blended surfaces may stand between the light and casters"};
+
+int before_casters(const PassContext& context) {
+  return context.drawn_for && context.drawn_for->label == kCasters.label ? 1 : 0;
+}
+
 std140::Pane pane_light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
-  std140::Pane u = pane_uniforms(views.panes, context.light->position, context);
+  const View& seen = before_casters(context) ? views.caster : views.panes;
+  std140::Pane u = pane_uniforms(seen, context.light->position, context);
   u.shadow_view = shader_view(views.shadow);
   return u;
 }
@@ -20,22 +31,27 @@ std140::Pane pane_light_uniforms(const PassContext& context) {
 Pass pane_light_pass() {
   return {
       .name = "pane_light",
-      .purpose = "finds what thin panes leave of the light that passes straight through them",
-      .reason = "thin panes tint the light that passes them",
-      .when = {&Effects::light, &Effects::thin_panes},
-      .drawn_for = {kLight},
-      .draws = DrawSet::ThinPanes,
+      .purpose =
+          "finds what thin panes and blended surfaces leave of the light that passes straight through them",
+      .reason = "thin panes and blended surfaces tint the light that passes them",
+      .when = {&Effects::light, &Effects::tinted_light},
+      .drawn_for = {kLight, kCasters},
+      .draws = DrawSet::LightTinters,
       .size = shadow_size,
       .reads = {{.name = "base_color", .meaning = "the pane's tint", .of_material = true},
                 {.name = "shadow_depth",
                  .meaning = "opaque surfaces, behind which panes no longer count",
-                 .optional = true}},
+                 .optional = true},
+                {.name = "caster_position",
+                 .meaning = "of casters: the grid vertices",
+                 .optional = true,
+                 .only_for = kCasters.label}},
       .writes = {{.name = "pane_transmittance",
-                  .meaning = "rgb: what all panes together let through, 0..1; a: 1",
+                  .meaning = "rgb: what all of them together let through, 0..1; a: 1",
                   .clear = {1.0f, 1.0f, 1.0f, 1.0f},
                   .blend = kMultiply}},
       .shaders = {{&pane_light_shader, block_of<pane_light_uniforms>}},
-      .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>}},
+      .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>}, {"before_casters", before_casters}},
   };
 }
 

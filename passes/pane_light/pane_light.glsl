@@ -8,11 +8,13 @@ UNIFORMS_BEGIN
 UNIFORMS_END
 TEXTURE(0, base_color)
 TEXTURE(1, shadow_depth)
+TEXTURE(2, caster_position)
 #include "passes/shared/pane_surface.glsl"
 
 #ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, pane_transmittance)
 #include "passes/shared/outside_tile.glsl"
+#include "passes/shared/position_texel.glsl"
 
 // Is an opaque surface nearer to the light? Two of its map's texels' extents may lie between.
 Bool in_shadow() {
@@ -24,8 +26,22 @@ Bool in_shadow() {
   return u.has_shadow_map != 0 && inside_unit(uv.x, uv.y) && stored < q.z - 2.0f * extent;
 }
 
+// Is there no caster behind it, on the grid vertex that is drawn?
+Bool not_before_casters() {
+  Vec4 caster = texel_fetch(caster_position, floor_to_int(frag_x()), floor_to_int(frag_y()));
+  Int face = Int(u.view.face);
+  Float z = in_face(u.view, view_coordinates(u.view, surface_position), face).z;
+  return !is_covered(caster) || z >= in_face(u.view, view_coordinates(u.view, Vec3(caster)), face).z;
+}
+
 void main() {
-  discard_if(outside_tile(u.view, u.map_side) || cut_out(u.alpha_mask, surface_uv) || in_shadow());
+  Bool left_out = outside_tile(u.view, u.map_side) || not_drawn();
+  if (u.before_casters != 0) {
+    left_out = left_out || u.is_blended == 0 || not_before_casters();
+  } else {
+    left_out = left_out || in_shadow();
+  }
+  discard_if(left_out);
   pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
 }
 #endif

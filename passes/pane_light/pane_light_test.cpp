@@ -11,6 +11,7 @@ namespace {
 struct LightBench {
   Material material = pane_material();
   MeshData mesh = level(4.0f);
+  bool blended = false;
   float opaque_distance = 1e30f;  // of the nearest opaque surface, from the light
 
   glm::vec4 transmittance() const {
@@ -18,6 +19,7 @@ struct LightBench {
     views.panes = views.shadow = down(1.0, 10.0, 20.0);
     Effects effects;
     effects.occluders.active = true;
+    effects.surfaces = {{.blended = blended}};
     const Scene scene;
     const Light light;
     const Pass pass = pane_light_pass();
@@ -67,4 +69,48 @@ TEST_CASE("pane_light: what an alpha mask cuts out takes nothing") {
   bench.material.alpha_mode = AlphaMode::Mask;
   bench.material.base_color.a = 0.4f;
   CHECK(bench.transmittance() == glm::vec4(1.0f));
+}
+
+TEST_CASE("pane_light: blended surfaces pass what they do not cover") {
+  LightBench bench;
+  bench.blended = true;
+  bench.material.alpha_mode = AlphaMode::Blend;
+  bench.material.base_color = {0.0f, 0.0f, 0.0f, 0.25f};
+  check_color(bench.transmittance(), glm::vec3(0.75f));
+  bench.mesh = both(bench.mesh, level(2.0f));
+  check_color(bench.transmittance(), glm::vec3(0.5625f));
+  bench.material.base_color.a = 1.0f;  // opaque: the shadow map has it
+  check_color(bench.transmittance(), glm::vec3(1.0f));
+}
+
+TEST_CASE("pane_light: before casters only what is blended, and nearer than they, takes light") {
+  // The caster is at height 3, the light shines down on a sheet at height 4 or 2.
+  const View view = down(1.0, 10.0, 20.0);
+  LightViews views;
+  views.panes = views.shadow = views.caster = view;
+  const Pass pass = pane_light_pass();
+  const DrawnFor& casters = pass.drawn_for[1];
+  Material material;
+  material.base_color.a = 0.25f;
+  const auto reaching = [&](float height, bool blended, float covered = 1.0f) {
+    Effects effects;
+    effects.surfaces = {{.blended = blended}};
+    const Scene scene;
+    const Light light;
+    return texel(run_pass(definition_of(pass, {}, casters),
+                          {.uniforms = pass.uniforms({.scene = &scene,
+                                                      .effects = &effects,
+                                                      .views = &views,
+                                                      .light = &light,
+                                                      .material = &material,
+                                                      .drawn_for = &casters}),
+                           .textures = {Image{}, Image{}, filled(1, 1, {0.0f, 3.0f, 0.0f, covered})},
+                           .mesh = level(height)})["pane_transmittance"],
+                 0, 0)
+        .x;
+  };
+  CHECK(reaching(4.0f, true) == 0.75f);
+  CHECK(reaching(2.0f, true) == 1.0f);
+  CHECK(reaching(4.0f, false) == 1.0f);
+  CHECK(reaching(4.0f, true, 0.0f) == 1.0f);
 }

@@ -11,7 +11,7 @@ std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& mate
       .column = shader_view(views ? views->column : view),
       .casters_nearest = views ? static_cast<float>(views->casters_nearest) : -1e30f,
       .map_side = view.cube ? view.cube->side : 0,
-      .mask = std140::alpha_mask(material),
+      .mask = std140::alpha_mask(material, std140::opaque_from(material)),
   };
 }
 

@@ -12,12 +12,24 @@ inline TextureTransform texture_transform(const caustics::TextureUse& use) {
   return {.row0 = glm::vec3(m[0][0], m[1][0], m[2][0]), .row1 = glm::vec3(m[0][1], m[1][1], m[2][1])};
 }
 
-inline AlphaMask alpha_mask(const caustics::Material& material) {
-  const bool masked = material.alpha_mode == AlphaMode::Mask;
+// `cutoff`: 0 for no mask.
+inline AlphaMask alpha_mask(const caustics::Material& material, float cutoff) {
+  const bool masked = cutoff > 0.0f;
   return {.uv = texture_transform(material.base_color_texture),
           .opacity = material.base_color.a,
-          .cutoff = masked ? material.alpha_cutoff : 0.0f,
+          .cutoff = cutoff,
           .textured = masked && material.base_color_texture.present() ? 1 : 0};
+}
+
+inline AlphaMask alpha_mask(const caustics::Material& material) {
+  return alpha_mask(material, material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.0f);
+}
+
+// From which opacity on a surface that is no glass and no mirror is drawn as an opaque one.
+inline float opaque_from(const caustics::Material& material) {
+  return material.alpha_mode == AlphaMode::Mask    ? material.alpha_cutoff
+         : material.alpha_mode == AlphaMode::Blend ? kCoversAll
+                                                   : 0.0f;
 }
 
 }  // namespace caustics::std140

@@ -40,14 +40,27 @@ Float face_reflectance(Vec3 d) {
 }
 
 // What light keeps on its way through: between two parallel faces the reflections add up to
-// (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once.
+// (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once. A blended surface keeps what it
+// covers.
 Vec3 let_through(Vec3 d) {
   Float r = face_reflectance(d);
   Vec3 color = Vec3(u.color);
+  Float opacity = Float(u.alpha_mask.opacity);
   if (u.has_base_color != 0) {
     Vec2 at = transformed_uv(u.base_color_uv, surface_uv);
-    color = color * Vec3(fetch_repeat(base_color, at.x, at.y));
+    Vec4 texel = fetch_repeat(base_color, at.x, at.y);
+    color = color * Vec3(texel);
+    opacity = opacity * texel.w;
   }
-  return color * ((1.0f - r) / (1.0f + r));
+  Vec3 passes = color * ((1.0f - r) / (1.0f + r));
+  if (u.is_blended != 0) passes = Vec3(1.0f - opacity);
+  return passes;
+}
+
+// Holes, or what of a blended surface is opaque.
+Bool not_drawn() {
+  Bool cut = cut_out(u.alpha_mask, surface_uv);
+  if (u.is_blended != 0) cut = !cut;
+  return cut;
 }
 #endif

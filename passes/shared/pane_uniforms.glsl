@@ -9,8 +9,10 @@ vec3 color;           // base colour times transmission
 float ior;
 int has_base_color;   // a texture
 TextureTransform base_color_uv;
-AlphaMask alpha_mask;
+AlphaMask alpha_mask;   // of a blended surface: what is not opaque
+int is_blended;         // a surface that covers a share of what lies behind, not a pane
 View shadow_view;     // of a light: the view of shadow_depth
 CHOICE(has_shadow_map)
+CHOICE(before_casters)  // keep what is blended before casters, not what all panes let through
 Light light;
 float roughness;

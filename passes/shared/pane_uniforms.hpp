@@ -16,6 +16,7 @@ struct Pane {
 // Without a light and what shadows it.
 inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const PassContext& context) {
   const Material& m = *context.material;
+  const bool blended = context.blended();
   return {.sky = shader_sky(context.scene->environment),
           .view = shader_view(view),
           .map_side = view.cube ? view.cube->side : 0,
@@ -25,7 +26,8 @@ inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const
           .ior = m.ior,
           .has_base_color = m.base_color_texture.present() ? 1 : 0,
           .base_color_uv = std140::texture_transform(m.base_color_texture),
-          .alpha_mask = std140::alpha_mask(m),
+          .alpha_mask = blended ? std140::alpha_mask(m, kCoversAll) : std140::alpha_mask(m),
+          .is_blended = blended ? 1 : 0,
           .shadow_view = {},
           .light = {},
           .roughness = m.roughness};

@@ -48,7 +48,7 @@ Vec3 mirrored(Vec3 n, Vec3 d) {
 }
 
 void main() {
-  discard_if(cut_out(u.alpha_mask, surface_uv) || hidden());
+  discard_if(not_drawn() || hidden());
   Vec3 d = ray_direction();
   Vec3 color = let_through(d);
   if (u.shows_mirror != 0) {

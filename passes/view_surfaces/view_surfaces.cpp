@@ -1,5 +1,7 @@
 #include "passes/view_surfaces/view_surfaces.hpp"
 
+#include <algorithm>
+
 #include "passes/shared/material_uniforms.hpp"
 
 namespace caustics::std140 {
@@ -25,7 +27,7 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   return {
       .view = shader_view(*context.camera),
       .base_factor = m.base_color,
-      .alpha_cutoff = m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f,
+      .alpha_cutoff = std140::opaque_from(m),
       .has_base_color = m.base_color_texture.present() ? 1 : 0,
       .has_normal = m.normal_texture.present() ? 1 : 0,
       .has_emissive = m.emissive_texture.present() ? 1 : 0,
@@ -53,24 +55,39 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
 Pass view_surfaces_pass() {
   return {
       .name = "view_surfaces",
-      .purpose = "finds the first opaque surface in each pixel",
+      .purpose = "finds the first opaque surface in each pixel, and the nearest blended ones",
       .reason = "the camera looks at the scene",
-      .drawn_for = {kFrame, kSurroundings},
+      .drawn_for = with_layers({kFrame, kSurroundings}),
       .draws = DrawSet::Receivers,
       .reads = {{.name = "base_color", .meaning = "albedo and opacity", .of_material = true},
                 {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true},
                 {.name = "emissive", .meaning = "light of its own", .of_material = true},
                 {.name = "metallic_roughness", .meaning = "g: roughness, b: metallic", .of_material = true},
-                {.name = "occlusion", .meaning = "r: the share of ambient light", .of_material = true}},
+                {.name = "occlusion", .meaning = "r: the share of ambient light", .of_material = true},
+                {.name = "behind",
+                 .meaning = "of a layer: what it lies before",
+                 .texture = "view_normal",
+                 .optional = true,
+                 .layer = OfLayer::Behind},
+                {.name = "before",
+                 .meaning = "of a layer: the next nearer one",
+                 .texture = "view_normal",
+                 .optional = true,
+                 .layer = OfLayer::Before},
+                {.name = "glass",
+                 .meaning = "of a layer: glass and metal",
+                 .texture = "caster_position.camera",
+                 .optional = true,
+                 .layer = OfLayer::Behind}},
       .writes = {{.name = "view_position",
                   .meaning = "xyz: position of the first opaque surface, metres, scene space; w: 1 "
-                             "where there is one, else 0"},
+                             "where there is one, else 0; 2: a blended one before glass"},
                  {.name = "view_normal",
                   .meaning = "xyz: unit shading normal on the camera's side, scene space; w: depth "
                              "along the camera's axis, metres"},
                  {.name = "view_albedo",
                   .meaning = "rgb: diffuse albedo, linear; a: how much of the surface is shown, "
-                             "less than 1 where an added ground fades"},
+                             "less than 1 where an added ground fades or a surface is blended"},
                  {.name = "view_specular",
                   .meaning = "rgb: reflectance at normal incidence; a: roughness",
                   .needed_with = &Effects::highlights},
@@ -87,6 +104,7 @@ Pass view_surfaces_pass() {
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .shaders = {{&view_surfaces_shader, block_of<view_surfaces_uniforms>}},
+      .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }}},
   };
 }
 

@@ -8,6 +8,9 @@ TEXTURE(1, normal_texture)
 TEXTURE(2, emissive)
 TEXTURE(3, metallic_roughness)
 TEXTURE(4, occlusion)
+TEXTURE(5, behind)
+TEXTURE(6, before)
+TEXTURE(7, glass)
 #include "passes/shared/tangent_vertex.glsl"
 VARYING_SMOOTH(10, Vec2, surface_uv)
 VARYING_SMOOTH(12, Float, tangent_plane_height)  // of the vertex's, over the origin
@@ -27,6 +30,7 @@ OUTPUT(4, Vec4, view_emission)
 OUTPUT(5, Vec4, view_lift)
 OUTPUT(6, Float, view_ambient)
 #include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/position_texel.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/transformed_uv.glsl"
@@ -87,12 +91,37 @@ Vec3 lift_along(Vec3 n, Bool behind) {
   return n * sel(towards_viewer > rounding, height, Float(0.0f));
 }
 
+// Does this fragment lie before the glass or metal in its pixel?
+Bool before_glass(Float z) {
+  // What the frame lacks is one texel of zeros.
+  Vec4 caster = fetch_clamped(glass, floor_to_int(frag_x()), floor_to_int(frag_y()));
+  return is_covered(caster) && z < view_coordinates(u.view, Vec3(caster)).z;
+}
+
+// Is a blended surface not the next behind the layer before, or behind what is opaque? Where that layer lies
+// before glass, what lies behind the glass is left out.
+Bool not_in_layer(Float z) {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Vec4 surface = fetch_clamped(behind, column, row);
+  Bool left_out = is_covered(surface) && z >= surface.w;
+  if (u.layer > 1) {
+    Vec4 nearer = fetch_clamped(before, column, row);
+    Bool beyond_glass = before_glass(nearer.w) && !before_glass(z);
+    left_out = left_out || !is_covered(nearer) || z <= nearer.w || beyond_glass;
+  }
+  return left_out;
+}
+
 void main() {
   Vec2 uv = transformed_uv(u.base_color_uv, surface_uv);
   Vec4 base = Vec4(u.base_factor);
   if (u.has_base_color != 0) base = base * fetch_repeat(base_color, uv.x, uv.y);
   Float opacity = base.w;
-  discard_if(opacity < u.alpha_cutoff);
+  Float z = view_coordinates(u.view, surface_position).z;
+  Bool left_out = opacity < u.alpha_cutoff;
+  if (u.layer != 0) left_out = !left_out || opacity <= 0.0f || not_in_layer(z);
+  discard_if(left_out);
 
   Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
   Bool behind = !front_facing();
@@ -106,11 +135,15 @@ void main() {
     Vec2 at = transformed_uv(u.emissive_uv, surface_uv);
     emission = emission * Vec3(fetch_repeat(emissive, at.x, at.y));
   }
-  view_position = Vec4(surface_position, Float(1.0f));
-  view_normal = Vec4(n, view_coordinates(u.view, surface_position).z);
+  Float place = Float(1.0f);
+  if (u.layer != 0) place = sel(before_glass(z), Float(2.0f), place);
+  view_position = Vec4(surface_position, place);
+  view_normal = Vec4(n, z);
   Finish finish = finish_here();
   Vec3 albedo = Vec3(base) * (1.0f - finish.metallic);
-  view_albedo = Vec4(albedo, shown_here());
+  Float shown = shown_here();
+  if (u.layer != 0) shown = opacity;
+  view_albedo = Vec4(albedo, shown);
   Vec3 reflectance = Vec3(base) * finish.metallic + Vec3(u.dielectric * (1.0f - finish.metallic));
   view_specular = Vec4(reflectance, finish.roughness);
   view_emission = Vec4(emission, Float(1.0f));

@@ -1,6 +1,7 @@
 View view;              // the camera's
 vec4 base_factor;       // rgb: albedo; a: opacity
-float alpha_cutoff;     // 0 in opaque materials
+float alpha_cutoff;     // 0 in opaque materials; in blended ones what is opaque
+CHOICE(layer)           // 0: what is opaque; 1: the nearest blended surface; 2: the next behind a layer
 int has_base_color;     // textures
 int has_normal;
 int has_emissive;

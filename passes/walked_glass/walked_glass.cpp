@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "passes/shared/hierarchy_reads.hpp"
+#include "passes/shared/layer_reads.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
@@ -60,9 +61,12 @@ Pass walked_glass_pass() {
                 {.name = "highlight",
                  .meaning = "what the first surface mirrors of the lights, nit",
                  .optional = true,
-                 .needed_with = &Effects::highlights}},
+                 .needed_with = &Effects::highlights},
+                kReadLayers,
+                kReadFirstLayer},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&walked_glass_shader, block_of<walked_glass_uniforms>}},
+      .choices = {{"blends", chosen_by<&Effects::blended>}},
   };
 }
 

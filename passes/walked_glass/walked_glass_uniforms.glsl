@@ -8,3 +8,4 @@ float bend;          // the branch's index of refraction is n_d + bend (n_F - n_
 int most_steps;      // as next_surface has them
 int first_receiver;
 float touch;
+CHOICE(blends)           // there are blended surfaces

@@ -126,6 +126,27 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
                                               : "none in the scene"};
 }
 
+// Surfaces of two triangles are taken to be flat.
+void add_blended(const Scene& scene, Effects& effects) {
+  std::size_t blended = 0, triangles = 0;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!effects.surfaces[i].blended) continue;
+    ++blended;
+    triangles += scene.meshes[i].indices.size() / 3;
+  }
+  const std::string found = count(blended, "surface", "surfaces") + " blended over what lies behind";
+  effects.blended = {blended > 0, blended > 0 ? found : "none in the scene"};
+  const bool layers = blended > 1 || triangles > 2;
+  effects.blended_layers = {layers, layers ? found + ": where more than " + std::to_string(kMostLayers) +
+                                                 " lie behind one another, the nearest are shown"
+                                    : blended > 0 ? "one flat surface is blended"
+                                                  : "none in the scene"};
+  const bool tinted = blended > 0 || effects.thin_panes.active;
+  effects.tinted_light = {tinted, effects.thin_panes.active ? effects.thin_panes.reason
+                                  : blended > 0             ? found
+                                                            : "no thin pane, nothing blended"};
+}
+
 // Meshes that shine light the scene only on request.
 void add_emitters(const Scene& scene, Effects& effects) {
   std::size_t shining = 0, lights = 0;
@@ -209,6 +230,8 @@ std::string_view name_of(Role role) {
       return "thin pane";
     case Role::Mirror:
       return "mirror";
+    case Role::Blended:
+      return "blended";
   }
   return "unknown";
 }
@@ -237,6 +260,9 @@ std::span<const NamedEffect> named_effects() {
       {"occluders", &Effects::occluders},
       {"smooth shading", &Effects::smooth_shading},
       {"thin panes", &Effects::thin_panes},
+      {"blended", &Effects::blended},
+      {"blended layers", &Effects::blended_layers},
+      {"tinted light", &Effects::tinted_light},
       {"mirrors", &Effects::mirrors},
       {"highlights", &Effects::highlights},
       {"seen casters", &Effects::seen_casters},
@@ -275,6 +301,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_light_effects(scene, settings, effects);
   add_smooth_shading(scene, effects);
   add_textured_casters(scene, settings, effects);
+  add_blended(scene, effects);
   add_emitters(scene, effects);
   add_occlusion(scene, effects);
   add_branches(scene, settings, effects);

@@ -12,22 +12,35 @@ namespace caustics {
 
 struct Settings;
 
+// Blended surfaces that are shown in one place, at most.
+inline constexpr int kMostLayers = 4;
+
 // What a mesh does to light.
 enum class Role : std::uint8_t {
   Receiver,   // diffuse: catches light and caustics, casts a shadow
   Refractor,  // smooth glass or water with a volume: throws a caustic
   ThinPane,   // transmission without a volume: lets light straight through, tinted
   Mirror,     // smooth metal: throws a caustic
+  Blended,    // alphaMode BLEND: diffuse where it covers, nothing beside
 };
 std::string_view name_of(Role role);
 // Does it throw caustics: a Refractor or a Mirror?
 constexpr bool is_caster(Role role) { return role == Role::Refractor || role == Role::Mirror; }
+// Is it shaded by what light falls on it?
+constexpr bool is_diffuse(Role role) { return role == Role::Receiver || role == Role::Blended; }
 
 struct SurfaceRole {
   Role role = Role::Receiver;
   bool two_interfaces = false;  // a Refractor: closed, so the light leaves through a second surface
   std::string reason;
+  // Some of it is blended over what lies behind: all but what is opaque of a Receiver, all of a Blended.
+  bool blended = false;
 };
+
+// Does it take a share of the light that passes straight through?
+inline bool tints_light(const SurfaceRole& surface) {
+  return surface.role == Role::ThinPane || surface.blended;
+}
 
 // One effect: does the frame call for it, and why or why not.
 struct Effect {
@@ -101,6 +114,9 @@ struct Effects {
   Effect occluders;              // diffuse surfaces that can shadow others or a caster
   Effect smooth_shading;         // of a diffuse surface: normals that vary over its triangles
   Effect thin_panes;             // a transmissive surface without a volume
+  Effect blended;                // a surface that alphaMode BLEND shows over what lies behind
+  Effect blended_layers;         // several of these in one place
+  Effect tinted_light;           // light passes straight through panes or blended surfaces
   Effect mirrors;                // smooth metal, which reflects light and view
   Effect highlights;             // what smooth surfaces mirror of the lights
   Effect seen_casters;           // a refractor or mirror, in which the camera sees other things

@@ -111,7 +111,32 @@ TEST_CASE("materials that look like glass but throw no caustic say why") {
   Material blended = solid_glass();
   blended.transmission = 0.0f;
   blended.alpha_mode = AlphaMode::Blend;
+  blended.base_color.a = 0.5f;
   mentions(judged(glass_over_floor(blended)).expectations[0].reason, "coverage, not glass");
+}
+
+TEST_CASE("alphaMode BLEND is coverage where it is not glass, metal or opaque all over") {
+  Material material;
+  material.metallic = 0.0f;
+  material.alpha_mode = AlphaMode::Blend;
+  const auto surface = [&] { return judged(glass_over_floor(material)).surfaces[0]; };
+  CHECK(surface().role == Role::Receiver);
+  CHECK_FALSE(surface().blended);
+  mentions(surface().reason, "alpha 1 all over: opaque");
+  material.base_color.a = 0.5f;
+  CHECK(surface().role == Role::Blended);
+  CHECK(surface().blended);
+  CHECK(judged(glass_over_floor(material)).tinted_light.active);
+  material.base_color.a = 1.0f;
+  material.least_alpha = 0.0f;  // a texture that covers nothing here, all there
+  CHECK(surface().role == Role::Receiver);
+  CHECK(surface().blended);
+  material.transmission = 1.0f;
+  material.thickness = 1.0f;
+  material.roughness = 0.0f;
+  CHECK(surface().role == Role::Refractor);
+  CHECK_FALSE(surface().blended);
+  mentions(surface().reason, "alphaMode BLEND ignored");
 }
 
 TEST_CASE("the limits of roughness and metal are in the role that they name") {

@@ -53,6 +53,8 @@ std::string not_in_triangles(const Scene& scene, const Effects& effects) {
     const Role role = effects.surfaces[i].role;
     if (role == Role::Receiver && m.alpha_mode == AlphaMode::Mask && m.base_color_texture.present())
       return "alpha masks (material '" + m.name + "' has one)";
+    if (effects.surfaces[i].blended && m.base_color_texture.present())
+      return "textured coverage (material '" + m.name + "' has it)";
     if (role == Role::ThinPane && (m.base_color_texture.present() || m.transmission_texture.present()))
       return "textured panes (material '" + m.name + "' is one)";
   }

@@ -81,13 +81,10 @@ Judgement judge_glass(const Mesh& mesh, const Material& material, const std::str
   if (material.ior == 1.0f) reason += " (bends nothing)";
   if (material.ior < 1.0f) reason += " (thinner than its surroundings, as a bubble)";
   if (!(material.thickness > 0.0f)) reason += ", --assume-solid";
-  if (material.alpha_mode == AlphaMode::Blend) reason += ", alphaMode BLEND ignored";
   return {{Role::Refractor, interfaces.two, reason + ", " + interfaces.reason}, true, false, {}};
 }
 
-}  // namespace
-
-Judgement judge(const Mesh& mesh, const Material& material, const Settings& settings) {
+Judgement judge_unblended(const Mesh& mesh, const Material& material, const Settings& settings) {
   const std::string name = quoted_name("material", material.name, static_cast<std::size_t>(mesh.material));
   if (material.unlit) {
     return diffuse(name, "unlit: shows its colour as it is, and casts a shadow");
@@ -109,12 +106,39 @@ Judgement judge(const Mesh& mesh, const Material& material, const Settings& sett
                                (material.metallic > 0 ? " beside the metal, which lets none through," : "") +
                                " is below 0.5: more diffuse than clear");
   }
-  if (material.alpha_mode == AlphaMode::Blend) {
-    return diffuse_instead(name,
-                           "alphaMode BLEND is coverage, not glass; KHR_materials_transmission and "
-                           "KHR_materials_volume make glass");
-  }
   return diffuse(name, "diffuse");
+}
+
+// What alphaMode BLEND makes of it: coverage, of what is diffuse.
+void blend(const Material& material, const std::string& name, Judgement& judged) {
+  SurfaceRole& surface = judged.role;
+  const float least = material.base_color.a * material.least_alpha;
+  const float most = material.base_color.a * material.most_alpha;
+  if (surface.role != Role::Receiver) {
+    surface.reason += ", alphaMode BLEND ignored";
+  } else if (least >= kCoversAll) {
+    surface.reason += ", alphaMode BLEND with alpha 1 all over: opaque";
+  } else {
+    const std::string range =
+        least < most ? rounded_text(least) + " to " + rounded_text(most) : rounded_text(most);
+    surface.blended = true;
+    if (most < kCoversAll) surface.role = Role::Blended;
+    surface.reason = name + ": alphaMode BLEND, alpha " + range +
+                     ": coverage, not glass (KHR_materials_transmission and KHR_materials_volume make glass)";
+    judged.looks_specular = true;
+    judged.no_caustic =
+        "alphaMode BLEND is coverage, not glass; KHR_materials_transmission and "
+        "KHR_materials_volume make glass";
+  }
+}
+
+}  // namespace
+
+Judgement judge(const Mesh& mesh, const Material& material, const Settings& settings) {
+  Judgement judged = judge_unblended(mesh, material, settings);
+  if (material.alpha_mode == AlphaMode::Blend)
+    blend(material, quoted_name("material", material.name, static_cast<std::size_t>(mesh.material)), judged);
+  return judged;
 }
 
 }  // namespace caustics

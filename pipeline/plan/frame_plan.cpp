@@ -92,6 +92,8 @@ class Planner {
   Planner(const Scene& scene, const Effects& effects, const Settings& settings, const Registry& registry)
       : scene_(scene), effects_(effects), settings_(settings), registry_(registry) {
     add_external(kCasterMaterials);
+    for (int i = 0; i < static_cast<int>(registry.size()); ++i)
+      if (pass_of(i).has_layers()) last_with_layers_ = i;
     if (scene.environment.image) add_external(kEnvironment);
     if (effects.further_surfaces.active)
       for (const char* name : {kHierarchyNodes, kHierarchyTriangles, kHierarchyNormals}) add_external(name);
@@ -188,16 +190,30 @@ class Planner {
 
   void add_instances(int index) {
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
-    for (const DrawnFor& drawn_for : pass.drawn_for) {
-      if (const auto reason = not_called_for(pass, drawn_for, effects_)) {
-        plan_.skipped.push_back({with_label(pass.name, drawn_for.label), *reason});
-      } else if (drawn_for.each == Each::Frame || drawn_for.each == Each::Sample) {
-        add(index, drawn_for, {});
-      } else if (drawn_for.each == Each::Water) {
-        for (std::size_t water = 0; water < scene_.waters.size(); ++water) add_water(index, drawn_for, water);
-      } else {
-        add_for_lights(index, drawn_for);
-      }
+    if (index == last_with_layers_) add_layers();
+    for (const DrawnFor& drawn_for : pass.drawn_for)
+      if (drawn_for.layer == 0) add_instances(index, drawn_for);
+  }
+
+  // Layer by layer, so that each takes the memory of the one before.
+  void add_layers() {
+    for (int layer = 1; layer <= kMostLayers; ++layer)
+      for (int i = 0; i <= last_with_layers_; ++i)
+        for (const DrawnFor& drawn_for : pass_of(i).drawn_for)
+          if (drawn_for.layer == layer) add_instances(i, drawn_for);
+  }
+
+  void add_instances(int index, const DrawnFor& drawn_for) {
+    const Pass& pass = pass_of(index);
+    if (const auto reason = not_called_for(pass, drawn_for, effects_)) {
+      // The first layer's says enough.
+      if (drawn_for.layer <= 1) plan_.skipped.push_back({with_label(pass.name, drawn_for.label), *reason});
+    } else if (drawn_for.each == Each::Frame || drawn_for.each == Each::Sample) {
+      add(index, drawn_for, {});
+    } else if (drawn_for.each == Each::Water) {
+      for (std::size_t water = 0; water < scene_.waters.size(); ++water) add_water(index, drawn_for, water);
+    } else {
+      add_for_lights(index, drawn_for);
     }
   }
 
@@ -234,6 +250,7 @@ class Planner {
     const LightEffects* light =
         user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
     return is_of_camera(pass, drawn_for) ? picture_size(settings_, drawn_for.camera)
+           : drawn_for.size              ? drawn_for.size(settings_, effects_, light)
                                          : pass.size(settings_, effects_, light);
   }
 
@@ -267,7 +284,7 @@ class Planner {
         planned.keep.push_back(false);
         continue;
       }
-      const std::string_view name = write.texture_by ? write.texture_by(effects_) : write.name;
+      const std::string_view name = write.texture_by && own.empty() ? write.texture_by(effects_) : write.name;
       planned.writes.push_back(target(planned, with_label(name, write.keeps ? "" : own), format, owner));
     }
     if (pass.depth)
@@ -358,6 +375,7 @@ class Planner {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
     const std::string name(read.texture.empty() ? read.name : read.texture);
+    if (read.layer != OfLayer::None) return of_layer(name, read.layer, drawn_for);
     if (read.surface != OfSurface::None) return of_round(pass, name, read.surface, user);
     // A branch's own comes before what the first branch, which bears the light's name, has under the label.
     const Owner of_light{user.light, -1};
@@ -367,6 +385,18 @@ class Planner {
           return called_for(read.needed_with) ? found : leave_unread(found, effects_.*read.needed_with);
     if (read.optional) return PlannedPass::kNothing;
     fail_unwritten(pass, name);
+  }
+
+  int of_layer(const std::string& name, OfLayer which, const DrawnFor& drawn_for) const {
+    if (drawn_for.camera != CameraView::Picture) return PlannedPass::kNothing;
+    if (which == OfLayer::Behind) {
+      const int found = drawn_for.layer > 0 ? find(name) : -1;
+      return found >= 0 ? found : PlannedPass::kNothing;
+    }
+    int layer = which == OfLayer::First ? 1 : drawn_for.layer > 0 ? drawn_for.layer - 1 : kMostLayers;
+    for (; layer > 0; --layer)
+      if (const int found = find(with_label(name, layer_label(layer))); found >= 0) return found;
+    return PlannedPass::kNothing;
   }
 
   // Where a branch begins it reads what the branch that it parts from has met.
@@ -416,6 +446,7 @@ class Planner {
   const Settings& settings_;
   const Registry& registry_;
   FramePlan plan_;
+  int last_with_layers_ = -1;         // in the registry
   std::map<std::string, int> index_;  // of the plan's textures, by name
   // Queries that earlier passes count into: of a light's casters, of a branch's first rays, of the rays that
   // a texture holds.

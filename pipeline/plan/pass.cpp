@@ -72,6 +72,22 @@ void validate_state(const Pass& pass, const InstanceState& state) {
 
 }  // namespace
 
+std::string_view layer_label(int layer) {
+  static constexpr std::string_view kLabels[kMostLayers] = {"layer 1", "layer 2", "layer 3", "layer 4"};
+  return kLabels[layer - 1];
+}
+
+std::vector<DrawnFor> with_layers(std::vector<DrawnFor> drawn_for) {
+  const Each each = drawn_for.front().each;
+  for (int layer = 1; layer <= kMostLayers; ++layer)
+    drawn_for.push_back({.each = each,
+                         .label = layer_label(layer),
+                         .layer = layer,
+                         .also = layer > 1 ? &Effects::blended_layers : &Effects::blended,
+                         .reason = "the camera sees blended surfaces"});
+  return drawn_for;
+}
+
 UniformBytes Pass::uniforms(const PassContext& context) const {
   static const Effects none;
   const Permutation permutation = permutation_of(*this, context.effects ? *context.effects : none);

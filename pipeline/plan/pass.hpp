@@ -41,6 +41,10 @@ enum class Surfaces : std::uint8_t {
   Bent    // each further one that it may be bent at
 };
 
+struct TargetSize {
+  int width = 0, height = 0;
+};
+
 // For whom a pass is drawn: once for the frame, each light, branch or water, and for which part of what these
 // see.
 struct DrawnFor {
@@ -53,7 +57,9 @@ struct DrawnFor {
   ReceiverLayer receivers = ReceiverLayer::Nearest;
   MapWindow window = MapWindow::Whole;
   CameraView camera = CameraView::Picture;
-  Surfaces surfaces = Surfaces::First;            // Each::Round only
+  Surfaces surfaces = Surfaces::First;                                                 // Each::Round only
+  TargetSize (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;  // null: the pass's
+  int layer = 0;  // of the blended surfaces in a pixel: 1, the nearest, to kMostLayers; 0: no such
   Effect Effects::*also = nullptr;                // needed beside the pass's own effects
   bool (*lights)(const LightEffects&) = nullptr;  // which of the lights need it; null: all
   std::string_view reason{};                      // why a frame needs it; empty: for the pass's reason
@@ -76,6 +82,10 @@ inline constexpr DrawnFor kSurroundings{.label = "surroundings",
                                         .camera = CameraView::Surroundings,
                                         .also = &Effects::seen_casters,
                                         .reason = kBeyond};
+// Blended surfaces in the picture. Their instances come layer by layer, just before what the last pass that
+// has such draws beside them.
+std::vector<DrawnFor> with_layers(std::vector<DrawnFor> drawn_for);
+std::string_view layer_label(int layer);
 // What the lights draw, drawn for the camera.
 inline constexpr DrawnFor kCamera{
     .label = "camera", .also = &Effects::seen_casters, .reason = "the camera sees casters, and through them"};
@@ -113,18 +123,15 @@ inline constexpr DrawnFor kSample{.each = Each::Sample};
 // What a pass draws.
 enum class DrawSet : std::uint8_t {
   FullScreen,    // one triangle over all pixels
-  Receivers,     // every mesh that is a Receiver
+  Receivers,     // every mesh that is a Receiver; for a layer: what is blended
   Casters,       // every Refractor and Mirror
   SolidCasters,  // every Refractor with two interfaces
   ThinPanes,     // every ThinPane
+  LightTinters,  // every ThinPane, and what is blended
   GridVertices,  // grid * grid points
   GridColumns,   // grid points
   GridCells,     // (grid - 1) * (grid - 1) rectangles
   Beams,         // beams * beams quadrilaterals of two triangles
-};
-
-struct TargetSize {
-  int width = 0, height = 0;
 };
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
@@ -155,6 +162,11 @@ struct PassContext {
   bool farthest() const { return drawn_for && drawn_for->receivers == ReceiverLayer::Farthest; }
   // What sees the casters that are drawn: the light, or the camera.
   const View& sees_casters() const { return views ? views->caster : *camera; }
+  int layer() const { return drawn_for ? drawn_for->layer : 0; }
+  bool blended() const {
+    const auto i = static_cast<std::size_t>(mesh_index);
+    return effects && i < effects->surfaces.size() && effects->surfaces[i].blended;
+  }
   bool cascade() const { return drawn_for && drawn_for->window == MapWindow::Cascade; }
 };
 
@@ -196,6 +208,9 @@ int throws_caustic(const PassContext& context);
 
 // A texture that the shader reads: `name` is that of its TEXTURE line.
 enum class OfSurface : std::uint8_t { None, Before, Here };  // of the round before, or of the reader's own
+// In the picture, where blended surfaces lie: of the next nearer layer (of all else: of the farthest), of the
+// nearest layer, or, of layers, what lies behind them all.
+enum class OfLayer : std::uint8_t { None, Before, First, Behind };
 struct Read {
   std::string_view name;
   std::string_view meaning;
@@ -204,6 +219,7 @@ struct Read {
   OfSurface surface = OfSurface::None;     // Each::Round only: whose round has written it
   bool discards_where_zero = false;        // as TextureRead has it
   bool optional = false;                   // the frame may lack it; one texel of zeros is bound then
+  OfLayer layer = OfLayer::None;           // an optional read
   Condition only_with = nullptr;           // the shader declares it only then
   std::string_view only_for{};             // read only by the instance with this label; the others get zeros
   std::string_view only_towards{};         // an optional read: the only attachment that depends on it
@@ -247,6 +263,7 @@ struct Pass {
   std::vector<Effect Effects::*> when{};    // all must be active; none: always
   std::vector<Effect Effects::*> unless{};  // where all of these are active too another pass takes its place
   std::vector<DrawnFor> drawn_for{kFrame};
+  bool has_layers() const { return drawn_for.back().layer > 0; }
   // Only for lights of whom a caustic is to be expected.
   bool only_lights_with_caustics = false;
   DrawSet draws = DrawSet::FullScreen;

@@ -30,6 +30,9 @@ PassImages run_pass(Device& device, const PassDefinition& definition, const Pass
   }
   for (const Image& image : inputs.textures)
     draw.textures.push_back(image.values.empty() ? TextureId::None : own(device.upload(image)));
+  // What the frame lacks.
+  if (draw.textures.size() < definition.reads.size())
+    draw.textures.resize(definition.reads.size(), TextureId::None);
   run.draws.push_back(draw);
   PassImages out;
   out.result = device.run(run);

@@ -23,16 +23,18 @@ void FrameTargets::replace(int index, const Image& image) {
 
 namespace {
 
-bool draws_mesh(DrawSet draws, const SurfaceRole& role) {
+bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role) {
   switch (draws) {
     case DrawSet::Receivers:
-      return role.role == Role::Receiver;
+      return drawn_for.layer > 0 ? role.blended : role.role == Role::Receiver;
     case DrawSet::Casters:
       return is_caster(role.role);
     case DrawSet::SolidCasters:
       return role.role == Role::Refractor && role.two_interfaces;
     case DrawSet::ThinPanes:
       return role.role == Role::ThinPane;
+    case DrawSet::LightTinters:
+      return tints_light(role);
     case DrawSet::FullScreen:
     case DrawSet::GridVertices:
     case DrawSet::GridColumns:
@@ -92,6 +94,7 @@ class PassRunner {
       case DrawSet::Casters:
       case DrawSet::SolidCasters:
       case DrawSet::ThinPanes:
+      case DrawSet::LightTinters:
         add_mesh_draws(pass, planned, context, run);
         break;
     }
@@ -142,7 +145,7 @@ class PassRunner {
                       PassRun& run) const {
     const Scene& scene = scene_.scene();
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-      if (!draws_mesh(pass.draws, inputs_.effects->surfaces[i])) continue;
+      if (!draws_mesh(pass.draws, *planned.drawn_for, inputs_.effects->surfaces[i])) continue;
       if (context.light && context.light->emitter == static_cast<int>(i)) continue;
       context.mesh = &scene.meshes[i];
       context.mesh_index = static_cast<int>(i);

@@ -105,11 +105,11 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
     if (shines(i)) continue;
     const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
     result.everything.add(extents);
-    if (is_caster(effects.surfaces[i].role)) {
+    const Role role = effects.surfaces[i].role;
+    if (tints_light(effects.surfaces[i])) result.panes.add(extents);
+    if (is_caster(role)) {
       result.casters.add(extents);
-    } else if (effects.surfaces[i].role == Role::ThinPane) {
-      result.panes.add(extents);
-    } else {
+    } else if (role == Role::Receiver) {
       result.receivers.add(extents);
       if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
     }

@@ -28,6 +28,8 @@ struct TextureUse {
 };
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
+// A blended surface is opaque where it covers at least this: a texel of 8 bits all, interpolated or not.
+inline constexpr float kCoversAll = 254.5f / 255.0f;
 
 // Where the camera's picture of a surface gives way to what lies behind all surfaces: with the distance from
 // a point, metres, from all of the surface to none of it.
@@ -43,6 +45,8 @@ struct Material {
   std::string name;
   glm::vec4 base_color{1.0f};
   TextureUse base_color_texture;
+  // Of base_color_texture's opacity; without one 1.
+  float least_alpha = 1.0f, most_alpha = 1.0f;
   TextureUse normal_texture;
   float normal_scale = 1.0f;
   AlphaMode alpha_mode = AlphaMode::Opaque;

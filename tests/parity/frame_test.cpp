@@ -16,7 +16,7 @@ using namespace caustics::test;
 
 namespace {
 
-// Glass and diffuse bodies, a box that the view cuts off, a thin pane, a mirror, an absorbing
+// Glass and diffuse bodies, a box that the view cuts off, a thin pane, a mirror, blended boxes, an absorbing
 // medium, three kinds of light.
 Scene frame_scene() {
   Scene scene = sphere_scene(1.5f, 4);
@@ -31,6 +31,12 @@ Scene frame_scene() {
   scene.meshes.push_back(box({-1.4, 0.0, -0.9}, {-0.6, 0.15, -0.4}, 0));
   scene.meshes.push_back(box({0.4, 0.2, 0.3}, {0.9, 0.6, 0.7}, 1));
   scene.meshes.push_back(floor(0.4, 0.1, 2));
+  Material veil = diffuse(0.5f);
+  veil.base_color.a = 0.4f;
+  veil.alpha_mode = AlphaMode::Blend;
+  scene.materials.push_back(veil);
+  scene.meshes.push_back(box({-0.4, 0.1, 0.55}, {0.2, 0.5, 0.8}, 4));
+  scene.meshes.push_back(box({-0.3, 1.4, -0.3}, {0.1, 1.5, 0.3}, 4));
   scene.lights = {sun({0.3, -1.0, -0.2}, 2.0f)};
   Light point{.name = "point", .type = LightType::Point, .intensity = 3.0f};
   point.position = {-0.8, 2.0, 0.6};
@@ -70,6 +76,10 @@ Scene textured_scene() {
       receiver.metallic_roughness_texture.image = receiver.occlusion_texture.image = 0;
   receiver.normal_texture.image = 1;
   receiver.occlusion_strength = 0.7f;
+  Material& veil = scene.materials[4];  // some of it opaque
+  veil.base_color_texture.image = 0;
+  veil.base_color.a = 1.0f;
+  veil.least_alpha = 0.0f;
   return scene;
 }
 

@@ -60,8 +60,8 @@ class Lamp {
     return reaching * through_panes(back, distance);
   }
 
-  // Both faces and all reflections between them: (1 - r) / (1 + r), times transmission and colour
-  // (passes/view_panes/view_panes.md).
+  // Of panes both faces and all reflections between them: (1 - r) / (1 + r), times transmission and colour
+  // (passes/view_panes/view_panes.md); of blended surfaces what they do not cover.
   glm::dvec3 through_panes(const Ray& back, double distance) const {
     glm::dvec3 left(1.0);
     double from = world_.nearest();
@@ -70,11 +70,15 @@ class Lamp {
       if (!hit) break;
       const Material& m = world_.scene().materials[static_cast<std::size_t>(
           world_.scene().meshes[static_cast<std::size_t>(hit->mesh)].material)];
+      from = std::max(hit->distance, from) * (1.0 + 1e-6) + world_.nearest();
+      if (world_.optics(hit->mesh).role == Role::Blended) {
+        left *= 1.0 - static_cast<double>(m.base_color.a);
+        continue;
+      }
       const double r =
           fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior)).mean();
       left *=
           glm::dvec3(glm::vec3(m.base_color)) * (static_cast<double>(m.transmission) * (1.0 - r) / (1.0 + r));
-      from = std::max(hit->distance, from) * (1.0 + 1e-6) + world_.nearest();
     }
     return left;
   }

@@ -26,7 +26,7 @@ std::vector<int> meshes_with(const std::vector<Optics>& optics, int without, boo
 }
 
 bool is_receiver(Role role) { return role == Role::Receiver; }
-bool is_pane(Role role) { return role == Role::ThinPane; }
+bool is_pane(Role role) { return role == Role::ThinPane || role == Role::Blended; }
 bool throws_light(Role role) { return is_caster(role); }
 
 }  // namespace

@@ -59,6 +59,7 @@ class Reader {
   void read_ior();
   void read_volume();
   int read_textures();
+  void read_coverage();
   TextureUse placed(const Cursor& info, int set, Reading reading);
 
   Context& context_;
@@ -166,6 +167,18 @@ TextureUse Reader::placed(const Cursor& info, int set, Reading reading) {
   return textures_.use(info, reading);
 }
 
+// What a blended material's texture covers at least and at most.
+void Reader::read_coverage() {
+  if (result_.alpha_mode != AlphaMode::Blend || !result_.base_color_texture.present()) return;
+  const Image& image = textures_.images()[static_cast<std::size_t>(result_.base_color_texture.image)];
+  result_.most_alpha = 0.0f;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      result_.least_alpha = std::min(result_.least_alpha, image.at(x, y, 3));
+      result_.most_alpha = std::max(result_.most_alpha, image.at(x, y, 3));
+    }
+}
+
 int Reader::read_textures() {
   const Cursor base = material_.member("pbrMetallicRoughness").member("baseColorTexture");
   const Cursor normal = material_.member("normalTexture");
@@ -182,6 +195,7 @@ int Reader::read_textures() {
                                              : occlusion;
   const int set = Textures::uv_set(first);
   result_.base_color_texture = placed(base, set, Reading::Color);
+  read_coverage();
   result_.normal_texture = placed(normal, set, Reading::FineData);
   result_.normal_scale = factor(context_, normal.member("scale"), 1, -1000, 1000);
   result_.emissive_texture = placed(emissive, set, Reading::Color);
