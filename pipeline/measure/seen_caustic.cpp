@@ -19,7 +19,7 @@ constexpr double kMuchBrighter = 3.0;
 // A surface seen at a flatter angle, by its cosine, has no larger pixels.
 constexpr double kFlattest = 1e-3;
 
-glm::dvec3 rgb(const ImageView& image, int x, int y) {
+glm::dvec3 color_at(const ImageView& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
@@ -110,9 +110,10 @@ SeenCaustic see_caustic(const LitSurfaces& surfaces, const View& camera, double 
     for (int x = 0; x < width; ++x) {
       const auto p = surface_at(surfaces.position, x, y);
       if (!p) continue;
-      const glm::dvec3 light = rgb(surfaces.caustic, x, y);
-      const double flux = (light.x + light.y + light.z) * pixel_area(camera, *p, rgb(surfaces.normal, x, y),
-                                                                     static_cast<double>(width) * height);
+      const glm::dvec3 light = color_at(surfaces.caustic, x, y);
+      const double flux =
+          (light.x + light.y + light.z) *
+          pixel_area(camera, *p, color_at(surfaces.normal, x, y), static_cast<double>(width) * height);
       Block& block = blocks.of_pixel(x, y);
       if (hides(surfaces.caster, camera, *p, x, y)) {
         seen.through += flux;
@@ -122,7 +123,7 @@ SeenCaustic see_caustic(const LitSurfaces& surfaces, const View& camera, double 
       seen.beside += flux;
       block.pixels += 1.0;
       block.caustic += luminance(light);
-      if (!surfaces.direct.values.empty()) block.direct += luminance(rgb(surfaces.direct, x, y));
+      if (!surfaces.direct.values.empty()) block.direct += luminance(color_at(surfaces.direct, x, y));
     }
   if (seen.beside + seen.through > 0.0) blocks.tell(seen, ambient);
   return seen;
