@@ -12,6 +12,10 @@ inline TextureTransform texture_transform(const caustics::TextureUse& use) {
   return {.row0 = glm::vec3(m[0][0], m[1][0], m[2][0]), .row1 = glm::vec3(m[0][1], m[1][1], m[2][1])};
 }
 
+inline SurfaceTexture surface_texture(const caustics::TextureUse& use) {
+  return {.uv = texture_transform(use), .levels = use.present() ? use.levels : 0};
+}
+
 // `cutoff`: 0 for no mask.
 inline AlphaMask alpha_mask(const caustics::Material& material, float cutoff) {
   const bool masked = cutoff > 0.0f;

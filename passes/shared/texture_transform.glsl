@@ -1,8 +1,15 @@
-// KHR_texture_transform and an alpha mask, as uniforms. Include before UNIFORMS_BEGIN; texture_transform()
-// and alpha_mask() in passes/shared/material_uniforms.hpp fill them.
+// What uniforms say of textures and an alpha mask. Include before UNIFORMS_BEGIN;
+// passes/shared/material_uniforms.hpp fills them.
+// KHR_texture_transform.
 struct TextureTransform {
   vec3 row0;  // u' = row0 . (u, v, 1)
   vec3 row1;  // v' = row1 . (u, v, 1)
+};
+
+// A texture that the camera sees on a surface.
+struct SurfaceTexture {
+  TextureTransform uv;
+  int levels;  // of its mip map; 0: there is no such texture
 };
 
 // glTF's alpha mask: a surface is cut out where opacity, times the texture's alpha if there is one, is below

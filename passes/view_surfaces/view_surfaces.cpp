@@ -1,8 +1,10 @@
 #include "passes/view_surfaces/view_surfaces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "passes/shared/material_uniforms.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::std140 {
 
@@ -18,6 +20,22 @@ extern const Shader view_surfaces_shader;
 
 namespace {
 
+bool has_mip_map(const Material& material) {
+  for (const TextureUse* use :
+       {&material.base_color_texture, &material.normal_texture, &material.emissive_texture,
+        &material.metallic_roughness_texture, &material.occlusion_texture})
+    if (use->levels > 1) return true;
+  return false;
+}
+
+// Of a picture's pixel, or of what each of its samples stands for.
+float pixel_side(const PassContext& context) {
+  if (!has_mip_map(*context.material)) return 0.0f;
+  const double width = context.camera->window_upper.x - context.camera->window_lower.x;
+  const int samples = context.settings ? samples_a_pixel(*context.settings) : 1;
+  return static_cast<float>(width / context.width / std::sqrt(static_cast<double>(samples)));
+}
+
 std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   const Material& m = *context.material;
   // What metal mirrors is shown with the highlights; without them it is drawn as diffuse.
@@ -28,11 +46,7 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .view = shader_view(*context.camera),
       .base_factor = m.base_color,
       .alpha_cutoff = std140::opaque_from(m),
-      .has_base_color = m.base_color_texture.present() ? 1 : 0,
-      .has_normal = m.normal_texture.present() ? 1 : 0,
-      .has_emissive = m.emissive_texture.present() ? 1 : 0,
-      .has_metallic_roughness = textured ? 1 : 0,
-      .has_occlusion = m.occlusion_texture.present() && !m.unlit ? 1 : 0,
+      .pixel_side = pixel_side(context),
       .normal_scale = m.normal_scale,
       .emissive_factor = m.emissive,
       .fade_centre = m.fade.centre,
@@ -41,11 +55,12 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .metallic = mirrors && !m.unlit ? metallic : 0.0f,
       .dielectric = m.unlit ? 0.0f : ((m.ior - 1.0f) / (m.ior + 1.0f)) * ((m.ior - 1.0f) / (m.ior + 1.0f)),
       .roughness = textured ? m.roughness_factor : m.roughness,
-      .base_color_uv = std140::texture_transform(m.base_color_texture),
-      .normal_uv = std140::texture_transform(m.normal_texture),
-      .emissive_uv = std140::texture_transform(m.emissive_texture),
-      .metallic_roughness_uv = std140::texture_transform(m.metallic_roughness_texture),
-      .occlusion_uv = std140::texture_transform(m.occlusion_texture),
+      .base_color_use = std140::surface_texture(m.base_color_texture),
+      .normal_use = std140::surface_texture(m.normal_texture),
+      .emissive_use = std140::surface_texture(m.emissive_texture),
+      .metallic_roughness_use =
+          std140::surface_texture(textured ? m.metallic_roughness_texture : TextureUse{}),
+      .occlusion_use = std140::surface_texture(m.unlit ? TextureUse{} : m.occlusion_texture),
       .occlusion_strength = m.occlusion_strength,
   };
 }
@@ -64,6 +79,11 @@ Pass view_surfaces_pass() {
                 {.name = "emissive", .meaning = "light of its own", .of_material = true},
                 {.name = "metallic_roughness", .meaning = "g: roughness, b: metallic", .of_material = true},
                 {.name = "occlusion", .meaning = "r: the share of ambient light", .of_material = true},
+                {.name = "base_color_levels", .meaning = "mip map of it", .of_material = true},
+                {.name = "normal_levels", .meaning = "likewise", .of_material = true},
+                {.name = "emissive_levels", .meaning = "likewise", .of_material = true},
+                {.name = "metallic_roughness_levels", .meaning = "likewise", .of_material = true},
+                {.name = "occlusion_levels", .meaning = "likewise", .of_material = true},
                 {.name = "behind",
                  .meaning = "of a layer: what it lies before",
                  .texture = "view_normal",

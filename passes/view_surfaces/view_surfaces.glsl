@@ -8,17 +8,26 @@ TEXTURE(1, normal_texture)
 TEXTURE(2, emissive)
 TEXTURE(3, metallic_roughness)
 TEXTURE(4, occlusion)
-TEXTURE(5, behind)
-TEXTURE(6, before)
-TEXTURE(7, glass)
+TEXTURE(5, base_color_levels)
+TEXTURE(6, normal_levels)
+TEXTURE(7, emissive_levels)
+TEXTURE(8, metallic_roughness_levels)
+TEXTURE(9, occlusion_levels)
+TEXTURE(10, behind)
+TEXTURE(11, before)
+TEXTURE(12, glass)
 #include "passes/shared/tangent_vertex.glsl"
 VARYING_SMOOTH(10, Vec2, surface_uv)
-VARYING_SMOOTH(12, Float, tangent_plane_height)  // of the vertex's, over the origin
+VARYING_SMOOTH(12, Vec2, surface_uv_density)
+VARYING_SMOOTH(14, Float, tangent_plane_height)  // of the vertex's, over the origin
 
 #ifdef VERTEX_STAGE
+ATTRIBUTE(12, Vec2, uv_density)
+
 void main() {
   place_surface();
   surface_uv = uv;
+  surface_uv_density = uv_density;
   tangent_plane_height = dot3(position, normal);
 }
 #else
@@ -34,11 +43,27 @@ OUTPUT(6, Float, view_ambient)
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/transformed_uv.glsl"
+#include "passes/shared/mip_levels.glsl"
 #include "passes/shared/tangent_space.glsl"
 
-Vec3 textured_normal(Vec3 n) {
-  Vec2 uv = transformed_uv(u.normal_uv, surface_uv);
-  Vec4 texel = fetch_repeat(normal_texture, uv.x, uv.y);
+// How large a part of the texture coordinates a pixel sees. At a depth z it is z times as wide as in the view's
+// window; on a surface that leans away longer, by z / |n.q| for a place q in view coordinates, up to 256 times.
+SeenUv seen_here(Vec3 n) {
+  SeenUv seen;
+  seen.at = surface_uv;
+  seen.reach = Vec2(Float(0.0f), Float(0.0f));
+  if (u.pixel_side > 0.0f) {
+    Vec3 ray = Vec3(0.0f, 0.0f, 1.0f);
+    if (u.view.kind != VIEW_PARALLEL) ray = view_coordinates(u.view, surface_position);
+    Float facing = abs(dot3(transform_vector(u.view.from_scene, n), ray));
+    Float longer = clamp_to(ray.z / max_of(facing, ray.z * 0.00390625f), 1.0f, 256.0f);
+    seen.reach = surface_uv_density * (u.pixel_side * ray.z * longer);
+  }
+  return seen;
+}
+
+Vec3 textured_normal(Vec3 n, IN(SeenUv) seen) {
+  Vec4 texel = fetch_seen(normal_texture, normal_levels, u.normal_use, seen);
   return leaned_normal(n, surface_tangent, tangent_space_normal(texel, Float(u.normal_scale)));
 }
 
@@ -48,24 +73,22 @@ struct Finish {
   Float metallic;
 };
 
-Finish finish_here() {
+Finish finish_here(IN(SeenUv) seen) {
   Finish f;
   f.roughness = Float(u.roughness);
   f.metallic = Float(u.metallic);
-  if (u.has_metallic_roughness != 0) {
-    Vec2 at = transformed_uv(u.metallic_roughness_uv, surface_uv);
-    Vec4 texel = fetch_repeat(metallic_roughness, at.x, at.y);
+  if (u.metallic_roughness_use.levels > 0) {
+    Vec4 texel = fetch_seen(metallic_roughness, metallic_roughness_levels, u.metallic_roughness_use, seen);
     f.roughness = f.roughness * texel.y;
     f.metallic = f.metallic * texel.z;
   }
   return f;
 }
 
-Float ambient_share() {
+Float ambient_share(IN(SeenUv) seen) {
   Float share = Float(1.0f);
-  if (u.has_occlusion != 0) {
-    Vec2 at = transformed_uv(u.occlusion_uv, surface_uv);
-    Vec4 texel = fetch_repeat(occlusion, at.x, at.y);
+  if (u.occlusion_use.levels > 0) {
+    Vec4 texel = fetch_seen(occlusion, occlusion_levels, u.occlusion_use, seen);
     share = 1.0f - u.occlusion_strength * (1.0f - texel.x);
   }
   return share;
@@ -113,40 +136,50 @@ Bool not_in_layer(Float z) {
   return left_out;
 }
 
+// What decides where the surface is at all: not averaged, for of leaves smaller than a pixel that would leave
+// nothing.
+Float finest_opacity() {
+  Float opacity = Float(u.base_factor.w);
+  if (u.alpha_cutoff > 0.0f && u.base_color_use.levels > 0) {
+    Vec2 uv = transformed_uv(u.base_color_use.uv, surface_uv);
+    opacity = opacity * fetch_repeat(base_color, uv.x, uv.y).w;
+  }
+  return opacity;
+}
+
 void main() {
-  Vec2 uv = transformed_uv(u.base_color_uv, surface_uv);
+  Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
+  SeenUv seen = seen_here(n);
   Vec4 base = Vec4(u.base_factor);
-  if (u.has_base_color != 0) base = base * fetch_repeat(base_color, uv.x, uv.y);
-  Float opacity = base.w;
+  if (u.base_color_use.levels > 0)
+    base = base * fetch_seen(base_color, base_color_levels, u.base_color_use, seen);
   Float z = view_coordinates(u.view, surface_position).z;
-  Bool left_out = opacity < u.alpha_cutoff;
-  if (u.layer != 0) left_out = !left_out || opacity <= 0.0f || not_in_layer(z);
+  Bool left_out = finest_opacity() < u.alpha_cutoff;
+  Float coverage = base.w;
+  if (u.layer != 0) left_out = !left_out || coverage <= 0.0f || not_in_layer(z);
   discard_if(left_out);
 
-  Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
   Bool behind = !front_facing();
   view_lift = Vec4(lift_along(n, behind), Float(0.0f));
-  if (u.has_normal != 0) n = textured_normal(n);
+  if (u.normal_use.levels > 0) n = textured_normal(n, seen);
   // A surface seen from behind shows its other side: the textured normal as a whole is reversed.
   n = sel(behind, -n, n);
 
   Vec3 emission = Vec3(u.emissive_factor);
-  if (u.has_emissive != 0) {
-    Vec2 at = transformed_uv(u.emissive_uv, surface_uv);
-    emission = emission * Vec3(fetch_repeat(emissive, at.x, at.y));
-  }
+  if (u.emissive_use.levels > 0)
+    emission = emission * Vec3(fetch_seen(emissive, emissive_levels, u.emissive_use, seen));
   Float place = Float(1.0f);
   if (u.layer != 0) place = sel(before_glass(z), Float(2.0f), place);
   view_position = Vec4(surface_position, place);
   view_normal = Vec4(n, z);
-  Finish finish = finish_here();
+  Finish finish = finish_here(seen);
   Vec3 albedo = Vec3(base) * (1.0f - finish.metallic);
   Float shown = shown_here();
-  if (u.layer != 0) shown = opacity;
+  if (u.layer != 0) shown = coverage;
   view_albedo = Vec4(albedo, shown);
   Vec3 reflectance = Vec3(base) * finish.metallic + Vec3(u.dielectric * (1.0f - finish.metallic));
   view_specular = Vec4(reflectance, finish.roughness);
   view_emission = Vec4(emission, Float(1.0f));
-  view_ambient = ambient_share();
+  view_ambient = ambient_share(seen);
 }
 #endif

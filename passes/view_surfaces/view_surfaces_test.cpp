@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/scene/mip_levels.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 
@@ -32,13 +33,15 @@ PassImages see(const MeshData& mesh, const Material& material, const std::vector
   const View view = down(half, 10.0, 20.0);
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
-  bound.resize(5);
-  return run_pass(definition_of(pass),
-                  {.width = 8,
-                   .height = 8,
-                   .uniforms = pass.uniforms({.effects = &effects, .camera = &view, .material = &material}),
-                   .textures = bound,
-                   .mesh = mesh});
+  bound.resize(10);
+  return run_pass(
+      definition_of(pass),
+      {.width = 8,
+       .height = 8,
+       .uniforms = pass.uniforms(
+           {.effects = &effects, .camera = &view, .material = &material, .width = 8, .height = 8}),
+       .textures = bound,
+       .mesh = mesh});
 }
 
 void check_direction(const glm::vec4& found, const glm::vec3& expected) {
@@ -148,7 +151,7 @@ TEST_CASE("view_surfaces: a normal texture leans the normal in tangent space") {
   check_direction(with({1.0f, 0.5f, 1.0f, 1.0f}), {0.5f / std::sqrt(1.25f), 1.0f / std::sqrt(1.25f), 0});
   // A mirrored picture's bitangent is the other way about.
   material.normal_scale = 1.0f;
-  for (std::size_t i = 0; i < 4; ++i) mesh.vertices[12 * i + 9] = -1.0f;
+  for (std::size_t i = 0; i < 4; ++i) mesh.vertices[14 * i + 9] = -1.0f;
   check_direction(with({0.5f, 1.0f, 1.0f, 1.0f}), {0, kHalf, kHalf});
 }
 
@@ -204,7 +207,7 @@ TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
       run_pass(definition_of(pass), {.width = 6,
                                      .height = 6,
                                      .uniforms = pass.uniforms({.camera = &wide, .material = &material}),
-                                     .textures = std::vector<Image>(5),
+                                     .textures = std::vector<Image>(10),
                                      .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});
   // 12 m in 6 pixels: the 4 m square covers the middle 2 x 2, centres at +-1.
   CHECK(out["view_position"].at(1, 2, 3) == 0.0f);
@@ -302,8 +305,8 @@ struct LayerBench {
         definition_of(pass, {}, drawn_for),
         {.uniforms = pass.uniforms(
              {.effects = &effects, .camera = &view, .material = &material, .drawn_for = &drawn_for}),
-         .textures = {Image{}, Image{}, Image{}, Image{}, Image{}, filled(1, 1, {0, 1, 0, behind}),
-                      filled(1, 1, {0, 1, 0, before}),
+         .textures = {Image{}, Image{}, Image{}, Image{}, Image{}, Image{}, Image{}, Image{}, Image{},
+                      Image{}, filled(1, 1, {0, 1, 0, behind}), filled(1, 1, {0, 1, 0, before}),
                       filled(1, 1, {0, glass, 0, glass > 0.0f ? 1.0f : 0.0f})},
          .mesh = mesh});
   }
@@ -350,4 +353,93 @@ TEST_CASE("view_surfaces: layers before glass are marked, and those behind it le
   bench.glass = 5.0f;
   CHECK(bench.layer(1)["view_position"].at(0, 0, 3) == 1.0f);
   CHECK(bench.depth(2) == 9.0f);
+}
+
+namespace {
+
+// Columns of 0 and 1 in turn, 4 x 4 texels: every coarser level is 0.5 all over. Drawn `scale` times over the
+// square's 4 m, as albedo.
+glm::vec4 stripes_seen(float scale, const MeshData& mesh, const View& view, bool mip_map = true) {
+  Image stripes(Format::RGBA16F, 4, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 1; x < 4; x += 2)
+      for (int c = 0; c < 4; ++c) stripes.at(x, y, c) = 1.0f;
+  Material material = plain();
+  material.base_color = glm::vec4(1.0f);
+  material.base_color_texture.image = 0;
+  material.base_color_texture.levels = mip_map ? 3 : 1;
+  material.base_color_texture.uv_transform[0][0] = material.base_color_texture.uv_transform[1][1] = scale;
+  std::vector<Image> bound(10);
+  bound[0] = stripes;
+  if (mip_map) bound[5] = coarser_levels(stripes);
+  const Effects effects;
+  const Pass pass = view_surfaces_pass();
+  return texel(
+      run_pass(definition_of(pass),
+               {.width = 8,
+                .height = 8,
+                .uniforms = pass.uniforms(
+                    {.effects = &effects, .camera = &view, .material = &material, .width = 8, .height = 8}),
+                .textures = bound,
+                .mesh = mesh})["view_albedo"],
+      2, 4);
+}
+
+const MeshData kSquare = quad(kFront, {0.0f, 1.0f, 0.0f});
+
+}  // namespace
+
+TEST_CASE("view_surfaces: a texture far away is its mean, a near one as if it had no mip map") {
+  // Pixels of 0.5 m, their middle at x = -0.75: u = 0.3125 of the square.
+  const View view = down(2.0, 10.0, 20.0);
+  // 64 texels a pixel and more: the coarsest level.
+  CHECK(stripes_seen(128.0f, kSquare, view).x == 0.5f);
+  CHECK(stripes_seen(1e6f, kSquare, view).y == 0.5f);
+  // A texel a pixel at most: at texel 0.75, three quarters of the way from 0 to 1.
+  CHECK(stripes_seen(1.0f, kSquare, view).x == 0.75f);
+  CHECK(stripes_seen(2.0f, kSquare, view) == stripes_seen(2.0f, kSquare, view, false));
+}
+
+TEST_CASE("view_surfaces: between two levels of a mip map they mix as the pixel's side lies between theirs") {
+  // 1.5 texels a pixel: half of each level. The pixel's middle is at 3.25 texels from the first's: 0.75.
+  const View view = down(2.0, 10.0, 20.0);
+  CHECK(stripes_seen(3.0f, kSquare, view).x == Approx(0.5 * 0.75 + 0.5 * 0.5));
+  // In perspective the side grows with the depth: 8 m down to the square.
+  View far = down(0.25, 10.0, 20.0);
+  far.perspective = true;
+  far.near = 0.1;
+  CHECK(stripes_seen(3.0f, kSquare, far).x == Approx(0.625));
+}
+
+TEST_CASE("view_surfaces: a pixel sees more of a texture where the surface leans away") {
+  // By 60 degrees twice as much: 1.5 texels instead of 0.75, whose mix at texel 1.375 is 0.625.
+  const float s = std::sqrt(3.0f);
+  const MeshData leaning =
+      quad({{-2, 2 - s, 1}, {2, 2 - s, 1}, {2, 2 + s, -1}, {-2, 2 + s, -1}}, {0.0f, 0.5f, 0.5f * s});
+  const View view = down(2.0, 10.0, 20.0);
+  CHECK(stripes_seen(1.5f, kSquare, view).x == Approx(0.625));
+  CHECK(stripes_seen(1.5f, leaning, view).x == Approx(0.5 * 0.625 + 0.5 * 0.5));
+}
+
+TEST_CASE("view_surfaces: a mask's holes are those of the finest level") {
+  // 64 texels a pixel: on the mean no pixel would be a hole.
+  Image holes(Format::RGBA16F, 64, 1);
+  for (int x = 0; x < 64; x += 2)
+    for (int c = 0; c < 4; ++c) holes.at(x, 0, c) = 1.0f;
+  Material material = plain();
+  material.alpha_mode = AlphaMode::Mask;
+  material.alpha_cutoff = 0.25f;
+  material.base_color_texture.image = 0;
+  material.base_color_texture.levels = 7;
+  material.base_color_texture.uv_transform[0][0] = 8.0f;
+  // The pixels' middles are between two columns, at alpha 0.5; an eighth of a texel on they are at 0.125.
+  std::vector<Image> bound(10);
+  bound[0] = holes;
+  bound[5] = coarser_levels(holes);
+  const auto shown = [&](float texels) {
+    material.base_color_texture.uv_transform[2][0] = texels / 64.0f;
+    return see(kSquare, material, bound)["view_position"].at(2, 2, 3);
+  };
+  CHECK(shown(0.0f) == 1.0f);
+  CHECK(shown(1.375f) == 0.0f);
 }

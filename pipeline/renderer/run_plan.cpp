@@ -204,12 +204,21 @@ class PassRunner {
   }
 
   TextureId material_texture(const std::string& name, const Material& material) const {
-    if (name == "base_color") return scene_.image(material.base_color_texture.image);
-    if (name == "normal_texture") return scene_.image(material.normal_texture.image);
-    if (name == "transmission_texture") return scene_.image(material.transmission_texture.image);
-    if (name == "emissive") return scene_.image(material.emissive_texture.image);
-    if (name == "metallic_roughness") return scene_.image(material.metallic_roughness_texture.image);
-    if (name == "occlusion") return scene_.image(material.occlusion_texture.image);
+    struct Use {
+      std::string_view name, levels;
+      TextureUse Material::*use;
+    };
+    static constexpr Use kUses[] = {
+        {"base_color", "base_color_levels", &Material::base_color_texture},
+        {"normal_texture", "normal_levels", &Material::normal_texture},
+        {"transmission_texture", "", &Material::transmission_texture},
+        {"emissive", "emissive_levels", &Material::emissive_texture},
+        {"metallic_roughness", "metallic_roughness_levels", &Material::metallic_roughness_texture},
+        {"occlusion", "occlusion_levels", &Material::occlusion_texture}};
+    for (const Use& use : kUses) {
+      if (name == use.name) return scene_.image((material.*use.use).image);
+      if (name == use.levels) return scene_.coarser((material.*use.use).image);
+    }
     throw Error(ExitCode::InternalError, "no material has a texture '" + name + "'");
   }
 

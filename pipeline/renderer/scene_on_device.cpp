@@ -10,6 +10,7 @@
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/material_optics.hpp"
+#include "pipeline/scene/uv_density.hpp"
 
 namespace caustics {
 
@@ -20,13 +21,16 @@ constexpr std::ptrdiff_t kMostOwnRows = 4096;
 
 MeshData mesh_data(const Mesh& mesh) {
   MeshData data;
-  data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}};
-  data.vertices.reserve(mesh.vertices.size() * 12);
-  for (const Vertex& v : mesh.vertices) {
+  data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}, {"uv_density", 2}};
+  data.vertices.reserve(mesh.vertices.size() * 14);
+  const std::vector<glm::vec2> densities = mesh.has_uv ? uv_densities(mesh) : std::vector<glm::vec2>{};
+  for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    const Vertex& v = mesh.vertices[vertex];
     for (int i = 0; i < 3; ++i) data.vertices.push_back(v.position[i]);
     for (int i = 0; i < 3; ++i) data.vertices.push_back(v.normal[i]);
     for (int i = 0; i < 4; ++i) data.vertices.push_back(v.tangent[i]);
     for (int i = 0; i < 2; ++i) data.vertices.push_back(v.uv[i]);
+    for (int i = 0; i < 2; ++i) data.vertices.push_back(densities.empty() ? 0.0f : densities[vertex][i]);
   }
   data.indices = mesh.indices;
   return data;
@@ -40,6 +44,9 @@ SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device&
   for (const Mesh& mesh : scene.meshes)
     meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(mesh))));
   for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.upload(image)));
+  for (std::size_t i = 0; i < scene.coarser.size(); ++i)
+    if (!scene.coarser[i].values.empty())
+      coarser_[static_cast<int>(i)] = {device, device.upload(scene.coarser[i])};
   upload_caster_materials(effects);
   number_triangles(effects);
   for (std::size_t i = 0; i < scene.waters.size(); ++i)
@@ -66,6 +73,11 @@ void SceneOnDevice::update(const std::vector<int>& meshes) {
 
 TextureId SceneOnDevice::image(int index) const {
   return index < 0 ? TextureId::None : images_[static_cast<std::size_t>(index)].id();
+}
+
+TextureId SceneOnDevice::coarser(int index) const {
+  const auto found = coarser_.find(index);
+  return found == coarser_.end() ? TextureId::None : found->second.id();
 }
 
 void SceneOnDevice::number_triangles(const Effects& effects) {

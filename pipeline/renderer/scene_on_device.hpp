@@ -11,7 +11,7 @@
 namespace caustics {
 
 // Uploads on construction, releases on destruction; the scene and the device must outlive it.
-// Meshes carry the attributes "position" 3, "normal" 3, "tangent" 4, "uv" 2.
+// Meshes carry the attributes "position" 3, "normal" 3, "tangent" 4, "uv" 2, "uv_density" 2.
 class SceneOnDevice {
  public:
   SceneOnDevice(const Scene& scene, const Effects& effects, Device& device);
@@ -28,6 +28,7 @@ class SceneOnDevice {
   // Takes the scene's waters as they stand now: their meshes, and if asked for Water::before.
   void renew_waters(bool with_state);
   TextureId image(int index) const;                   // None for index -1
+  TextureId coarser(int index) const;                 // its mip levels but for the first; None: it has none
   TextureId external(const std::string& name) const;  // kCasterMaterials, kEnvironment, a water's, or None
   // The row of a caster's material in kCasterMaterials; 0 for meshes that are no casters.
   int material_row(int mesh) const { return rows_[static_cast<std::size_t>(mesh)]; }
@@ -50,6 +51,7 @@ class SceneOnDevice {
   Device& device_;
   std::vector<OwnedMesh> meshes_;
   std::vector<OwnedTexture> images_;
+  std::map<int, OwnedTexture> coarser_;
   std::vector<int> rows_;
   HierarchyMeshes hierarchy_;
   std::vector<std::int64_t> first_triangles_;

@@ -24,6 +24,7 @@ struct TextureUse {
   int image = -1;  // index into Scene::images, -1: none
   // uv' = rows * (u, v, 1): KHR_texture_transform and the flip of v.
   glm::mat3 uv_transform{1.0f};
+  int levels = 1;  // of its mip map; the second and on are in Scene::coarser
   bool present() const { return image >= 0; }
 };
 
@@ -176,7 +177,8 @@ struct Scene {
   glm::dvec3 origin{0.0};  // glTF world coordinates of scene space's origin
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
-  std::vector<Image> images;  // RGBA32F for normals and transmission, else RGBA16F
+  std::vector<Image> images;   // RGBA32F for normals and transmission, else RGBA16F
+  std::vector<Image> coarser;  // by image: its mip levels but for the first (mip_levels.hpp), if it has any
   // What is drawn, each with maps of its own: as a person knows them until sample_lights puts an area
   // light's samples in its place, and then keeps the lights as a person knows them in `sources`.
   std::vector<Light> lights;

@@ -6,6 +6,7 @@
 #include "passes/registry.hpp"
 #include "pipeline/renderer/frame_renderer.hpp"
 #include "pipeline/renderer/parity_judgement.hpp"
+#include "pipeline/scene/mip_levels.hpp"
 #include "tests/parity/match.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/forwarding_device.hpp"
@@ -80,6 +81,7 @@ Scene textured_scene() {
   veil.base_color_texture.image = 0;
   veil.base_color.a = 1.0f;
   veil.least_alpha = 0.0f;
+  add_mip_levels(scene);
   return scene;
 }
 

@@ -147,6 +147,9 @@ TEST_CASE("A colour texture is decoded to linear half floats with its bottom row
   CHECK(scene.meshes.at(0).has_uv);
   const glm::vec3 corner = scene.materials.at(0).base_color_texture.uv_transform * glm::vec3(0, 0, 1);
   CHECK(corner == glm::vec3(0, 1, 1));
+  // Its mip map is averaged in linear light: of 1, 0 and twice 0.50293.
+  CHECK(scene.materials[0].base_color_texture.levels == 2);
+  CHECK(scene.coarser.at(0).at(0, 0, 0) == Approx((1.0 + 2 * 0.50293) / 4).margin(2.5e-4));
 }
 
 TEST_CASE("A normal texture of 16 bits a channel keeps its steps") {

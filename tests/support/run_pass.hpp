@@ -13,12 +13,15 @@ inline PassImages run_pass(const PassDefinition& definition, const PassInputs& i
 // A mesh with the attributes of SceneOnDevice: two triangles spanning four corners in order.
 inline MeshData quad(const glm::vec3 (&corners)[4], const glm::vec3& normal) {
   MeshData data;
-  data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}};
+  data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}, {"uv_density", 2}};
   const float uv[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const float along_u = 1.0f / glm::distance(corners[0], corners[1]);
+  const float along_v = 1.0f / glm::distance(corners[0], corners[3]);
   for (int i = 0; i < 4; ++i) {
-    const float vertex[12] = {corners[i].x, corners[i].y, corners[i].z, normal.x, normal.y, normal.z,
-                              1.0f,         0.0f,         0.0f,         1.0f,     uv[i][0], uv[i][1]};
-    data.vertices.insert(data.vertices.end(), vertex, vertex + 12);
+    const float vertex[14] = {corners[i].x, corners[i].y, corners[i].z, normal.x, normal.y,
+                              normal.z,     1.0f,         0.0f,         0.0f,     1.0f,
+                              uv[i][0],     uv[i][1],     along_u,      along_v};
+    data.vertices.insert(data.vertices.end(), vertex, vertex + 14);
   }
   data.indices = {0, 1, 2, 0, 2, 3};
   return data;
@@ -35,7 +38,7 @@ inline MeshData level(float height, float half = 4.0f, float x = 0.0f) {
 
 // Two meshes of one layout as one, drawn in this order.
 inline MeshData both(MeshData first, const MeshData& second) {
-  const auto offset = static_cast<std::uint32_t>(first.vertices.size() / 12);
+  const auto offset = static_cast<std::uint32_t>(first.vertices.size() / 14);
   first.vertices.insert(first.vertices.end(), second.vertices.begin(), second.vertices.end());
   for (const std::uint32_t i : second.indices) first.indices.push_back(offset + i);
   return first;

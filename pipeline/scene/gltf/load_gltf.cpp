@@ -19,6 +19,7 @@
 #include "pipeline/scene/gltf/surface.hpp"
 #include "pipeline/scene/gltf/topology.hpp"
 #include "pipeline/scene/gltf/water.hpp"
+#include "pipeline/scene/mip_levels.hpp"
 
 namespace caustics {
 
@@ -309,6 +310,7 @@ Loaded load(Context& context) {
   scene.medium = gltf::read_medium(context, document);
   scene.materials = materials.list;
   scene.images = std::move(textures.images());
+  add_mip_levels(scene);
   scene.notes = std::move(context.notes());
   if (loaded.motion) loaded.motion->start(without_data(std::move(document)), scene);
   const bool needs_fallback = std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
