@@ -116,8 +116,30 @@ TEST_CASE("Extensions that we lack are refused when required, noted when used") 
   gltf.rest = R"(,"extensionsRequired":["EXT_texture_webp"])";
   CHECK(contains(refusal(gltf), "extensionsRequired[0]: the extension EXT_texture_webp is not supported"));
   CHECK(contains(refusal(gltf), "re-export with PNG or JPEG textures"));
-  gltf.rest = R"(,"extensionsUsed":["KHR_materials_sheen"])";
-  CHECK(has_note(load(gltf), "The extension KHR_materials_sheen is ignored."));
+  gltf.rest = R"(,"extensionsUsed":["MSFT_lod"])";
+  CHECK(has_note(load(gltf), "The extension MSFT_lod is ignored."));
+}
+
+TEST_CASE("What of a material is not drawn as specified is said in one line each") {
+  const std::pair<const char*, const char*> kLines[] = {
+      {"specular", "Specular strength and colour are left out: surfaces mirror by their ior"},
+      {"clearcoat", "Clear coat is left out"},
+      {"sheen", "Sheen is left out: cloth has no bright rim"},
+      {"iridescence", "Iridescence is left out: thin films show no colours"},
+      {"anisotropy", "Anisotropy is left out: highlights are round"},
+      {"diffuse_transmission", "Diffuse transmission is left out: leaves and paper let no light through"},
+      {"volume_scatter", "Scattering in volumes is left out: they are clear"},
+      {"pbrSpecularGlossiness", "Specular-glossiness is left out: the metallic-roughness material is shown"}};
+  for (const auto& [name, line] : kLines) {
+    const std::string extension = std::string("KHR_materials_") + name;
+    Gltf gltf = triangle();
+    gltf.mesh += R"(,"material":0)";
+    gltf.rest = R"(,"materials":[{"extensions":{")" + extension + R"(":{}}}],"extensionsUsed":[")" +
+                extension + R"("],"extensionsRequired":[")" + extension + R"("])";
+    const Scene scene = load(gltf);
+    const std::string sentence = std::string(line) + " (" + extension + ").";
+    CHECK(std::count(scene.notes.begin(), scene.notes.end(), sentence) == 1);
+  }
 }
 
 TEST_CASE("Basis textures leave a scene without them, and one note that says so") {

@@ -9,7 +9,7 @@ namespace caustics::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 16> kSupported = {"KHR_materials_transmission",
+constexpr std::array<std::string_view, 17> kSupported = {"KHR_materials_transmission",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_volume",
                                                          "KHR_materials_dispersion",
@@ -22,22 +22,40 @@ constexpr std::array<std::string_view, 16> kSupported = {"KHR_materials_transmis
                                                          "EXT_mesh_gpu_instancing",
                                                          "KHR_node_visibility",
                                                          "KHR_xmp_json_ld",
+                                                         "KHR_xmp",
                                                          "KHR_texture_basisu",
                                                          kMeshopt,
                                                          kDraco};
 
+struct Harmless {
+  std::string_view name;
+  std::string_view instead;  // what is drawn, for people
+};
+
 // Extensions that change how light looks on a surface but neither geometry nor refraction: a file
 // that requires them still makes a meaningful scene.
-constexpr std::array<std::string_view, 9> kHarmless = {
-    "KHR_materials_specular",   "KHR_materials_clearcoat",
-    "KHR_materials_sheen",      "KHR_materials_iridescence",
-    "KHR_materials_anisotropy", "KHR_materials_diffuse_transmission",
-    "KHR_animation_pointer",    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_audio_emitter"};
+constexpr std::array<Harmless, 10> kHarmless = {
+    {{"KHR_materials_specular", "Specular strength and colour are left out: surfaces mirror by their ior"},
+     {"KHR_materials_clearcoat", "Clear coat is left out"},
+     {"KHR_materials_sheen", "Sheen is left out: cloth has no bright rim"},
+     {"KHR_materials_iridescence", "Iridescence is left out: thin films show no colours"},
+     {"KHR_materials_anisotropy", "Anisotropy is left out: highlights are round"},
+     {"KHR_materials_diffuse_transmission",
+      "Diffuse transmission is left out: leaves and paper let no light through"},
+     {"KHR_materials_volume_scatter", "Scattering in volumes is left out: they are clear"},
+     {"KHR_materials_pbrSpecularGlossiness",
+      "Specular-glossiness is left out: the metallic-roughness material is shown"},
+     {"KHR_animation_pointer", "Animated properties of materials, lights and cameras stay as they are"},
+     {"KHR_audio_emitter", "Sound is left out"}}};
 
-template <std::size_t N>
-bool contains(const std::array<std::string_view, N>& list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
+const Harmless* find_harmless(std::string_view name) {
+  const auto* const found = std::find_if(kHarmless.begin(), kHarmless.end(),
+                                         [&](const Harmless& harmless) { return harmless.name == name; });
+  return found == kHarmless.end() ? nullptr : found;
+}
+
+bool is_supported(std::string_view name) {
+  return std::find(kSupported.begin(), kSupported.end(), name) != kSupported.end();
 }
 
 std::string advice_for(std::string_view name) {
@@ -76,8 +94,8 @@ void check_extensions(Context& context, const Document& document) {
     const bool undecoded =
         (name == kMeshopt && !has_meshopt_decoder()) || (name == kDraco && !has_draco_decoder());
     if (undecoded) fail_without_decoder(required.element(i), name);
-    if (contains(kSupported, name)) continue;
-    if (!contains(kHarmless, name)) {
+    if (is_supported(name)) continue;
+    if (!find_harmless(name)) {
       required.element(i).fail("the extension " + name + " is not supported", advice_for(name));
     }
     ignored.push_back(name);
@@ -90,10 +108,14 @@ void check_extensions(Context& context, const Document& document) {
       context.note(
           "Basis textures cannot be read: where nothing else is there, surfaces have none; "
           "re-export with PNG or JPEG textures.");
-    if (contains(kSupported, name)) continue;
+    if (is_supported(name)) continue;
     ignored.push_back(name);
   }
-  for (const std::string& name : ignored) context.note("The extension " + name + " is ignored.");
+  for (const std::string& name : ignored) {
+    const Harmless* const harmless = find_harmless(name);
+    context.note(harmless ? std::string(harmless->instead) + " (" + name + ")."
+                          : "The extension " + name + " is ignored.");
+  }
 }
 
 }  // namespace caustics::gltf

@@ -94,11 +94,13 @@ std::optional<int> Textures::image_index(const Cursor& info) {
   const Cursor samplers = root_.member("samplers");
   const auto sampler = texture.member("sampler").optional_index("samplers", samplers.size());
   if (sampler) {
-    const Cursor wrap = samplers.element(static_cast<std::size_t>(*sampler));
-    if (wrap.member("wrapS").integer(0, 65535, 10497) != 10497 ||
-        wrap.member("wrapT").integer(0, 65535, 10497) != 10497) {
+    const Cursor how = samplers.element(static_cast<std::size_t>(*sampler));
+    if (how.member("wrapS").integer(0, 65535, 10497) != 10497 ||
+        how.member("wrapT").integer(0, 65535, 10497) != 10497) {
       context_.note("Textures always repeat; other wrap modes of samplers are ignored.");
     }
+    if (how.member("magFilter").integer(0, 65535, 9729) == 9728)
+      context_.note("Textures are always interpolated; samplers that ask for the nearest texel are ignored.");
   }
   return source;
 }
