@@ -84,10 +84,11 @@ TEST_CASE("view_surfaces: the lift reaches from a triangle out to its vertices' 
   // 1 - p . p = 5/8 away along the normal p / |p|.
   const glm::vec3 corners[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
+  const auto stride = static_cast<std::size_t>(mesh.floats_per_vertex());
   for (std::size_t i = 0; i < 3; ++i)
     for (int c = 0; c < 3; ++c) {
-      mesh.vertices[i * 12 + static_cast<std::size_t>(c)] = corners[i][c];
-      mesh.vertices[i * 12 + 3 + static_cast<std::size_t>(c)] = corners[i][c];
+      mesh.vertices[i * stride + static_cast<std::size_t>(c)] = corners[i][c];
+      mesh.vertices[i * stride + 3 + static_cast<std::size_t>(c)] = corners[i][c];
     }
   mesh.indices = {0, 1, 2};
   const glm::vec3 normal = glm::vec3(1, 2, 1) / std::sqrt(6.0f);
