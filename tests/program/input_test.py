@@ -195,8 +195,9 @@ class Reasons(ProgramTest):
         added, caustic, error = self.first_lines()
         self.assertEqual(added, "added: the light of a studio")
         # The ball stands in the middle, 1 m above its caustic.
-        self.assertRegex(caustic, r"^caustic: [78]\d.\d% of the light onto 'ball' makes one; brightest in "
-                                  r"the middle of the picture \(x 3[0-4], y \d+\), [1-9.]+ times as bright as")
+        self.assertRegex(caustic, r"^caustic: [78]\d.\d% of the light onto 'ball' makes one; brightest "
+                                  r"in the middle of the picture \(x 3[0-4], y \d+\), "
+                                  r"[1-9.]+ times as bright as")
         self.assertRegex(error, r"^error: estimated \d+.\d%, most of it by ")
 
     def test_a_caustic_outside_the_picture_is_told_with_what_to_do(self):
