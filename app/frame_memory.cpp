@@ -32,11 +32,14 @@ std::uint64_t float_bytes(const TextureOrMemory& texture) {
 
 // Meshes and images, here and on the device.
 std::uint64_t scene_bytes(const Scene& scene) {
-  std::uint64_t sum = 0;
-  for (const Mesh& mesh : scene.meshes)
+  std::uint64_t sum = 0, densities = 0;
+  for (const Mesh& mesh : scene.meshes) {
     sum += mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
-  for (const Image& image : scene.images) sum += image.values.size() * sizeof(float);
-  return 2 * sum;
+    densities += mesh.vertices.size() * sizeof(glm::vec2);
+  }
+  for (const auto* images : {&scene.images, &scene.coarser})
+    for (const Image& image : *images) sum += image.values.size() * sizeof(float);
+  return 2 * sum + densities;
 }
 
 // Of the trees of casters and receivers, which rays for the model's error are followed through.

@@ -93,10 +93,13 @@ Json Dump::file_of(const RenderedFrame& frame, int texture) {
 }
 
 Json Dump::material_file(const RenderedFrame& frame, TextureId texture) {
+  if (texture == TextureId::None) return nullptr;
   const int images = static_cast<int>(frame.scene().images.size());
-  for (int i = 0; i < images; ++i)
-    if (frame.on_device().image(i) == texture)
-      return table_file(frame, texture, "material_texture[" + std::to_string(i) + "]");
+  for (int i = 0; i < images; ++i) {
+    const std::string name = "material_texture[" + std::to_string(i) + "]";
+    if (frame.on_device().image(i) == texture) return table_file(frame, texture, name);
+    if (frame.on_device().coarser(i) == texture) return table_file(frame, texture, name + ".levels");
+  }
   return nullptr;
 }
 
