@@ -9,7 +9,9 @@ struct SeenUv {
 };
 
 // A side of a level.
-Int level_side(int side, Int level) { return max_of(floor_to_int(float(side) * exp2_of_whole(-level)), Int(1)); }
+Int level_side(int side, Int level) {
+  return max_of(floor_to_int(float(side) * exp2_of_whole(-level)), Int(1));
+}
 
 Vec4 fetch_level(Texture t, Texture coarser, Int level, Vec2 uv) {
   Bool finest = level < 1;

@@ -46,8 +46,9 @@ OUTPUT(6, Float, view_ambient)
 #include "passes/shared/mip_levels.glsl"
 #include "passes/shared/tangent_space.glsl"
 
-// How large a part of the texture coordinates a pixel sees. At a depth z it is z times as wide as in the view's
-// window; on a surface that leans away longer, by z / |n.q| for a place q in view coordinates, up to 256 times.
+// How large a part of the texture coordinates a pixel sees. At a depth z it is z times as wide as in the
+// view's window; on a surface that leans away longer, by z / |n.q| for a place q in view coordinates, up to
+// 256 times.
 SeenUv seen_here(Vec3 n) {
   SeenUv seen;
   seen.at = surface_uv;
