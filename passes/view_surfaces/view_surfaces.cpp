@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "passes/shared/material_uniforms.hpp"
+#include "pipeline/scene/mip_levels.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics::std140 {
@@ -19,14 +20,6 @@ namespace caustics {
 extern const Shader view_surfaces_shader;
 
 namespace {
-
-bool has_mip_map(const Material& material) {
-  for (const TextureUse* use :
-       {&material.base_color_texture, &material.normal_texture, &material.emissive_texture,
-        &material.metallic_roughness_texture, &material.occlusion_texture})
-    if (use->levels > 1) return true;
-  return false;
-}
 
 // Of a picture's pixel, or of what each of its samples stands for.
 float pixel_side(const PassContext& context) {

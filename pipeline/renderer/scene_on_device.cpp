@@ -10,6 +10,7 @@
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/material_optics.hpp"
+#include "pipeline/scene/mip_levels.hpp"
 #include "pipeline/scene/uv_density.hpp"
 
 namespace caustics {
@@ -19,11 +20,14 @@ namespace {
 // Casters that get a row each in kCasterMaterials: as many as any device's textures are high.
 constexpr std::ptrdiff_t kMostOwnRows = 4096;
 
-MeshData mesh_data(const Mesh& mesh) {
+MeshData mesh_data(const Scene& scene, std::size_t index) {
+  const Mesh& mesh = scene.meshes[index];
   MeshData data;
   data.layout = {{"position", 3}, {"normal", 3}, {"tangent", 4}, {"uv", 2}, {"uv_density", 2}};
   data.vertices.reserve(mesh.vertices.size() * 14);
-  const std::vector<glm::vec2> densities = mesh.has_uv ? uv_densities(mesh) : std::vector<glm::vec2>{};
+  // Of what moves they are asked for in each frame.
+  const bool asked = mesh.has_uv && has_mip_map(scene.materials[static_cast<std::size_t>(mesh.material)]);
+  const std::vector<glm::vec2> densities = asked ? uv_densities(mesh) : std::vector<glm::vec2>{};
   for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
     const Vertex& v = mesh.vertices[vertex];
     for (int i = 0; i < 3; ++i) data.vertices.push_back(v.position[i]);
@@ -41,8 +45,8 @@ MeshData mesh_data(const Mesh& mesh) {
 SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device& device)
     : scene_(scene), device_(device) {
   // Each has its owner before the list may fail to grow.
-  for (const Mesh& mesh : scene.meshes)
-    meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(mesh))));
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(scene, i))));
   for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.upload(image)));
   for (std::size_t i = 0; i < scene.coarser.size(); ++i)
     if (!scene.coarser[i].values.empty())
@@ -57,7 +61,7 @@ SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device&
 void SceneOnDevice::renew_waters(bool with_state) {
   for (std::size_t i = 0; i < scene_.waters.size(); ++i) {
     const auto mesh = static_cast<std::size_t>(scene_.waters[i].mesh);
-    meshes_[mesh] = {device_, device_.create_mesh(mesh_data(scene_.meshes[mesh]))};
+    meshes_[mesh] = {device_, device_.create_mesh(mesh_data(scene_, mesh))};
     if (!with_state) continue;
     externals_[water_texture(kWaterBefore, i)] = {device_, device_.upload(scene_.waters[i].before)};
   }
@@ -66,7 +70,7 @@ void SceneOnDevice::renew_waters(bool with_state) {
 void SceneOnDevice::update(const std::vector<int>& meshes) {
   for (const int mesh : meshes) {
     const auto i = static_cast<std::size_t>(mesh);
-    device_.update(meshes_[i].id(), mesh_data(scene_.meshes[i]));
+    device_.update(meshes_[i].id(), mesh_data(scene_, i));
   }
   if (!meshes.empty()) externals_.erase(kHierarchyNodes);
 }

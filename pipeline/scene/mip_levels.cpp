@@ -7,6 +7,10 @@ namespace caustics {
 
 namespace {
 
+constexpr std::array kSeenByCamera{&Material::base_color_texture, &Material::normal_texture,
+                                   &Material::emissive_texture, &Material::metallic_roughness_texture,
+                                   &Material::occlusion_texture};
+
 int halved(int side, int level) { return std::max(1, side >> level); }
 
 // The texels of a finer level that one of the coarser covers along an axis, and how much of each counts.
@@ -91,13 +95,16 @@ Image coarser_levels(const Image& image) {
   return levels;
 }
 
+bool has_mip_map(const Material& material) {
+  return std::any_of(kSeenByCamera.begin(), kSeenByCamera.end(),
+                     [&](TextureUse Material::*use) { return (material.*use).levels > 1; });
+}
+
 void add_mip_levels(Scene& scene) {
   scene.coarser.resize(scene.images.size());
   for (Material& material : scene.materials) {
     if (material.transmission >= 0.5f) continue;
-    for (TextureUse Material::*use :
-         {&Material::base_color_texture, &Material::normal_texture, &Material::emissive_texture,
-          &Material::metallic_roughness_texture, &Material::occlusion_texture}) {
+    for (TextureUse Material::*use : kSeenByCamera) {
       TextureUse& texture = material.*use;
       if (!texture.present()) continue;
       const auto index = static_cast<std::size_t>(texture.image);

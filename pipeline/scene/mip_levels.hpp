@@ -16,6 +16,9 @@ int mip_level_count(int width, int height);
 // above that level 3 ...
 Image coarser_levels(const Image& image);
 
+// Of any of its textures?
+bool has_mip_map(const Material& material);
+
 // Makes Scene::coarser, and states the levels of the materials' textures, of those that the camera may see on
 // a surface that is no clear glass.
 void add_mip_levels(Scene& scene);
