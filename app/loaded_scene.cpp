@@ -8,6 +8,7 @@
 #include "app/shell/terminal.hpp"
 #include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/renderer/stage.hpp"
+#include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/environment.hpp"
 #include "pipeline/scene/far_lights.hpp"
@@ -92,6 +93,7 @@ void LoadedScene::complete() {
   const Completed completed = complete_scene(scene_, settings_);
   adjust(scene_.environment, static_cast<double>(settings_.environment_strength),
          static_cast<double>(settings_.environment_turn));
+  note_environment();
   if (completed.lights) {
     added_lights_ = scene_.lights;
     added_sources_ = scene_.sources;
@@ -100,6 +102,22 @@ void LoadedScene::complete() {
   added_ = completed.added;
   notes_ = scene_.notes;
   exposure_ = exposure_of(scene_, settings_);
+}
+
+// An image that is much brighter or dimmer than the lights hides their caustics, or stays dark itself.
+void LoadedScene::note_environment() {
+  constexpr double kUsual = 0.3, kLeast = 0.1, kMost = 2.0;  // of what the lights give
+  const double lights = light_level(scene_), around = upward_irradiance(scene_.environment);
+  if (!scene_.environment.image || !(lights > 0.0 && around > 0.0)) return;
+  const double share = around / lights;
+  if (share > kLeast && share < kMost) return;
+  const double strength = static_cast<double>(settings_.environment_strength) * kUsual / share;
+  const auto text = [](double value) {
+    return value < 10.0 ? significant(value, 2) : grouped(static_cast<std::uint64_t>(value));
+  };
+  scene_.notes.push_back("The environment gives " + text(share) +
+                         " times what the lights give; --environment-strength " + text(strength) +
+                         " would balance them.");
 }
 
 void LoadedScene::choose_camera() {

@@ -36,6 +36,7 @@ class LoadedScene {
  private:
   void add_what_shines();
   void complete();
+  void note_environment();
   void choose_camera();
 
   Settings settings_;

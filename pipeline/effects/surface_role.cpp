@@ -101,10 +101,10 @@ Judgement judge_unblended(const Mesh& mesh, const Material& material, const Sett
   const float transmissive = material.transmission * (1.0f - material.metallic);
   if (transmissive >= kMostlyTransmissive) return judge_glass(mesh, material, name, settings);
   if (material.transmission > 0.0f) {
-    return diffuse_instead(name,
-                           "transmission " + rounded_text(transmissive) +
-                               (material.metallic > 0 ? " beside the metal, which lets none through," : "") +
-                               " is below 0.5: more diffuse than clear");
+    const std::string left = "transmission " + rounded_text(transmissive);
+    return diffuse_instead(name, material.metallic > 0.0f
+                                     ? left + " is left beside the metal, below 0.5: glass has metallic 0"
+                                     : left + " is below 0.5: more diffuse than clear");
   }
   return diffuse(name, "diffuse");
 }

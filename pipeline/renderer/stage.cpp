@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "pipeline/effects/surface_role.hpp"
-#include "pipeline/measure/light_paths.hpp"
-#include "pipeline/renderer/pilot_rays.hpp"
-#include "pipeline/renderer/widest_views.hpp"
+#include "pipeline/gpu/text.hpp"
+#include "pipeline/renderer/landed_light.hpp"
+#include "pipeline/renderer/sun_side.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -34,45 +34,15 @@ constexpr double kCellsARadius = 8.0;  // in which brightness is told
 constexpr Bearing kView{37.0f, 34.0f};
 constexpr double kFov = 0.6;  // radians
 
-struct Landed {
-  glm::dvec3 position{0.0};
-  double share = 0.0;  // of its light's
-  double area = 0.0;   // that its ray has without casters, times what is left of its flux, square metres
-  int mesh = -1;
-};
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+std::string lux_text(float lux) {
+  return lux < 100.0f ? significant(static_cast<double>(lux), 2) : grouped(static_cast<std::uint64_t>(lux));
+}
 
 glm::dvec3 toward(const Bearing& bearing) {
   double sine, cosine, up, level;
   exact::sin_cos(static_cast<double>(bearing.azimuth) * exact::kPi / 180.0, sine, cosine);
   exact::sin_cos(static_cast<double>(bearing.elevation) * exact::kPi / 180.0, up, level);
   return {sine * level, up, cosine * level};
-}
-
-// Where the casters' light lands, by any number of surfaces.
-std::vector<Landed> landed_light(const Scene& scene, const Settings& settings) {
-  const Effects effects = effects_of(scene, settings);
-  std::vector<Landed> landed;
-  if (!effects.caustics.active) return landed;
-  const LightPaths paths(scene, effects);
-  const glm::dvec3 middle = subject_of(scene).centre();
-  std::vector<LightLanding> landings;
-  for (const int number : lights_to_pilot(scene, effects)) {
-    const Light& light = scene.lights[static_cast<std::size_t>(number)];
-    const View casters = widest_views(scene, effects, settings, number).caster;
-    landings.clear();
-    for (const LightRay& ray : pilot_rays(light, casters)) paths.follow(ray, landings);
-    double all = 0.0;
-    for (const LightLanding& landing : landings) all += largest(landing.flux);
-    const double away = casters.perspective ? exact::length(middle - light.position) : 1.0;
-    const double area = casters.window_area() * away * away / (kPilotRaysASide * kPilotRaysASide);
-    for (const LightLanding& landing : landings) {
-      const double flux = largest(landing.flux);
-      landed.push_back({landing.position, flux / std::max(all, 1e-300), flux * area, landing.mesh});
-    }
-  }
-  return landed;
 }
 
 // The brightest of it, within `reach` of `centre`; told apart in cells of the size `cell`, metres.
@@ -151,12 +121,26 @@ class Stage {
     return exact::normalise({side.x, 0.0, side.z}, {0.6, 0.0, 0.8});
   }
 
+  // Unit, from the scene.
+  glm::dvec3 toward_camera() const {
+    return completed_.cameras ? toward(settings_.view.value_or(kView)) : -scene_.cameras.front().forward;
+  }
+
   void place_sun() {
-    if (settings_.sun) return set_sun(scene_, subject_, -toward(settings_.sun->stands), settings_.sun->lux);
-    const glm::dvec3 front = camera_side(), right{front.z, 0.0, -front.x};
-    const double level = 0.5, height = 0.86602540378443865;  // cosine and sine of 60 degrees
-    set_sun(scene_, subject_, (front * 0.8 + right * 0.6) * level - glm::dvec3(0.0, height, 0.0), kSunLux);
-    say("a sun of 10 lux", "The scene has no light: a sun of 10 lux, 60 degrees high, was added behind it.");
+    const float lux = settings_.sun && settings_.sun->lux ? *settings_.sun->lux : sun_lux(scene_.environment);
+    if (settings_.sun) return set_sun(scene_, subject_, -toward(settings_.sun->stands), lux);
+    set_sun(scene_, subject_, {0.0, -1.0, 0.0}, lux);
+    const std::optional<double> ground = ground_height();
+    if (ground) add_ground(scene_, subject_, *ground);
+    const SunSide side = sun_side(scene_, settings_, toward_camera(), camera_side());
+    if (ground) {
+      scene_.meshes.pop_back();
+      scene_.materials.pop_back();
+    }
+    set_sun(scene_, subject_, side.direction, lux);
+    const std::string strong = "a sun of " + lux_text(lux) + " lux";
+    say(strong,
+        "The scene has no light: " + strong + ", " + side.where + " it as the camera sees it, was added.");
   }
 
   // Where the ground is to be tried; none where it is not wanted.

@@ -22,8 +22,8 @@ struct Completed {
 };
 
 // Adds in this order, and says:
-// - a sun where there is no light, or settings.sun asks for one in place of the scene's: behind what the
-//   camera shows, on its left, 60 degrees high, so that the light falls towards the camera;
+// - a sun where there is no light, or settings.sun asks for one in place of the scene's: as sun_side has it
+//   (sun_side.hpp), of as many lux as sun_lux (pipeline/scene/defaults.hpp) unless that is asked for;
 // - a ground under the lowest point (settings.ground), unless at least half of what of the casters' light
 //   would land with it lands on the scene itself, by a few thousand rays of each light. Where nothing throws
 //   caustics: under what stands on no floor, if the camera is added too. Never between the scene and a camera

@@ -149,6 +149,20 @@ TEST_CASE("stage: a sun and a view that are asked for take the place of the scen
   CHECK(scene.cameras[0].position.z > 1.0);
 }
 
+TEST_CASE("stage: a sun that is added gives as much more than an environment image as than a studio") {
+  Scene scene = ball();
+  scene.environment.image = Image(Format::RGBA32F, 64, 32);
+  for (float& value : scene.environment.image->values) value = 10.0f;
+  const Completed completed = complete_scene(scene, {});
+  // 10 nit from everywhere are 10 pi lux, of a studio 30 % of the sun.
+  CHECK(scene.lights.at(0).intensity == Approx(10.0 * 3.14159265 / 0.3).epsilon(0.02));
+  CHECK(completed.added.at(0).starts_with("a sun of 10"));
+  Settings settings;
+  set_option(settings, "sun", "90,30,5");
+  complete_scene(scene, settings);
+  CHECK(scene.lights.at(0).intensity == 5.0f);
+}
+
 TEST_CASE("stage: what the scene has is kept") {
   Scene scene = ball({floor(4.0, -1.5, 0)});
   scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/scene/environment.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/studio.hpp"
 
@@ -89,6 +90,13 @@ void add_ground(Scene& scene, const Bounds& subject, double height) {
   mesh.lower = glm::vec3(x0, y, z0);
   mesh.upper = glm::vec3(x1, y, z1);
   scene.meshes.push_back(mesh);
+}
+
+float sun_lux(const Environment& environment) {
+  constexpr double kUsual = 10.0;
+  if (!environment.image) return static_cast<float>(kUsual);
+  const double given = upward_irradiance(environment_irradiance(*environment.image));
+  return static_cast<float>(given > 0.0 ? std::min(given / kSkyShare, 1e9) : kUsual);
 }
 
 void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, float lux) {

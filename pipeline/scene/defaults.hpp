@@ -24,6 +24,9 @@ inline constexpr const char* kGroundName = "ground (added)";
 // wide as the subject, that fades into the background (Material::fade).
 void add_ground(Scene& scene, const Bounds& subject, double height);
 
+// Of an added sun: ten lux, or where an image lights the scene as much stronger than it as than a studio.
+float sun_lux(const Environment& environment);
+
 // One directional light in the place of all others. `direction`: unit, the way its light travels.
 void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, float lux);
 

@@ -83,15 +83,24 @@ std::array<glm::vec3, 9> environment_irradiance(const Image& environment, double
   return result;
 }
 
+namespace {
+
+double upward(const glm::dvec3& mean_radiance) {
+  return exact::kPi * std::max(exact::dot(mean_radiance, {0.2126, 0.7152, 0.0722}), 0.0);
+}
+
+}  // namespace
+
+double upward_irradiance(const std::array<glm::vec3, 9>& ambient) {
+  return upward((glm::dvec3(ambient[0]) + glm::dvec3(ambient[1])) -
+                (glm::dvec3(ambient[6]) + glm::dvec3(ambient[8])));
+}
+
 double upward_irradiance(const Environment& environment) {
-  const std::array<glm::vec3, 9>& ambient = environment.ambient;
+  if (environment.image) return upward_irradiance(environment.ambient);
   // A gradient as compose.glsl takes it.
-  const glm::dvec3 up = environment.image
-                            ? (glm::dvec3(ambient[0]) + glm::dvec3(ambient[1])) -
-                                  (glm::dvec3(ambient[6]) + glm::dvec3(ambient[8]))
-                            : (glm::dvec3(environment.horizon) + glm::dvec3(environment.zenith) * 2.0) / 3.0 +
-                                  glm::dvec3(static_cast<double>(environment.boxes_mean));
-  return exact::kPi * std::max(exact::dot(up, {0.2126, 0.7152, 0.0722}), 0.0);
+  return upward((glm::dvec3(environment.horizon) + glm::dvec3(environment.zenith) * 2.0) / 3.0 +
+                glm::dvec3(static_cast<double>(environment.boxes_mean)));
 }
 
 }  // namespace caustics

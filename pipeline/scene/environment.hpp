@@ -16,5 +16,7 @@ std::array<glm::vec3, 9> environment_irradiance(const Image& environment, double
 
 // What it gives a surface that faces up, lux, by luminance.
 double upward_irradiance(const Environment& environment);
+// The same of environment_irradiance's coefficients.
+double upward_irradiance(const std::array<glm::vec3, 9>& ambient);
 
 }  // namespace caustics

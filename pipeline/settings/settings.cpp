@@ -276,8 +276,8 @@ constexpr Setting kTable[] = {
         "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
         "catches less than half of its caustics"),
     staged<&S::sun>("sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]: -360..360, -90..90, 0..1e9",
-                    "a sun that stands there, in place of the scene's lights: degrees as for view; 10 lux "
-                    "unless said; auto: where there is no light"),
+                    "a sun that stands there, in place of the scene's lights: degrees as for view; lux "
+                    "unless said 10, or 3.3 times the environment's; auto: where there is no light"),
     number<&S::mirror_metallic>("mirror.metallic", Part::Light, {0, 1},
                                 "metal is a mirror where it is at least so metallic"),
     number<&S::mirror_roughness>("mirror.roughness", Part::Light, {0, 1}, "rougher metal is no mirror"),

@@ -46,7 +46,8 @@ std::string text_of(const Ground& ground) {
 }
 
 std::string text_of(const std::optional<SunWish>& sun) {
-  return sun ? bearing_text(sun->stands) + "," + number_text(sun->lux) : std::string(kAuto);
+  if (!sun) return std::string(kAuto);
+  return bearing_text(sun->stands) + (sun->lux ? "," + number_text(*sun->lux) : "");
 }
 
 std::string text_of(const std::optional<Bearing>& view) {
@@ -69,7 +70,7 @@ bool parse(std::string_view text, std::optional<SunWish>& sun) {
   SunWish wish;
   if (numbers.size() < 2 || numbers.size() > 3 || !parse_bearing(numbers[0], numbers[1], wish.stands))
     return false;
-  if (numbers.size() == 3 && !read_number(kLuxes, numbers[2], wish.lux)) return false;
+  if (numbers.size() == 3 && !read_number(kLuxes, numbers[2], wish.lux.emplace())) return false;
   sun = wish;
   return true;
 }

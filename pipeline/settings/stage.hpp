@@ -19,11 +19,9 @@ struct Bearing {
   float elevation = 45.0f;  // above the horizon, -90..90
 };
 
-inline constexpr float kSunLux = 10.0f;
-
 struct SunWish {
   Bearing stands;
-  float lux = kSunLux;  // 0..1e9
+  std::optional<float> lux{};  // 0..1e9; none: as an added sun
 };
 
 // As text, which `parse` reads back as the same. "auto" stands for no sun or view that is asked for.

@@ -1,0 +1,45 @@
+#include "pipeline/renderer/landed_light.hpp"
+
+#include <algorithm>
+
+#include "pipeline/effects/effects.hpp"
+#include "pipeline/measure/light_paths.hpp"
+#include "pipeline/renderer/pilot_rays.hpp"
+#include "pipeline/renderer/widest_views.hpp"
+#include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+namespace {
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+}  // namespace
+
+std::vector<Landed> landed_light(const Scene& scene, const Settings& settings) {
+  const Effects effects = effects_of(scene, settings);
+  std::vector<Landed> landed;
+  if (!effects.caustics.active) return landed;
+  const LightPaths paths(scene, effects);
+  const glm::dvec3 middle = subject_of(scene).centre();
+  std::vector<LightLanding> landings;
+  for (const int number : lights_to_pilot(scene, effects)) {
+    const Light& light = scene.lights[static_cast<std::size_t>(number)];
+    const View casters = widest_views(scene, effects, settings, number).caster;
+    landings.clear();
+    for (const LightRay& ray : pilot_rays(light, casters)) paths.follow(ray, landings);
+    double all = 0.0;
+    for (const LightLanding& landing : landings) all += largest(landing.flux);
+    const double away = casters.perspective ? exact::length(middle - light.position) : 1.0;
+    const double area = casters.window_area() * away * away / (kPilotRaysASide * kPilotRaysASide);
+    for (const LightLanding& landing : landings) {
+      const double flux = largest(landing.flux);
+      landed.push_back({landing.position, flux / std::max(all, 1e-300), flux * area, landing.mesh});
+    }
+  }
+  return landed;
+}
+
+}  // namespace caustics

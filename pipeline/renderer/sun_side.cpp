@@ -1,0 +1,107 @@
+#include "pipeline/renderer/sun_side.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "pipeline/renderer/landed_light.hpp"
+#include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+namespace {
+
+// Fronts are bright enough when so much of them is lit; and a surface is where the sun's light meets it less
+// flatly than this cosine.
+constexpr double kLitFronts = 0.4, kLeastCosine = 0.15;
+constexpr std::size_t kTriangles = 2000;  // that are looked at, about
+
+// Light that travels towards the camera, to its right and down.
+struct Way {
+  double onward, right, down;
+  const char* where;
+};
+constexpr Way kWays[] = {
+    {0.4, 0.3, 0.86602540378443865, "behind"},  // 60 degrees high
+    {0.0, 0.70710678118654752, 0.70710678118654752, "beside"},
+    {-0.5, 0.5, 0.70710678118654752, "before"},
+};
+
+// Without an added ground.
+std::vector<int> opaque_meshes(const Scene& scene) {
+  std::vector<int> meshes;
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+    if (is_receiver(scene.materials[static_cast<std::size_t>(scene.meshes[m].material)]) &&
+        scene.meshes[m].name != kGroundName)
+      meshes.push_back(static_cast<int>(m));
+  return meshes;
+}
+
+// The share of the casters' landed light that no receiver hides from the camera; 1 where none lands at all.
+double shown_share(const Scene& scene, const Settings& settings, const TriangleTree& receivers,
+                   const glm::dvec3& toward_camera) {
+  const double up = 1e-4 * widest(subject_of(scene));
+  double all = 0.0, shown = 0.0;
+  for (const Landed& each : landed_light(scene, settings)) {
+    all += each.share;
+    if (!receivers.nearest(each.position + toward_camera * up, toward_camera)) shown += each.share;
+  }
+  return all > 0.0 ? shown / all : 1.0;
+}
+
+// Of the meshes' surfaces that turn to the camera, as large as it sees them: what share the sun shines on; 1
+// where there are none.
+double lit_share(const Scene& scene, const std::vector<int>& meshes, const TriangleTree& tree,
+                 const glm::dvec3& toward_camera, const glm::dvec3& direction) {
+  std::size_t triangles = 0, number = 0;
+  for (const int m : meshes) triangles += scene.meshes[static_cast<std::size_t>(m)].indices.size() / 3;
+  const std::size_t step = triangles / kTriangles + 1;
+  double all = 0.0, lit = 0.0;
+  for (const int m : meshes) {
+    const Mesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
+    for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+      if (number++ % step != 0) continue;
+      const auto corner = [&](std::size_t k) {
+        return glm::dvec3(mesh.vertices[mesh.indices[3 * t + k]].position);
+      };
+      const glm::dvec3 a = corner(0), b = corner(1), c = corner(2), n = exact::cross(b - a, c - a);
+      const double seen = exact::dot(n, toward_camera), cosine = -exact::dot(n, direction);
+      if (!(seen > 0.0)) continue;
+      all += seen;
+      const bool shines = cosine > kLeastCosine * exact::length(n) &&
+                          !tree.nearest((a + b + c) / 3.0, -direction, {m, static_cast<int>(t)});
+      if (shines) lit += seen;
+    }
+  }
+  return all > 0.0 ? lit / all : 1.0;
+}
+
+}  // namespace
+
+SunSide sun_side(Scene& scene, const Settings& settings, const glm::dvec3& toward_camera,
+                 const glm::dvec3& front) {
+  const glm::dvec3 right{front.z, 0.0, -front.x};
+  const auto direction = [&](const Way& way) {
+    return front * way.onward + right * way.right - glm::dvec3(0.0, way.down, 0.0);
+  };
+  SunSide best{direction(kWays[0]), kWays[0].where};
+  const std::vector<int> own = opaque_meshes(scene);
+  if (own.empty()) return best;
+  const TriangleTree tree(scene, own);
+  if (lit_share(scene, own, tree, toward_camera, best.direction) >= kLitFronts) return best;
+  double most = 0.0;
+  for (const Way& way : kWays) {
+    const SunSide side{direction(way), way.where};
+    set_sun(scene, subject_of(scene), side.direction, scene.lights.front().intensity);
+    const double lit = lit_share(scene, own, tree, toward_camera, side.direction);
+    const double worth = std::min(lit, kLitFronts) * shown_share(scene, settings, tree, toward_camera);
+    if (!(worth > most)) continue;
+    most = worth;
+    best = side;
+  }
+  return best;
+}
+
+}  // namespace caustics
