@@ -20,6 +20,7 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
                        std::vector<int>* thread_counts) {
   SettingOptions options(parser, request.settings);
   parser.group("View");
+  options.add_preview(request.preview);
   options.add_resolution();
   for (const char* name : {"camera", "view", "zoom", "fov", "ground", "sun"}) options.add(name);
   options.add("exposure");

@@ -14,6 +14,7 @@ struct FrameRequest {
   std::optional<std::filesystem::path> environment;
   std::string animation;          // --animation; "": the first
   std::optional<double> seconds;  // --time; 0 where it was not given
+  bool preview = false;           // --preview, which `settings` have
   Settings settings;
   BackendRequest backend;
 };

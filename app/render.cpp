@@ -51,6 +51,10 @@ struct RenderRequest {
   Demand demand;
   bool quiet = false, verbose = false;
 
+  // Are the ledgers of a frame asked for, and its error? They take longer than a preview.
+  bool books() const {
+    return wants_ledgers(outputs) || !stats.empty() || demand.any() || !(quiet || frame.preview);
+  }
   bool films() const { return std::any_of(outputs.files.begin(), outputs.files.end(), is_video); }
   // Is there a row of frames, rather than one?
   bool several() const { return frames ? frames->count() > 1 : films(); }
@@ -158,6 +162,8 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
 // where figures of them are asked for. `beauty` is kept to be checked.
 PlanGoal goal_of(const RenderRequest& request) {
   if (!request.dump.empty()) return {.light_by_light = true};
+  if (request.frame.preview && !request.books())
+    return {.textures = textures_for(request.outputs), .light_by_light = true};
   PlanGoal goal = goal_with_ledgers(textures_for(request.outputs));
   if (request.stats.empty() && !request.demand.any()) return goal;
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);
@@ -340,7 +346,7 @@ class Renderer {
     }
     // Of a row of frames the last one's, but for layers that are made from them.
     const bool layered = wants_ledgers(request_.outputs);
-    const bool booked = layered || (n == todo_.back() && (!request_.quiet || !request_.stats.empty()));
+    const bool booked = layered || (n == todo_.back() && request_.books());
     const bool said = n == todo_.back() && !request_.quiet;
     if (layered) books_ = {};
     const std::vector<double> shares = shares_done(frame_->plan());

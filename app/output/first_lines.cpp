@@ -84,7 +84,7 @@ std::string brightness_text(const SeenCaustic& seen) {
          "what is around";
 }
 
-// Where the picture shows the light, or what to do to see it.
+// Where the picture shows the light, or what to do to see it. `landed`: lumen; 0 where that is not known.
 std::string sight_text(const RenderedFrame& frame, const SeenCaustic& seen, double landed) {
   const std::vector<std::string>& added = frame.loaded().added();
   const bool own_camera =
@@ -93,12 +93,12 @@ std::string sight_text(const RenderedFrame& frame, const SeenCaustic& seen, doub
     return std::string(", but the picture does not show it: ") +
            (own_camera ? "--view 37,34 frames it" : "--zoom 0.5 shows more, --view another side");
   std::string text;
-  if (seen.through > kThrough * (seen.beside + seen.through))
-    text = ", seen through the glass only (--view shows it from another side)";
+  const bool only_through = seen.through > kThrough * (seen.beside + seen.through);
+  if (only_through) text = ", seen through the glass only (--view shows it from another side)";
   const double shown = (seen.beside + seen.through) / landed;
   if (shown < 0.9) text += ", " + percent(shown) + " of that in the picture";
   text += "; brightest " + place_text(seen.brightest, frame.settings());
-  if (seen.is_through) text += ", through the glass";
+  if (seen.is_through && !only_through) text += ", through the glass";
   return text + ", " + brightness_text(seen);
 }
 
@@ -117,18 +117,18 @@ std::string no_caustic_text(const RenderedFrame& frame, const std::vector<LightL
 std::string caustic_line(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
                          const std::optional<SeenCaustic>& seen) {
   if (shows_none(frame, ledgers)) return "caustic: none; " + no_caustic_text(frame, ledgers) + "\n";
-  if (ledgers.empty()) return "caustic: not told, as nothing that is asked for depends on it\n";
+  if (ledgers.empty() && !seen) return "caustic: not told, as nothing that is asked for depends on it\n";
   const double entered = lumens(frame.scene(), ledgers, &Ledger::entered);
   const double landed = lumens(frame.scene(), ledgers, &Ledger::in_map);
-  std::string line =
-      "caustic: " + percent(landed / entered) + " of the light onto " + thrown_by(frame) + " makes one";
+  const std::string share = entered > 0.0 ? percent(landed / entered) + " of the light onto " : "";
+  std::string line = "caustic: " + share + thrown_by(frame) + " makes one";
   if (seen) line += sight_text(frame, *seen, landed);
   return line + "\n";
 }
 
 std::string error_line(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers) {
   const ErrorEstimate error = error_of(frame.scene(), ledgers);
-  if (!(error.landed > 0.0)) return "error: none estimated\n";
+  if (!(error.landed > 0.0)) return "error: not estimated\n";
   const std::array<std::pair<double, const char*>, 4> parts{
       {{error.map, "the map's texels (--map)"},
        {error.grid, "the spacing of the rays (--grid)"},

@@ -22,6 +22,14 @@ About about(const Setting& row, const Settings& settings) {
   return {std::string(row.meaning), row.range(), row.shown(settings)};
 }
 
+// ", grid=128 iterations=3"
+std::string values_text(const Preset& preset) {
+  std::string text;
+  for (const PresetValue& each : preset.values)
+    text.append(text.empty() ? ", " : " ").append(each.setting).append("=").append(each.value);
+  return text;
+}
+
 // -D's KEY=VALUE; `why_not` is said of keys that have no part here.
 void assign(Settings& settings, const std::string& assignment, const std::vector<Setting::Part>& parts,
             const std::string& why_not) {
@@ -42,6 +50,16 @@ std::string option_name(std::string_view name) {
   return option;
 }
 
+void SettingOptions::add_preview(bool& wanted) {
+  parser_.flag("--preview",
+               std::string(preview().meaning) + values_text(preview()) +
+                   "; render estimates no error. Other options override these",
+               [&wanted, &settings = settings_] {
+                 wanted = true;
+                 apply(settings, preview());
+               });
+}
+
 void SettingOptions::add_resolution() {
   const Setting &width = setting("width"), &height = setting("height");
   const About about{"size of the picture", width.range() + " each",
@@ -60,12 +78,8 @@ void SettingOptions::add_preset() {
   std::string meaning;
   for (const Preset& preset : all_presets()) {
     names += (names.empty() ? "" : "|") + std::string(preset.name);
-    meaning += (meaning.empty() ? "" : "; ") + std::string(preset.name) + ": " + std::string(preset.meaning);
-    for (const PresetValue& each : preset.values)
-      meaning.append(&each == preset.values.data() ? ", " : " ")
-          .append(each.setting)
-          .append("=")
-          .append(each.value);
+    meaning += (meaning.empty() ? "" : "; ") + std::string(preset.name) + ": " + std::string(preset.meaning) +
+               values_text(preset);
   }
   parser_.option(
       "--preset", "NAME",

@@ -12,9 +12,11 @@ class SettingOptions {
  public:
   SettingOptions(Parser& parser, Settings& settings) : parser_(parser), settings_(settings) {}
 
+  // --preview: before all others, which override it.
+  void add_preview(bool& wanted);
   // -r: width and height.
   void add_resolution();
-  // --preset NAME: before all others, which override it.
+  // --preset NAME: likewise.
   void add_preset();
   // The setting's name as an option: --grid N; a flag where it is yes or no.
   void add(std::string_view name);

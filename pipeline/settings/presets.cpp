@@ -19,7 +19,22 @@ constexpr PresetValue kPaper[] = {
 
 constexpr Preset kPresets[] = {{"paper", "the frame of Shah, Konttinen and Pattanaik (2007)", kPaper}};
 
+constexpr PresetValue kQuick[] = {
+    {"width", "640"},       {"height", "360"},   {"samples", "1"},
+    {"grid", "192"},        {"map", "256"},      {"shadow", "512"},
+    {"further.share", "1"}, {"cascades", "off"}, {"hidden_receivers", "off"},
+    {"light.samples", "4"}, {"shafts", "48"},    {"medium.steps", "16"},
+};
+
+constexpr Preset kPreview{"preview", "a quick look", kQuick};
+
 }  // namespace
+
+const Preset& preview() { return kPreview; }
+
+void apply(Settings& settings, const Preset& preset) {
+  for (const PresetValue& each : preset.values) set_option(settings, each.setting, each.value);
+}
 
 std::span<const Preset> all_presets() { return kPresets; }
 
@@ -28,8 +43,7 @@ void apply_preset(Settings& settings, std::string_view name) {
   for (const Preset& preset : kPresets) {
     names += (names.empty() ? "'" : ", '") + std::string(preset.name) + "'";
     if (preset.name != name) continue;
-    for (const PresetValue& each : preset.values) set_option(settings, each.setting, each.value);
-    return;
+    return apply(settings, preset);
   }
   throw Error(ExitCode::WrongUsage,
               "there is no preset '" + one_line(std::string(name)).substr(0, 60) + "'; there is " + names);

@@ -27,3 +27,13 @@ TEST_CASE("presets: an unknown one is refused, and the known are named") {
   Settings settings;
   CHECK_THROWS_WITH(apply_preset(settings, "shah"), "there is no preset 'shah'; there is 'paper'");
 }
+
+TEST_CASE("presets: the preview's values hold together and follow no light any further") {
+  Settings settings;
+  apply(settings, preview());
+  CHECK_NOTHROW(check(settings));
+  CHECK(settings.width == 640);
+  CHECK(settings.height == 360);
+  CHECK(settings.samples == 1);
+  CHECK(settings.further_share == 1.0f);
+}

@@ -196,12 +196,18 @@ class Reasons(ProgramTest):
         self.assertEqual(added, "added: the light of a studio")
         # The ball stands in the middle, 1 m above its caustic.
         self.assertRegex(caustic, r"^caustic: [78]\d.\d% of the light onto 'ball' makes one; brightest "
-                                  r"in the middle of the picture \(x 3[0-4], y \d+\), "
-                                  r"[1-9.]+ times as bright as")
+                                  r"in the middle of the picture \(x 3[0-4], y \d+\), [1-9.]+ times as")
         self.assertRegex(error, r"^error: estimated \d+.\d%, most of it by ")
 
     def test_a_caustic_outside_the_picture_is_told_with_what_to_do(self):
-        self.assertIn("but the picture does not show it: --view 37,34", self.first_lines("--zoom", "60")[1])
+        caustic = self.first_lines("--zoom", "60")[1]
+        self.assertIn("but the picture does not show it: --view 37,34", caustic)
+
+    def test_a_preview_is_small_and_estimates_no_error_and_other_options_override_it(self):
+        said = self.succeeds("ball.glb", "-r", "64x48", "--preview").stderr
+        self.assertIn("caustic: 'ball' makes one; brightest", said)
+        self.assertIn("error: not estimated", said)
+        self.assertIn("64x48, grid 192, map 256", said)
 
     def test_where_there_is_none_the_second_line_says_why(self):
         (self.folder / "ball.glb").write_bytes(glb.scene(glb.glass()))
