@@ -98,6 +98,7 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
   const std::vector<std::string>& notes = frame.scene().notes;
   const std::size_t said = verbose ? 0 : frame.loaded().added().size();
   print_some("note", gathered({notes.begin() + static_cast<std::ptrdiff_t>(said), notes.end()}));
+  if (frame.effects().blended_layers.active) print_some("note", {frame.effects().blended_layers.reason});
   std::vector<std::string> missing;
   for (const NoCaustic& each :
        missing_caustics(frame.scene(), known_expectations(frame.scene(), frame.effects(), ledgers)))

@@ -5,6 +5,7 @@
 #include "passes/shared/receiver_search_uniforms.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 #include "pipeline/effects/textured_casters.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics::std140 {
 
@@ -33,6 +34,7 @@ std140::Glass glass_uniforms(const PassContext& context) {
       .forward = context.camera->forward,
       .receivers_lower = glm::vec3(receivers.lower),
       .receivers_upper = glm::vec3(receivers.upper),
+      .rough_from = context.settings ? context.settings->glass_roughness : 1.0f,
   };
 }
 
@@ -80,6 +82,7 @@ Pass glass_pass() {
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&glass_shader, block_of<glass_uniforms>}},
       .choices = {{"blends", chosen_by<&Effects::blended>},
+                  {"has_rough", chosen_by<&Effects::rough_glass>},
                   {"has_caster_tint", chosen_by<&Effects::textured_casters>}},
   };
 }

@@ -24,7 +24,9 @@ TEXTURE(13, first_layer)
 #else
 OUTPUT(0, Vec4, beauty)
 #include "passes/shared/caster_material.glsl"
+#include "passes/shared/axes_across.glsl"
 #include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/microfacets.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/layers_before_glass.glsl"
@@ -48,6 +50,7 @@ Bool meets(IN(Hit) hit, IN(Ray) ray, Texture positions, IN(View) view) {
 struct Met {
   Bool surface;
   Vec3 color;
+  Float distance;  // metres
 };
 
 // Where a ray is `wanted`; elsewhere the search's second try is saved, and nobody may use what is found.
@@ -59,22 +62,73 @@ Met met_in(Texture colors, Texture positions, IN(View) view, IN(Ray) ray, Bool w
   Met met;
   met.surface = wanted && meets(hit, ray, positions, view);
   met.color = Vec3(fetch_bilinear(colors, uv.x, uv.y));
+  met.distance = hit.distance;
   return met;
 }
 
 // Radiance along a ray that starts outside the glass: the surface it meets on the screen, else one in
 // the wider view around it, else the sky.
-Vec3 radiance_along(IN(Ray) ray, Bool wanted) {
-  Vec3 color = sky_radiance(u.sky, ray.direction);
+Met seen_along(IN(Ray) ray, Bool wanted) {
+  Met first;
+  first.color = sky_radiance(u.sky, ray.direction);
+  first.surface = Bool(false);
+  first.distance = Float(0.0f);
   Bool possible = wanted && cross_receivers(ray).meets;
   if (any_lane(possible)) {
     Met seen = met_in(scene_color, view_position, u.view, ray, possible);
-    color = sel(seen.surface, seen.color, color);
+    first.color = sel(seen.surface, seen.color, first.color);
+    first.distance = sel(seen.surface, seen.distance, first.distance);
+    first.surface = seen.surface;
     Bool rest = possible && !seen.surface;
     if (any_lane(rest)) {
       Met around = met_in(wide_color, wide_position, u.surroundings, ray, rest);
-      color = sel(around.surface, around.color, color);
+      first.color = sel(around.surface, around.color, first.color);
+      first.distance = sel(around.surface, around.distance, first.distance);
+      first.surface = first.surface || around.surface;
     }
+  }
+  return first;
+}
+
+// The colour of a view where a point lies, unless nothing is there, or the point is beside it.
+Vec3 color_at(Texture colors, Texture positions, IN(View) view, Vec3 p, Vec3 otherwise) {
+  Vec3 at = view_coordinates(view, p);
+  Vec2 uv = view_uv(view, at);
+  Bool there = view_w(view, at) > 0.0f && inside_unit(uv.x, uv.y) &&
+               is_covered(fetch_nearest(positions, uv.x, uv.y));
+  return sel(there, Vec3(fetch_nearest(colors, uv.x, uv.y)), otherwise);
+}
+
+// The mean over 16 rays spread by microfacets of this width: as long as the middle one, and where that has met
+// nothing, to where they leave the box around all receivers. Each ray turns them by an angle of its own, after
+// interleaved gradient noise (Jimenez 2014).
+Vec3 spread_radiance(IN(Ray) ray, IN(Met) middle, Float width) {
+  AxesAcross axes = axes_across(ray.direction);
+  Float diagonal = frag_x() * 0.06711056f + frag_y() * 0.00583715f;
+  Vec3 way = ray.direction;
+  Float noise = (diagonal - floor(diagonal)) * 52.9829189f + (way.x * 571.0f + way.y * 3423.0f + way.z * 1650.0f);
+  Vec3 sum = Vec3(0.0f);
+  for (int i = 0; i < 16; i++) {
+    Float turn = noise + float(i) * 0.618033989f;
+    Vec2 slope = facet_slope(Float((float(i) + 0.5f) / 16.0f), turn) * width;
+    Vec3 d = normalize_or(ray.direction + axes.x * slope.x + axes.y * slope.y, ray.direction);
+    Crossing box = cross_receivers(ray_from(ray.start, d));
+    Vec3 p = ray.start + d * sel(middle.surface, middle.distance, box.leaves);
+    Vec3 sky = sky_radiance(u.sky, d);
+    Vec3 color = color_at(wide_color, wide_position, u.surroundings, p, sky);
+    color = color_at(scene_color, view_position, u.view, p, color);
+    sum = sum + sel(box.meets, color, sky);
+  }
+  return sum / Float(16.0f);
+}
+
+// `width`: of the slopes by which directions are spread; 0: not at all.
+Vec3 radiance_along(IN(Ray) ray, Float width, Bool wanted) {
+  Met met = seen_along(ray, wanted);
+  Vec3 color = met.color;
+  if (u.has_rough != 0) {
+    Bool rough = wanted && width > 0.0f;
+    if (any_lane(rough)) color = sel(rough, spread_radiance(ray, met, width), color);
   }
   return color;
 }
@@ -139,9 +193,14 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
   Bool solid = material.solid && !front.from_inside;
   Exit exit = leave_glass(ray_from(front.point, bent.direction), material.ior, solid);
 
-  Vec3 behind = radiance_along(exit.ray, seen && !material.mirror) * material.color *
+  // A facet that leans by a slope turns what it mirrors by twice that, what passes by (n - 1) times, 1 / n of
+  // it where light stays inside; two surfaces add their squares.
+  Float width = sel(material.roughness > u.rough_from, material.roughness * material.roughness, Float(0.0f));
+  Float turned = sel(solid, Float(1.41421356f), 1.0f / material.ior) * abs(material.ior - 1.0f) * width;
+  Vec3 behind = radiance_along(exit.ray, turned, seen && !material.mirror) * material.color *
                 transmittance(material.absorption, exit.inside_length);
-  Vec3 mirrored = radiance_along(ray_from(front.point, reflected(sight, normal, bent.cosine)), seen);
+  Ray back = ray_from(front.point, reflected(sight, normal, bent.cosine));
+  Vec3 mirrored = radiance_along(back, sel(material.mirror, Float(0.0f), 2.0f * width), seen);
   Vec3 metal = mirrored * metal_reflectance(material.color, bent.cosine);
   // The share that the second surface sends back is taken to leave as it would have: nothing is lost to
   // black.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/run_pass.hpp"
 
@@ -45,6 +46,7 @@ struct Bench {
   }
 
   Image highlight{};  // what the lights add
+  float roughness = 0.0f;
 
   Image run() const {
     Image materials(Format::RGBA32F, 3, 2);
@@ -55,6 +57,7 @@ struct Bench {
     }
     materials.at(0, 1, 3) = mirror ? 1.0f : 0.0f;
     materials.at(1, 1, 3) = solid ? 1.0f : 0.0f;
+    materials.at(2, 1, 3) = roughness;
     const View wide = widened(view, 3.0);
     const Pass pass = glass_pass();
     // The box around all receivers, which no ray can miss that goes down.
@@ -66,12 +69,17 @@ struct Bench {
     Effects effects;
     effects.surfaces.resize(1);
     effects.textured_casters.active = pixel_tint.has_value();
+    effects.rough_glass.active = roughness > 0.2f;
+    const Settings settings;
     return run_pass(
         definition_of(pass),
         {.width = 8,
          .height = 8,
-         .uniforms =
-             pass.uniforms({.scene = &all, .effects = &effects, .camera = &view, .surroundings = &wide}),
+         .uniforms = pass.uniforms({.scene = &all,
+                                    .settings = &settings,
+                                    .effects = &effects,
+                                    .camera = &view,
+                                    .surroundings = &wide}),
          .textures = {scene_color, floor, wide_color, wide_floor, level(view, glass_height, facing),
                       filled(8, 8, {normal, 1.0f}), solid ? level(view, 4.0, 1.0f) : Image{},
                       solid ? filled(8, 8, {exit_normal, 1.0f}) : Image{}, materials,
@@ -254,4 +262,19 @@ TEST_CASE("glass: metal shows what it mirrors, in its own colour") {
   CHECK(image.at(4, 4, 0) == Approx(9.0));
   CHECK(image.at(4, 4, 1) == Approx(5.0));
   CHECK(image.at(4, 4, 2) == Approx(2.5));
+}
+
+TEST_CASE("glass: a rough slab shows the mean of what lies behind it") {
+  // Black at the left, white at the right.
+  Bench bench;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      for (int c = 0; c < 3; ++c) bench.scene_color.at(x, y, c) = x < 4 ? 0.0f : 1.0f;
+  const Image sharp = bench.run();
+  bench.roughness = 0.5f;
+  const Image blurred = bench.run();
+  const auto step = [](const Image& image) { return image.at(4, 4, 0) - image.at(3, 4, 0); };
+  CHECK(step(sharp) > 0.8f);
+  CHECK(step(blurred) < 0.7f * step(sharp));
+  CHECK(blurred.at(3, 4, 0) > sharp.at(3, 4, 0) + 0.05f);
 }

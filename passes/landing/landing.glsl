@@ -37,6 +37,8 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/cone_falloff.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/landing_status.glsl"
+#include "passes/shared/axes_across.glsl"
+#include "passes/shared/microfacets.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/ray.glsl"
@@ -59,6 +61,7 @@ struct Entry {
   Vec3 outward;      // the surface's normal
   Material material;
   GridCell cell;
+  Vec2 exit_slope;   // of the microfacets that its light leaves by
   Float reaching;    // the share of the light that blended surfaces before it leave
 };
 
@@ -79,6 +82,20 @@ Entry entry_at(Int column, Int row) {
   return entry;
 }
 
+// What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again 4 times
+// over the grid where light enters and 7 times where it leaves: far slower than by a cell, whose corners keep
+// together.
+Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
+  Float x = Float(column) / float(u.grid_side);
+  Float y = Float(row) / float(u.grid_side);
+  Vec4 facets = Vec4(u.facets);
+  Vec2 entry = facet_slope(folded(x * 4.0f + facets.x), y * 4.0f + facets.y);
+  Vec2 exit = facet_slope(folded(y * 7.0f + facets.z), x * 7.0f + facets.w);
+  Bool rough = material.roughness > u.rough_from && !material.mirror;
+  Float alpha = sel(rough, material.roughness * material.roughness, Float(0.0f));
+  return sel(leaves, exit, entry) * alpha;
+}
+
 // What the surface is like that the light enters by.
 void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
   Vec4 normal = texel_fetch(caster_normal, column, row);
@@ -88,6 +105,11 @@ void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
   // What metal mirrors is the whole of its light, and followed as such.
   if (u.is_reflection != 0) entry.covered = entry.covered && !entry.material.mirror && !entry.from_inside;
   entry.material.mirror = entry.material.mirror && u.has_mirrors != 0;
+  entry.exit_slope = Vec2(Float(0.0f), Float(0.0f));
+  if (u.has_rough != 0 && u.is_reflection == 0) {
+    entry.outward = facet_normal(entry.outward, slope_at(column, row, entry.material, Bool(false)));
+    entry.exit_slope = slope_at(column, row, entry.material, Bool(true));
+  }
 }
 
 struct FirstSurface {
@@ -209,6 +231,8 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
     exit.inside_length = sel(solid, length, Float(0.0f));
     exit.ray.start = sel(solid, point_along(exit.ray, length), entry.point);
     Vec3 outward = exit_normal_at(exit.ray.start, -first.direction);
+    Vec3 facet = outward;
+    if (u.has_rough != 0) facet = facet_normal(outward, entry.exit_slope);
     Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.point);
     // Along the light a gap is longer than across the surface. What leans by more than 83 degrees may be the
     // edge of a layer that hides the exit.
@@ -218,7 +242,7 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
       exit.stopped = exit.unknown && is_found(hit);
       exit.unknown = exit.unknown && !exit.stopped;
     }
-    Vec3 normal = facing_normal(outward, first.direction, Bool(true));
+    Vec3 normal = facing_normal(facet, first.direction, Bool(true));
     Refraction bent = refraction_at(first.direction, normal, first.ior);
     exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
     exit.ray.direction = sel(solid, bent.direction, first.direction);

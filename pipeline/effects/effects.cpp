@@ -209,13 +209,14 @@ void add_sub_pixels(const Settings& settings, Effects& effects) {
                                                  "pictures to look at"};
 }
 
-// What is found in the scene but not simulated yet: never active, and the reason says so.
-void add_missing_effects(const std::vector<Judgement>& judgements, Effects& effects) {
+// Before the branches, which follow it.
+void add_rough_glass(const std::vector<Judgement>& judgements, Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(
       judgements.begin(), judgements.end(), [](const Judgement& judgement) { return judgement.rough; }));
-  effects.rough_glass = {false, rough == 0 ? "none in the scene"
-                                           : count(rough, "surface", "surfaces") +
-                                                 " of rough glass: not simulated yet; drawn as diffuse"};
+  effects.rough_glass = {rough > 0, rough > 0 ? count(rough, "surface", "surfaces") +
+                                                    " of rough glass: light and view are spread over " +
+                                                    std::to_string(kRoughWays) + " ways"
+                                              : "none in the scene"};
 }
 
 }  // namespace
@@ -295,6 +296,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   for (const Mesh& mesh : scene.meshes) {
     judgements.push_back(judge(mesh, scene.materials[static_cast<std::size_t>(mesh.material)], settings));
     effects.surfaces.push_back(judgements.back().role);
+    effects.surfaces.back().rough = judgements.back().rough;
   }
   effects.expectations = expectations_of(scene, judgements);
   effects.lights.resize(scene.lights.size());
@@ -304,6 +306,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_blended(scene, effects);
   add_emitters(scene, effects);
   add_occlusion(scene, effects);
+  add_rough_glass(judgements, effects);
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);
   add_water_waves(scene, effects);
@@ -315,7 +318,6 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_sub_pixels(settings, effects);
   add_paper_weights(settings, effects);
   effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
-  add_missing_effects(judgements, effects);
   add_camera(scene, camera, effects);
   return effects;
 }

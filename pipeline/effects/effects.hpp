@@ -18,7 +18,7 @@ inline constexpr int kMostLayers = 4;
 // What a mesh does to light.
 enum class Role : std::uint8_t {
   Receiver,   // diffuse: catches light and caustics, casts a shadow
-  Refractor,  // smooth glass or water with a volume: throws a caustic
+  Refractor,  // glass or water with a volume: throws a caustic
   ThinPane,   // transmission without a volume: lets light straight through, tinted
   Mirror,     // smooth metal: throws a caustic
   Blended,    // alphaMode BLEND: diffuse where it covers, nothing beside
@@ -35,6 +35,7 @@ struct SurfaceRole {
   std::string reason;
   // Some of it is blended over what lies behind: all but what is opaque of a Receiver, all of a Blended.
   bool blended = false;
+  bool rough = false;  // a Refractor: its microfacets spread the light
 };
 
 // Does it take a share of the light that passes straight through?
@@ -71,6 +72,9 @@ struct Branch {
   int parts_at() const;
   // Index of refraction: n_d + bend * (n_F - n_C). 0 at the d line.
   double bend = 0.0;
+  // Of rough glass: which microfacets it meets, 0..1 each: by where the light enters how steep and which way
+  // they lean, and likewise where it leaves (passes/shared/microfacets.glsl).
+  glm::dvec4 facets{0.0};
   glm::vec3 color{
       1.0f};  // its share of each channel; over the branches that are not reflected, all add up to 1
 };
@@ -139,7 +143,7 @@ struct Effects {
                             // a light
   Effect sub_pixels;        // several samples a pixel (Settings::samples)
   Effect paper_weights;     // every grid vertex has an equal part of the light (Weights::Paper)
-  Effect rough_glass;       // found and left to later: never active
+  Effect rough_glass;       // a refractor whose microfacets spread the light
 };
 
 // Every effect with its name for people, in the order in which they are shown.

@@ -88,13 +88,22 @@ TEST_CASE("glass without a volume is a thin pane unless it is assumed solid") {
   CHECK(judged(glass_over_floor(thin), settings).surfaces[0].role == Role::Refractor);
 }
 
-TEST_CASE("materials that look like glass but throw no caustic say why") {
+TEST_CASE("rough glass is a refractor whose light takes 16 ways of equal share") {
   Material rough = solid_glass();
   rough.roughness = 0.25f;
-  CHECK(judged(glass_over_floor(rough)).surfaces[0].role == Role::Receiver);
-  mentions(judged(glass_over_floor(rough)).expectations[0].reason, "roughness 0.25 is above 0.2");
-  mentions(judged(glass_over_floor(rough)).rough_glass.reason, "1 surface");
+  const Effects effects = judged(glass_over_floor(rough));
+  CHECK(effects.surfaces[0].role == Role::Refractor);
+  CHECK(effects.surfaces[0].rough);
+  mentions(effects.surfaces[0].reason, "roughness 0.25 above 0.2");
+  mentions(effects.rough_glass.reason, "1 surface");
+  REQUIRE(effects.branches.size() == 16);
+  for (const Branch& branch : effects.branches) CHECK(branch.color == glm::vec3(0.0625f));
+  CHECK(effects.branches[0].facets != effects.branches[1].facets);
+  rough.roughness = 0.2f;
+  CHECK(judged(glass_over_floor(rough)).branches.size() == 1);
+}
 
+TEST_CASE("materials that look like glass but throw no caustic say why") {
   Material opaque_index = solid_glass();
   opaque_index.ior = 0.0f;
   mentions(judged(glass_over_floor(opaque_index)).expectations[0].reason, "never refracts");

@@ -41,6 +41,7 @@ std::string why_not_followed(const Scene& scene, const Settings& settings, const
   if (settings.thickness == Thickness::Wyman) return "Wyman's thickness knows two surfaces";
   if (settings.draw_unconverged) return "what has not converged is drawn where its search stopped";
   if (settings.estimator == Estimator::Impostor) return "impostors were asked for";
+  if (effects.rough_glass.active) return "rough glass (" + effects.rough_glass.reason + ")";
   return not_in_triangles(scene, effects);
 }
 

@@ -24,6 +24,8 @@ Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {
   o.ior = static_cast<double>(material.ior);
   o.spread = static_cast<double>(main_dispersion(material));
   o.color = glm::dvec3(glm::vec3(material.base_color));
+  if (surface.role == Role::Refractor && surface.rough)
+    o.alpha = static_cast<double>(material.roughness) * static_cast<double>(material.roughness);
   if (surface.role == Role::Refractor) o.absorption = glm::dvec3(absorption_of(material));
   return o;
 }

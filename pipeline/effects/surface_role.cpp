@@ -67,21 +67,22 @@ Judgement judge_glass(const Mesh& mesh, const Material& material, const std::str
     const std::string why =
         "thin wall (no KHR_materials_volume thickness): bends nothing; --assume-solid makes it "
         "solid";
-    return {{Role::ThinPane, false, glass + ", " + why}, true, false, why};
-  }
-  if (material.roughness > settings.glass_roughness) {
-    Judgement rough = diffuse_instead(name, "roughness " + rounded_text(material.roughness) + " is above " +
-                                                rounded_text(settings.glass_roughness) +
-                                                ": scatters light, throws no caustic");
-    rough.rough = true;
-    return rough;
+    const bool rough = material.roughness > settings.glass_roughness;
+    return {{Role::ThinPane, false, glass + ", " + why + (rough ? "; its roughness is not shown" : "")},
+            true,
+            false,
+            why};
   }
   const InterfaceChoice interfaces = interfaces_of(mesh, settings);
   std::string reason = glass + ", IOR " + rounded_text(material.ior);
   if (material.ior == 1.0f) reason += " (bends nothing)";
   if (material.ior < 1.0f) reason += " (thinner than its surroundings, as a bubble)";
   if (!(material.thickness > 0.0f)) reason += ", --assume-solid";
-  return {{Role::Refractor, interfaces.two, reason + ", " + interfaces.reason}, true, false, {}};
+  const bool rough = material.roughness > settings.glass_roughness;
+  if (rough)
+    reason += ", roughness " + rounded_text(material.roughness) + " above " +
+              rounded_text(settings.glass_roughness) + ": spreads light";
+  return {{Role::Refractor, interfaces.two, reason + ", " + interfaces.reason}, true, rough, {}};
 }
 
 Judgement judge_unblended(const Mesh& mesh, const Material& material, const Settings& settings) {

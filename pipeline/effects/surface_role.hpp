@@ -11,7 +11,7 @@ namespace caustics {
 struct Judgement {
   SurfaceRole role;
   bool looks_specular = false;  // transmissive, a mirror, or alpha-blended as if it were glass
-  bool rough = false;           // glass too rough for a caustic
+  bool rough = false;           // glass whose microfacets spread the light
   std::string no_caustic;       // short reason; empty for a caster
 };
 

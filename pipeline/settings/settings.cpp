@@ -281,7 +281,8 @@ constexpr Setting kTable[] = {
     number<&S::mirror_metallic>("mirror.metallic", Part::Light, {0, 1},
                                 "metal is a mirror where it is at least so metallic"),
     number<&S::mirror_roughness>("mirror.roughness", Part::Light, {0, 1}, "rougher metal is no mirror"),
-    number<&S::glass_roughness>("glass.roughness", Part::Light, {0, 1}, "rougher glass throws no caustic"),
+    number<&S::glass_roughness>("glass.roughness", Part::Light, {0, 1},
+                                "rougher glass spreads light and view"),
 };
 
 }  // namespace

@@ -60,6 +60,8 @@ struct LandingBench {
   float bend = 0.0f;
   bool reflected = false;
   std::optional<glm::vec3> tint;  // the grid vertices' own colour, in place of `color`
+  float roughness = 0.0f;
+  glm::vec4 facets{0.0f};
   bool wyman = false;
   bool solid = false;
   bool exit_seen = true;  // by the exit map
@@ -104,6 +106,7 @@ struct LandingBench {
     image.at(0, 0, 1) = dispersion;
     image.at(0, 0, 3) = mirror ? 1.0f : 0.0f;
     image.at(1, 0, 3) = solid ? 1.0f : 0.0f;
+    image.at(2, 0, 3) = roughness;
     return image;
   }
 
@@ -121,6 +124,10 @@ struct LandingBench {
     std140::Landing u = bench_uniforms(view, impostors, estimator, iterations);
     u.channel_share = channel_share;
     u.bend = bend;
+    u.grid_side = 2;
+    u.facets = facets;
+    u.rough_from = 0.2f;
+    u.has_rough = roughness > 0.2f;
     u.receivers_lower = receivers_lower;
     u.receivers_upper = receivers_upper;
     u.paper_weights = paper_weights;

@@ -49,6 +49,38 @@ double largest(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs
 // An index below 1 is relative to what surrounds the body, as of a bubble; others are absolute.
 double absolute_index(double ior, double around) { return ior < 1.0 ? ior * around : ior; }
 
+// Rough glass: a microfacet, drawn by GGX's density times its cosine to the normal, and what else of the
+// light it sends on than one that is drawn so has for its share (Walter, Marschner, Li and Torrance 2007, eq.
+// 34 to 41).
+struct Facet {
+  glm::dvec3 normal;
+  double cosine;  // to the light; not above 0: it faces away
+};
+
+Facet drawn_facet(const glm::dvec3& n, const glm::dvec3& d, double alpha, Numbers& numbers) {
+  const double u = numbers.next();
+  double sine = 0.0, cosine = 1.0;
+  exact::sin_cos(2.0 * exact::kPi * numbers.next(), sine, cosine);
+  const double slope = alpha * std::sqrt(u / (1.0 - u));
+  const glm::dvec3 x = exact::perpendicular(n), y = exact::cross(n, x);
+  const glm::dvec3 m = exact::normalise(n + x * (slope * cosine) + y * (slope * sine), n);
+  return {m, -exact::dot(d, m)};
+}
+
+// Smith's masking of one direction, cosine c to the normal.
+double unmasked(double c, double alpha) {
+  const double squared = c * c;
+  return squared > 0.0 ? 2.0 / (1.0 + std::sqrt(1.0 + alpha * alpha * (1.0 - squared) / squared)) : 0.0;
+}
+
+double facet_weight(const Facet& facet, const glm::dvec3& n, const glm::dvec3& d, const glm::dvec3& o,
+                    double alpha) {
+  const double in = std::fabs(exact::dot(d, n)), leaning = exact::dot(facet.normal, n);
+  if (!(in > 0.0) || !(leaning > 0.0)) return 0.0;
+  const double out = std::fabs(exact::dot(o, n));
+  return facet.cosine * unmasked(in, alpha) * unmasked(out, alpha) / (in * leaning);
+}
+
 }  // namespace
 
 struct Paths::Moving {
@@ -112,13 +144,21 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
                  std::vector<Moving>& pending, Account& account) const {
   const Optics& optics = world_.optics(met.mesh);
   const glm::dvec3& d = moving.ray.direction;
-  const Facing f = facing(met, d);
+  const Facing smooth = facing(met, d);
+  const bool rough = optics.alpha > 0.0;
+  Facing f = smooth;
   const glm::dvec3 outer = met.front ? met.plane : -met.plane;  // the plane's normal against the light
   Moving next = moving;
   next.ray.origin = met.position;
   ++next.surfaces;
+  Facet facet{smooth.normal, smooth.cosine};
   const auto send = [&](Moving onward, const glm::dvec3& direction, bool crosses) {
     onward.ray.direction = direction;
+    if (rough) {
+      const glm::dvec3 all = onward.flux;
+      onward.flux *= facet_weight(facet, smooth.normal, d, direction, optics.alpha);
+      account.absorbed += all - onward.flux;  // masked
+    }
     onward.crossed = crosses;
     // An interpolated normal can send light to the wrong side of its own surface.
     const double side = exact::dot(direction, outer);
@@ -153,6 +193,14 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
     n2 = through.media.index();
   } else {  // the light began inside
     n1 = absolute_index(optics.index(bend), n2);
+  }
+  if (rough) {
+    facet = drawn_facet(smooth.normal, d, optics.alpha, numbers);
+    if (!(facet.cosine > 0.0)) {
+      account.absorbed += moving.flux;
+      return;
+    }
+    f = {facet.normal, std::min(facet.cosine, 1.0)};
   }
   const auto bent = refract_direction(d, f.normal, n1 / n2);
   const double r = bent ? fresnel(f.cosine, n1, n2).mean() : 1.0;
