@@ -11,8 +11,8 @@ Float wave(Float x) {
   return sel(t < 1.0f, above, below);
 }
 
-// A slope of width 1: `share` of all are less steep, the steepest 5 % taken for the least of them; `turn`: which
-// way, 0..1.
+// A slope of width 1: `share` of all are less steep, the steepest 5 % taken for the least of them; `turn`:
+// which way, 0..1.
 Vec2 facet_slope(Float share, Float turn) {
   Float s = min_of(share, 0.95f);
   Float steepness = sqrt(s / (1.0f - s));

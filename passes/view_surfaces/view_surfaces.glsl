@@ -108,9 +108,9 @@ Float shown_here() {
 
 // Along the surface's normal n, out to the mean of the vertices' tangent planes. Zero where they do not lie
 // on the side that is seen: of a flat surface, of a hollow one.
-Vec3 lift_along(Vec3 n, Bool behind) {
+Vec3 lift_along(Vec3 n, Bool from_behind) {
   Float height = tangent_plane_height - dot3(surface_position, surface_normal);
-  Float towards_viewer = sel(behind, -height, height);
+  Float towards_viewer = sel(from_behind, -height, height);
   Float rounding = 1.0e-5f * (abs(surface_position.x) + abs(surface_position.y) + abs(surface_position.z));
   return n * sel(towards_viewer > rounding, height, Float(0.0f));
 }
@@ -158,13 +158,14 @@ void main() {
   Bool left_out = finest_opacity() < u.alpha_cutoff;
   Float coverage = base.w;
   if (u.layer != 0) left_out = !left_out || coverage <= 0.0f || not_in_layer(z);
+  Bool from_behind = !front_facing();
+  if (u.is_double_sided == 0) left_out = left_out || from_behind;
   discard_if(left_out);
 
-  Bool behind = !front_facing();
-  view_lift = Vec4(lift_along(n, behind), Float(0.0f));
+  view_lift = Vec4(lift_along(n, from_behind), Float(0.0f));
   if (u.normal_use.levels > 0) n = textured_normal(n, seen);
   // A surface seen from behind shows its other side: the textured normal as a whole is reversed.
-  n = sel(behind, -n, n);
+  n = sel(from_behind, -n, n);
 
   Vec3 emission = Vec3(u.emissive_factor);
   if (u.emissive_use.levels > 0)

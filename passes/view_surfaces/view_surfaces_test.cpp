@@ -21,6 +21,7 @@ const float kHalf = std::sqrt(0.5f);
 Material plain() {
   Material material;
   material.base_color = {0.8f, 0.6f, 0.4f, 1.0f};
+  material.double_sided = true;
   return material;
 }
 
@@ -76,6 +77,14 @@ TEST_CASE("view_surfaces: the nearer surface is seen, and beside all of them w i
 TEST_CASE("view_surfaces: a back face shows its normal turned to the viewer") {
   check_direction(texel(see(quad(kFront, {0, 1, 0}), plain())["view_normal"], 2, 2), {0, 1, 0});
   check_direction(texel(see(quad(kBack, {0, -1, 0}), plain())["view_normal"], 2, 2), {0, 1, 0});
+}
+
+TEST_CASE("view_surfaces: the back of a surface is seen only where its material is double-sided") {
+  Material material = plain();
+  CHECK(texel(see(quad(kBack, {0, -1, 0}), material)["view_position"], 2, 2).w == 1.0f);
+  material.double_sided = false;
+  CHECK(texel(see(quad(kBack, {0, -1, 0}), material)["view_position"], 2, 2).w == 0.0f);
+  CHECK(texel(see(quad(kFront, {0, 1, 0}), material)["view_position"], 2, 2).w == 1.0f);
 }
 
 TEST_CASE("view_surfaces: the lift reaches from a triangle out to its vertices' tangent planes") {

@@ -115,7 +115,7 @@ TEST_CASE("materials that look like glass but throw no caustic say why") {
   Material half_metal = solid_glass();
   half_metal.metallic = 0.6f;
   half_metal.roughness = 0.21f;
-  mentions(judged(glass_over_floor(half_metal)).surfaces[0].reason, "transmission 0.4 beside");
+  mentions(judged(glass_over_floor(half_metal)).surfaces[0].reason, "transmission 0.4 is left beside");
 
   Material blended = solid_glass();
   blended.transmission = 0.0f;

@@ -178,6 +178,7 @@ inline Material diffuse(float albedo) {
   m.name = "diffuse";
   m.base_color = glm::vec4(albedo, albedo, albedo, 1.0f);
   m.metallic = 0.0f;
+  m.double_sided = true;
   return m;
 }
 
