@@ -52,8 +52,7 @@ std::string option_name(std::string_view name) {
 
 void SettingOptions::add_preview(bool& wanted) {
   parser_.flag("--preview",
-               std::string(preview().meaning) + values_text(preview()) +
-                   "; render estimates no error. Other options override these",
+               std::string(preview().meaning) + values_text(preview()) + "; no error is estimated",
                [&wanted, &settings = settings_] {
                  wanted = true;
                  apply(settings, preview());
