@@ -118,6 +118,8 @@ std::string caustic_line(const RenderedFrame& frame, const std::vector<LightLedg
                          const std::optional<SeenCaustic>& seen) {
   if (shows_none(frame, ledgers)) return "caustic: none; " + no_caustic_text(frame, ledgers) + "\n";
   if (ledgers.empty() && !seen) return "caustic: not told, as nothing that is asked for depends on it\n";
+  if (ledgers.empty() && !(seen->beside + seen->through > 0.0))
+    return "caustic: none in the picture; without --preview more is known\n";
   const double entered = lumens(frame.scene(), ledgers, &Ledger::entered);
   const double landed = lumens(frame.scene(), ledgers, &Ledger::in_map);
   const std::string share = entered > 0.0 ? percent(landed / entered) + " of the light onto " : "";
