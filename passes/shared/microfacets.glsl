@@ -1,4 +1,5 @@
-// Rough glass: the lean of its microfacets, GGX (Walter, Marschner, Li, Torrance 2007). Needs axes_across.glsl.
+// Rough glass: the lean of its microfacets, GGX (Walter, Marschner, Li, Torrance 2007). Needs
+// axes_across.glsl.
 
 // A triangle wave of period 1, between 0 and 1: as even as what it is of.
 Float folded(Float x) { return 1.0f - abs((x - floor(x)) * 2.0f - 1.0f); }
