@@ -99,14 +99,15 @@ Vec3 color_at(Texture colors, Texture positions, IN(View) view, Vec3 p, Vec3 oth
   return sel(there, Vec3(fetch_nearest(colors, uv.x, uv.y)), otherwise);
 }
 
-// The mean over 16 rays spread by microfacets of this width: as long as the middle one, and where that has met
-// nothing, to where they leave the box around all receivers. Each ray turns them by an angle of its own, after
-// interleaved gradient noise (Jimenez 2014).
+// The mean over 16 rays spread by microfacets of this width: as long as the middle one, and where that has
+// met nothing, to where they leave the box around all receivers. Each ray turns them by an angle of its own,
+// after interleaved gradient noise (Jimenez 2014).
 Vec3 spread_radiance(IN(Ray) ray, IN(Met) middle, Float width) {
   AxesAcross axes = axes_across(ray.direction);
   Float diagonal = frag_x() * 0.06711056f + frag_y() * 0.00583715f;
   Vec3 way = ray.direction;
-  Float noise = (diagonal - floor(diagonal)) * 52.9829189f + (way.x * 571.0f + way.y * 3423.0f + way.z * 1650.0f);
+  Float noise = (diagonal - floor(diagonal)) * 52.9829189f +
+                (way.x * 571.0f + way.y * 3423.0f + way.z * 1650.0f);
   Vec3 sum = Vec3(0.0f);
   for (int i = 0; i < 16; i++) {
     Float turn = noise + float(i) * 0.618033989f;

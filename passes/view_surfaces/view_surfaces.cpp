@@ -118,7 +118,8 @@ Pass view_surfaces_pass() {
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .shaders = {{&view_surfaces_shader, block_of<view_surfaces_uniforms>}},
-      .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }}},
+      .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},
+                  {"has_lift", chosen_by<&Effects::smooth_shading>}},
   };
 }
 

@@ -162,7 +162,8 @@ void main() {
   if (u.is_double_sided == 0) left_out = left_out || from_behind;
   discard_if(left_out);
 
-  view_lift = Vec4(lift_along(n, from_behind), Float(0.0f));
+  view_lift = Vec4(Float(0.0f), Float(0.0f), Float(0.0f), Float(0.0f));
+  if (u.has_lift != 0) view_lift = Vec4(lift_along(n, from_behind), Float(0.0f));
   if (u.normal_use.levels > 0) n = textured_normal(n, seen);
   // A surface seen from behind shows its other side: the textured normal as a whole is reversed.
   n = sel(from_behind, -n, n);

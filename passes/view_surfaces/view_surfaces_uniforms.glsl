@@ -1,6 +1,7 @@
 View view;              // the camera's
 vec4 base_factor;       // rgb: albedo; a: opacity
 float alpha_cutoff;     // 0 in opaque materials; in blended ones what is opaque
+CHOICE(has_lift)        // some surfaces are smooth-shaded
 CHOICE(layer)           // 0: what is opaque; 1: the nearest blended surface; 2: the next behind a layer
 float pixel_side;       // at distance 1, over the root of the samples a pixel; 0: there are no mip maps
 int is_double_sided;    // else its back is not seen
