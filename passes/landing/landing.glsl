@@ -83,8 +83,8 @@ Entry entry_at(Int column, Int row) {
 }
 
 // What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again 4
-// times over the grid where light enters and 7 times where it leaves: far slower than by a cell, whose corners
-// keep together.
+// times over the grid where light enters and 7 times where it leaves: far slower than by a cell, whose
+// corners keep together.
 Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
   Float x = Float(column) / float(u.grid_side);
   Float y = Float(row) / float(u.grid_side);
