@@ -94,6 +94,7 @@ struct Mesh {
   // with this material together, after welding (positions within 1e-6 of the extent); 1 is closed.
   float closedness = 0.0f;
   bool closed() const { return closedness >= 0.9f; }
+  bool inside_out = false;             // closed, and its triangles wind as seen from within
   glm::vec3 lower{0.0f}, upper{0.0f};  // bounds
   bool has_uv = false;
 };

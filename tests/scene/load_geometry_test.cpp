@@ -161,13 +161,17 @@ TEST_CASE("A glass cube that is inside out, or winds at random, is turned to fac
   }
 }
 
-TEST_CASE("An opaque room that is seen from inside keeps its winding") {
+TEST_CASE("An opaque room that is seen from inside keeps its winding, and is known to be inside out") {
   std::vector<std::uint8_t> inverted = kCube;
   for (std::size_t i = 0; i < kCube.size(); i += 3) std::swap(inverted[i], inverted[i + 1]);
   Gltf gltf = cube(inverted);
   gltf.rest = R"(,"materials":[{}])";
   const Scene scene = load(gltf);
   CHECK(glm::dot(facing(scene.meshes.at(0), 0), scene.meshes[0].vertices[0].position) < 0);
+  CHECK(scene.meshes[0].inside_out);
+  Gltf body = cube(kCube);
+  body.rest = gltf.rest;
+  CHECK_FALSE(load(body).meshes.at(0).inside_out);
 }
 
 TEST_CASE("Glass that is split over two primitives is closed when both together are") {

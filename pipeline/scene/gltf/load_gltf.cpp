@@ -86,6 +86,7 @@ void join_parts(const Source& source, std::vector<Part>& parts) {
 void hand_over(const Shape& shape, gltf::Body& body) {
   body.shape.triangles = shape.triangles;
   body.shape.closedness = shape.closedness;
+  body.shape.inside_out = shape.inside_out;
   body.shape.material = shape.material;
   body.shape.object = shape.object;
 }

@@ -20,6 +20,7 @@ struct Shape {
   std::vector<glm::dvec2> uvs;        // as in the file; empty: none
   std::vector<std::array<std::uint32_t, 3>> triangles;
   float closedness = 0.0f;
+  bool inside_out = false;
 };
 
 }  // namespace caustics::gltf

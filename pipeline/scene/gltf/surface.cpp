@@ -146,6 +146,7 @@ Mesh finish_mesh(const Shape& shape, const glm::dvec3& origin) {
   mesh.material = shape.material;
   mesh.object = shape.object;
   mesh.closedness = shape.closedness;
+  mesh.inside_out = shape.inside_out;
   mesh.has_uv = !shape.uvs.empty();
   constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
   std::vector<std::uint32_t> renumbered(shape.positions.size(), kUnused);

@@ -331,8 +331,12 @@ void join_group(Context& context, const std::vector<Shape*>& group, bool solid) 
   }
   const Edges edges = examine_edges(group, faces);
   for (Shape* shape : group) shape->closedness = edges.closedness;
-  if (!solid || edges.closedness < 0.9f) return;
+  if (edges.closedness < 0.9f) return;
   Orientation orientation(group, faces);
+  if (!solid) {
+    for (Shape* shape : group) shape->inside_out = orientation.inside_out();
+    return;
+  }
   const std::size_t turned = orientation.reconcile(edges.pairs);
   if (turned > 0) {
     context.note(name + ": " + std::to_string(turned) +

@@ -16,7 +16,7 @@ std::size_t drop_degenerate(Shape& shape);
 // each shape how closed the group is: 1 less the area of its holes over the area of its surface. Where
 // `solid` (the material transmits light) and the group is closed, triangles are turned to face outwards:
 // those that disagree with their neighbours, and all of them where the signed volume is negative. Other
-// meshes keep the winding of the file: a room seen from inside is rightly inside out.
+// meshes keep the winding of the file, and are told if they are inside out, as rooms are.
 void join_group(Context& context, const std::vector<Shape*>& group, bool solid);
 
 }  // namespace caustics::gltf
