@@ -3,11 +3,13 @@
 #include <zlib.h>
 
 #include <bit>
+#include <cstring>
 
 #include "app/json.hpp"
 #include "lab/study/html.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/format.hpp"
+#include "pipeline/gpu/sha256.hpp"
 
 namespace caustics::app {
 
@@ -41,9 +43,16 @@ const std::uint8_t* bytes_of(std::span<const T> values) {
 }  // namespace
 
 Json Blobs::add(const std::uint8_t* bytes, std::size_t count, std::size_t size, const char* type) {
-  texts_.push_back(study::base64(compressed(planes_of(bytes, count, size))));
-  bytes_ += texts_.back().size();
-  return {{"blob", texts_.size() - 1}, {"type", type}, {"count", count}};
+  const std::string planes = planes_of(bytes, count, size);
+  Sha256 digest;
+  digest.add(type, std::strlen(type));
+  digest.add(planes.data(), planes.size());
+  const auto [known, is_new] = by_digest_.try_emplace(digest.hexadecimal(), texts_.size());
+  if (is_new) {
+    texts_.push_back(study::base64(compressed(planes)));
+    bytes_ += texts_.back().size();
+  }
+  return {{"blob", known->second}, {"type", type}, {"count", count}};
 }
 
 Json Blobs::add(std::span<const std::uint8_t> values) { return add(values.data(), values.size(), 1, "u8"); }

@@ -1,6 +1,7 @@
 // Numbers in a page: compressed, as text that a script of the page reads without fetching anything.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
@@ -9,7 +10,8 @@
 namespace caustics::app {
 
 // Each array becomes the base64 of a zlib stream. Values of several bytes lie in it as planes, all lowest
-// bytes first, then all second ones, little endian: neighbours are alike then.
+// bytes first, then all second ones, little endian: neighbours are alike then. What two runs have alike is
+// there once.
 class Blobs {
  public:
   // What the recording says of an array: { "blob", "type", "count" }.
@@ -26,6 +28,7 @@ class Blobs {
   nlohmann::ordered_json add(const std::uint8_t* bytes, std::size_t count, std::size_t size,
                              const char* type);
   std::vector<std::string> texts_;
+  std::map<std::string, std::size_t> by_digest_;  // of type and values: index of the text
   std::size_t bytes_ = 0;
 };
 

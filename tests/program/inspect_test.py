@@ -91,6 +91,14 @@ class Inspect(ProgramTest):
         self.assertTrue(any("picture" in each and "caustics render --dump" in each for each in left_out),
                         left_out)
 
+    def test_what_two_runs_have_alike_is_there_once(self):
+        page = self.page("--against", "iterations=1")
+        first, second = (run["attachments"] for run in page.recording["runs"])
+        same = [one["name"] for one, other in zip(first, second) if one["data"] == other["data"]]
+        self.assertIn("receiver_position", same)  # before the first iteration
+        self.assertNotIn("landing", same)
+        self.assertEqual(len(set(page.blobs)), len(page.blobs))
+
     def test_a_dump_beside_the_run(self):
         self.succeeds("ball.glb", *SMALL, "--iterations", "1", "--dump", "other", "--quiet")
         one, other = self.page("--against", "other").recording["runs"]
