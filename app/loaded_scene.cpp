@@ -113,7 +113,8 @@ void LoadedScene::note_environment() {
   if (share > kLeast && share < kMost) return;
   const double strength = static_cast<double>(settings_.environment_strength) * kUsual / share;
   const auto text = [](double value) {
-    return value < 10.0 ? significant(value, 2) : grouped(static_cast<std::uint64_t>(value));
+    const bool is_counted = value >= 10.0 && value < 1e9;
+    return is_counted ? grouped(static_cast<std::uint64_t>(value)) : significant(value, 2);
   };
   scene_.notes.push_back("The environment gives " + text(share) +
                          " times what the lights give; --environment-strength " + text(strength) +

@@ -72,7 +72,8 @@ std::string place_text(const glm::dvec2& pixel, const Settings& settings) {
 }
 
 std::string times_text(double times) {
-  return times < 9.95 ? significant(times, 2) : grouped(static_cast<std::uint64_t>(std::llround(times)));
+  const bool is_counted = times >= 9.95 && times < 1e9;
+  return is_counted ? grouped(static_cast<std::uint64_t>(std::llround(times))) : significant(times, 2);
 }
 
 std::string brightness_text(const SeenCaustic& seen) {
