@@ -18,6 +18,15 @@ bool is_last_to_write(const FramePlan& plan, const PlannedPass& pass, int textur
   return last != plan.passes.rend() && &*last == &pass;
 }
 
+// Passes of one camera's sample may wait for their first user.
+bool is_written(const FramePlan& plan, const PlannedPass& until, int texture) {
+  for (const PlannedPass& each : plan.passes) {
+    if (std::find(each.writes.begin(), each.writes.end(), texture) != each.writes.end()) return true;
+    if (&each == &until) break;
+  }
+  return false;
+}
+
 }  // namespace
 
 void CausticSight::look(const RenderedFrame& frame, const PlannedPass& pass) {
@@ -26,7 +35,9 @@ void CausticSight::look(const RenderedFrame& frame, const PlannedPass& pass) {
   frame.device().finish();
   const Stopwatch watch;
   const auto image = [&](const std::string& name) {
-    return frame.has(name + sample) ? frame.look_at(name + sample) : ImageView{};
+    const bool is_there =
+        frame.has(name + sample) && is_written(frame.plan(), pass, frame.plan().find(name + sample));
+    return is_there ? frame.look_at(name + sample) : ImageView{};
   };
   seen_ = see_caustic({.position = image("view_position"),
                        .normal = image("view_normal"),

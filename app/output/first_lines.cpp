@@ -67,8 +67,8 @@ std::string place_text(const glm::dvec2& pixel, const Settings& settings) {
                                          {"at the lower left", "at the bottom", "at the lower right"}};
   const auto third = [](double at, int size) { return std::clamp(static_cast<int>(3.0 * at / size), 0, 2); };
   return std::string(kPlaces[third(pixel.y, settings.height)][third(pixel.x, settings.width)]) +
-         " of the picture (x " + std::to_string(std::lround(pixel.x)) + ", y " +
-         std::to_string(std::lround(pixel.y)) + ")";
+         " of the picture (x " + std::to_string(static_cast<int>(pixel.x)) + ", y " +
+         std::to_string(static_cast<int>(pixel.y)) + ")";
 }
 
 std::string times_text(double times) {

@@ -28,7 +28,8 @@ Bool in_shadow() {
 
 // Is there no caster behind it, on the grid vertex that is drawn?
 Bool not_before_casters() {
-  Vec4 caster = texel_fetch(caster_position, floor_to_int(frag_x()), floor_to_int(frag_y()));
+  // One texel of zeros where the light throws no caustic.
+  Vec4 caster = fetch_clamped(caster_position, floor_to_int(frag_x()), floor_to_int(frag_y()));
   Int face = Int(u.view.face);
   Float z = in_face(u.view, view_coordinates(u.view, surface_position), face).z;
   return !is_covered(caster) || z >= in_face(u.view, view_coordinates(u.view, Vec3(caster)), face).z;

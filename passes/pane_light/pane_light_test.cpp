@@ -92,25 +92,34 @@ TEST_CASE("pane_light: before casters only what is blended, and nearer than they
   const DrawnFor& casters = pass.drawn_for[1];
   Material material;
   material.base_color.a = 0.25f;
-  const auto reaching = [&](float height, bool blended, float covered = 1.0f) {
+  Image casters_seen = filled(1, 1, {0.0f, 3.0f, 0.0f, 1.0f});
+  int side = 1;
+  const auto reaching = [&](float height, bool blended) {
     Effects effects;
     effects.surfaces = {{.blended = blended}};
     const Scene scene;
     const Light light;
-    return texel(run_pass(definition_of(pass, {}, casters),
-                          {.uniforms = pass.uniforms({.scene = &scene,
-                                                      .effects = &effects,
-                                                      .views = &views,
-                                                      .light = &light,
-                                                      .material = &material,
-                                                      .drawn_for = &casters}),
-                           .textures = {Image{}, Image{}, filled(1, 1, {0.0f, 3.0f, 0.0f, covered})},
-                           .mesh = level(height)})["pane_transmittance"],
-                 0, 0)
+    return texel(
+               run_pass(definition_of(pass, {}, casters), {.width = side,
+                                                           .height = side,
+                                                           .uniforms = pass.uniforms({.scene = &scene,
+                                                                                      .effects = &effects,
+                                                                                      .views = &views,
+                                                                                      .light = &light,
+                                                                                      .material = &material,
+                                                                                      .drawn_for = &casters}),
+                                                           .textures = {Image{}, Image{}, casters_seen},
+                                                           .mesh = level(height)})["pane_transmittance"],
+               side - 1, side - 1)
         .x;
   };
   CHECK(reaching(4.0f, true) == 0.75f);
   CHECK(reaching(2.0f, true) == 1.0f);
   CHECK(reaching(4.0f, false) == 1.0f);
-  CHECK(reaching(4.0f, true, 0.0f) == 1.0f);
+  casters_seen = filled(1, 1, {0.0f, 3.0f, 0.0f, 0.0f});
+  CHECK(reaching(4.0f, true) == 1.0f);
+  // A light without a caustic draws no casters.
+  casters_seen = Image{};
+  side = 64;
+  CHECK(reaching(4.0f, true) == 1.0f);
 }

@@ -21,7 +21,7 @@ Vec2 facet_slope(Float share, Float turn) {
   return way * (steepness / sqrt(dot2(way, way)));
 }
 
-// n: unit. A slope of 0 leaves it as it is.
+// n: unit. A slope of 0 leaves it as it is, but for rounding.
 Vec3 facet_normal(Vec3 n, Vec2 slope) {
   AxesAcross axes = axes_across(n);
   return normalize_or(n + axes.x * slope.x + axes.y * slope.y, n);

@@ -101,7 +101,7 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
   if (reached) {
     effects.caustics = {true, caster->reason};
   } else if (refractors + mirrors == 0) {
-    effects.caustics = {false, "no surface is smooth metal, or smooth, solid glass or water"};
+    effects.caustics = {false, "no surface is smooth metal, or solid glass or water"};
   } else {
     effects.caustics = {false, first == effects.expectations.end()
                                    ? "no light shines"
@@ -167,8 +167,8 @@ void add_occlusion(const Scene& scene, Effects& effects) {
   std::size_t occluded = 0;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Material& m = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
-    occluded += effects.surfaces[i].role == Role::Receiver && m.occlusion_texture.present() &&
-                m.occlusion_strength > 0.0f;
+    occluded +=
+        is_diffuse(effects.surfaces[i].role) && m.occlusion_texture.present() && m.occlusion_strength > 0.0f;
   }
   effects.occlusion = {occluded > 0, occluded > 0 ? count(occluded, "surface", "surfaces") +
                                                         " whose texture keeps the environment's light away"

@@ -43,6 +43,7 @@ class Blocks {
  public:
   Blocks(int width, int height)
       : side_((std::max(width, height) + kBlocks - 1) / kBlocks),
+        width_(width),
         height_(height),
         across_((width + side_ - 1) / side_),
         upward_((height + side_ - 1) / side_),
@@ -58,7 +59,9 @@ class Blocks {
     }
     seen.is_through = behind(best_behind) > kMuchBrighter * caustic(best);
     const int place = seen.is_through ? best_behind : best;
-    seen.brightest = {(place % across_ + 0.5) * side_, height_ - (place / across_ + 0.5) * side_};
+    // Blocks at the edges may reach beyond the picture.
+    seen.brightest = {std::min((place % across_ + 0.5) * side_, width_ - 0.5),
+                      std::max(height_ - (place / across_ + 0.5) * side_, 0.5)};
     double lit = brightest_direct(place, kNear);
     if (!(lit > 0.0)) lit = brightest_direct(place, kBlocks);
     const double here = seen.is_through ? behind(place) : caustic(place);
@@ -89,7 +92,7 @@ class Blocks {
     return most;
   }
 
-  int side_, height_, across_, upward_;
+  int side_, width_, height_, across_, upward_;
   std::vector<Block> blocks_;
 };
 

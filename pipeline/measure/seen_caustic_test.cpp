@@ -93,3 +93,20 @@ TEST_CASE("seen caustic: nothing is told where nothing is seen, nor how bright w
   CHECK(bench.see().beside > 0.0);
   CHECK(bench.see().times == 0.0);
 }
+
+TEST_CASE("seen caustic: the brightest place lies in the picture where blocks reach beyond its edges") {
+  // Blocks of 2 x 2: of 65 x 33 pixels the last column and row fill half of theirs.
+  const auto filled_with = [](const glm::vec4& value) {
+    Image image(Format::RGBA32F, 65, 33);
+    for (int y = 0; y < 33; ++y)
+      for (int x = 0; x < 65; ++x) Bench::put(image, x, y, value);
+    return image;
+  };
+  const Image position = filled_with({0.0f, 0.0f, 0.0f, 1.0f}),
+              normal = filled_with({0.0f, 1.0f, 0.0f, 0.0f});
+  Image caustic = filled_with(glm::vec4(0.0f));
+  Bench::put(caustic, 64, 32, glm::vec4(20.0f));
+  const Bench bench;
+  const SeenCaustic seen = see_caustic({position, normal, caustic, caustic, {}}, bench.camera, 1.0);
+  CHECK(seen.brightest == glm::dvec2(64.5, 0.5));
+}

@@ -170,13 +170,9 @@ TextureUse Reader::placed(const Cursor& info, int set, Reading reading) {
 // What a blended material's texture covers at least and at most.
 void Reader::read_coverage() {
   if (result_.alpha_mode != AlphaMode::Blend || !result_.base_color_texture.present()) return;
-  const Image& image = textures_.images()[static_cast<std::size_t>(result_.base_color_texture.image)];
-  result_.most_alpha = 0.0f;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      result_.least_alpha = std::min(result_.least_alpha, image.at(x, y, 3));
-      result_.most_alpha = std::max(result_.most_alpha, image.at(x, y, 3));
-    }
+  const auto [least, most] = textures_.alpha_range(result_.base_color_texture.image);
+  result_.least_alpha = least;
+  result_.most_alpha = most;
 }
 
 int Reader::read_textures() {

@@ -1,5 +1,7 @@
 #include "pipeline/scene/gltf/textures.hpp"
 
+#include <algorithm>
+
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/gltf/resources.hpp"
@@ -156,6 +158,19 @@ TextureUse Textures::use(const Cursor& info, Reading reading) {
   }
   loaded_[key] = result.image;
   return result;
+}
+
+std::pair<float, float> Textures::alpha_range(int image) {
+  const auto [known, is_new] = alpha_ranges_.try_emplace(image, 1.0f, 0.0f);
+  if (is_new) {
+    auto& [least, most] = known->second;
+    const std::vector<float>& values = images_[static_cast<std::size_t>(image)].values;
+    for (std::size_t i = 3; i < values.size(); i += 4) {
+      least = std::min(least, values[i]);
+      most = std::max(most, values[i]);
+    }
+  }
+  return known->second;
 }
 
 std::optional<double> Textures::mean(const Cursor& info, int channel) {

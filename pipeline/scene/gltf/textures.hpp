@@ -38,6 +38,8 @@ class Textures {
   static int uv_set(const Cursor& info);
 
   std::vector<Image>& images() { return images_; }
+  // The least and the greatest alpha of one of the images.
+  std::pair<float, float> alpha_range(int image);
 
  private:
   std::optional<int> image_index(const Cursor& info);
@@ -49,8 +51,9 @@ class Textures {
   const Model& model_;
   std::uint64_t pixels_left_;
   std::vector<Image> images_;
-  std::map<std::pair<int, Reading>, int> loaded_;  // -> index, -1: failed
-  std::map<int, std::array<double, 4>> means_;     // image -> mean of each channel, -1: failed
+  std::map<std::pair<int, Reading>, int> loaded_;        // -> index, -1: failed
+  std::map<int, std::array<double, 4>> means_;           // image -> mean of each channel, -1: failed
+  std::map<int, std::pair<float, float>> alpha_ranges_;  // by index into images()
 };
 
 }  // namespace caustics::gltf
