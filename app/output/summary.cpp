@@ -71,9 +71,14 @@ std::vector<std::string> gathered(const std::vector<std::string>& sentences) {
     const std::string says = sentence.substr(end);
     const auto same = std::find_if(groups.begin(), groups.end(),
                                    [&](const Group& group) { return !says.empty() && group.says == says; });
-    same == groups.end() ? groups.push_back({sentence.substr(0, end), says}) : void(++same->more);
+    if (same == groups.end()) {
+      groups.push_back({sentence.substr(0, end), says});
+    } else {
+      ++same->more;
+    }
   }
   std::vector<std::string> lines;
+  lines.reserve(groups.size());
   for (const Group& group : groups)
     lines.push_back(group.what + (group.more == 0 ? "" : " and " + grouped(group.more) + " more") +
                     group.says);
