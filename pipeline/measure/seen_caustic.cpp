@@ -60,8 +60,9 @@ class Blocks {
     seen.is_through = behind(best_behind) > kMuchBrighter * caustic(best);
     const int place = seen.is_through ? best_behind : best;
     // Blocks at the edges may reach beyond the picture.
-    seen.brightest = {std::min((place % across_ + 0.5) * side_, width_ - 0.5),
-                      std::max(height_ - (place / across_ + 0.5) * side_, 0.5)};
+    const int column = place % across_, row = place / across_;
+    seen.brightest = {std::min((column + 0.5) * side_, width_ - 0.5),
+                      std::max(height_ - (row + 0.5) * side_, 0.5)};
     double lit = brightest_direct(place, kNear);
     if (!(lit > 0.0)) lit = brightest_direct(place, kBlocks);
     const double here = seen.is_through ? behind(place) : caustic(place);
