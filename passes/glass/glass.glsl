@@ -26,13 +26,13 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/caster_material.glsl"
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/microfacets.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/layers_before_glass.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/receivers_box.glsl"
 #include "passes/shared/refraction.glsl"
+#include "passes/shared/microfacets.glsl"
 #include "passes/shared/sky_radiance.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/intersect.glsl"
@@ -192,13 +192,24 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
   Float eta = sel(front.from_inside, material.ior, 1.0f / material.ior);
   Refraction bent = refraction_at(sight, normal, eta);
   Bool solid = material.solid && !front.from_inside;
-  Exit exit = leave_glass(ray_from(front.point, bent.direction), material.ior, solid);
+  Float width = sel(material.roughness > u.rough_from, material.roughness * material.roughness, Float(0.0f));
+  Float ior = material.ior;
+  Vec3 tint = material.color;
+  if (u.has_rough != 0) {
+    bent = either(material.thin, through_wall(sight, normal, normal, ior), bent);
+    ior = sel(material.thin, Float(1.0f), ior);
+    tint = wall_tint(material, tint, front.from_inside);
+  }
+  Exit exit = leave_glass(ray_from(front.point, bent.direction), ior, solid);
 
   // A facet that leans by a slope turns what it mirrors by twice that, what passes by (n - 1) times, 1 / n of
-  // it where light stays inside; two surfaces add their squares.
-  Float width = sel(material.roughness > u.rough_from, material.roughness * material.roughness, Float(0.0f));
-  Float turned = sel(solid, Float(1.41421356f), 1.0f / material.ior) * abs(material.ior - 1.0f) * width;
-  Vec3 behind = radiance_along(exit.ray, turned, seen && !material.mirror) * material.color *
+  // it where light stays inside, at a wall by twice; two surfaces add their squares.
+  Float turn = sel(solid, Float(1.41421356f), 1.0f / material.ior) * abs(material.ior - 1.0f);
+  if (u.has_rough != 0) {
+    turn = sel(material.thin, sel(solid, Float(2.82842712f), Float(2.0f)), turn);
+    exit.reflectance = sel(material.thin && solid, bent.reflectance, exit.reflectance);
+  }
+  Vec3 behind = radiance_along(exit.ray, turn * width, seen && !material.mirror) * tint *
                 transmittance(material.absorption, exit.inside_length);
   Ray back = ray_from(front.point, reflected(sight, normal, bent.cosine));
   Vec3 mirrored = radiance_along(back, sel(material.mirror, Float(0.0f), 2.0f * width), seen);

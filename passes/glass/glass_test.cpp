@@ -47,6 +47,7 @@ struct Bench {
 
   Image highlight{};  // what the lights add
   float roughness = 0.0f;
+  bool thin = false;  // a rough wall
 
   Image run() const {
     Image materials(Format::RGBA32F, 3, 2);
@@ -55,7 +56,7 @@ struct Bench {
       materials.at(1, 1, c) = absorption[c];
       materials.at(2, 1, c) = tint[c];
     }
-    materials.at(0, 1, 3) = mirror ? 1.0f : 0.0f;
+    materials.at(0, 1, 3) = mirror ? 1.0f : thin ? -1.0f : 0.0f;
     materials.at(1, 1, 3) = solid ? 1.0f : 0.0f;
     materials.at(2, 1, 3) = roughness;
     const View wide = widened(view, 3.0);
@@ -277,4 +278,20 @@ TEST_CASE("glass: a rough slab shows the mean of what lies behind it") {
   CHECK(step(sharp) > 0.8f);
   CHECK(step(blurred) < 0.7f * step(sharp));
   CHECK(blurred.at(3, 4, 0) > sharp.at(3, 4, 0) + 0.05f);
+}
+
+TEST_CASE("glass: a rough wall does not bend the view, and tints it; a closed body of them twice") {
+  // All that lies below is 1. At 20 degrees each face mirrors r = 0.040266, both 2 r / (1 + r) = 0.077415, of
+  // a black sky.
+  Bench bench;
+  bench.thin = true;
+  bench.roughness = 0.25f;
+  bench.solid = false;
+  bench.tint = {1.0f, 0.5f, 1.0f};
+  bench.normal = {std::sin(0.34906585f), std::cos(0.34906585f), 0.0f};
+  CHECK(bench.run().at(3, 3, 0) == Approx(1.0 - 0.077415).epsilon(1e-4));
+  CHECK(bench.run().at(3, 3, 1) == Approx(0.5 * (1.0 - 0.077415)).epsilon(1e-4));
+  // Half of what the second wall mirrors is lost.
+  bench.solid = true;
+  CHECK(bench.run().at(3, 3, 1) == Approx(0.25 * (1.0 - 0.077415) * (1.0 - 0.0387076)).epsilon(1e-4));
 }

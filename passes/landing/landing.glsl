@@ -38,11 +38,11 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/landing_status.glsl"
 #include "passes/shared/axes_across.glsl"
-#include "passes/shared/microfacets.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/refraction.glsl"
+#include "passes/shared/microfacets.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/grid_light.glsl"
 #include "passes/shared/intersect.glsl"
@@ -61,7 +61,8 @@ struct Entry {
   Vec3 outward;      // the surface's normal
   Material material;
   GridCell cell;
-  Vec2 exit_slope;   // of the microfacets that its light leaves by
+  Vec2 slope;        // of the microfacets that its light enters by,
+  Vec2 exit_slope;   // and leaves by
   Float reaching;    // the share of the light that blended surfaces before it leave
 };
 
@@ -105,9 +106,10 @@ void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
   // What metal mirrors is the whole of its light, and followed as such.
   if (u.is_reflection != 0) entry.covered = entry.covered && !entry.material.mirror && !entry.from_inside;
   entry.material.mirror = entry.material.mirror && u.has_mirrors != 0;
-  entry.exit_slope = Vec2(Float(0.0f), Float(0.0f));
+  entry.slope = Vec2(Float(0.0f), Float(0.0f));
+  entry.exit_slope = entry.slope;
   if (u.has_rough != 0 && u.is_reflection == 0) {
-    entry.outward = facet_normal(entry.outward, slope_at(column, row, entry.material, Bool(false)));
+    entry.slope = slope_at(column, row, entry.material, Bool(false));
     entry.exit_slope = slope_at(column, row, entry.material, Bool(true));
   }
 }
@@ -129,12 +131,26 @@ Float equal_part(IN(Entry) entry) {
   return sel(entry.covered && !entry.cell.guard, mean, Float(0.0f));
 }
 
+// At a surface, or a facet of it, whose normal against d is `facet`.
+Refraction bend_at(IN(Material) material, Vec3 d, Vec3 outward, Bool from_inside, Vec3 facet, Float ior,
+                   Float eta) {
+  Refraction bent = refraction_at(d, facet, eta);
+  if (u.has_rough != 0) {
+    Vec3 n = facing_normal(outward, d, from_inside);
+    bent = either(material.thin, through_wall(d, n, facet, ior), bent);
+  }
+  return bent;
+}
+
 FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
   FirstSurface first;
-  first.normal = facing_normal(entry.outward, light.direction, entry.from_inside);
+  Vec3 facet = entry.outward;
+  if (u.has_rough != 0 && u.is_reflection == 0) facet = facet_normal(entry.outward, entry.slope);
+  first.normal = facing_normal(facet, light.direction, entry.from_inside);
   first.ior = entry.material.ior + entry.material.dispersion * u.bend;
   Float eta = sel(entry.from_inside, first.ior, 1.0f / first.ior);
-  Refraction bent = refraction_at(light.direction, first.normal, eta);
+  Refraction bent = bend_at(entry.material, light.direction, entry.outward, entry.from_inside, first.normal,
+                            first.ior, eta);
   Vec3 mirrored = reflected(light.direction, first.normal, bent.cosine);
   first.cosine = bent.cosine;
   first.direction = sel(entry.material.mirror, mirrored, bent.direction);
@@ -243,7 +259,8 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
       exit.unknown = exit.unknown && !exit.stopped;
     }
     Vec3 normal = facing_normal(facet, first.direction, Bool(true));
-    Refraction bent = refraction_at(first.direction, normal, first.ior);
+    Refraction bent = bend_at(entry.material, first.direction, outward, Bool(true), normal, first.ior,
+                              first.ior);
     exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
     exit.reflectance = sel(solid && !bent.total, bent.reflectance * entry.material.fresnel, Float(0.0f));
@@ -275,7 +292,9 @@ Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, Float absorbing_length
   Vec3 passed = transmittance(entry.material.absorption, absorbing_length);
   if (u.is_reflection == 0) {
     Vec3 color = entry.material.color;
-    passed = passed * sel(first.blocked, Vec3(1.0f), color);
+    Vec3 tint = color;
+    if (u.has_rough != 0) tint = wall_tint(entry.material, color, entry.from_inside);
+    passed = passed * sel(first.blocked, Vec3(1.0f), tint);
     if (u.has_mirrors != 0)
       passed = sel(entry.material.mirror, metal_reflectance(color, first.cosine), passed);
   }

@@ -290,3 +290,35 @@ TEST_CASE("landing: rough glass lets light out by another microfacet") {
   CHECK(out["landing"].at(0, 0, 0) ==
         Approx(-0.5 * std::tan(std::asin(std::sin(lean) * 1.5) - lean)).epsilon(1e-4));
 }
+
+TEST_CASE("landing: a rough wall sends light on as its facet would mirror it, on the other side") {
+  // The facet leans by atan 0.25 = 14.036 degrees, so what it mirrors leaves by twice that. At incidence of 0
+  // each face mirrors 0.04, both 2 r / (1 + r) = 0.0769231; the colour counts once.
+  LandingBench bench;
+  bench.thin = true;
+  bench.roughness = 0.5f;
+  bench.color = {1.0f, 0.5f, 1.0f};
+  bench.facets = {0.25f, 0.0f, 0.0f, 0.0f};
+  const PassImages out = bench.run();
+  REQUIRE(landing_status(out) == LandingStatus::Landed);
+  CHECK(out["landing"].at(0, 0, 0) == Approx(std::tan(2.0 * std::atan(0.25))).epsilon(1e-4));
+  bench.facets.x = 0.0f;
+  const PassImages straight = bench.run();
+  CHECK(straight["landing"].at(0, 0, 0) == Approx(0.0).margin(1e-6));
+  CHECK(straight["landing_flux"].at(0, 0, 0) == Approx(0.25 * 0.923077));
+  CHECK(straight["landing_flux"].at(0, 0, 1) == Approx(0.25 * 0.923077 * 0.5));
+}
+
+TEST_CASE("landing: a closed body of rough walls tints and mirrors at both, and bends nothing") {
+  LandingBench bench;
+  bench.thin = bench.solid = true;
+  bench.roughness = 0.5f;
+  bench.color = {1.0f, 0.5f, 1.0f};
+  bench.normal = tilted(30.0);
+  const PassImages out = bench.run();
+  REQUIRE(landing_status(out) == LandingStatus::Landed);
+  CHECK(out["landing"].at(0, 0, 0) == Approx(0.0).margin(1e-5));
+  // The upper wall is met at 30 degrees: r = 0.041523, (1 - r) / (1 + r) = 0.920265; the lower straight on.
+  CHECK(out["landing_flux"].at(0, 0, 0) == Approx(0.25 * 0.920265 * 0.923077).epsilon(1e-4));
+  CHECK(out["landing_flux"].at(0, 0, 1) == Approx(0.25 * 0.920265 * 0.923077 * 0.25).epsilon(1e-4));
+}

@@ -5,6 +5,7 @@ struct Material {
   Float dispersion;  // n_F - n_C
   Float fresnel;     // factor of what Fresnel's equations mirror
   Bool mirror;       // metal, which lets nothing in
+  Bool thin;         // a rough wall: it mirrors by its index, but bends nothing
   Bool solid;        // closed: what enters leaves by a second surface
   Vec3 absorption;   // per metre
   Float roughness;
@@ -21,6 +22,7 @@ Material fetch_material(Texture materials, Int row) {
   material.dispersion = interface_texel.y;
   material.fresnel = 1.0f - interface_texel.z;
   material.mirror = interface_texel.w > 0.5f;
+  material.thin = interface_texel.w < -0.5f;
   material.solid = inside_texel.w > 0.5f;
   material.absorption = Vec3(inside_texel);
   Vec4 color_texel = fetch_clamped(materials, Int(2), row);

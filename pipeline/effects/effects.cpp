@@ -210,9 +210,9 @@ void add_sub_pixels(const Settings& settings, Effects& effects) {
 }
 
 // Before the branches, which follow it.
-void add_rough_glass(const std::vector<Judgement>& judgements, Effects& effects) {
+void add_rough_glass(Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(
-      judgements.begin(), judgements.end(), [](const Judgement& judgement) { return judgement.rough; }));
+      effects.surfaces.begin(), effects.surfaces.end(), [](const SurfaceRole& s) { return s.rough; }));
   effects.rough_glass = {rough > 0, rough > 0 ? count(rough, "surface", "surfaces") +
                                                     " of rough glass: light and view are spread over " +
                                                     std::to_string(kRoughWays) + " ways"
@@ -296,7 +296,6 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   for (const Mesh& mesh : scene.meshes) {
     judgements.push_back(judge(mesh, scene.materials[static_cast<std::size_t>(mesh.material)], settings));
     effects.surfaces.push_back(judgements.back().role);
-    effects.surfaces.back().rough = judgements.back().rough;
   }
   effects.expectations = expectations_of(scene, judgements);
   effects.lights.resize(scene.lights.size());
@@ -306,7 +305,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_blended(scene, effects);
   add_emitters(scene, effects);
   add_occlusion(scene, effects);
-  add_rough_glass(judgements, effects);
+  add_rough_glass(effects);
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);
   add_water_waves(scene, effects);

@@ -18,8 +18,8 @@ inline constexpr int kMostLayers = 4;
 // What a mesh does to light.
 enum class Role : std::uint8_t {
   Receiver,   // diffuse: catches light and caustics, casts a shadow
-  Refractor,  // glass or water with a volume: throws a caustic
-  ThinPane,   // transmission without a volume: lets light straight through, tinted
+  Refractor,  // glass or water with a volume, or a rough wall: throws a caustic
+  ThinPane,   // smooth, transmission without a volume: lets light straight through, tinted
   Mirror,     // smooth metal: throws a caustic
   Blended,    // alphaMode BLEND: diffuse where it covers, nothing beside
 };
@@ -36,6 +36,7 @@ struct SurfaceRole {
   // Some of it is blended over what lies behind: all but what is opaque of a Receiver, all of a Blended.
   bool blended = false;
   bool rough = false;  // a Refractor: its microfacets spread the light
+  bool thin = false;   // a rough Refractor without a volume: a wall that spreads light, but bends none
 };
 
 // Does it take a share of the light that passes straight through?

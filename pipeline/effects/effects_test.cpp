@@ -103,6 +103,20 @@ TEST_CASE("rough glass is a refractor whose light takes 16 ways of equal share")
   CHECK(judged(glass_over_floor(rough)).branches.size() == 1);
 }
 
+TEST_CASE("a rough wall without a volume is a refractor that bends nothing") {
+  Material frosted = solid_glass();
+  frosted.thickness = 0.0f;
+  frosted.roughness = 0.25f;
+  const Effects effects = judged(glass_over_floor(frosted));
+  CHECK(effects.surfaces[0].role == Role::Refractor);
+  CHECK(effects.surfaces[0].thin);
+  CHECK(effects.surfaces[0].two_interfaces);  // closed: two walls
+  CHECK(effects.rough_glass.active);
+  CHECK_FALSE(effects.thin_panes.active);
+  CHECK(effects.expectations[0].expected);
+  mentions(effects.surfaces[0].reason, "thin wall (no KHR_materials_volume thickness), roughness 0.25");
+}
+
 TEST_CASE("materials that look like glass but throw no caustic say why") {
   Material opaque_index = solid_glass();
   opaque_index.ior = 0.0f;

@@ -26,7 +26,8 @@ Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {
   o.color = glm::dvec3(glm::vec3(material.base_color));
   if (surface.role == Role::Refractor && surface.rough)
     o.alpha = static_cast<double>(material.roughness) * static_cast<double>(material.roughness);
-  if (surface.role == Role::Refractor) o.absorption = glm::dvec3(absorption_of(material));
+  o.thin = surface.thin;
+  if (surface.role == Role::Refractor && !surface.thin) o.absorption = glm::dvec3(absorption_of(material));
   return o;
 }
 

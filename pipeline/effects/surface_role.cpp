@@ -26,12 +26,12 @@ namespace {
 constexpr float kMostlyTransmissive = 0.5f;
 
 Judgement diffuse(const std::string& material, const std::string& why) {
-  return {{Role::Receiver, false, material + ": " + why}, false, false, {}};
+  return {{Role::Receiver, false, material + ": " + why}, false, {}};
 }
 
 // Looks like something that throws caustics, but is drawn as a diffuse surface.
 Judgement diffuse_instead(const std::string& material, const std::string& why) {
-  return {{Role::Receiver, false, material + ": " + why + "; drawn as a diffuse surface"}, true, false, why};
+  return {{Role::Receiver, false, material + ": " + why + "; drawn as a diffuse surface"}, true, why};
 }
 
 struct InterfaceChoice {
@@ -57,32 +57,50 @@ InterfaceChoice interfaces_of(const Mesh& mesh, const Settings& settings) {
                     "lost"};
 }
 
+std::string spread_by(float roughness, const Settings& settings) {
+  return "roughness " + rounded_text(roughness) + " above " + rounded_text(settings.glass_roughness) +
+         ": spreads light";
+}
+
+// No KHR_materials_volume: light passes straight through, or leaves a rough wall in a lobe.
+Judgement judge_wall(const Mesh& mesh, const Material& material, const std::string& glass,
+                     const Settings& settings) {
+  if (!(material.roughness > settings.glass_roughness)) {
+    const std::string why =
+        "thin wall (no KHR_materials_volume thickness): bends nothing; --assume-solid makes it solid";
+    return {{Role::ThinPane, false, glass + ", " + why}, true, why};
+  }
+  const InterfaceChoice interfaces = interfaces_of(mesh, settings);
+  const std::string reason = glass + ", thin wall (no KHR_materials_volume thickness), " +
+                             spread_by(material.roughness, settings) + ", " + interfaces.reason;
+  return {{.role = Role::Refractor,
+           .two_interfaces = interfaces.two,
+           .reason = reason,
+           .rough = true,
+           .thin = true},
+          true,
+          {}};
+}
+
 Judgement judge_glass(const Mesh& mesh, const Material& material, const std::string& name,
                       const Settings& settings) {
   const std::string glass = name + ": transmission " + rounded_text(material.transmission);
   if (material.ior == 0.0f) {
     return diffuse_instead(name, "ior 0 never refracts (all light is reflected)");
   }
-  if (!(material.thickness > 0.0f) && !settings.assume_solid) {
-    const std::string why =
-        "thin wall (no KHR_materials_volume thickness): bends nothing; --assume-solid makes it "
-        "solid";
-    const bool rough = material.roughness > settings.glass_roughness;
-    return {{Role::ThinPane, false, glass + ", " + why + (rough ? "; its roughness is not shown" : "")},
-            true,
-            false,
-            why};
-  }
+  if (!(material.thickness > 0.0f) && !settings.assume_solid)
+    return judge_wall(mesh, material, glass, settings);
   const InterfaceChoice interfaces = interfaces_of(mesh, settings);
   std::string reason = glass + ", IOR " + rounded_text(material.ior);
   if (material.ior == 1.0f) reason += " (bends nothing)";
   if (material.ior < 1.0f) reason += " (thinner than its surroundings, as a bubble)";
   if (!(material.thickness > 0.0f)) reason += ", --assume-solid";
   const bool rough = material.roughness > settings.glass_roughness;
-  if (rough)
-    reason += ", roughness " + rounded_text(material.roughness) + " above " +
-              rounded_text(settings.glass_roughness) + ": spreads light";
-  return {{Role::Refractor, interfaces.two, reason + ", " + interfaces.reason}, true, rough, {}};
+  if (rough) reason += ", " + spread_by(material.roughness, settings);
+  reason += ", " + interfaces.reason;
+  return {{.role = Role::Refractor, .two_interfaces = interfaces.two, .reason = reason, .rough = rough},
+          true,
+          {}};
 }
 
 Judgement judge_unblended(const Mesh& mesh, const Material& material, const Settings& settings) {
@@ -95,7 +113,6 @@ Judgement judge_unblended(const Mesh& mesh, const Material& material, const Sett
              name + ": metallic " + rounded_text(material.metallic) + ", roughness " +
                  rounded_text(material.roughness) + ": a mirror"},
             true,
-            false,
             {}};
   }
   // Metal lets nothing through, so only the other part transmits (KHR_materials_transmission).

@@ -11,7 +11,6 @@ namespace caustics {
 struct Judgement {
   SurfaceRole role;
   bool looks_specular = false;  // transmissive, a mirror, or alpha-blended as if it were glass
-  bool rough = false;           // glass whose microfacets spread the light
   std::string no_caustic;       // short reason; empty for a caster
 };
 

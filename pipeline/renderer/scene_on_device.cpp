@@ -120,30 +120,31 @@ TextureId SceneOnDevice::external(const std::string& name) const {
 
 void SceneOnDevice::upload_caster_materials(const Effects& effects) {
   // A row for each caster, so that a grid vertex tells which one it lies on; where there are too many for
-  // that, a row for each distinct triple of material, number of interfaces and role.
+  // that, a row for each distinct material, number of interfaces, role and wall.
   const auto casters = std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
                                      [](const SurfaceRole& s) { return is_caster(s.role); });
-  std::map<std::tuple<int, int, bool, Role>, int> row_of;
+  std::map<std::tuple<int, int, bool, Role, bool>, int> row_of;
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
     const SurfaceRole& role = effects.surfaces[i];
     int row = 0;
     if (is_caster(role.role))
       row = row_of
                 .try_emplace({casters <= kMostOwnRows ? static_cast<int>(i) : 0, scene_.meshes[i].material,
-                              role.two_interfaces, role.role},
+                              role.two_interfaces, role.role, role.thin},
                              static_cast<int>(row_of.size()))
                 .first->second;
     rows_.push_back(row);
   }
   Image table(Format::RGBA32F, 3, std::max(1, static_cast<int>(row_of.size())));
   for (const auto& [key, row] : row_of) {
-    const auto& [own, index, two_interfaces, role] = key;
+    const auto& [own, index, two_interfaces, role, thin] = key;
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
     const bool mirror = role == Role::Mirror;
-    const glm::vec3 absorption = mirror ? glm::vec3(0.0f) : absorption_of(material);
+    const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
     const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
     const float texels[3][4] = {
-        {material.ior, main_dispersion(material), 1.0f - material.fresnel_factor, mirror ? 1.0f : 0.0f},
+        {material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
+         mirror ? 1.0f : thin ? -1.0f : 0.0f},
         {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
         {color.x, color.y, color.z, material.roughness}};
     for (int x = 0; x < 3; ++x)

@@ -64,6 +64,7 @@ struct LandingBench {
   glm::vec4 facets{0.0f};
   bool wyman = false;
   bool solid = false;
+  bool thin = false;  // a rough wall
   bool exit_seen = true;  // by the exit map
   float exit_height = 0.5f;
   glm::vec3 exit_normal{0.0f, -1.0f, 0.0f};
@@ -104,7 +105,7 @@ struct LandingBench {
     }
     image.at(0, 0, 0) = ior;
     image.at(0, 0, 1) = dispersion;
-    image.at(0, 0, 3) = mirror ? 1.0f : 0.0f;
+    image.at(0, 0, 3) = mirror ? 1.0f : thin ? -1.0f : 0.0f;
     image.at(1, 0, 3) = solid ? 1.0f : 0.0f;
     image.at(2, 0, 3) = roughness;
     return image;

@@ -1,6 +1,7 @@
 // `--physics full`: every reflection, every caster.
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "lab/reference/tracer/paths_common.hpp"
 
@@ -79,6 +80,12 @@ double facet_weight(const Facet& facet, const glm::dvec3& n, const glm::dvec3& d
   if (!(in > 0.0) || !(leaning > 0.0)) return 0.0;
   const double out = std::fabs(exact::dot(o, n));
   return facet.cosine * unmasked(in, alpha) * unmasked(out, alpha) / (in * leaning);
+}
+
+// Light leaves a rough wall as its facet would mirror it, on the other side (KHR_materials_transmission).
+glm::dvec3 past_wall(const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& facet) {
+  const glm::dvec3 mirrored = reflected(d, facet);
+  return mirrored - n * (2.0 * exact::dot(mirrored, n));
 }
 
 }  // namespace
@@ -172,7 +179,7 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
     account.absorbed += moving.flux - next.flux;
     return send(next, reflected(d, f.normal), false);
   }
-  const int within = moving.media.find(optics.body);
+  const int within = optics.thin ? -1 : moving.media.find(optics.body);
   Moving through = next;
   if (within >= 0) {
     if (met.front)
@@ -186,7 +193,9 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
     }
   }
   double n1 = moving.media.index(), n2 = n1;
-  if (met.front) {
+  if (optics.thin) {
+    n2 = optics.ior * n1;
+  } else if (met.front) {
     n2 = absolute_index(optics.index(bend), n1);
     through.media.enter({optics.body, met.mesh, n2});
   } else if (within >= 0) {
@@ -202,9 +211,11 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
     }
     f = {facet.normal, std::min(facet.cosine, 1.0)};
   }
-  const auto bent = refract_direction(d, f.normal, n1 / n2);
-  const double r = bent ? fresnel(f.cosine, n1, n2).mean() : 1.0;
-  // The tint counts once for each body, as light gets in; or out, where it began inside.
+  const auto bent = optics.thin ? std::optional(past_wall(d, smooth.normal, f.normal))
+                                : refract_direction(d, f.normal, n1 / n2);
+  double r = bent ? fresnel(f.cosine, n1, n2).mean() : 1.0;
+  if (optics.thin) r = 2.0 * r / (1.0 + r);  // both faces
+  // The tint counts once for each body, as light gets in; or out, where it began inside; and at each wall.
   const glm::dvec3 tint = met.front || within < 0 ? optics.color : glm::dvec3(1.0);
   const double weaker = std::min(r, 1.0 - r) * largest(moving.flux);
   const bool both = weaker > kSplitShare * moving.first && next.surfaces <= kSplits;
