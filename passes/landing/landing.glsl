@@ -104,7 +104,10 @@ void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
   entry.material = fetch_material(caster_materials, material_row(normal));
   if (u.has_caster_tint != 0) entry.material.color = Vec3(texel_fetch(caster_tint, column, row));
   // What metal mirrors is the whole of its light, and followed as such.
-  if (u.is_reflection != 0) entry.covered = entry.covered && !entry.material.mirror && !entry.from_inside;
+  if (u.is_reflection != 0) {
+    Bool outside = !entry.from_inside || entry.material.thin;
+    entry.covered = entry.covered && !entry.material.mirror && outside;
+  }
   entry.material.mirror = entry.material.mirror && u.has_mirrors != 0;
   entry.slope = Vec2(Float(0.0f), Float(0.0f));
   entry.exit_slope = entry.slope;

@@ -211,8 +211,8 @@ void add_sub_pixels(const Settings& settings, Effects& effects) {
 
 // Before the branches, which follow it.
 void add_rough_glass(Effects& effects) {
-  const auto rough = static_cast<std::size_t>(std::count_if(
-      effects.surfaces.begin(), effects.surfaces.end(), [](const SurfaceRole& s) { return s.rough; }));
+  const auto rough = static_cast<std::size_t>(std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
+                                                            [](const SurfaceRole& s) { return s.rough; }));
   effects.rough_glass = {rough > 0, rough > 0 ? count(rough, "surface", "surfaces") +
                                                     " of rough glass: light and view are spread over " +
                                                     std::to_string(kRoughWays) + " ways"

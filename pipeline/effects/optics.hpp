@@ -17,7 +17,7 @@ struct Optics {
   glm::dvec3 absorption{0.0};  // per metre
   glm::dvec3 color{1.0};       // of what passes; of a mirror its reflectance straight on
   int body = 0;                // primitives of one object and material are one body
-  bool thin = false;  // of rough glass: a wall that mirrors by its index, but bends nothing
+  bool thin = false;           // of rough glass: a wall that mirrors by its index, but bends nothing
   double index(double bend) const { return thin ? 1.0 : ior + spread * bend; }
 };
 

@@ -26,18 +26,19 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
   const auto fit = [&](const Settings& settings, std::vector<LandingSurvey>* surveys) {
     frame.settings = settings;
     frame.effects = effects_of(scene, settings, seen ? &*seen : nullptr);
+    if (asked.grid.automatic && all_light_is_spread(frame.effects)) frame.settings.grid = kGridOfSpreadLight;
     if (without) frame.effects.*without = {false, "left out on request"};
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);
     frame.views = frame.effects.water_waves.active
                       ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry, breath)
-                      : pilot.fit(frame.effects, settings, surveys);
+                      : pilot.fit(frame.effects, frame.settings, surveys);
   };
   const bool chooses = camera && chooses_sides(scene, asked);
   std::vector<LandingSurvey> surveys;
   fit(with_least_sides(asked), chooses ? &surveys : nullptr);
-  if (chooses) {
+  if (chooses && !all_light_is_spread(frame.effects)) {
     const Settings chosen = with_sides_for_picture(frame.settings, scene, surveys, frame.views, *camera);
     if (chosen.map != frame.settings.map) fit(chosen, nullptr);
   }

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "pipeline/effects/effects.hpp"
 #include "pipeline/measure/landing_survey.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -13,6 +14,11 @@ bool chooses_sides(const Scene& scene, const Settings& settings);
 
 // The settings with sides that are given: those that are chosen by themselves stay at the least, 512.
 Settings with_least_sides(Settings settings);
+
+// Is every caster rough glass? Then no caustic has a sharp edge, the least map is enough, and of grid
+// vertices, which each of the 16 ways follows, this many a side.
+bool all_light_is_spread(const Effects& effects);
+inline constexpr int kGridOfSpreadLight = 256;
 
 // The same, with the least sides for which maps blur no more of the caustics' light over their edges, as the
 // camera sees them, than 0.4 %, or the largest that may be expected to take at most twice the time of the

@@ -55,6 +55,15 @@ TEST_CASE("picture sides: the least map that blurs no more than 0.4 % is chosen"
   CHECK(chosen(1.0).grid == 704);
 }
 
+TEST_CASE("picture sides: where every caster is rough glass all light is spread") {
+  Effects effects;
+  effects.surfaces = {{.role = Role::Receiver}, {.role = Role::Refractor, .rough = true}};
+  effects.rough_glass.active = true;
+  CHECK(all_light_is_spread(effects));
+  effects.surfaces.push_back({.role = Role::Mirror});
+  CHECK_FALSE(all_light_is_spread(effects));
+}
+
 TEST_CASE("picture sides: edges of lights with a size are soft") { CHECK(chosen(1.0, 4).map == 512); }
 
 // A cell over the whole map covers all its texels, and 96 x 96 of them at 512 21 ns * 9216 * 512^2 = 50 s:

@@ -142,11 +142,12 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
     const bool mirror = role == Role::Mirror;
     const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
     const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
-    const float texels[3][4] = {
-        {material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
-         mirror ? 1.0f : thin ? -1.0f : 0.0f},
-        {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
-        {color.x, color.y, color.z, material.roughness}};
+    const float texels[3][4] = {{material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
+                                 mirror ? 1.0f
+                                 : thin ? -1.0f
+                                        : 0.0f},
+                                {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
+                                {color.x, color.y, color.z, material.roughness}};
     for (int x = 0; x < 3; ++x)
       for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
   }

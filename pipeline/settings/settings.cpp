@@ -181,7 +181,8 @@ constexpr Setting kTable[] = {
     number<&S::width>("width", Part::View, {1, 16384, "pixels"}, "width of the picture"),
     number<&S::height>("height", Part::View, {1, 16384, "pixels"}, "height of the picture"),
     side<&S::grid>("grid", Part::Maps, {1, 8192},
-                   "grid vertices a side: rays from the light; auto: 512 to 704, with the map"),
+                   "grid vertices a side: rays from the light; auto: 512 to 704, with the map; 256 where all "
+                   "glass is rough"),
     side<&S::map>("map", Part::Maps, {1, 8192, "texels"},
                   "side of caustic and receiver map; auto: 512 to 1280, as the picture shows sharp edges"),
     number<&S::shadow>("shadow", Part::Maps, {1, 8192, "texels"}, "side of the shadow map"),

@@ -64,7 +64,7 @@ struct LandingBench {
   glm::vec4 facets{0.0f};
   bool wyman = false;
   bool solid = false;
-  bool thin = false;  // a rough wall
+  bool thin = false;      // a rough wall
   bool exit_seen = true;  // by the exit map
   float exit_height = 0.5f;
   glm::vec3 exit_normal{0.0f, -1.0f, 0.0f};

@@ -46,8 +46,7 @@ std::string meshes_text(const Scene& scene, const Effects& effects) {
     d.block(mesh.vertices);
     d.block(mesh.indices);
     d << mesh.material << mesh.object << mesh.closedness << effects.surfaces[i].role
-      << effects.surfaces[i].two_interfaces << effects.surfaces[i].rough
-      << effects.surfaces[i].thin;
+      << effects.surfaces[i].two_interfaces << effects.surfaces[i].rough << effects.surfaces[i].thin;
   }
   for (const Material& m : scene.materials)
     d << m.base_color << m.metallic << m.roughness << m.transmission << m.ior << m.thickness
