@@ -18,7 +18,7 @@ namespace {
 // colour, normal texture and transmission texture; the material uses those that are there.
 struct Bench {
   Material material = glass(1.5f);
-  Role role = Role::Refractor;
+  SurfaceRole role{.role = Role::Refractor};
   Image base_color{}, normals{}, transmission{};
   glm::vec3 normal{0.0f, 1.0f, 0.0f};
   bool from_behind = false;
@@ -170,7 +170,7 @@ TEST_CASE("textured_casters: glass is tinted by factor, texture and transmission
 TEST_CASE("textured_casters: a mirror's reflectance is its dielectric share and the texture's metal share") {
   // 0.04 (1 - 0.75) + 0.75 * 0.8 * texel; a transmission texture means nothing to metal.
   Bench bench;
-  bench.role = Role::Mirror;
+  bench.role.role = Role::Mirror;
   bench.material = metal({0.8f, 0.8f, 0.8f});
   bench.material.metallic = 0.75f;
   bench.base_color = filled(1, 1, {1.0f, 0.5f, 0.0f, 1.0f});

@@ -83,6 +83,12 @@ Entry entry_at(Int column, Int row) {
   return entry;
 }
 
+// Of the microfacets' slopes; 0 where there are none.
+Float width_of(IN(Material) material) {
+  Bool rough = material.roughness > u.rough_from && !material.mirror;
+  return sel(rough, material.roughness * material.roughness, Float(0.0f));
+}
+
 // What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again 4
 // times over the grid where light enters and 7 times where it leaves: far slower than by a cell, whose
 // corners keep together.
@@ -92,9 +98,7 @@ Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
   Vec4 facets = Vec4(u.facets);
   Vec2 entry = facet_slope(folded(x * 4.0f + facets.x), y * 4.0f + facets.y);
   Vec2 exit = facet_slope(folded(y * 7.0f + facets.z), x * 7.0f + facets.w);
-  Bool rough = material.roughness > u.rough_from && !material.mirror;
-  Float alpha = sel(rough, material.roughness * material.roughness, Float(0.0f));
-  return sel(leaves, exit, entry) * alpha;
+  return sel(leaves, exit, entry) * width_of(material);
 }
 
 // What the surface is like that the light enters by.
@@ -125,6 +129,7 @@ struct FirstSurface {
   Float flux;         // that this branch has of the light on the cell,
   Float reflectance;  // and how much of it the surface keeps off
   Bool blocked;       // total internal reflection
+  Float unmasked;     // of rough glass: what its facet sends on of its share
 };
 
 // Shah et al. 2007, eq. 6: (1/V) of the light onto all V grid vertices, whatever falls on this one.
@@ -134,26 +139,47 @@ Float equal_part(IN(Entry) entry) {
   return sel(entry.covered && !entry.cell.guard, mean, Float(0.0f));
 }
 
-// At a surface, or a facet of it, whose normal against d is `facet`.
-Refraction bend_at(IN(Material) material, Vec3 d, Vec3 outward, Bool from_inside, Vec3 facet, Float ior,
-                   Float eta) {
-  Refraction bent = refraction_at(d, facet, eta);
+// A surface as light meets it.
+struct Side {
+  Vec3 outward;      // its normal
+  Vec2 slope;        // of the microfacet that the light meets
+  Bool from_inside;
+};
+
+// What light along d does there.
+struct Bend {
+  Vec3 normal;     // against the light
+  Refraction bent;
+  Float unmasked;  // of a microfacet: what it sends on of its share
+};
+
+Bend bend_at(IN(Side) side, IN(Material) material, Vec3 d, Float eta) {
+  Bend bend;
+  Vec3 facet = side.outward;
+  if (u.has_rough != 0) facet = facet_normal(side.outward, side.slope);
+  bend.normal = facing_normal(facet, d, side.from_inside);
+  bend.bent = refraction_at(d, bend.normal, eta);
+  bend.unmasked = Float(1.0f);
   if (u.has_rough != 0) {
-    Vec3 n = facing_normal(outward, d, from_inside);
-    bent = either(material.thin, through_wall(d, n, facet, ior), bent);
+    Vec3 n = facing_normal(side.outward, d, side.from_inside);
+    bend.bent = either(material.thin, through_wall(d, n, bend.normal, material.ior), bend.bent);
+    bend.unmasked = facet_weight(d, bend.bent.direction, n, bend.normal, width_of(material));
   }
-  return bent;
+  return bend;
 }
 
 FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
   FirstSurface first;
-  Vec3 facet = entry.outward;
-  if (u.has_rough != 0 && u.is_reflection == 0) facet = facet_normal(entry.outward, entry.slope);
-  first.normal = facing_normal(facet, light.direction, entry.from_inside);
   first.ior = entry.material.ior + entry.material.dispersion * u.bend;
   Float eta = sel(entry.from_inside, first.ior, 1.0f / first.ior);
-  Refraction bent = bend_at(entry.material, light.direction, entry.outward, entry.from_inside, first.normal,
-                            first.ior, eta);
+  Side side;
+  side.outward = entry.outward;
+  side.slope = entry.slope;
+  side.from_inside = entry.from_inside;
+  Bend bend = bend_at(side, entry.material, light.direction, eta);
+  Refraction bent = bend.bent;
+  first.normal = bend.normal;
+  first.unmasked = bend.unmasked;
   Vec3 mirrored = reflected(light.direction, first.normal, bent.cosine);
   first.cosine = bent.cosine;
   first.direction = sel(entry.material.mirror, mirrored, bent.direction);
@@ -174,10 +200,6 @@ FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
 }
 
 // Cross the caster: the way inside, the second surface.
-
-Hit find_exit(IN(Ray) ray) {
-  return find_surface(caster_exit_position, u.caster, search_along(u.caster, ray, u.iterations, true));
-}
 
 Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot3(a, b)); }
 
@@ -200,6 +222,17 @@ Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
   return hit;
 }
 
+Hit find_exit(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first) {
+  Hit hit;
+  if (u.wyman_thickness != 0) {
+    hit = thickness_of_wyman(entry.point, light_direction, first);
+  } else {
+    Ray ray = ray_from(entry.point, first.direction);
+    hit = find_surface(caster_exit_position, u.caster, search_along(u.caster, ray, u.iterations, true));
+  }
+  return hit;
+}
+
 // The smooth normal where the ray leaves: interpolated where all four texels are covered and lean the same
 // way. A mixture of the normals of two faces, shorter than either, is no face's own: light would leave by a
 // crease where none goes.
@@ -217,6 +250,7 @@ struct Exit {
   Ray ray;
   Float inside_length;  // metres
   Float reflectance;    // of the second surface
+  Float unmasked;       // likewise at the second surface
   Bool blocked;         // total internal reflection, at either surface
   Bool unknown;         // no second surface was met
   Bool stopped;         // nor was it, but the light goes on from where the search stopped
@@ -229,6 +263,7 @@ Exit straight_exit(IN(Entry) entry, IN(FirstSurface) first) {
   exit.ray = ray_from(entry.point, first.direction);
   exit.inside_length = Float(0.0f);
   exit.reflectance = Float(0.0f);
+  exit.unmasked = Float(1.0f);
   exit.blocked = first.blocked;
   exit.unknown = Bool(false);
   exit.stopped = Bool(false);
@@ -240,18 +275,11 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
   Exit exit = straight_exit(entry, first);
   if (u.has_exit_maps != 0 && u.is_reflection == 0) {
     Bool solid = entry.material.solid && !entry.from_inside && !first.blocked;
-    Hit hit;
-    if (u.wyman_thickness != 0) {
-      hit = thickness_of_wyman(entry.point, light_direction, first);
-    } else {
-      hit = find_exit(exit.ray);
-    }
+    Hit hit = find_exit(entry, light_direction, first);
     Float length = max_of(hit.distance, 0.0f);
     exit.inside_length = sel(solid, length, Float(0.0f));
     exit.ray.start = sel(solid, point_along(exit.ray, length), entry.point);
     Vec3 outward = exit_normal_at(exit.ray.start, -first.direction);
-    Vec3 facet = outward;
-    if (u.has_rough != 0) facet = facet_normal(outward, entry.exit_slope);
     Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.point);
     // Along the light a gap is longer than across the surface. What leans by more than 83 degrees may be the
     // edge of a layer that hides the exit.
@@ -261,15 +289,19 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
       exit.stopped = exit.unknown && is_found(hit);
       exit.unknown = exit.unknown && !exit.stopped;
     }
-    Vec3 normal = facing_normal(facet, first.direction, Bool(true));
-    Refraction bent = bend_at(entry.material, first.direction, outward, Bool(true), normal, first.ior,
-                              first.ior);
+    Side side;
+    side.outward = outward;
+    side.slope = entry.exit_slope;
+    side.from_inside = Bool(true);
+    Bend bend = bend_at(side, entry.material, first.direction, first.ior);
+    Refraction bent = bend.bent;
     exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
     exit.reflectance = sel(solid && !bent.total, bent.reflectance * entry.material.fresnel, Float(0.0f));
+    exit.unmasked = sel(solid, bend.unmasked, Float(1.0f));
     TRACE(exit_point, exit.ray.start);
     TRACE(exit_residual, hit.residual);
-    TRACE(exit_normal, normal);
+    TRACE(exit_normal, bend.normal);
     TRACE(exit_reflectance, exit.reflectance);
   }
   exit.sent = entry.covered && !exit.blocked && !exit.unknown;
@@ -291,12 +323,13 @@ struct Account {
 
 // What the material lets through: by its length, and by its colour, which tints what glass lets through
 // (KHR_materials_transmission); what metal does not mirror it absorbs. What glass mirrors has no colour.
-Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, Float absorbing_length) {
+Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, Float absorbing_length) {
   Vec3 passed = transmittance(entry.material.absorption, absorbing_length);
   if (u.is_reflection == 0) {
     Vec3 color = entry.material.color;
     Vec3 tint = color;
-    if (u.has_rough != 0) tint = wall_tint(entry.material, color, entry.from_inside);
+    if (u.has_rough != 0)
+      tint = wall_tint(entry.material, color, entry.from_inside) * (first.unmasked * exit.unmasked);
     passed = passed * sel(first.blocked, Vec3(1.0f), tint);
     if (u.has_mirrors != 0)
       passed = sel(entry.material.mirror, metal_reflectance(color, first.cosine), passed);
@@ -309,7 +342,7 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
   Bool lands = exit.sent && end.hit.covered && end.lands;
   Bool open = !entry.material.solid && !entry.from_inside && !entry.material.mirror && u.is_reflection == 0;
   Float absorbing_length = sel(open, sel(lands, end.flight, Float(0.0f)), exit.inside_length);
-  Vec3 passed = let_through(entry, first, absorbing_length);
+  Vec3 passed = let_through(entry, first, exit, absorbing_length);
   // Shah et al. 2007, eq. 6 and 7: N.L of it, and no Fresnel.
   Float weight = Float(1.0f);
   Float reflectance1 = first.reflectance;

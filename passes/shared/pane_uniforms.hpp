@@ -4,6 +4,7 @@
 #include "passes/shared/material_uniforms.hpp"
 #include "passes/shared/sky_uniforms.hpp"
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/scene/material_optics.hpp"
 
 namespace caustics {
 
@@ -22,7 +23,7 @@ inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const
           .map_side = view.cube ? view.cube->side : 0,
           .eye = glm::vec3(eye),
           .forward = glm::vec3(view.forward),
-          .color = glm::vec3(m.base_color) * m.transmission,
+          .color = passing_color(m, true),
           .ior = m.ior,
           .has_base_color = m.base_color_texture.present() ? 1 : 0,
           .base_color_uv = std140::texture_transform(m.base_color_texture),

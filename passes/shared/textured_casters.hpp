@@ -14,9 +14,10 @@ struct TexturedCasters {
 
 namespace caustics {
 
-// `role`: what the material's colour means, what it lets through or what it mirrors.
-std140::TexturedCasters textured_casters_uniforms(const View& view, const Material& material, Role role,
-                                                  int material_row, int first_triangle = 0);
+// `surface`: what the material's colour means, what it lets through or what it mirrors.
+std140::TexturedCasters textured_casters_uniforms(const View& view, const Material& material,
+                                                  const SurfaceRole& surface, int material_row,
+                                                  int first_triangle = 0);
 // Of the mesh that is drawn.
 std140::TexturedCasters textured_casters(const PassContext& context);
 

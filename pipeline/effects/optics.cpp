@@ -23,7 +23,7 @@ Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {
   }
   o.ior = static_cast<double>(material.ior);
   o.spread = static_cast<double>(main_dispersion(material));
-  o.color = glm::dvec3(glm::vec3(material.base_color));
+  o.color = glm::dvec3(passing_color(material, surface.thin));
   if (surface.role == Role::Refractor && surface.rough)
     o.alpha = static_cast<double>(material.roughness) * static_cast<double>(material.roughness);
   o.thin = surface.thin;

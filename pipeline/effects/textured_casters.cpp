@@ -11,16 +11,20 @@ namespace caustics {
 
 namespace {
 
-bool colored(const Material& material, Role role) {
-  return material.base_color_texture.present() ||
-         (role == Role::Refractor && material.transmission_texture.present());
+// Does a transmission texture tint it texel by texel?
+bool partly_opaque(const Material& material, const SurfaceRole& surface) {
+  return surface.role == Role::Refractor && !surface.thin && material.transmission_texture.present();
 }
 
-bool normal_mapped(const Material& material, Role) {
+bool colored(const Material& material, const SurfaceRole& surface) {
+  return material.base_color_texture.present() || partly_opaque(material, surface);
+}
+
+bool normal_mapped(const Material& material, const SurfaceRole&) {
   return material.normal_texture.present() && material.normal_scale != 0.0f;
 }
 
-bool cut_out(const Material& material, Role) {
+bool cut_out(const Material& material, const SurfaceRole&) {
   return material.alpha_mode == AlphaMode::Mask &&
          (material.base_color_texture.present() || material.base_color.a < material.alpha_cutoff);
 }
@@ -62,13 +66,13 @@ template <class Has>
 Use use_of(const Scene& scene, const Settings& settings, const Effects& effects, Has has) {
   Use use;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const Role role = effects.surfaces[i].role;
+    const SurfaceRole& surface = effects.surfaces[i];
     const Mesh& mesh = scene.meshes[i];
     const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
-    if (!is_caster(role) || !has(material, role)) continue;
+    if (!is_caster(surface.role) || !has(material, surface)) continue;
     if (use.meshes++ == 0)
       use.first = quoted_name("material", material.name, static_cast<std::size_t>(mesh.material));
-    use.partly_opaque |= role == Role::Refractor && material.transmission_texture.present();
+    use.partly_opaque |= partly_opaque(material, surface);
     if (use.fineness.empty() && material.normal_texture.present())
       use.fineness = fineness(scene, mesh, material.normal_texture, settings);
   }

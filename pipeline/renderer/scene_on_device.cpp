@@ -141,7 +141,7 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
     const bool mirror = role == Role::Mirror;
     const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
-    const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
+    const glm::vec3 color = mirror ? metal_reflectance(material) : passing_color(material, thin);
     const float texels[3][4] = {{material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
                                  mirror ? 1.0f
                                  : thin ? -1.0f

@@ -19,6 +19,10 @@ glm::vec3 absorption_of(const Material& material) {
   return absorption;
 }
 
+glm::vec3 passing_color(const Material& material, bool thin) {
+  return glm::vec3(material.base_color) * (thin ? material.transmission : 1.0f);
+}
+
 float main_dispersion(const Material& material) {
   return (material.ior - 1.0f) * material.dispersion / 20.0f;
 }

@@ -10,6 +10,10 @@ namespace caustics {
 // (KHR_materials_volume). A colour of 0 absorbs everything within a billionth of the distance.
 glm::vec3 absorption_of(const Material& material);
 
+// What glass lets through of each channel besides: its base colour. A thin wall's transmission counts by its
+// mean, which a solid's does not: there it decides the role, and its texture tints texel by texel.
+glm::vec3 passing_color(const Material& material, bool thin);
+
 // Main dispersion n_F - n_C = (n_d - 1) / V with the Abbe number V = 20 / dispersion
 // (KHR_materials_dispersion).
 float main_dispersion(const Material& material);
