@@ -60,10 +60,11 @@ Float unmasked(Float c, Float width) {
   return 2.0f / (1.0f + sqrt(1.0f + width * width * max_of(1.0f - squared, 0.0f) / squared));
 }
 
-// What a facet sends from d to o, relative to its share of all facets' areas as they are seen straight on (eq. 41).
+// What a facet sends from d to o, over its share of all facets' areas seen straight on (eq. 41).
 Float facet_weight(Vec3 d, Vec3 o, Vec3 n, Vec3 facet, Float width) {
-  Float in = max_of(abs(dot3(d, n)), 1.0e-3f);
+  Float to_surface = max_of(abs(dot3(d, n)), 1.0e-3f);
   Float leaning = max_of(dot3(facet, n), 1.0e-3f);
   Float to_facet = max_of(-dot3(d, facet), 0.0f);
-  return to_facet * unmasked(in, width) * unmasked(abs(dot3(o, n)), width) / (in * leaning);
+  return to_facet * unmasked(to_surface, width) * unmasked(abs(dot3(o, n)), width) /
+         (to_surface * leaning);
 }
