@@ -124,7 +124,9 @@ std::string caustic_line(const RenderedFrame& frame, const std::vector<LightLedg
   const double entered = lumens(frame.scene(), ledgers, &Ledger::entered);
   const double landed = lumens(frame.scene(), ledgers, &Ledger::in_map);
   const std::string share = entered > 0.0 ? percent(landed / entered) + " of the light onto " : "";
-  std::string line = "caustic: " + share + thrown_by(frame) + " makes one";
+  const std::string by = thrown_by(frame);
+  std::string line =
+      "caustic: " + share + by + (share.empty() && by.ends_with("mirrors") ? " make one" : " makes one");
   if (seen) line += sight_text(frame, *seen, landed);
   return line + "\n";
 }

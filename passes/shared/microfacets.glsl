@@ -27,7 +27,7 @@ Vec3 facet_normal(Vec3 n, Vec2 slope) {
   return normalize_or(n + axes.x * slope.x + axes.y * slope.y, n);
 }
 
-// Light along d at a rough wall without thickness: what passes leaves as its facet would mirror it, but on the
+// Light along d at a rough wall without thickness: what passes leaves as its facet would mirror it, on the
 // other side (glTF, KHR_materials_transmission); both faces together mirror 2 r / (1 + r). n, facet: unit,
 // against d.
 Refraction through_wall(Vec3 d, Vec3 n, Vec3 facet, Float ior) {

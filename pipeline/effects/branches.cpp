@@ -50,14 +50,14 @@ void add_reflections(const Settings& settings, Effects& effects) {
 
 // Each branch once for each way through rough glass. Their microfacets are the first points of a sequence
 // that fills four dimensions evenly (Roberts 2018: powers of 1 / 1.16730397826, the root of x^5 = x + 1).
-std::vector<Branch> by_microfacets(const std::vector<Branch>& smooth) {
+std::vector<Branch> by_microfacets(const std::vector<Branch>& smooth, int ways) {
   constexpr double kSteps[4] = {0.856674883854502, 0.733891856627126, 0.628706721037855, 0.538597257223616};
   std::vector<Branch> branches;
   for (const Branch& branch : smooth)
-    for (int way = 1; way <= kRoughWays; ++way) {
+    for (int way = 1; way <= ways; ++way) {
       Branch rough = branch;
       rough.name += (branch.name.empty() ? "way " : " way ") + std::to_string(way);
-      rough.color /= static_cast<float>(kRoughWays);
+      rough.color /= static_cast<float>(ways);
       for (int i = 0; i < 4; ++i) {
         const double place = way * kSteps[i];
         rough.facets[i] = place - std::floor(place);
@@ -77,7 +77,8 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
   } else {
     branches.push_back({});
   }
-  if (effects.rough_glass.active && effects.caustics.active) branches = by_microfacets(branches);
+  if (effects.rough_glass.active && effects.caustics.active)
+    branches = by_microfacets(branches, settings.light_samples);
   if (effects.reflections.active) branches.push_back({.name = "reflected", .reflected = true});
   return branches;
 }

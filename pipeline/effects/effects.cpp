@@ -210,13 +210,13 @@ void add_sub_pixels(const Settings& settings, Effects& effects) {
 }
 
 // Before the branches, which follow it.
-void add_rough_glass(Effects& effects) {
+void add_rough_glass(const Settings& settings, Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
                                                             [](const SurfaceRole& s) { return s.rough; }));
-  effects.rough_glass = {rough > 0, rough > 0 ? count(rough, "surface", "surfaces") +
-                                                    " of rough glass: light and view are spread over " +
-                                                    std::to_string(kRoughWays) + " ways"
-                                              : "none in the scene"};
+  effects.rough_glass = {
+      rough > 0, rough > 0 ? count(rough, "surface", "surfaces") + " of rough glass: light is spread over " +
+                                 count(static_cast<std::size_t>(settings.light_samples), "way", "ways")
+                           : "none in the scene"};
 }
 
 }  // namespace
@@ -305,7 +305,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_blended(scene, effects);
   add_emitters(scene, effects);
   add_occlusion(scene, effects);
-  add_rough_glass(effects);
+  add_rough_glass(settings, effects);
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);
   add_water_waves(scene, effects);

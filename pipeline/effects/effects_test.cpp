@@ -99,6 +99,9 @@ TEST_CASE("rough glass is a refractor whose light takes 16 ways of equal share")
   REQUIRE(effects.branches.size() == 16);
   for (const Branch& branch : effects.branches) CHECK(branch.color == glm::vec3(0.0625f));
   CHECK(effects.branches[0].facets != effects.branches[1].facets);
+  Settings settings;
+  settings.light_samples = 4;
+  CHECK(judged(glass_over_floor(rough), settings).branches.size() == 4);
   rough.roughness = 0.2f;
   CHECK(judged(glass_over_floor(rough)).branches.size() == 1);
 }

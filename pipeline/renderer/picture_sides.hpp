@@ -16,7 +16,7 @@ bool chooses_sides(const Scene& scene, const Settings& settings);
 Settings with_least_sides(Settings settings);
 
 // Is every caster rough glass? Then no caustic has a sharp edge, the least map is enough, and of grid
-// vertices, which each of the 16 ways follows, this many a side.
+// vertices, which each way through it follows, this many a side.
 bool all_light_is_spread(const Effects& effects);
 inline constexpr int kGridOfSpreadLight = 256;
 
