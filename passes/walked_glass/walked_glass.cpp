@@ -12,17 +12,20 @@ extern const Shader walked_glass_shader;
 
 namespace {
 
-// Steps to each surface, all together fewer than the rounds that llvmpipe grants an invocation's loops; and
-// surfaces behind the first. What total reflection sends through more is a different place for each pixel.
-constexpr int kMostStepsInGlass = 2048, kMostSurfaces = 6;
+// Steps to each surface, all together fewer than the rounds that llvmpipe grants an invocation's loops;
+// surfaces behind the first that bend a ray, as what total reflection sends through more is a different place
+// for each pixel; and those that it passes then.
+constexpr int kMostStepsInGlass = 2048, kMostBends = 6, kMostPassed = 4;
 
 std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
+  const int bends = std::min(context.settings->bounces, kMostBends);
   return {
       .sky = shader_sky(context.scene->environment),
       .view = shader_view(*context.camera),
       .surroundings = shader_view(*context.surroundings),
       .eye = context.camera->origin,
-      .surfaces = std::min(context.settings->bounces, kMostSurfaces),
+      .surfaces = bends,
+      .most_surfaces = bends + kMostPassed,
       .forward = context.camera->forward,
       .most_steps = kMostStepsInGlass,
       .first_receiver = context.first_receiver,

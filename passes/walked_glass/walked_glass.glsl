@@ -64,9 +64,11 @@ Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands) {
   return sel(seen, shown_color(scene_color, u.view, p), color);
 }
 
-// The way that a ray takes at a surface: the stronger, which then stands for both.
-void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Material) material) {
+// The way that a ray takes at a surface: the stronger, which then stands for both; or `straight` on.
+void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, Bool straight) {
+  Material material = fetch_material(caster_materials, triangle.row);
   Interface both = interface_at(sight.media, at, triangle, material);
+  both.passes = both.passes || straight;
   Vec3 before = sight.ray.direction;
   Vec3 normal = facing_normal(at.outward, before, !at.front);
   Refraction bent = refraction_at(before, normal, both.before / both.behind);
@@ -92,13 +94,13 @@ Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
   return sight;
 }
 
-// Radiance that a ray brings, by all the surfaces that it meets. One that is not followed to its end brings
-// the sky's.
+// Radiance that a ray brings, by all the surfaces that it meets. At the last ones it is not bent any more, so
+// that it ends on what stands there.
 Vec3 radiance_along(IN(Sight) from) {
   Sight sight = from;
   Vec3 end = sight.ray.start;
   Bool lands = Bool(false);
-  for (int k = 0; k < u.surfaces && any_lane(sight.under_way); k++) {
+  for (int k = 0; k < u.most_surfaces && any_lane(sight.under_way); k++) {
     NearestTriangle met = nearest_triangle(walking_ray(sight.ray, sight.own, sight.media), sight.under_way);
     Bool caster = sight.under_way && met.number >= 0.0f && met.number < float(u.first_receiver);
     Bool receiver = sight.under_way && met.number >= float(u.first_receiver);
@@ -111,7 +113,7 @@ Vec3 radiance_along(IN(Sight) from) {
       Vec4 hit = Vec4(met.weight1, met.weight2, met.distance, met.number + 1.0f);
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
       Sight next = sight;
-      turn(next, at, triangle, fetch_material(caster_materials, triangle.row));
+      turn(next, at, triangle, Bool(k >= u.surfaces));
       sight = chosen(caster, next, sight);
     }
     sight.under_way = sight.under_way && caster;

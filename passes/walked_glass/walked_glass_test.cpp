@@ -24,7 +24,7 @@ struct Bench {
   std::vector<float> tops{5.0f};  // of the plates, the uppermost first
   float ior = 1.5f, absorption = 0.0f;
   bool mirror = false, floor = true;
-  int surfaces = 8;
+  int surfaces = 8, most_surfaces = 8;
 
   float seen() const {
     const View view = down(4.0, 10.0, 20.0);
@@ -53,6 +53,7 @@ struct Bench {
                                 .surroundings = shader_view(widened(view, 3.0)),
                                 .eye = view.origin,
                                 .surfaces = surfaces,
+                                .most_surfaces = most_surfaces,
                                 .forward = view.forward,
                                 .most_steps = 1000,
                                 .first_receiver = hierarchy.first_receiver(),
@@ -102,6 +103,16 @@ TEST_CASE("walked_glass: where nothing lies behind, or more surfaces than are fo
   CHECK(bench.seen() == Approx(0.5));
   Bench deep;
   deep.tops = {8.0f, 5.0f, 3.0f};
-  deep.surfaces = 3;
+  deep.surfaces = deep.most_surfaces = 3;
   CHECK(deep.seen() == Approx(0.5));
+}
+
+TEST_CASE("walked_glass: the last surfaces are passed straight on") {
+  // R = (9 / 11)^2 = 0.669421, more than half: within the plate the mirrored way is the stronger.
+  Bench bench;
+  bench.ior = 10.0f;
+  bench.surfaces = 0;
+  CHECK(bench.seen() == Approx(0.330579 * 1.0 + 0.669421 * 0.5));
+  bench.surfaces = 8;
+  CHECK(bench.seen() == Approx(0.5));
 }

@@ -2,7 +2,8 @@ Sky sky;
 View view;           // the camera's
 View surroundings;   // the same, three times as wide and high
 vec3 eye;            // the camera's position
-int surfaces;        // that a ray is followed through at most
+int surfaces;        // that bend a ray at most,
+int most_surfaces;   // and that it is followed through
 vec3 forward;        // the way the camera looks
 float bend;          // the branch's index of refraction is n_d + bend (n_F - n_C): 0, the d line
 int most_steps;      // as next_surface has them
