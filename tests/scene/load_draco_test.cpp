@@ -39,13 +39,29 @@ void fill_grid(draco::Mesh& mesh) {
   }
 }
 
-std::vector<std::uint8_t> encoded(int method) {
+// Every vertex hangs on joint 1.
+void add_influences(draco::Mesh& mesh) {
+  draco::GeometryAttribute joints, weights;
+  joints.Init(draco::GeometryAttribute::GENERIC, nullptr, 4, draco::DT_UINT8, false, 4, 0);
+  weights.Init(draco::GeometryAttribute::GENERIC, nullptr, 4, draco::DT_FLOAT32, false, 16, 0);
+  const std::uint8_t which[4] = {1, 0, 0, 0};
+  const float how_much[4] = {1.0f, 0.0f, 0.0f, 0.0f};
+  const int ids[2] = {mesh.AddAttribute(joints, true, kSide * kSide),
+                      mesh.AddAttribute(weights, true, kSide * kSide)};
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+    mesh.attribute(ids[0])->SetAttributeValue(draco::AttributeValueIndex(i), which);
+    mesh.attribute(ids[1])->SetAttributeValue(draco::AttributeValueIndex(i), how_much);
+  }
+}
+
+std::vector<std::uint8_t> encoded(int method, bool skinned = false) {
   draco::Encoder encoder;
   encoder.SetEncodingMethod(method);
   encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 14);
   draco::EncoderBuffer buffer;
   draco::Mesh mesh;
   fill_grid(mesh);
+  if (skinned) add_influences(mesh);
   REQUIRE(encoder.EncodeMeshToBuffer(mesh, &buffer).ok());
   return {buffer.data(), buffer.data() + buffer.size()};
 }
@@ -86,6 +102,24 @@ TEST_CASE("A mesh compressed with Draco has the vertices and triangles that went
       CHECK(std::abs(facing(mesh, t).y - 1.0f) < 1e-3f);
       CHECK(std::abs(facing(mesh, t).x + 0.25f) < 1e-3f);
     }
+  }
+}
+
+TEST_CASE("A skinned mesh compressed with Draco hangs on its joints") {
+  // Bound at the origin; joint 1 stands 3 m higher.
+  Gltf gltf =
+      holding(encoded(draco::MESH_EDGEBREAKER_ENCODING, true), R"("POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2)");
+  gltf.accessors += R"(,{"componentType":5121,"type":"VEC4","count":49})"
+                    R"(,{"componentType":5126,"type":"VEC4","count":49})";
+  gltf.mesh.replace(gltf.mesh.find("\"POSITION\":1"), 12, R"("POSITION":1,"JOINTS_0":3,"WEIGHTS_0":4)");
+  gltf.node =
+      R"("children":[1,2,3]},{"mesh":0,"skin":0},{"name":"foot"},{"name":"head","translation":[0,3,0])";
+  gltf.rest += R"(,"skins":[{"joints":[2,3]}])";
+  const Scene scene = load(gltf);
+  REQUIRE(scene.meshes.size() == 1);
+  for (const Vertex& vertex : scene.meshes[0].vertices) {
+    const glm::vec3 at = world(scene, vertex);
+    CHECK(std::abs(at.y - 0.25f * at.x - 3.0f) < 3e-4f);
   }
 }
 

@@ -230,7 +230,7 @@ std::optional<Body> read_primitive(Context& context, const Document& document, c
   body.position_path = gather.position_path();
   const std::vector<std::uint32_t> used = gather.run(shape);
   body.targets = read_targets(context, cursor, model, gather.vertices(), used);
-  if (joints > 0) read_influences(context, cursor, model, gather.vertices(), used, joints, body);
+  if (joints > 0) read_influences(context, cursor, primitive, model, gather.vertices(), used, joints, body);
   return body;
 }
 

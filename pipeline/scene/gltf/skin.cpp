@@ -40,8 +40,9 @@ struct InfluenceSet {
   Accessor joints, weights;
 };
 
-Accessor influence(const Context& context, const Cursor& cursor, const Model& model, std::size_t vertices) {
-  Accessor accessor(context, model, cursor.index("accessors", model.accessors.size()));
+Accessor influence(const Context& context, const Cursor& cursor, const Model& model, int index,
+                   std::size_t vertices) {
+  Accessor accessor(context, model, index);
   if (accessor.components() != 4) cursor.fail("must be of type VEC4", kExportAgain);
   if (accessor.size() != vertices) {
     cursor.fail("has " + std::to_string(accessor.size()) + " elements, POSITION " + std::to_string(vertices),
@@ -50,19 +51,21 @@ Accessor influence(const Context& context, const Cursor& cursor, const Model& mo
   return accessor;
 }
 
-std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& attributes, const Model& model,
+// `attributes`: of the file, for messages; `primitive` has them unpacked.
+std::vector<InfluenceSet> influence_sets(const Context& context, const Cursor& attributes,
+                                         const Primitive& primitive, const Model& model,
                                          std::size_t vertices) {
   std::vector<InfluenceSet> sets;
   for (std::size_t n = 0; n <= kMostSets; ++n) {
-    const Cursor joints = attributes.member("JOINTS_" + std::to_string(n));
-    const Cursor weights = attributes.member("WEIGHTS_" + std::to_string(n));
+    const std::string set = std::to_string(n);
+    const Cursor joints = attributes.member("JOINTS_" + set), weights = attributes.member("WEIGHTS_" + set);
     if (!joints.present() && !weights.present()) break;
     if (joints.present() != weights.present())
       (joints.present() ? joints : weights)
           .fail(joints.present() ? "has no WEIGHTS beside it" : "has no JOINTS beside it", kExportAgain);
     if (n == kMostSets) joints.fail("is one set of joints too many", "use at most 64 joints a vertex");
-    sets.push_back(
-        {influence(context, joints, model, vertices), influence(context, weights, model, vertices)});
+    sets.push_back({influence(context, joints, model, primitive.attributes.at("JOINTS_" + set), vertices),
+                    influence(context, weights, model, primitive.attributes.at("WEIGHTS_" + set), vertices)});
     const int type = sets.back().joints.component_type();
     if (type != kUnsignedByte && type != kUnsignedShort)
       joints.fail("must be unsigned bytes or shorts", kExportAgain);
@@ -143,10 +146,11 @@ Skin read_skin(const Context& context, const Document& document, const Model& mo
   return skin;
 }
 
-void read_influences(Context& context, const Cursor& primitive, const Model& model, std::size_t vertices,
-                     std::span<const std::uint32_t> used, std::size_t joints, Body& body) {
-  const Cursor attributes = primitive.member("attributes");
-  const std::vector<InfluenceSet> sets = influence_sets(context, attributes, model, vertices);
+void read_influences(Context& context, const Cursor& cursor, const Primitive& primitive, const Model& model,
+                     std::size_t vertices, std::span<const std::uint32_t> used, std::size_t joints,
+                     Body& body) {
+  const Cursor attributes = cursor.member("attributes");
+  const std::vector<InfluenceSet> sets = influence_sets(context, attributes, primitive, model, vertices);
   if (sets.empty()) {
     context.note(body.shape.name + " has a skin but no JOINTS_0: it stands as its node does.");
     return;

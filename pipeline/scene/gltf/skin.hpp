@@ -20,7 +20,9 @@ Skin read_skin(const Context& context, const Document& document, const Model& mo
 
 // Reads JOINTS_n and WEIGHTS_n of the vertices `used` into the body. Nothing where the primitive has
 // neither; fails where they do not go together, a joint is beyond the skin's, or a weight negative.
-void read_influences(Context& context, const Cursor& primitive, const Model& model, std::size_t vertices,
-                     std::span<const std::uint32_t> used, std::size_t joints, Body& body);
+// The primitive stands at `cursor`, with its attributes' own accessors where the file has them packed.
+void read_influences(Context& context, const Cursor& cursor, const Primitive& primitive, const Model& model,
+                     std::size_t vertices, std::span<const std::uint32_t> used, std::size_t joints,
+                     Body& body);
 
 }  // namespace caustics::gltf
