@@ -40,6 +40,7 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .base_factor = m.base_color,
       .alpha_cutoff = std140::opaque_from(m),
       .pixel_side = pixel_side(context),
+      .has_colors = context.mesh && !context.mesh->colors.empty() ? 1 : 0,
       .is_double_sided = m.double_sided || (context.mesh && context.mesh->inside_out) ? 1 : 0,
       .normal_scale = m.normal_scale,
       .emissive_factor = m.emissive,

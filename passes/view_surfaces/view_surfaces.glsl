@@ -137,10 +137,16 @@ Bool not_in_layer(Float z) {
   return left_out;
 }
 
+Vec4 base_factor_here() {
+  Vec4 base = Vec4(u.base_factor);
+  if (u.has_colors != 0) base = base * surface_tangent;
+  return base;
+}
+
 // What decides where the surface is at all: not averaged, for of leaves smaller than a pixel that would leave
 // nothing.
 Float finest_opacity() {
-  Float opacity = Float(u.base_factor.w);
+  Float opacity = base_factor_here().w;
   if (u.alpha_cutoff > 0.0f && u.base_color_use.levels > 0) {
     Vec2 uv = transformed_uv(u.base_color_use.uv, surface_uv);
     opacity = opacity * fetch_repeat(base_color, uv.x, uv.y).w;
@@ -151,7 +157,7 @@ Float finest_opacity() {
 void main() {
   Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
   SeenUv seen = seen_here(n);
-  Vec4 base = Vec4(u.base_factor);
+  Vec4 base = base_factor_here();
   if (u.base_color_use.levels > 0)
     base = base * fetch_seen(base_color, base_color_levels, u.base_color_use, seen);
   Float z = view_coordinates(u.view, surface_position).z;

@@ -27,7 +27,7 @@ Material plain() {
 
 // A camera 10 m up that looks down on +-half metres, 8 x 8 pixels.
 PassImages see(const MeshData& mesh, const Material& material, const std::vector<Image>& textures = {},
-               double half = 2.0, bool highlights = false) {
+               double half = 2.0, bool highlights = false, const Mesh* of = nullptr) {
   Effects effects;
   effects.smooth_shading.active = true;
   effects.highlights.active = highlights;
@@ -35,14 +35,16 @@ PassImages see(const MeshData& mesh, const Material& material, const std::vector
   const Pass pass = view_surfaces_pass();
   std::vector<Image> bound = textures;
   bound.resize(10);
-  return run_pass(
-      definition_of(pass),
-      {.width = 8,
-       .height = 8,
-       .uniforms = pass.uniforms(
-           {.effects = &effects, .camera = &view, .material = &material, .width = 8, .height = 8}),
-       .textures = bound,
-       .mesh = mesh});
+  return run_pass(definition_of(pass), {.width = 8,
+                                        .height = 8,
+                                        .uniforms = pass.uniforms({.effects = &effects,
+                                                                   .camera = &view,
+                                                                   .mesh = of,
+                                                                   .material = &material,
+                                                                   .width = 8,
+                                                                   .height = 8}),
+                                        .textures = bound,
+                                        .mesh = mesh});
 }
 
 void check_direction(const glm::vec4& found, const glm::vec3& expected) {
@@ -142,6 +144,25 @@ TEST_CASE("view_surfaces: textures repeat, and their texels are interpolated acr
   const Image albedo = see(quad(kFront, {0.0f, 1.0f, 0.0f}), material, {stripes})["view_albedo"];
   const float expected[8] = {0.25f, 0.25f, 0.75f, 0.75f, 0.25f, 0.25f, 0.75f, 0.75f};
   for (int x = 0; x < 8; ++x) CHECK(albedo.at(x, 3, 0) == Approx(expected[x]));
+}
+
+TEST_CASE("view_surfaces: colours of the vertices, between them interpolated, multiply the base colour") {
+  // Red falls from 1 at the left edge to 0 at the right one: 1/16 less 1/8 a pixel in the middles of eight.
+  MeshData mesh = quad(kFront, {0.0f, 1.0f, 0.0f});
+  for (std::size_t i = 0; i < 4; ++i) {
+    const float color[4] = {mesh.vertices[14 * i] < 0.0f ? 1.0f : 0.0f, 0.5f, 0.25f, 1.0f};
+    std::copy(std::begin(color), std::end(color),
+              mesh.vertices.begin() + static_cast<std::ptrdiff_t>(14 * i + 6));
+  }
+  Mesh colored;
+  colored.colors.resize(1);
+  const Image albedo = see(mesh, plain(), {}, 2.0, false, &colored)["view_albedo"];
+  for (int x = 0; x < 8; ++x) {
+    CHECK(albedo.at(x, 3, 0) == Approx(0.8 * (1.0 - (x + 0.5) / 8.0)).margin(1e-6));
+    CHECK(albedo.at(x, 3, 1) == Approx(0.6 * 0.5));
+    CHECK(albedo.at(x, 3, 2) == Approx(0.4 * 0.25));
+  }
+  CHECK(see(mesh, plain())["view_albedo"].at(0, 3, 0) == Approx(0.8));
 }
 
 TEST_CASE("view_surfaces: a normal texture leans the normal in tangent space") {

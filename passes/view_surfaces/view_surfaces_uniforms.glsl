@@ -4,6 +4,7 @@ float alpha_cutoff;     // 0 in opaque materials; in blended ones what is opaque
 CHOICE(has_lift)        // some surfaces are smooth-shaded
 CHOICE(layer)           // 0: what is opaque; 1: the nearest blended surface; 2: the next behind a layer
 float pixel_side;       // at distance 1, over the root of the samples a pixel; 0: there are no mip maps
+int has_colors;         // the vertices' colours stand where others have their tangents
 int is_double_sided;    // or a closed body inside out; else its back is not seen
 float normal_scale;
 vec3 emissive_factor;   // nit

@@ -128,10 +128,15 @@ Judgement judge_unblended(const Mesh& mesh, const Material& material, const Sett
 }
 
 // What alphaMode BLEND makes of it: coverage, of what is diffuse.
-void blend(const Material& material, const std::string& name, Judgement& judged) {
+void blend(const Mesh& mesh, const Material& material, const std::string& name, Judgement& judged) {
   SurfaceRole& surface = judged.role;
-  const float least = material.base_color.a * material.least_alpha;
-  const float most = material.base_color.a * material.most_alpha;
+  float least = mesh.colors.empty() ? 1.0f : mesh.colors.front().a, most = least;
+  for (const glm::vec4& color : mesh.colors) {
+    least = std::min(least, color.a);
+    most = std::max(most, color.a);
+  }
+  least *= material.base_color.a * material.least_alpha;
+  most *= material.base_color.a * material.most_alpha;
   if (surface.role != Role::Receiver) {
     surface.reason += ", alphaMode BLEND ignored";
   } else if (least >= kCoversAll) {
@@ -155,7 +160,8 @@ void blend(const Material& material, const std::string& name, Judgement& judged)
 Judgement judge(const Mesh& mesh, const Material& material, const Settings& settings) {
   Judgement judged = judge_unblended(mesh, material, settings);
   if (material.alpha_mode == AlphaMode::Blend)
-    blend(material, quoted_name("material", material.name, static_cast<std::size_t>(mesh.material)), judged);
+    blend(mesh, material, quoted_name("material", material.name, static_cast<std::size_t>(mesh.material)),
+          judged);
   return judged;
 }
 

@@ -32,7 +32,9 @@ MeshData mesh_data(const Scene& scene, std::size_t index) {
     const Vertex& v = mesh.vertices[vertex];
     for (int i = 0; i < 3; ++i) data.vertices.push_back(v.position[i]);
     for (int i = 0; i < 3; ++i) data.vertices.push_back(v.normal[i]);
-    for (int i = 0; i < 4; ++i) data.vertices.push_back(v.tangent[i]);
+    // Where there are colours, there is no normal texture that would need tangents.
+    const glm::vec4& tangent_or_color = mesh.colors.empty() ? v.tangent : mesh.colors[vertex];
+    for (int i = 0; i < 4; ++i) data.vertices.push_back(tangent_or_color[i]);
     for (int i = 0; i < 2; ++i) data.vertices.push_back(v.uv[i]);
     for (int i = 0; i < 2; ++i) data.vertices.push_back(densities.empty() ? 0.0f : densities[vertex][i]);
   }

@@ -11,7 +11,8 @@
 namespace caustics {
 
 // Uploads on construction, releases on destruction; the scene and the device must outlive it.
-// Meshes carry the attributes "position" 3, "normal" 3, "tangent" 4, "uv" 2, "uv_density" 2.
+// Meshes carry the attributes "position" 3, "normal" 3, "tangent" 4 (or Mesh::colors), "uv" 2,
+// "uv_density" 2.
 class SceneOnDevice {
  public:
   SceneOnDevice(const Scene& scene, const Effects& effects, Device& device);

@@ -87,6 +87,7 @@ struct Vertex {
 struct Mesh {
   std::string name;  // node / mesh names, for messages
   std::vector<Vertex> vertices;
+  std::vector<glm::vec4> colors;       // of the vertices, 0..1, linear: times the base colour; empty: none
   std::vector<std::uint32_t> indices;  // three a triangle
   int material = 0;                    // index into Scene::materials
   int object = 0;                      // primitives of one node share an object

@@ -62,6 +62,7 @@ Rectangle rectangle_of(const Mesh& mesh, const Water& water) {
 
 // Every triangle becomes four, its edges halved.
 void split(Mesh& mesh) {
+  mesh.colors.clear();
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const auto [found, fresh] = middles.try_emplace({std::min(a, b), std::max(a, b)},

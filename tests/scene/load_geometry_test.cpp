@@ -283,3 +283,48 @@ TEST_CASE("Loading twice gives the same bits") {
   CHECK(std::memcmp(a.meshes[0].vertices.data(), b.meshes[0].vertices.data(),
                     a.meshes[0].vertices.size() * sizeof(Vertex)) == 0);
 }
+
+TEST_CASE("Vertex colours of three or four components are read, clamped, and go with their vertices") {
+  Gltf gltf = triangle();
+  const int shares = gltf.add<std::uint8_t>({255, 0, 51, 0, 0, 255, 0, 0, 255, 255, 255, 0}, 5121, "VEC3", 3,
+                                            R"(,"normalized":true)");
+  gltf.mesh = R"("attributes":{"POSITION":0,"COLOR_0":)" + std::to_string(shares) + R"(},"material":0)";
+  gltf.rest = R"(,"materials":[{}])";
+  gltf.views.replace(gltf.views.rfind("}"), 1, R"(,"byteStride":4})");
+  const Mesh mesh = load(gltf).meshes.at(0);
+  REQUIRE(mesh.colors.size() == mesh.vertices.size());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::vec3& at = mesh.vertices[i].position;
+    const glm::vec4 expected = at.x > 0   ? glm::vec4(0, 1, 0, 1)
+                               : at.y > 0 ? glm::vec4(1, 1, 1, 1)
+                                          : glm::vec4(1, 0, 51.0f / 255.0f, 1);
+    CHECK(mesh.colors[i] == expected);
+  }
+  Gltf floats = triangle();
+  floats.add<float>({2, -1, 0.5f, 0.25f, 0, 0, 0, 1, 0, 0, 0, 1}, 5126, "VEC4", 3);
+  floats.mesh = R"("attributes":{"POSITION":0,"COLOR_0":1},"material":0)";
+  floats.rest = gltf.rest;
+  CHECK(load(floats).meshes.at(0).colors.at(0) == glm::vec4(1, 0, 0.5f, 0.25f));
+}
+
+TEST_CASE(
+    "Vertex colours that are white, of another type or on glass are left out, the last two with notes") {
+  const auto scene_with = [](const std::vector<float>& colors, const std::string& material,
+                             const std::string& type = "VEC4") {
+    Gltf gltf = triangle();
+    gltf.add<float>(colors, 5126, type, 3);
+    gltf.mesh = R"("attributes":{"POSITION":0,"COLOR_0":1},"material":0)";
+    gltf.rest = R"(,"materials":[{)" + material + "}]";
+    return load(gltf);
+  };
+  const std::vector<float> white(12, 1.0f), grey(12, 0.5f);
+  const char* kGlass = R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1}})";
+  CHECK(scene_with(white, "").meshes.at(0).colors.empty());
+  CHECK_FALSE(has_note(scene_with(white, kGlass), "vertex colours"));
+  const Scene pane = scene_with(grey, kGlass);
+  CHECK(pane.meshes.at(0).colors.empty());
+  CHECK(has_note(pane, ": vertex colours are ignored on glass and mirrors."));
+  const Scene wrong = scene_with(std::vector<float>(6, 0.5f), "", "VEC2");
+  CHECK(wrong.meshes.at(0).colors.empty());
+  CHECK(has_note(wrong, "accessors[1]: vertex colours are neither floats nor shares of 1"));
+}

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/gltf/check.hpp"
 #include "pipeline/scene/gltf/compressed.hpp"
 #include "pipeline/scene/gltf/lights.hpp"
@@ -91,6 +92,19 @@ void hand_over(const Shape& shape, gltf::Body& body) {
   body.shape.object = shape.object;
 }
 
+// Vertex colours count where the camera sees a diffuse surface, and take the tangents' place.
+void keep_colors(const Source& source, const Material& material, Part& part) {
+  const bool all_white = std::all_of(part.shape.colors.begin(), part.shape.colors.end(),
+                                     [](const glm::vec4& color) { return color == glm::vec4(1); });
+  const char* other = material.normal_texture.present() ? "beside a normal texture"
+                      : !is_receiver(material)          ? "on glass and mirrors"
+                                                        : nullptr;
+  if (!all_white && !other) return;
+  if (!all_white) source.context.note(part.shape.name + ": vertex colours are ignored " + other + ".");
+  part.shape.colors.clear();
+  if (part.body) part.body->shape.colors.clear();
+}
+
 // One node's primitives: read, cleaned, joined by material, with normals and tangents.
 std::vector<Part> parts_of(const Source& source, std::size_t placement, int object,
                            gltf::GeometryBudget& budget, std::size_t& degenerate) {
@@ -109,8 +123,9 @@ std::vector<Part> parts_of(const Source& source, std::size_t placement, int obje
   join_parts(source, parts);
   for (Part& part : parts) {
     Shape& shape = part.shape;
-    if (part.body) hand_over(shape, *part.body);
     const Material& m = source.materials.list[static_cast<std::size_t>(shape.material)];
+    keep_colors(source, m, part);
+    if (part.body) hand_over(shape, *part.body);
     gltf::finish_normals(source.context, shape);
     if (m.normal_texture.present()) {
       gltf::finish_tangents(source.context, shape, m.normal_texture.uv_transform);

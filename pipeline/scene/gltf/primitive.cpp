@@ -27,6 +27,17 @@ std::optional<Accessor> attribute(const Context& context, const Model& model, co
   return accessor;
 }
 
+// COLOR_0, of three or four components; none where it is of another type, as old exporters wrote it.
+std::optional<Accessor> color_attribute(Context& context, const Model& model, const Primitive& primitive) {
+  const auto found = primitive.attributes.find("COLOR_0");
+  if (found == primitive.attributes.end()) return std::nullopt;
+  Accessor accessor(context, model, found->second);
+  const bool fits = accessor.components() == 3 || accessor.components() == 4;
+  if (fits && (accessor.is_float() || accessor.normalized())) return accessor;
+  context.note(accessor.path() + ": vertex colours are neither floats nor shares of 1 and are left out.");
+  return std::nullopt;
+}
+
 // Checked indices of a primitive, 0, 1, 2, ... where it has none.
 std::vector<std::uint32_t> read_indices(const Context& context, const Model& model,
                                         const Primitive& primitive, std::size_t vertices) {
@@ -92,15 +103,17 @@ void spend(const Context& context, const std::string& path, std::uint64_t& used,
 // and renumbers the triangles.
 class Gather {
  public:
-  Gather(const Context& context, const Model& model, const Primitive& primitive, int uv_set)
+  Gather(Context& context, const Model& model, const Primitive& primitive, int uv_set)
       : context_(context),
         positions_(*attribute(context, model, primitive, "POSITION", 3)),
         normals_(attribute(context, model, primitive, "NORMAL", 3)),
         tangents_(attribute(context, model, primitive, "TANGENT", 4)),
-        uvs_(attribute(context, model, primitive, "TEXCOORD_" + std::to_string(uv_set), 2)) {
+        uvs_(attribute(context, model, primitive, "TEXCOORD_" + std::to_string(uv_set), 2)),
+        colors_(color_attribute(context, model, primitive)) {
     check_count(normals_, "NORMAL");
     check_count(tangents_, "TANGENT");
     check_count(uvs_, "TEXCOORD_" + std::to_string(uv_set));
+    check_count(colors_, "COLOR_0");
   }
 
   std::size_t vertices() const { return positions_.size(); }
@@ -132,6 +145,7 @@ class Gather {
     if (normals_) shape.normals.reserve(most);
     if (tangents_) shape.tangents.reserve(most);
     if (uvs_) shape.uvs.reserve(most);
+    if (colors_) shape.colors.reserve(most);
   }
 
   void check_count(const std::optional<Accessor>& accessor, const std::string& name) const {
@@ -156,6 +170,16 @@ class Gather {
     return local;
   }
 
+  // glTF 2.0 section 3.7.2.1 clamps them.
+  glm::vec4 color(std::size_t i) const {
+    glm::vec4 color(1);
+    for (int c = 0; c < colors_->components(); ++c) {
+      const double value = colors_->value(i, c);
+      color[c] = value >= 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0f;
+    }
+    return color;
+  }
+
   void add_vertex(Shape& shape, std::size_t i) {
     shape.positions.push_back(position(i));
     if (normals_) shape.normals.push_back(vec3(*normals_, i));
@@ -168,11 +192,12 @@ class Gather {
       const bool usable = uv.x - uv.x == 0 && uv.y - uv.y == 0;
       shape.uvs.push_back(usable ? uv : glm::dvec2(0));
     }
+    if (colors_) shape.colors.push_back(color(i));
   }
 
   const Context& context_;
   Accessor positions_;
-  std::optional<Accessor> normals_, tangents_, uvs_;
+  std::optional<Accessor> normals_, tangents_, uvs_, colors_;
 };
 
 // Morph targets and sets of joints are as large as the base shape.
@@ -191,7 +216,6 @@ bool can_be_drawn(Context& context, const Primitive& primitive, const std::strin
     context.note(path + " has no POSITION and is left out.");
     return false;
   }
-  if (primitive.attributes.count("COLOR_0") != 0) context.note("Vertex colours are ignored.");
   return true;
 }
 

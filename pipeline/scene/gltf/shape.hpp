@@ -18,6 +18,7 @@ struct Shape {
   std::vector<glm::dvec3> normals;    // world, not normalised, may hold NaN; empty: none in the file
   std::vector<glm::dvec4> tangents;   // world, w handedness; empty: none
   std::vector<glm::dvec2> uvs;        // as in the file; empty: none
+  std::vector<glm::vec4> colors;      // 0..1, linear; empty: none
   std::vector<std::array<std::uint32_t, 3>> triangles;
   float closedness = 0.0f;
   bool inside_out = false;

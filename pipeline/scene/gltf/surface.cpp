@@ -30,6 +30,7 @@ void make_flat(Shape& shape) {
   shape.positions = split(shape.positions, shape);
   shape.tangents = split(shape.tangents, shape);
   shape.uvs = split(shape.uvs, shape);
+  shape.colors = split(shape.colors, shape);
   shape.normals = std::move(normals);
   for (std::uint32_t i = 0; i < shape.triangles.size(); ++i) {
     shape.triangles[i] = {3 * i, 3 * i + 1, 3 * i + 2};
@@ -162,6 +163,7 @@ Mesh finish_mesh(const Shape& shape, const glm::dvec3& origin) {
         if (!shape.tangents.empty()) vertex.tangent = glm::vec4(shape.tangents[corner]);
         if (mesh.has_uv) vertex.uv = glm::vec2(shape.uvs[corner]);
         mesh.vertices.push_back(vertex);
+        if (!shape.colors.empty()) mesh.colors.push_back(shape.colors[corner]);
       }
       mesh.indices.push_back(renumbered[corner]);
     }
