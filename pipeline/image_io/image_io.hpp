@@ -18,13 +18,13 @@ namespace caustics {
 struct Pixels {
   int width = 0, height = 0, channels = 0;
   double largest = 255;                 // what stands for 1: 255 or 65535
-  std::vector<std::uint16_t> integers;  // PNG and JPEG
+  std::vector<std::uint16_t> integers;  // PNG, JPEG and WebP
   std::vector<float> floats;            // HDR and EXR
 };
 
 struct ImageToDecode {
   std::span<const std::uint8_t> bytes;
-  std::string format;   // of OpenImageIO: "png", "jpeg", "hdr", "openexr"
+  std::string format;   // of OpenImageIO: "png", "jpeg", "webp", "hdr", "openexr"
   bool floats = false;  // else integers
   // Why an image of this width and height is refused, asked before memory is taken for it; empty: it is not.
   std::function<std::string(std::int64_t width, std::int64_t height)> refusal;

@@ -49,9 +49,9 @@ class BadInput(ProgramTest):
         self.refuses("text.glb", b"This is a letter, and not a scene at all.\n" * 40)
 
     def test_unknown_required_extension_is_named(self):
-        document = {"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_texture_webp"],
-                    "extensionsRequired": ["EXT_texture_webp"]}
-        self.refuses("webp.gltf", json.dumps(document).encode(), "EXT_texture_webp")
+        document = {"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_texture_avif"],
+                    "extensionsRequired": ["EXT_texture_avif"]}
+        self.refuses("avif.gltf", json.dumps(document).encode(), "EXT_texture_avif")
 
     def test_environment(self):
         self.fails(3, "ball.glb", "--environment", "missing.hdr", saying="missing.hdr")

@@ -34,6 +34,7 @@ TEST_CASE("What is no JSON object is no glTF file") {
 
 TEST_CASE("Other versions than 2 are refused") {
   CHECK(contains(refusal(replaced("\"2.0\"", "\"1.0\"")), "asset.version: is \"1.0\""));
+  CHECK(contains(refusal(replaced("\"2.0\"", "1")), "asset.version: is 1, only glTF 2.0 can be read"));
   CHECK(contains(refusal(replaced("\"2.0\"", "\"2.0\",\"minVersion\":\"2.1\"")),
                  "asset.minVersion: is \"2.1\""));
 }

@@ -111,10 +111,30 @@ TEST_CASE("Emission is the factor times its strength, unlit is kept") {
   CHECK(m.unlit);
 }
 
+TEST_CASE("Specular-glossiness is read as metallic-roughness: no diffuse colour is metal") {
+  const auto read = [](const std::string& members) {
+    return with_material(R"("pbrMetallicRoughness":{"baseColorFactor":[0.1,0.1,0.1,1]},)" +
+                         extension("KHR_materials_pbrSpecularGlossiness", members))
+        .materials.at(0);
+  };
+  const Material cloth =
+      read(R"("diffuseFactor":[0.2,0.4,0.6,0.5],"specularFactor":[0.3,0.3,0.3],"glossinessFactor":0.25)");
+  CHECK(cloth.base_color == glm::vec4(0.2f, 0.4f, 0.6f, 0.5f));
+  CHECK(cloth.metallic == 0.0f);
+  CHECK(cloth.roughness == 0.75f);
+  const Material gold = read(R"("diffuseFactor":[0,0,0,1],"specularFactor":[1,0.8,0.3])");
+  CHECK(gold.base_color == glm::vec4(1.0f, 0.8f, 0.3f, 1.0f));
+  CHECK(gold.metallic == 1.0f);
+  CHECK(gold.roughness == 0.0f);
+  const Material plastic = read(R"("diffuseFactor":[0,0,0,1],"specularFactor":[0.04,0.04,0.04])");
+  CHECK(plastic.base_color == glm::vec4(0, 0, 0, 1));
+  CHECK(plastic.metallic == 0.0f);
+}
+
 TEST_CASE("Extensions that we lack are refused when required, noted when used") {
   Gltf gltf = triangle();
-  gltf.rest = R"(,"extensionsRequired":["EXT_texture_webp"])";
-  CHECK(contains(refusal(gltf), "extensionsRequired[0]: the extension EXT_texture_webp is not supported"));
+  gltf.rest = R"(,"extensionsRequired":["EXT_texture_avif"])";
+  CHECK(contains(refusal(gltf), "extensionsRequired[0]: the extension EXT_texture_avif is not supported"));
   CHECK(contains(refusal(gltf), "re-export with PNG or JPEG textures"));
   gltf.rest = R"(,"extensionsUsed":["MSFT_lod"])";
   CHECK(has_note(load(gltf), "The extension MSFT_lod is ignored."));
@@ -129,7 +149,9 @@ TEST_CASE("What of a material is not drawn as specified is said in one line each
       {"anisotropy", "Anisotropy is left out: highlights are round"},
       {"diffuse_transmission", "Diffuse transmission is left out: leaves and paper let no light through"},
       {"volume_scatter", "Scattering in volumes is left out: they are clear"},
-      {"pbrSpecularGlossiness", "Specular-glossiness is left out: the metallic-roughness material is shown"}};
+      {"pbrSpecularGlossiness",
+       "Specular-glossiness is shown as metal without diffuse colour, or as diffuse that mirrors by its "
+       "ior"}};
   for (const auto& [name, line] : kLines) {
     const std::string extension = std::string("KHR_materials_") + name;
     Gltf gltf = triangle();
@@ -280,6 +302,41 @@ TEST_CASE("A grey picture spreads over the colours and keeps its alpha") {
   CHECK(image.at(0, 0, 3) == stored_value(Format::RGBA16F, 128.0f / 255.0f));
 }
 
+TEST_CASE("WebP textures are read, in place of the copy beside them") {
+  // The texels of kPng, by libwebp 1.5: lossless; lossy without alpha, whose red is 9 levels off; both, in
+  // the extended format.
+  const std::pair<const char*, float> kPictures[] = {
+      {"UklGRiIAAABXRUJQVlA4TBYAAAAvAUAAEBcQAoEkf6fZjgEMF6xCRP9D", 128.0f / 255.0f},
+      {"UklGRlwAAABXRUJQVlA4IFAAAADQAgCdASoCAAIAAAAAJaACdLoB+AH6AA/jp04GmjSAAP7//2yflX/Dz/2nybem9vjPBqXfpT//"
+       "/wBY//QBjm4I//QCP/9CEsq+CPP/oLQAAA==",
+       1.0f},
+      {"UklGRnwAAABXRUJQVlA4WAoAAAAQAAAAAQAAAQAAQUxQSAUAAAAAgICAgABWUDggUAAAANACAJ0BKgIAAgAAAAAloAJ0ugH4AfoAD"
+       "+On"
+       "TgaaNIAA/v//bJ+Vf8PP/afJt6b2+M8Gpd+lP///AFj/9AGObgj/9AI//0ISyr4I8/+gtAAA",
+       128.0f / 255.0f}};
+  for (const auto& [picture, alpha] : kPictures) {
+    Gltf gltf = triangle();
+    gltf.add<float>({0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
+    gltf.mesh = R"("attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0)";
+    gltf.rest = R"(,"extensionsRequired":["EXT_texture_webp"],"materials":[{)" + kBase +
+                R"(}],"textures":[{"source":1,"extensions":{"EXT_texture_webp":{"source":0}}}],"images":[)" +
+                R"({"uri":"data:image/webp;base64,)" + picture + R"("},{"uri":"other.png"}])";
+    const Scene scene = load(gltf);
+    CHECK_FALSE(has_note(scene, "left out"));
+    REQUIRE(scene.images.size() == 1);
+    const Image& image = scene.images[0];
+    REQUIRE(image.width() == 2);
+    REQUIRE(image.height() == 2);
+    CHECK(image.at(0, 0, 3) == stored_value(Format::RGBA16F, alpha));
+    if (picture != kPictures[0].first) continue;
+    CHECK(image.at(0, 1, 0) == 1.0f);
+    CHECK(image.at(1, 1, 0) == 0.0f);
+    // Of 8 bits times an alpha of a half, 7 are left.
+    CHECK(image.at(0, 0, 0) == Approx(0.502886).margin(7e-3));
+    CHECK(image.at(1, 0, 2) == 0.0f);
+  }
+}
+
 TEST_CASE("A texture that cannot be read is left out with a note") {
   const auto note_of = [](const std::string& uri) {
     const Scene scene = load_text(textured(kBase, uri));
@@ -292,6 +349,9 @@ TEST_CASE("A texture that cannot be read is left out with a note") {
   CHECK(contains(note_of("../up.png"), "images[0].uri: leaves the glTF file's folder"));
   CHECK(contains(note_of("http://example.org/a.png"), "images[0].uri: only data: URIs"));
   CHECK(contains(note_of("data:image/gif;base64," + base64("GIF89a......")), "is a GIF"));
+  const std::string moving = "RIFF\x16" + std::string("\0\0\0WEBPVP8X\x0a\0\0\0\x02\0\0\0\0\0\0\0\0\0", 25);
+  CHECK(contains(note_of("data:image/webp;base64," + base64(moving)), "is a WebP that moves"));
+  CHECK(contains(note_of("data:image/webp;base64," + base64(moving.substr(0, 20))), "was cut short"));
   const std::string truncated = "data:image/png;base64," + std::string(kPng).substr(0, 60);
   CHECK(contains(note_of(truncated), "images[0] is a PNG that was cut short"));
   // A header that promises 65535 x 65535 texels.

@@ -1,6 +1,8 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+
 #include "pipeline/image_io/openimageio/module.hpp"
 
 namespace caustics::openimageio {
@@ -30,6 +32,18 @@ bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, bool floa
   return good;
 }
 
+// OpenImageIO's WebP reader multiplies by alpha whatever it is asked for: undone, to the bits that are left.
+void divide_by_alpha(Pixels& pixels) {
+  const auto channels = static_cast<std::size_t>(pixels.channels);
+  for (std::size_t texel = 0; texel + channels <= pixels.integers.size(); texel += channels) {
+    const unsigned alpha = pixels.integers[texel + channels - 1];
+    for (std::size_t c = 0; alpha > 0 && c + 1 < channels; ++c) {
+      const unsigned divided = (pixels.integers[texel + c] * 255u + alpha / 2) / alpha;
+      pixels.integers[texel + c] = static_cast<std::uint16_t>(std::min(divided, 255u));
+    }
+  }
+}
+
 }  // namespace
 
 std::string decode(const ImageToDecode& image, Pixels& pixels) {
@@ -49,6 +63,9 @@ std::string decode(const ImageToDecode& image, Pixels& pixels) {
   }
   if (!read_pixels(*input, spec, image.floats, pixels))
     return "cannot be decoded: " + reason(input->geterror());
+  const bool multiplied = image.format == "webp" && spec.alpha_channel >= 0 &&
+                          spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+  if (multiplied) divide_by_alpha(pixels);
   return "";
 }
 

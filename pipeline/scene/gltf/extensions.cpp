@@ -9,7 +9,7 @@ namespace caustics::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 17> kSupported = {"KHR_materials_transmission",
+constexpr std::array<std::string_view, 18> kSupported = {"KHR_materials_transmission",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_volume",
                                                          "KHR_materials_dispersion",
@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 17> kSupported = {"KHR_materials_transmis
                                                          "KHR_lights_punctual",
                                                          "KHR_mesh_quantization",
                                                          "KHR_texture_transform",
+                                                         "EXT_texture_webp",
                                                          "EXT_mesh_gpu_instancing",
                                                          "KHR_node_visibility",
                                                          "KHR_xmp_json_ld",
@@ -44,7 +45,7 @@ constexpr std::array<Harmless, 10> kHarmless = {
       "Diffuse transmission is left out: leaves and paper let no light through"},
      {"KHR_materials_volume_scatter", "Scattering in volumes is left out: they are clear"},
      {"KHR_materials_pbrSpecularGlossiness",
-      "Specular-glossiness is left out: the metallic-roughness material is shown"},
+      "Specular-glossiness is shown as metal without diffuse colour, or as diffuse that mirrors by its ior"},
      {"KHR_animation_pointer", "Animated properties of materials, lights and cameras stay as they are"},
      {"KHR_audio_emitter", "Sound is left out"}}};
 
@@ -62,7 +63,7 @@ std::string advice_for(std::string_view name) {
   if (name.find("meshopt") != std::string_view::npos) {
     return "re-export without meshopt compression: gltf-transform copy in.glb out.glb";
   }
-  if (name.find("webp") != std::string_view::npos || name.find("avif") != std::string_view::npos) {
+  if (name.find("avif") != std::string_view::npos) {
     return "re-export with PNG or JPEG textures";
   }
   return "re-export without this extension";
@@ -71,6 +72,9 @@ std::string advice_for(std::string_view name) {
 void check_version(Context& context, const Cursor& root) {
   const Cursor asset = root.member("asset");
   const Cursor version = asset.member("version");
+  // As drafts of glTF 1.0 wrote it.
+  if (version.present() && version.json().is<double>())
+    version.fail("is " + version.json().described() + ", only glTF 2.0 can be read", "export it as glTF 2.0");
   const std::string text = version.string();
   if (text.compare(0, 2, "2.") != 0) {
     version.fail("is \"" + text + "\", only glTF 2.0 can be read", "export it as glTF 2.0");

@@ -12,6 +12,8 @@ const char* format_name(ImageKind kind) {
       return "png";
     case ImageKind::Jpeg:
       return "jpeg";
+    case ImageKind::Webp:
+      return "webp";
     case ImageKind::Hdr:
       return "hdr";
     default:

@@ -11,7 +11,7 @@
 
 namespace caustics::gltf {
 
-enum class ImageKind : std::uint8_t { Unknown, Png, Jpeg, Hdr, Exr };
+enum class ImageKind : std::uint8_t { Unknown, Png, Jpeg, Webp, Hdr, Exr };
 
 // What the first bytes say. Width and height are 0 where they could not be found (always for EXR).
 struct ImageHeader {

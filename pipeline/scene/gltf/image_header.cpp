@@ -69,6 +69,38 @@ ImageHeader jpeg_header(Span bytes) {
   return header;
 }
 
+std::uint32_t little_endian(Span bytes, std::size_t at, int count) {
+  std::uint32_t value = 0;
+  for (int i = count - 1; i >= 0; --i) value = value << 8 | bytes[at + static_cast<std::size_t>(i)];
+  return value;
+}
+
+// RFC 9649: a RIFF file whose first chunk is a lossy picture (section 2.5), a lossless one (3.4), or says
+// what follows (2.7).
+ImageHeader webp_header(Span bytes) {
+  ImageHeader header{ImageKind::Webp, 0, 0, 0, ""};
+  const bool lossless = starts_with(bytes, "VP8L", 12);
+  if (bytes.size() < (lossless ? 25 : 30) || little_endian(bytes, 4, 4) > bytes.size() - 8) {
+    header.problem = "is a WebP that was cut short";
+    return header;
+  }
+  if (starts_with(bytes, "VP8 ", 12)) {
+    header.width = static_cast<int>(little_endian(bytes, 26, 2) & 0x3FFFu);
+    header.height = static_cast<int>(little_endian(bytes, 28, 2) & 0x3FFFu);
+  } else if (lossless) {
+    const std::uint32_t sides = little_endian(bytes, 21, 4);
+    header.width = static_cast<int>(sides & 0x3FFFu) + 1;
+    header.height = static_cast<int>(sides >> 14 & 0x3FFFu) + 1;
+  } else if (starts_with(bytes, "VP8X", 12)) {
+    header.width = static_cast<int>(little_endian(bytes, 24, 3)) + 1;
+    header.height = static_cast<int>(little_endian(bytes, 27, 3)) + 1;
+    if ((bytes[20] & 0x02u) != 0) header.problem = "is a WebP that moves";
+  } else {
+    header.problem = "is a WebP without its header";
+  }
+  return header;
+}
+
 // Radiance: text lines, an empty one, then "-Y height +X width". Other orders of the axes are not
 // read.
 ImageHeader hdr_header(Span bytes) {
@@ -98,11 +130,11 @@ ImageHeader hdr_header(Span bytes) {
 ImageHeader sniff_image(Span bytes) {
   if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return png_header(bytes);
   if (starts_with(bytes, "\xff\xd8\xff")) return jpeg_header(bytes);
+  if (starts_with(bytes, "RIFF") && starts_with(bytes, "WEBP", 8)) return webp_header(bytes);
   if (starts_with(bytes, "#?")) return hdr_header(bytes);
   if (starts_with(bytes, "\x76\x2f\x31\x01")) return {ImageKind::Exr, 0, 0, 0, ""};
   ImageHeader header;
-  header.problem = "is no PNG or JPEG";
-  if (starts_with(bytes, "RIFF") && starts_with(bytes, "WEBP", 8)) header.problem = "is a WebP";
+  header.problem = "is no PNG, JPEG or WebP";
   if (starts_with(bytes, "\xabKTX ")) header.problem = "is a KTX";
   if (starts_with(bytes, "GIF8")) header.problem = "is a GIF";
   if (starts_with(bytes, "BM")) header.problem = "is a BMP";

@@ -39,7 +39,8 @@ class Reader {
       : context_(context),
         textures_(textures),
         material_(material),
-        extensions_(material.member("extensions")) {}
+        extensions_(material.member("extensions")),
+        older_(extensions_.member("KHR_materials_pbrSpecularGlossiness")) {}
 
   Material run(int& uv_set) {
     result_.name = printable(material_.member("name").string(""));
@@ -54,6 +55,17 @@ class Reader {
 
  private:
   void read_core();
+  void read_metallic_roughness(const Cursor& pbr);
+  void read_specular_glossiness(const Cursor& older);
+  // KHR_materials_pbrSpecularGlossiness has another for its colour, and none for metal.
+  Cursor base_color_texture() const {
+    return older_.present() ? older_.member("diffuseTexture")
+                            : material_.member("pbrMetallicRoughness").member("baseColorTexture");
+  }
+  Cursor metallic_roughness_texture() const {
+    const Cursor core = older_.present() ? older_ : material_.member("pbrMetallicRoughness");
+    return core.member("metallicRoughnessTexture");
+  }
   void read_alpha();
   void read_transmission();
   void read_ior();
@@ -65,18 +77,48 @@ class Reader {
   Context& context_;
   Textures& textures_;
   const Cursor& material_;
-  Cursor extensions_;
+  Cursor extensions_, older_;
   Material result_;
 };
 
+// As metallic-roughness: what has no diffuse colour and mirrors more than any dielectric is metal of its
+// specular colour, all else is none.
+void Reader::read_specular_glossiness(const Cursor& older) {
+  constexpr float kMostOfDielectrics = 0.2f;
+  const glm::vec3 specular = color_factor(context_, older.member("specularFactor"), glm::vec3(1));
+  const bool is_metal = glm::vec3(result_.base_color) == glm::vec3(0) && !base_color_texture().present() &&
+                        std::max({specular.x, specular.y, specular.z}) > kMostOfDielectrics;
+  if (is_metal) result_.base_color = glm::vec4(specular, result_.base_color.a);
+  result_.metallic = result_.metallic_factor = is_metal ? 1.0f : 0.0f;
+  const auto glossiness = textures_.mean(older.member("specularGlossinessTexture"), 3);
+  result_.roughness = 1.0f - factor(context_, older.member("glossinessFactor"), 1, 0, 1) *
+                                 static_cast<float>(glossiness.value_or(1.0));
+  result_.roughness_factor = result_.roughness;
+}
+
 void Reader::read_core() {
   const Cursor pbr = material_.member("pbrMetallicRoughness");
-  const Cursor base = pbr.member("baseColorFactor");
+  const Cursor base = older_.present() ? older_.member("diffuseFactor") : pbr.member("baseColorFactor");
   if (!base.numbers(4).empty()) {
     for (std::size_t c = 0; c < 4; ++c) {
       result_.base_color[static_cast<int>(c)] = factor(context_, base.element(c), 1, 0, 1);
     }
   }
+  if (older_.present()) {
+    read_specular_glossiness(older_);
+  } else {
+    read_metallic_roughness(pbr);
+  }
+  const Cursor strength = extensions_.member("KHR_materials_emissive_strength").member("emissiveStrength");
+  result_.emissive = color_factor(context_, material_.member("emissiveFactor"), glm::vec3(0)) *
+                     factor(context_, strength, 1, 0, 1e9);
+  result_.double_sided = material_.member("doubleSided").boolean(false);
+  const Cursor unlit = extensions_.member("KHR_materials_unlit");
+  unlit.keys();  // must be an object
+  result_.unlit = unlit.present();
+}
+
+void Reader::read_metallic_roughness(const Cursor& pbr) {
   result_.metallic = factor(context_, pbr.member("metallicFactor"), 1, 0, 1);
   result_.roughness = factor(context_, pbr.member("roughnessFactor"), 1, 0, 1);
   const Cursor both = pbr.member("metallicRoughnessTexture");
@@ -85,13 +127,6 @@ void Reader::read_core() {
   result_.metallic_factor = result_.metallic;
   if (roughness) result_.roughness *= static_cast<float>(*roughness);
   if (metallic) result_.metallic *= static_cast<float>(*metallic);
-  const Cursor strength = extensions_.member("KHR_materials_emissive_strength").member("emissiveStrength");
-  result_.emissive = color_factor(context_, material_.member("emissiveFactor"), glm::vec3(0)) *
-                     factor(context_, strength, 1, 0, 1e9);
-  result_.double_sided = material_.member("doubleSided").boolean(false);
-  const Cursor unlit = extensions_.member("KHR_materials_unlit");
-  unlit.keys();  // must be an object
-  result_.unlit = unlit.present();
 }
 
 void Reader::read_alpha() {
@@ -176,10 +211,10 @@ void Reader::read_coverage() {
 }
 
 int Reader::read_textures() {
-  const Cursor base = material_.member("pbrMetallicRoughness").member("baseColorTexture");
+  const Cursor base = base_color_texture();
   const Cursor normal = material_.member("normalTexture");
   const Cursor emissive = material_.member("emissiveTexture");
-  const Cursor both = material_.member("pbrMetallicRoughness").member("metallicRoughnessTexture");
+  const Cursor both = metallic_roughness_texture();
   const Cursor occlusion = material_.member("occlusionTexture");
   // One set of coordinates serves all. Where light passes, the normals matter more than the colour.
   const bool normal_first = result_.transmission > 0 && normal.present();

@@ -59,7 +59,7 @@ std::vector<glm::dvec3> geometric_normals(const Shape& shape) {
 
 void finish_normals(Context& context, Shape& shape) {
   if (shape.normals.empty()) {
-    if (!shape.triangles.empty()) context.note(shape.name + " has no normals; it is shaded flat.");
+    if (!shape.triangles.empty()) context.note(shape.name + ": no normals; it is shaded flat.");
     make_flat(shape);
     return;
   }

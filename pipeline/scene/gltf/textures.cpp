@@ -91,8 +91,10 @@ std::optional<int> Textures::image_index(const Cursor& info) {
   const Cursor textures = root_.member("textures");
   const int index = info.member("index").index("textures", textures.size());
   const Cursor texture = textures.element(static_cast<std::size_t>(index));
-  const auto source = texture.member("source").optional_index("images", root_.member("images").size());
-  if (!source) context_.note(texture.path() + " has no PNG or JPEG image and is left out.");
+  const Cursor webp = texture.member("extensions").member("EXT_texture_webp").member("source");
+  const Cursor image = webp.present() ? webp : texture.member("source");
+  const auto source = image.optional_index("images", root_.member("images").size());
+  if (!source) context_.note(texture.path() + " has no PNG, JPEG or WebP image and is left out.");
   const Cursor samplers = root_.member("samplers");
   const auto sampler = texture.member("sampler").optional_index("samplers", samplers.size());
   if (sampler) {
@@ -124,7 +126,7 @@ bool Textures::decode(int index, Pixels& pixels) {
     const ImageHeader header = sniff_image(bytes);
     problem = header.problem;
     if (header.kind == ImageKind::Hdr || header.kind == ImageKind::Exr) {
-      problem = "is no PNG or JPEG";
+      problem = "is no PNG, JPEG or WebP";
     }
     if (problem.empty() &&
         decode_image(bytes, header.kind, context_.options().max_image_side, pixels_left_, pixels, problem)) {
@@ -183,7 +185,7 @@ std::optional<double> Textures::mean(const Cursor& info, int channel) {
     Pixels pixels;
     if (decode(*source, pixels)) {
       const auto channels = static_cast<std::size_t>(pixels.channels);
-      for (int c = 0; c < 3; ++c) {
+      for (int c = 0; c < 3 + has_alpha(pixels.channels); ++c) {
         // A sum of integers: exact, so the order does not matter.
         std::uint64_t sum = 0;
         for (std::size_t i = source_channel(c, pixels.channels); i < pixels.integers.size(); i += channels) {
