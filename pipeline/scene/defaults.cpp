@@ -4,6 +4,7 @@
 
 #include "pipeline/scene/environment.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/lamp_level.hpp"
 #include "pipeline/scene/studio.hpp"
 
 namespace caustics {
@@ -55,12 +56,13 @@ bool has_floor(const Scene& scene) {
 }
 
 Bounds subject_of(const Scene& scene) {
-  Bounds casters;
+  Bounds casters, all;
   for (const Mesh& mesh : scene.meshes) {
     const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+    if (mesh.name != kGroundName) all.add(bounds_of(mesh));
     if (!is_receiver(material)) casters.add(bounds_of(mesh));
   }
-  return casters.empty() ? bounds_of(scene) : casters;
+  return !casters.empty() ? casters : !all.empty() ? all : bounds_of(scene);
 }
 
 double widest(const Bounds& bounds) {
@@ -126,6 +128,14 @@ bool is_mirror(const Material& material) { return material.metallic >= 0.5f && m
 bool is_receiver(const Material& material) { return !(material.transmission > 0.0f) && !is_mirror(material); }
 
 double light_level(const Scene& scene) {
+  const bool has_sun = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                   [](const Light& light) { return light.type == LightType::Directional; });
+  const bool has_casters = std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+    return !is_receiver(scene.materials[static_cast<std::size_t>(mesh.material)]);
+  });
+  // Among what they light, lamps make it much brighter than in its middle.
+  const double lamps = has_sun || has_casters ? 0.0 : lamp_level(scene);
+  if (lamps > 0.0) return lamps;
   const Bounds subject = subject_of(scene);
   const glm::dvec3 centre = subject.empty() ? glm::dvec3(0) : subject.centre();
   const double nearest = subject.empty() ? 1.0 : std::max(subject.radius(), 1e-6);

@@ -13,7 +13,7 @@ bool has_receiver(const Scene& scene);
 // and depth?
 bool has_floor(const Scene& scene);
 
-// What a picture is about: the bounds of the meshes that are no receivers, else of all.
+// What a picture is about: the bounds of the meshes that are no receivers, else of all but an added ground.
 Bounds subject_of(const Scene& scene);
 // The largest extent along an axis, metres; 1 where there is none.
 double widest(const Bounds& bounds);
@@ -34,7 +34,8 @@ void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, f
 // surface with 30 % of what the scene's lights give. False where nothing was added.
 bool add_sky(Scene& scene);
 
-// What the scene's lights together give at its centre on a surface facing each of them, in lux.
+// What the scene's lights together give at its centre on a surface facing each of them, in lux; or without
+// casters and sun the lamps' level (lamp_level.hpp).
 double light_level(const Scene& scene);
 
 }  // namespace caustics
