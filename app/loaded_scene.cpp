@@ -66,7 +66,10 @@ AnimatedScene load(const FrameRequest& request) {
 
 LoadedScene::LoadedScene(const FrameRequest& request)
     : settings_(request.settings), animation_(load(request)), moving_(animation_.moving_meshes()) {
-  for (const int mesh : moving_) swept_.push_back(animation_.swept_bounds(mesh));
+  for (const int mesh : moving_) {
+    swept_.push_back(animation_.swept_bounds(mesh));
+    outlines_.push_back(animation_.outline(mesh));
+  }
   scene_ = animation_.take();
   if (request.environment) scene_.environment = load_environment(*request.environment);
   complete();
@@ -88,6 +91,7 @@ void LoadedScene::complete() {
     Mesh& mesh = scene_.meshes[static_cast<std::size_t>(moving_[i])];
     mesh.lower = glm::vec3(swept_[i].lower);
     mesh.upper = glm::vec3(swept_[i].upper);
+    mesh.outline = outlines_[i];
   }
   add_what_shines();
   const Completed completed = complete_scene(scene_, settings_);

@@ -42,7 +42,8 @@ class LoadedScene {
   Settings settings_;
   AnimatedScene animation_;
   std::vector<int> moving_;
-  std::vector<Bounds> swept_;  // by moving_
+  std::vector<Bounds> swept_;  // by moving_; the next too
+  std::vector<std::vector<glm::vec3>> outlines_;
   Scene scene_;
   // What completing the scene added, if anything; each moment starts without it.
   std::vector<Light> added_lights_, added_sources_;

@@ -230,7 +230,8 @@ class Stage {
     scene_.cameras = {camera};
   }
 
-  // Its vertices; and where it is said to reach farther, as what moves does, the corners of its bounds.
+  // Its vertices; and where it is said to reach farther, as what moves does, its outline, or else the corners
+  // of its bounds.
   static void add_points(const Mesh& mesh, std::vector<glm::dvec3>& points) {
     glm::vec3 lower(std::numeric_limits<float>::infinity()), upper = -lower;
     for (const Vertex& vertex : mesh.vertices) {
@@ -238,7 +239,8 @@ class Stage {
       lower = glm::min(lower, vertex.position);
       upper = glm::max(upper, vertex.position);
     }
-    if (lower == mesh.lower && upper == mesh.upper) return;
+    for (const glm::vec3& point : mesh.outline) points.emplace_back(point);
+    if (!mesh.outline.empty() || (lower == mesh.lower && upper == mesh.upper)) return;
     for (int corner = 0; corner < 8; ++corner)
       points.emplace_back((corner & 1) ? mesh.upper.x : mesh.lower.x,
                           (corner & 2) ? mesh.upper.y : mesh.lower.y,

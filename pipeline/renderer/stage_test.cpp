@@ -197,6 +197,23 @@ TEST_CASE("The sky follows the light's level: candela fall off with the square o
   CHECK(light_level(scene) == Approx(4.0));
 }
 
+TEST_CASE("stage: what moves is framed by where it comes to, not by its bounds' corners") {
+  // A small ball that goes out along x and y, never to both at once.
+  Scene by_corners = ball();
+  Mesh& mesh = by_corners.meshes.back();
+  mesh.upper = glm::vec3(3.0f, 3.0f, 1.0f);
+  Scene by_outline = by_corners;
+  by_outline.meshes.back().outline = {{3.0f, 0.0f, 0.0f}, {0.0f, 3.0f, 0.0f}};
+  complete_scene(by_corners, {});
+  complete_scene(by_outline, {});
+  const Camera& camera = by_outline.cameras.at(0);
+  CHECK(glm::length(camera.position) < 0.95 * glm::length(by_corners.cameras.at(0).position));
+  for (const glm::dvec3 p : {glm::dvec3(3, 0, 0), glm::dvec3(0, 3, 0)}) {
+    CHECK(std::abs(shown_at(camera, p).x) < 0.89);
+    CHECK(std::abs(shown_at(camera, p).y) < 0.89);
+  }
+}
+
 TEST_CASE("stage: a scene without anything still gets a light and a camera") {
   Scene scene;
   complete_scene(scene, {});

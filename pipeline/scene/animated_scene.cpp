@@ -49,14 +49,24 @@ std::vector<int> AnimatedScene::moving_meshes() const {
   return meshes;
 }
 
+std::optional<std::size_t> AnimatedScene::place_in_motion(int mesh) const {
+  if (!motion_) return {};
+  const auto& moving = motion_->meshes();
+  const auto found = std::lower_bound(moving.begin(), moving.end(), mesh);
+  if (found == moving.end() || *found != mesh) return {};
+  return static_cast<std::size_t>(found - moving.begin());
+}
+
 Bounds AnimatedScene::swept_bounds(int mesh) const {
-  if (motion_) {
-    const auto& moving = motion_->meshes();
-    const auto found = std::lower_bound(moving.begin(), moving.end(), mesh);
-    if (found != moving.end() && *found == mesh)
-      return motion_->swept()[static_cast<std::size_t>(found - moving.begin())];
-  }
-  return bounds_of(start_.meshes[static_cast<std::size_t>(mesh)]);
+  const auto place = place_in_motion(mesh);
+  return place ? motion_->swept()[*place] : bounds_of(start_.meshes[static_cast<std::size_t>(mesh)]);
+}
+
+std::vector<glm::vec3> AnimatedScene::outline(int mesh) const {
+  std::vector<glm::vec3> points;
+  if (const auto place = place_in_motion(mesh))
+    for (const glm::dvec3& point : motion_->outlines()[*place]) points.emplace_back(point);
+  return points;
 }
 
 Scene AnimatedScene::at(double seconds) const {

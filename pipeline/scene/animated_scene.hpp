@@ -13,6 +13,7 @@
 // MeshAnimator, and add() it. It runs after the file's own animation.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/scene/scene.hpp"
@@ -43,6 +44,8 @@ class Motion {
   virtual const std::vector<int>& meshes() const = 0;
   // By meshes(): everything that the mesh touches in the course of the motion, or nearly.
   virtual const std::vector<Bounds>& swept() const = 0;
+  // By meshes(): points that it comes to, among them the farthest to many sides.
+  virtual const std::vector<std::vector<glm::dvec3>>& outlines() const = 0;
   // Sets those meshes, and all lights and cameras. `seconds` lies within 0..duration.
   virtual void place(double seconds, Scene& scene) const = 0;
 };
@@ -63,6 +66,8 @@ class AnimatedScene {
   std::vector<int> moving_meshes() const;
   // Scene::meshes[mesh] in the course of one round: what views and grounds are chosen by.
   Bounds swept_bounds(int mesh) const;
+  // Likewise, as Mesh::outline; empty where an animator alone moves it.
+  std::vector<glm::vec3> outline(int mesh) const;
   const Scene& start() const { return start_; }
 
   // The scene at a moment, finite and >= 0. Throws Error (BadInput) where the animation takes
@@ -81,6 +86,8 @@ class AnimatedScene {
     int mesh;
     std::vector<Vertex> vertices;
   };
+
+  std::optional<std::size_t> place_in_motion(int mesh) const;  // in Motion::meshes
 
   Scene start_;
   std::shared_ptr<const Motion> motion_;

@@ -97,6 +97,8 @@ struct Mesh {
   bool closed() const { return closedness >= 0.9f; }
   bool inside_out = false;             // closed, and its triangles wind as seen from within
   glm::vec3 lower{0.0f}, upper{0.0f};  // bounds
+  // Of what moves, where it was set: points that it comes to, among them the farthest to many sides.
+  std::vector<glm::vec3> outline;
   bool has_uv = false;
 };
 

@@ -1,4 +1,5 @@
 // What moves in a file: nodes, joints and morph weights, and what hangs on them.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/scene/gltf_builder.hpp"
@@ -94,6 +95,15 @@ TEST_CASE("A node moves what it places, and the animation begins again at its en
   CHECK(equal_bits(scene.at(2.0), scene.at(0.0)));
   CHECK(equal_bits(scene.at(7.5), scene.at(1.5)));
   CHECK(scene.swept_bounds(0).upper.x - scene.swept_bounds(0).lower.x == 5.0);
+  // From (0 0 0) and (0 1 0) at the start to (5 0 0) at the end, about the middle (2.5, 0.5, 0).
+  const std::vector<glm::vec3> outline = scene.outline(0);
+  const auto in_outline = [&](const glm::vec3& p) {
+    return std::find(outline.begin(), outline.end(), p) != outline.end();
+  };
+  CHECK(in_outline({-2.5f, -0.5f, 0.0f}));
+  CHECK(in_outline({-2.5f, 0.5f, 0.0f}));
+  CHECK(in_outline({2.5f, -0.5f, 0.0f}));
+  CHECK_FALSE(in_outline({2.5f, 0.5f, 0.0f}));
   // The middle of all that it touches.
   CHECK(scene.at(0.0).origin == glm::dvec3(2.5, 0.5, 0));
 }

@@ -1,5 +1,8 @@
 #include "pipeline/scene/gltf/motion.hpp"
 
+#include <array>
+#include <limits>
+
 #include "pipeline/scene/gltf/lights.hpp"
 #include "pipeline/scene/gltf/surface.hpp"
 
@@ -9,6 +12,59 @@ namespace {
 
 // Moments by which what a body touches is found out: enough for views, not for exact bounds.
 constexpr int kSweeps = 24;
+
+// The points farthest to both sides along each of these: a cube's edges, its faces' diagonals and its own.
+constexpr std::array<std::array<int, 3>, 13> kAxes = {{{1, 0, 0},
+                                                       {0, 1, 0},
+                                                       {0, 0, 1},
+                                                       {1, 1, 0},
+                                                       {1, -1, 0},
+                                                       {1, 0, 1},
+                                                       {1, 0, -1},
+                                                       {0, 1, 1},
+                                                       {0, 1, -1},
+                                                       {1, 1, 1},
+                                                       {1, 1, -1},
+                                                       {1, -1, 1},
+                                                       {-1, 1, 1}}};
+
+class Outline {
+ public:
+  void add(const glm::dvec3& p) {
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+      const double along = kAxes[i][0] * p.x + kAxes[i][1] * p.y + kAxes[i][2] * p.z;
+      Side &low = sides_[2 * i], &high = sides_[2 * i + 1];
+      if (-along > low.far) low = {-along, p};
+      if (along > high.far) high = {along, p};
+    }
+  }
+
+  std::vector<glm::dvec3> points() const {
+    std::vector<glm::dvec3> points;
+    for (const Side& side : sides_)
+      if (exact::finite(side.point)) points.push_back(side.point);
+    return points;
+  }
+
+ private:
+  struct Side {
+    double far = -std::numeric_limits<double>::infinity();
+    glm::dvec3 point{far};
+  };
+  std::array<Side, 2 * kAxes.size()> sides_;
+};
+
+std::vector<std::uint32_t> used_vertices(const Shape& shape) {
+  std::vector<bool> used(shape.positions.size(), false);
+  std::vector<std::uint32_t> list;
+  for (const auto& triangle : shape.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      if (!used[corner]) list.push_back(corner);
+      used[corner] = true;
+    }
+  }
+  return list;
+}
 
 }  // namespace
 
@@ -76,6 +132,8 @@ void GltfMotion::set_meshes(const std::vector<int>& meshes, const glm::dvec3& or
     bounds.lower -= origin;
     bounds.upper -= origin;
   }
+  for (auto& outline : outlines_)
+    for (glm::dvec3& point : outline) point -= origin;
 }
 
 void GltfMotion::start(Document document, Scene& scene) {
@@ -93,6 +151,9 @@ Stance GltfMotion::stance(const Context& context, double seconds) const {
 void GltfMotion::sweep() {
   const Context context(parts_.path, parts_.options);
   swept_.resize(parts_.bodies.size());
+  std::vector<Outline> outlines(parts_.bodies.size());
+  std::vector<std::vector<std::uint32_t>> used;
+  for (const MovingBody& moving : parts_.bodies) used.push_back(used_vertices(moving.body.shape));
   for (int k = 0; k <= kSweeps; ++k) {
     const Stance now = stance(context, duration() * k / kSweeps);
     for (std::size_t i = 0; i < parts_.bodies.size(); ++i) {
@@ -101,10 +162,13 @@ void GltfMotion::sweep() {
       const Pose pose =
           pose_of(parts_.placements.meshes[moving.placement], parts_.skins, now, moving.body, joints);
       const Shape shape = posed(context, moving.body, pose);
-      for (const auto& triangle : shape.triangles)
-        for (const std::uint32_t corner : triangle) swept_[i].add(shape.positions[corner]);
+      for (const std::uint32_t vertex : used[i]) {
+        swept_[i].add(shape.positions[vertex]);
+        outlines[i].add(shape.positions[vertex]);
+      }
     }
   }
+  for (const Outline& outline : outlines) outlines_.push_back(outline.points());
 }
 
 void GltfMotion::place(double seconds, Scene& scene) const {

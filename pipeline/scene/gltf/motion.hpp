@@ -66,6 +66,7 @@ class GltfMotion final : public Motion {
   double duration() const override { return parts_.animation.duration; }
   const std::vector<int>& meshes() const override { return meshes_; }
   const std::vector<Bounds>& swept() const override { return swept_; }
+  const std::vector<std::vector<glm::dvec3>>& outlines() const override { return outlines_; }
   void place(double seconds, Scene& scene) const override;
 
  private:
@@ -75,6 +76,7 @@ class GltfMotion final : public Motion {
   MotionParts parts_;
   std::vector<int> meshes_;
   std::vector<Bounds> swept_;
+  std::vector<std::vector<glm::dvec3>> outlines_;
   glm::dvec3 origin_{0};
 };
 
