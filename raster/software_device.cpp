@@ -154,14 +154,15 @@ class SoftwareDevice final : public Device {
       target.depth_clear = definition.depth->clear;
       target.keep_depth = !run.keep.empty() && run.keep.back();
     }
-    for (const RenderTarget::Color& color : target.colors)
-      if (color.texture) color.texture->bring_in(workers_);
-    if (target.depth) target.depth->bring_in(workers_);
     const ImageShape size = target.shape();
     PassResult result;
     const auto condition = run.only_if == OcclusionQuery::None ? samples_.end() : samples_.find(run.only_if);
     result.left_out = condition != samples_.end() && condition->second == 0;
-    if (run.draws.empty() || result.left_out) target.clear();
+    const bool drawn = !run.draws.empty() && !result.left_out;
+    if (!drawn) target.clear(workers_);
+    for (const RenderTarget::Color& color : target.colors)
+      if (drawn && color.texture) color.texture->bring_in(workers_);
+    if (drawn && target.depth) target.depth->bring_in(workers_);
     for (std::size_t i = 0; !result.left_out && i < run.draws.size(); ++i)
       execute_draw(run, run.draws[i], target, TileGrid(size.width, size.height), result);
     if (!definition.count_samples) result.samples_passed = 0;

@@ -40,6 +40,16 @@ std::size_t tiles_of(const ImageShape& shape) {
          static_cast<std::size_t>((shape.height + kTile - 1) / kTile);
 }
 
+// Unless it is known to hold the texel.
+void clear_tile(Texture& texture, int index, const Texel& texel) {
+  if (texture.is_clear(static_cast<std::size_t>(index), texel)) return;
+  const TileGrid grid(texture.shape.width, texture.shape.height);
+  const int x = index % grid.columns * kTile, y = index / grid.columns * kTile;
+  const int width = std::min(kTile, grid.width - x), above = std::min(y + kTile, grid.height);
+  for (int row = y; row < above; ++row) fill_texels(texture.texel(x, row), width, texture.channels(), texel);
+  if (!texture.clear_tiles.empty()) texture.clear_tiles[static_cast<std::size_t>(index)] = 1;
+}
+
 // A tile's attachments while it is drawn: compact, so that they stay in the cache.
 struct TileStorage {
   alignas(64) float color[kMaxColors][kTile * kTile][4];
@@ -79,7 +89,7 @@ class Tile {
     for (std::size_t i = 0; i < target_.colors.size(); ++i) {
       const RenderTarget::Color& color = target_.colors[i];
       if (!color.texture || !drawn) continue;
-      mark(*color.texture, false);
+      if (!color.texture->clear_tiles.empty()) color.texture->clear_tiles[index_] = 0;
       const int channels = color.texture->channels();
       for (int y = 0; y < height_; ++y) {
         float* out = color.texture->texel(x_, y_ + y);
@@ -124,22 +134,11 @@ class Tile {
   }
 
  private:
-  static void mark(Texture& texture, std::size_t tile, bool clear) {
-    if (!texture.clear_tiles.empty()) texture.clear_tiles[tile] = clear ? 1 : 0;
-  }
-  void mark(Texture& texture, bool clear) const { mark(texture, index_, clear); }
-
   // Of a tile where nothing is drawn.
   void clear_colors() {
-    for (const RenderTarget::Color& color : target_.colors) {
-      if (!color.texture || color.keep) continue;
-      const Texel texel = cleared(*color.write);
-      if (color.texture->is_clear(index_, texel)) continue;
-      const int channels = color.texture->channels();
-      for (int y = 0; y < height_; ++y)
-        fill_texels(color.texture->texel(x_, y_ + y), width_, channels, texel);
-      mark(*color.texture, true);
-    }
+    for (const RenderTarget::Color& color : target_.colors)
+      if (color.texture && !color.keep)
+        clear_tile(*color.texture, static_cast<int>(index_), cleared(*color.write));
   }
 
   void load_color(std::size_t i) {
@@ -201,20 +200,22 @@ ImageShape RenderTarget::shape() const {
       ->texture->shape;
 }
 
-void RenderTarget::clear() {
+void RenderTarget::clear(const Workers& workers) {
   for (const Color& color : colors) {
     if (color.keep || !color.texture) continue;
     const Texel texel = cleared(*color.write);
     const std::size_t tiles = tiles_of(color.texture->shape);
     begin_clear(*color.texture, texel, tiles);
-    std::vector<std::uint8_t>& clear = color.texture->clear_tiles;
-    if (std::all_of(clear.begin(), clear.end(), [](std::uint8_t each) { return each != 0; })) continue;
-    const ImageShape& shape = color.texture->shape;
-    for (int y = 0; y < shape.height; ++y)
-      fill_texels(color.texture->texel(0, y), shape.width, color.texture->channels(), texel);
-    std::fill(clear.begin(), clear.end(), std::uint8_t{1});
+    if (color.texture->is_fresh() && same_bits(texel, Texel{})) {
+      color.texture->clear_tiles.assign(tiles, 1);
+      continue;
+    }
+    color.texture->bring_in(workers);
+    for (int tile = 0; tile < static_cast<int>(tiles); ++tile) clear_tile(*color.texture, tile, texel);
   }
-  if (depth && !keep_depth) std::fill_n(depth->values.get(), depth->value_count(), depth_clear);
+  if (!depth || keep_depth) return;
+  depth->bring_in(workers);
+  std::fill_n(depth->values.get(), depth->value_count(), depth_clear);
 }
 
 void RenderTarget::keep_all() {

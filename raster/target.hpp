@@ -22,8 +22,8 @@ struct RenderTarget {
   bool keep_depth = false;
 
   ImageShape shape() const;
-  void clear();     // everything that is not kept
-  void keep_all();  // from now on: the next draw goes on where this one ended
+  void clear(const Workers& workers);  // everything that is not kept
+  void keep_all();                     // from now on: the next draw goes on where this one ended
 };
 
 // How the fragments of one draw are shaded.

@@ -47,6 +47,9 @@ struct Texture {
   // the same page at once would both be given a cleared one, and one of these be thrown away.
   void bring_in(const Workers& workers);
 
+  // Do its pages hold the system's zeros, untouched?
+  bool is_fresh() const { return !is_in_ && values.get_deleter().mapped > 0; }
+
   bool is_clear(std::size_t tile, const std::array<float, 4>& texel) const {
     return !clear_tiles.empty() && clear_tiles[tile] != 0 && same_bits(clear_texel, texel);
   }

@@ -17,8 +17,9 @@ void print(const char* heading, const Table& table) {
 std::string reason_of(const FramePlan& plan, const PassReport& report) {
   const auto pass = std::find_if(plan.passes.begin(), plan.passes.end(),
                                  [&](const PlannedPass& each) { return each.label == report.label; });
-  if (report.result.left_out) return "draws nothing: no light comes here";
-  return pass == plan.passes.end() ? "before the frame" : one_line(pass->reason);
+  if (pass == plan.passes.end()) return "before the frame";
+  return report.result.left_out ? "draws nothing: " + std::string(why_left_out(*pass))
+                                : one_line(pass->reason);
 }
 
 }  // namespace

@@ -136,7 +136,9 @@ void print(const TexelHistory& history) {
   const auto passed = std::count_if(history.fragments.begin(), history.fragments.end(),
                                     [](const auto& f) { return f.outcome == FragmentOutcome::Passed; });
   std::printf("\n%s, of which %td passed%s\n", plural(history.fragments.size(), "fragment").c_str(), passed,
-              history.left_out ? ": the pass drew nothing, since no light gets so far" : "");
+              history.left_out
+                  ? (": the pass drew nothing: " + std::string(why_left_out(*history.pass))).c_str()
+                  : "");
   std::printf("the history and the rendered texel %s\n", history.equal ? "agree to the bit" : "DIFFER");
 }
 

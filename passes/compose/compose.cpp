@@ -88,6 +88,7 @@ Pass compose_pass() {
                 kReadFirstLayer},
       .writes = {{.name = "scene_color",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1; of a layer: how much passes it",
+                  .clear = {0.0f, 0.0f, 0.0f, 1.0f},
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
       .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},

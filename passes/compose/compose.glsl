@@ -85,13 +85,9 @@ Vec4 layers_before(Int column, Int row) {
   return nearer;
 }
 
-void main() {
-  Int column = floor_to_int(frag_x());
-  Int row = floor_to_int(frag_y());
-  Bool covered = is_covered(texel_fetch(view_position, column, row));
+// What a surface shows of its own: its light, and what it reflects.
+Vec3 surface_radiance(Int column, Int row, Vec3 albedo) {
   Vec3 n = Vec3(texel_fetch(view_normal, column, row));
-  Vec4 colour = texel_fetch(view_albedo, column, row);
-  Vec3 albedo = Vec3(colour);
   // What the frame lacks is one texel of zeros.
   Vec3 emission = Vec3(fetch_clamped(view_emission, column, row));
   Vec3 ambient = ambient_irradiance(n);
@@ -107,16 +103,28 @@ void main() {
                     Vec3(fetch_clamped(caustic, column, row)) + ambient;
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance + mirrored;
   if (u.shows_highlights != 0) surface = surface + Vec3(fetch_clamped(highlight, column, row));
-  Vec3 background = backdrop_radiance(u.sky, ray_direction());
+  return surface;
+}
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  // Where there is no layer at all.
+  if (u.layer != 0) discard_if(!is_covered(fetch_clamped(first_layer, column, row)));
+  Bool covered = is_covered(texel_fetch(view_position, column, row));
+  Vec4 colour = texel_fetch(view_albedo, column, row);
+  Vec3 surface = Vec3(0.0f);
+  if (any_lane(covered)) surface = surface_radiance(column, row, Vec3(colour));
   Vec4 nearer = Vec4(0.0f, 0.0f, 0.0f, 1.0f);
   if (u.blends != 0 && u.layer != 1) nearer = layers_before(column, row);
-  Vec3 shown = surface * colour.w + background * (1.0f - colour.w);
-  if (u.layer != 0) shown = surface * colour.w;
-  Vec3 color = sel(covered, shown, background);
+  Vec3 color = Vec3(0.0f);
   Float passes = Float(1.0f);
   if (u.layer != 0) {
-    color = sel(covered, shown, Vec3(0.0f));
+    color = sel(covered, surface * colour.w, color);
     passes = nearer.w * sel(covered, 1.0f - colour.w, Float(1.0f));
+  } else {
+    Vec3 background = backdrop_radiance(u.sky, ray_direction());
+    color = sel(covered, surface * colour.w + background * (1.0f - colour.w), background);
   }
   if (u.blends != 0) color = Vec3(nearer) + color * nearer.w;
   scene_color = Vec4(color, passes);

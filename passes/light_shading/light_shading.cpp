@@ -91,7 +91,7 @@ Pass light_shading_pass() {
       .reason = "the light shines on what the camera sees",
       .when = {&Effects::light},
       .drawn_for = with_layers({kLight, kLightSurroundings}),
-      .reads = {{.name = "view_position", .meaning = "the surfaces"},
+      .reads = {{.name = "view_position", .meaning = "the surfaces", .layers_discard_where_zero = true},
                 {.name = "view_normal", .meaning = "their normals"},
                 {.name = "shadow_depth", .meaning = "what shadows them", .optional = true},
                 {.name = "caster_position",

@@ -183,6 +183,7 @@ Arrival arrival_at(IN(SurfacePoint) surface) {
 void main() {
   TRACE(pixel, Vec2(frag_x(), frag_y()));
   SurfacePoint surface = surface_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
+  if (u.is_layer != 0) discard_if(!surface.visible);
   Vec3 arriving = Vec3(0.0f);
   Vec3 bent = Vec3(0.0f);
   Vec3 mirrored = Vec3(0.0f);

@@ -1,5 +1,6 @@
 #include "passes/light_shading/light_shading.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -34,7 +35,7 @@ struct Bench {
   Image specular{}, glass{}, glass_normal{}, materials{};
   Image lift{};
 
-  UniformBytes uniforms(const Pass& pass) const {
+  UniformBytes uniforms(const Pass& pass, const DrawnFor* drawn_for = nullptr) const {
     Scene scene;
     scene.lights = {light};
     Settings settings;
@@ -69,7 +70,8 @@ struct Bench {
                           .effects = &effects,
                           .views = &views,
                           .camera = camera ? &*camera : nullptr,
-                          .light = &scene.lights[0]});
+                          .light = &scene.lights[0],
+                          .drawn_for = drawn_for});
   }
 
   std::vector<Image> textures() const {
@@ -209,6 +211,22 @@ TEST_CASE("light_shading: what faces away, and where there is no surface, gets n
   Bench empty;
   empty.covered = 0.0f;
   CHECK(empty.direct() == 0.0f);
+}
+
+TEST_CASE("light_shading: pixels that a layer leaves free are not shaded") {
+  const Pass pass = light_shading_pass();
+  const auto is_layer = [](const DrawnFor& each) { return each.layer == 1; };
+  const DrawnFor& drawn_for = *std::find_if(pass.drawn_for.begin(), pass.drawn_for.end(), is_layer);
+  const Bench bench;
+  std::vector<Image> textures = bench.textures();
+  textures[0] = left_half({bench.position, 1.0f}, glm::vec4(0.0f));
+  textures[1] = filled(8, 8, {bench.normal, 0.0f});
+  const PassImages out =
+      run_pass(definition_of(pass, {}, drawn_for),
+               {.width = 8, .height = 8, .uniforms = bench.uniforms(pass, &drawn_for), .textures = textures});
+  CHECK(out.result.fragments == 8 * 4);
+  CHECK(out["direct"].at(3, 4, 0) == 100.0f);
+  CHECK(out["direct"].at(4, 4, 0) == 0.0f);
 }
 
 TEST_CASE("light_shading: an opaque surface nearer to the light casts a shadow") {

@@ -12,6 +12,7 @@ inline constexpr Read kReadLayers{.name = "layers",
 inline constexpr Read kReadFirstLayer{.name = "first_layer",
                                       .meaning = "whether they lie before glass",
                                       .texture = "view_position",
+                                      .layers_discard_where_zero = true,
                                       .optional = true,
                                       .layer = OfLayer::First};
 

@@ -154,25 +154,15 @@ Float finest_opacity() {
   return opacity;
 }
 
-void main() {
-  Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
-  SeenUv seen = seen_here(n);
-  Vec4 base = base_factor_here();
-  if (u.base_color_use.levels > 0)
-    base = base * fetch_seen(base_color, base_color_levels, u.base_color_use, seen);
-  Float z = view_coordinates(u.view, surface_position).z;
-  Bool left_out = finest_opacity() < u.alpha_cutoff;
-  Float coverage = base.w;
-  if (u.layer != 0) left_out = !left_out || coverage <= 0.0f || not_in_layer(z);
+// Of a fragment that is drawn.
+void write_surface(Vec3 n, IN(SeenUv) seen, Vec4 base, Float z) {
   Bool from_behind = !front_facing();
-  if (u.is_double_sided == 0) left_out = left_out || from_behind;
-  discard_if(left_out);
-
   view_lift = Vec4(Float(0.0f), Float(0.0f), Float(0.0f), Float(0.0f));
   if (u.has_lift != 0) view_lift = Vec4(lift_along(n, from_behind), Float(0.0f));
-  if (u.normal_use.levels > 0) n = textured_normal(n, seen);
+  Vec3 shading = n;
+  if (u.normal_use.levels > 0) shading = textured_normal(n, seen);
   // A surface seen from behind shows its other side: the textured normal as a whole is reversed.
-  n = sel(from_behind, -n, n);
+  shading = sel(from_behind, -shading, shading);
 
   Vec3 emission = Vec3(u.emissive_factor);
   if (u.emissive_use.levels > 0)
@@ -180,15 +170,30 @@ void main() {
   Float place = Float(1.0f);
   if (u.layer != 0) place = sel(before_glass(z), Float(2.0f), place);
   view_position = Vec4(surface_position, place);
-  view_normal = Vec4(n, z);
+  view_normal = Vec4(shading, z);
   Finish finish = finish_here(seen);
   Vec3 albedo = Vec3(base) * (1.0f - finish.metallic);
   Float shown = shown_here();
-  if (u.layer != 0) shown = coverage;
+  if (u.layer != 0) shown = base.w;
   view_albedo = Vec4(albedo, shown);
   Vec3 reflectance = Vec3(base) * finish.metallic + Vec3(u.dielectric * (1.0f - finish.metallic));
   view_specular = Vec4(reflectance, finish.roughness);
   view_emission = Vec4(emission, Float(1.0f));
   view_ambient = ambient_share(seen);
+}
+
+void main() {
+  Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
+  SeenUv seen = seen_here(n);
+  Vec4 base = base_factor_here();
+  if (u.base_color_use.levels > 0)
+    base = base * fetch_seen(base_color, base_color_levels, u.base_color_use, seen);
+  Float z = view_coordinates(u.view, surface_position).z;
+  Float coverage = base.w;
+  Bool left_out = finest_opacity() < u.alpha_cutoff;
+  if (u.layer != 0) left_out = !left_out || coverage <= 0.0f || not_in_layer(z);
+  if (u.is_double_sided == 0) left_out = left_out || !front_facing();
+  discard_if(left_out);
+  if (any_lane(!left_out)) write_surface(n, seen, base, z);
 }
 #endif

@@ -20,8 +20,8 @@ struct TextureRead {
   bool of_material = false;
   // A resource that this frame may lack; the device then binds one texel of zeros.
   bool optional = false;
-  // Of a full-screen pass: where this texture holds zeros the shader discards its fragment. A device may
-  // leave such fragments out.
+  // Where this texture of the targets' size is bound and holds zeros the shader discards its fragment. A
+  // device may leave such fragments out.
   bool discards_where_zero = false;
   // The only attachment that depends on it; empty: all do. Where nobody wants that one, nothing is read.
   std::string only_towards{};

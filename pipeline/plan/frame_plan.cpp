@@ -25,6 +25,11 @@ std::vector<int> PlannedPass::attachments() const {
   return result;
 }
 
+std::string_view why_left_out(const PlannedPass& pass) {
+  return pass.drawn_for->layer > 0 ? "the picture has no such layer of blended surfaces"
+                                   : "no light comes here";
+}
+
 int FramePlan::find(std::string_view name) const {
   for (std::size_t i = 0; i < textures.size(); ++i)
     if (textures[i].name == name) return static_cast<int>(i);
@@ -296,6 +301,7 @@ class Planner {
   // The pass that counts how much of its casters a light reaches comes before those that follow that light;
   // of light that is followed from surface to surface, the one that counts how much is under way.
   void decide_by_query(const Pass& pass, PlannedPass& planned) {
+    if (planned.drawn_for->layer > 0) decide_by_layer(planned);
     if (planned.light < 0 || !pass.only_lights_with_caustics) return;
     planned.only_if = query_before(pass, planned);
     if (!pass.count_samples) return;
@@ -306,6 +312,18 @@ class Planner {
     } else {
       light_queries_.try_emplace(planned.light, queries_);
     }
+  }
+
+  // Where nothing was drawn into a layer, neither is there light on it, nor another behind it.
+  void decide_by_layer(PlannedPass& planned) {
+    for (std::size_t r = 0; r < planned.reads.size(); ++r)
+      if (const auto found = counted_in_.find(planned.reads[r]);
+          found != counted_in_.end() && planned.definition.reads[r].discards_where_zero)
+        planned.only_if = found->second;
+    if (!planned.definition.count_samples) return;
+    planned.counts_into = ++queries_;
+    for (const int texture : planned.writes)
+      if (texture >= 0) counted_in_.try_emplace(texture, queries_);
   }
 
   int query_before(const Pass& pass, const PlannedPass& planned) const {

@@ -51,14 +51,18 @@ struct PlannedPass {
   int depth = -1;
   std::vector<bool> keep{};  // as PassRun::keep
   int width = 0, height = 0;
-  // Queries, numbered from 1 on; 0: none. A pass that finds whether the light reaches its casters, or how
-  // many rays are under way, counts for those that follow, which draw nothing where the count is 0 (PassRun).
+  // Queries, numbered from 1 on; 0: none. A pass that finds whether the light reaches its casters, how many
+  // rays are under way, or whether there is a layer of blended surfaces, counts for those that follow, which
+  // draw nothing where the count is 0 (PassRun).
   int counts_into = 0, only_if = 0;
   bool ends_light = false;  // no pass of its light follows, but for samples of pixels
 
   // The textures that it writes: colours in turn, depth last.
   std::vector<int> attachments() const;
 };
+
+// Why its query counts nothing, if so.
+std::string_view why_left_out(const PlannedPass& pass);
 
 // A pass of a water: run before the frame's passes (pipeline/renderer/moving_water.hpp).
 struct PlannedSteps {

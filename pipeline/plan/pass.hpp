@@ -218,6 +218,7 @@ struct Read {
   bool of_material = false;                // the drawn surface's material's, instead of one of the frame
   OfSurface surface = OfSurface::None;     // Each::Round only: whose round has written it
   bool discards_where_zero = false;        // as TextureRead has it
+  bool layers_discard_where_zero = false;  // likewise, of instances of layers
   bool optional = false;                   // the frame may lack it; one texel of zeros is bound then
   OfLayer layer = OfLayer::None;           // an optional read
   Condition only_with = nullptr;           // the shader declares it only then
@@ -279,7 +280,7 @@ struct Pass {
   std::optional<int> zero_outside_quad{};  // as in PassDefinition
   DepthState depth_state{};
   Cull cull = Cull::None;
-  bool count_samples = false;
+  bool count_samples = false;  // of a pass that has layers: of these
   std::vector<InstanceState> states{};
   std::vector<Permutation> shaders{};
   std::vector<Choice> choices{};

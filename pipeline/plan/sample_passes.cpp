@@ -24,6 +24,7 @@ class SamplePasses {
     sampled_ = leading_to(sampled_textures_, std::vector<bool>(adder, true));
     middle_textures_ = wanted_of_middle();
     middle_ = leading_to(middle_textures_, sampled_);
+    for (const PlannedPass& pass : plan.passes) queries_ = std::max(queries_, pass.counts_into);
   }
 
   void expand(int samples) {
@@ -34,6 +35,7 @@ class SamplePasses {
     }
     for (int sample = 1; sample <= samples; ++sample) {
       std::map<int, int> own;  // the sample's textures, by those of the plan
+      own_queries_.clear();
       for (std::size_t i = 0; i < adder_; ++i)
         if (sampled_[i]) passes.push_back(copy(plan_.passes[i], sample, own));
       passes.push_back(copy_of_adder(sample, own.at(sum_)));
@@ -83,6 +85,9 @@ class SamplePasses {
       if (const auto found = own.find(texture); found != own.end()) texture = found->second;
     for (int& texture : pass.writes) texture = own_texture(texture, sample, own);
     pass.depth = own_texture(pass.depth, sample, own);
+    if (pass.counts_into > 0) own_queries_[pass.counts_into] = ++queries_;
+    for (int* query : {&pass.counts_into, &pass.only_if})
+      if (const auto found = own_queries_.find(*query); found != own_queries_.end()) *query = found->second;
     return pass;
   }
 
@@ -116,6 +121,8 @@ class SamplePasses {
   // By pass: is it drawn for each sample, and for the pixels' middles? And what that needs of textures.
   std::vector<bool> sampled_, middle_;
   std::set<int> sampled_textures_, middle_textures_;
+  int queries_ = 0;                 // the last one's number
+  std::map<int, int> own_queries_;  // of the sample that is copied, by those of the plan
 };
 
 }  // namespace

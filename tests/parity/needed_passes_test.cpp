@@ -7,6 +7,7 @@
 #include "raster/software_device.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
+#include "tests/support/run_pass.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -48,6 +49,20 @@ Scene sphere_out_of_view() {
   Scene scene = sphere_scene(1.5f, 4);
   scene.meshes[0] = floor(40.0, 0.0, 0);
   scene.cameras[0].position.x = 25.0;
+  return scene;
+}
+
+// Two veils that lie nowhere one behind the other as the camera sees them.
+Scene veiled_floor() {
+  Scene scene = without_casters(shadowed_sphere());
+  scene.materials.push_back(diffuse(0.5f));
+  scene.materials.back().alpha_mode = AlphaMode::Blend;
+  scene.materials.back().base_color.a = 0.5f;
+  for (const double x : {-0.6, 0.5}) {
+    Mesh veil = floor(0.3, 1.0 + x, static_cast<int>(scene.materials.size()) - 1);
+    for (Vertex& v : veil.vertices) v.position.x += static_cast<float>(x);
+    scene.meshes.push_back(veil);
+  }
   return scene;
 }
 
@@ -160,6 +175,27 @@ TEST_CASE("needed passes: what follows a light draws nothing where none of its c
   }
   for (const float value : r["aov_caustic"].values) CHECK((value == 0.0f || value == 1.0f));
   for (const float value : r["landing[0]"].values) CHECK(value == 0.0f);
+}
+
+TEST_CASE("needed passes: a layer that nothing lies in is not lit, and none is looked for behind it") {
+  const Rendering r = render(veiled_floor(), without_highlights(), {"beauty"});
+  std::size_t drawn = 0, left_out = 0;
+  for (const PassReport& report : r.passes) {
+    const std::size_t at = report.label.find(".layer ");
+    if (at == std::string::npos) continue;
+    const int layer = report.label[at + 7] - '0';
+    const bool looks = report.label.rfind("view_surfaces", 0) == 0;
+    const bool composes = report.label.rfind("compose", 0) == 0;
+    INFO(report.label);
+    CHECK(report.result.left_out == (layer > (looks ? 2 : 1) && !composes));
+    if (looks) CHECK((report.result.samples_passed > 0) == (layer == 1));
+    (report.result.left_out ? left_out : drawn) += 1;
+  }
+  CHECK(drawn == 2 + 1 + 4);
+  CHECK(left_out == 2 + 3);
+  // Half of what lies behind shows through, whatever was composed for further layers.
+  CHECK(texel(r["scene_color.layer 4"], 6, 12).w == 0.5f);
+  CHECK(texel(r["scene_color.layer 4"], 12, 12) == glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
 }
 
 TEST_CASE(

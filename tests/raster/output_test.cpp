@@ -221,6 +221,28 @@ TEST_CASE("targets: what is kept is drawn onto, what is not is cleared") {
         stored_value(Format::RGBA16F, 0.1f));
 }
 
+TEST_CASE(
+    "targets: a large one into which nothing is drawn is cleared, and stays so around what comes later") {
+  constexpr int kSide = 1024;  // 4 MB, in pages of its own
+  for (const float clear : {0.0f, 0.5f}) {
+    RasterBench b = counting(kSide, kSide);
+    b.definition.topology = Topology::Points;
+    b.definition.writes[0].clear = {clear, 0, 0, 0};
+    const auto device = make_software_device({.threads = 2});
+    PassRun run{.definition = &b.definition, .colors = {device->create_texture(Format::R32F, kSide, kSide)}};
+    device->run(run);
+    const double cleared = static_cast<double>(clear) * kSide * kSide;
+    CHECK(RasterBench::sum(device->read_back(run.colors[0])) == cleared);
+    MeshData point;
+    point.layout = {{"position", 4}, {"color", 4}, {"size", 1}};
+    point.vertices = {0.0f, 0.0f, 0.5f, 1.0f, 2.0f, 2.0f, 2.0f, 2.0f, 1.0f};
+    run.draws = {Draw{.mesh = device->create_mesh(point)}};
+    run.keep = {true};
+    device->run(run);
+    CHECK(RasterBench::sum(device->read_back(run.colors[0])) == cleared + 2.0);
+  }
+}
+
 TEST_CASE("batches: what comes later is drawn onto what came before, batch after batch") {
   for (const std::size_t batch : {1u, 2u, 3u}) {
     INFO(batch << " primitives a batch");

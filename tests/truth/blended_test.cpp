@@ -1,6 +1,7 @@
 // Blended surfaces in whole frames, against what their coverage alone gives.
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
+#include "tests/support/run_pass.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace caustics;

@@ -25,7 +25,8 @@ function countersOf(pass) {
     .map(([one, many, count]) => plural(count, one, many));
   const times = `${formatMilliseconds(pass.milliseconds)}, ${formatMilliseconds(pass.processor_milliseconds)} of the processor. `;
   return paragraph(make("strong", {}, "Time: "), times, counts.join(", ") + ".",
-    pass.left_out ? " Nothing was drawn: no light reaches it, its textures were cleared." : "");
+    pass.left_out ? ` Nothing was drawn, since ${pass.label.includes(".layer ") ? "the picture has no such layer"
+      : "no light reaches it"}: its textures were cleared.` : "");
 }
 
 function readsOf(run, number, go) {
