@@ -88,7 +88,7 @@ struct LightEffects {
 };
 
 // Of the light that lands through a caster: what share does not come through one surface or two, or off the
-// first.
+// first. What would land so if no other caster stood in its way counts as well.
 struct FurtherShare {
   int light = 0;
   int mesh = 0;

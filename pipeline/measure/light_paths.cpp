@@ -154,6 +154,7 @@ struct LightPaths::Moving {
   bool crossed = false;  // that surface, instead of being mirrored
   int surfaces = 0;      // met so far
   bool followed = true;  // by the passes too, so far
+  bool let_go = false;   // the passes land it on the next receiver, whatever caster stands before it
   Bodies bodies{};
 };
 
@@ -168,7 +169,7 @@ LightPaths::LightPaths(const Scene& scene, const Effects& effects)
   if (!bounds.empty()) nearest_ = 4e-6 * std::max(bounds.radius(), 1e-6);
 }
 
-int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landings) const {
+int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landings, glm::dvec3* astray) const {
   const auto first = casters_.nearest(light.origin, light.direction, {}, light.emitter);
   if (!first) return -1;
   Draws draws(light.key);
@@ -182,7 +183,7 @@ int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landing
     Moving moving = pending.back();
     pending.pop_back();
     TriangleHit met;
-    if (advance(light, moving, met, landings)) meet(moving, met, light.bend, draws, pending);
+    if (advance(light, moving, met, landings, astray)) meet(moving, met, light.bend, draws, pending);
   }
   return first->id.mesh;
 }
@@ -194,7 +195,7 @@ bool LightPaths::casters_block(const glm::dvec3& p, const glm::dvec3& direction,
 
 // To the next caster: false where the light lands, misses or is given up.
 bool LightPaths::advance(const LightRay& light, Moving& moving, TriangleHit& met,
-                         std::vector<LightLanding>& landings) const {
+                         std::vector<LightLanding>& landings, glm::dvec3* astray) const {
   if (moving.surfaces >= kMostSurfaces || largest(moving.flux) < kLeastShare * moving.first) return false;
   const auto caster = casters_.nearest(moving.origin, moving.direction, moving.on, light.emitter);
   // Light that crossed a surface may start on a receiver that touches it; light that was mirrored may not.
@@ -212,6 +213,7 @@ bool LightPaths::advance(const LightRay& light, Moving& moving, TriangleHit& met
         {position_of(scene_, *receiver), moving.flux, moving.followed, moving.surfaces, receiver->id.mesh});
     return false;
   }
+  if (receiver && moving.let_go && astray) *astray += moving.flux;
   met = *caster;
   return true;
 }
@@ -235,6 +237,7 @@ void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend,
     const bool in = next.surfaces == 1 && (crosses != mirror || reflections_);
     const bool out = next.surfaces == 2 && o.solid && crosses && !met.front;
     onward.followed = moving.followed && (in || out);
+    onward.let_go = onward.followed && (out || !crosses || !o.solid);
     if ((exact::dot(direction, plane) < 0.0) == crosses) pending.push_back(onward);
   };
   if (mirror) {

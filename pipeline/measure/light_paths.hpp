@@ -43,9 +43,10 @@ class LightPaths {
   LightPaths(const LightPaths&) = delete;
   LightPaths& operator=(const LightPaths&) = delete;
 
-  // Adds where the light lands behind casters, by any number of surfaces. The first caster that it meets, an
-  // index into Scene::meshes; -1 where there is none.
-  int follow(const LightRay& light, std::vector<LightLanding>& landings) const;
+  // Adds where the light lands behind casters, by any number of surfaces; to `astray` what the passes would
+  // land although another caster stands before the receiver. The first caster that it meets, an index into
+  // Scene::meshes; -1 where there is none.
+  int follow(const LightRay& light, std::vector<LightLanding>& landings, glm::dvec3* astray = nullptr) const;
   // Do the passes follow it all its way too?
   bool followed_by_passes() const { return followed_by_passes_; }
   // Does a caster stand on the way from p in this direction, up to that distance?
@@ -56,8 +57,8 @@ class LightPaths {
   struct Bodies;  // that the light is in
   struct Moving;  // light between two surfaces
   class Draws;
-  bool advance(const LightRay& light, Moving& moving, TriangleHit& met,
-               std::vector<LightLanding>& landings) const;
+  bool advance(const LightRay& light, Moving& moving, TriangleHit& met, std::vector<LightLanding>& landings,
+               glm::dvec3* astray) const;
   void meet(const Moving& moving, const TriangleHit& met, double bend, Draws& draws,
             std::vector<Moving>& pending) const;
   const Optics& optics(const TriangleHit& hit) const {

@@ -131,6 +131,25 @@ TEST_CASE("light paths: a second body bends light that the passes send straight 
   CHECK(most == Approx(0.84934656).epsilon(1e-9));
 }
 
+TEST_CASE("light paths: what would land if no other caster stood in its way goes astray") {
+  const auto astray = [](const Bench& bench, double height) {
+    const LightPaths paths(bench.scene, effects_of(bench.scene, Settings{}));
+    std::vector<LightLanding> landings;
+    glm::dvec3 sum(0.0);
+    paths.follow({.origin = {0.3, height, 0.2}, .direction = {0, -1, 0}}, landings, &sum);
+    return sum.x;
+  };
+  const Mesh low = box({-1, 0.5, -1}, {1, 0.8, 1}, 1), high = box({-1, 1.0, -1}, {1, 1.3, 1}, 1);
+  // 0.96^2 leaves the upper slab.
+  CHECK(astray(Bench({low, high}), 2.0) == Approx(0.9216).epsilon(1e-12));
+  CHECK(astray(Bench({low}), 2.0) == 0.0);
+  // Off the lower box, all of it, to the upper one, which hides the ceiling; or where there is none.
+  CHECK(astray(Bench({low, high, floor(10.0, 3.0, 0)}, metal(glm::vec3(1.0f))), 0.9) ==
+        Approx(1.0).epsilon(1e-12));
+  CHECK(astray(Bench({low, high}, metal(glm::vec3(1.0f))), 0.9) == 0.0);
+  CHECK(astray(Bench({low, floor(10.0, 3.0, 0)}, metal(glm::vec3(1.0f))), 0.9) == 0.0);
+}
+
 TEST_CASE("light paths: a bubble's index is relative to the glass around it") {
   Bench bench({box({-1, 0.5, -1}, {1, 1.5, 1}, 1), box({-0.5, 0.9, -0.5}, {0.5, 1.1, 0.5}, 2)});
   bench.scene.materials.push_back(glass(1.0f / 1.5f));

@@ -142,7 +142,12 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
   std::vector<LightLanding> landings;
   for (const LightRay& ray : pilot_rays(light, caster)) {
     landings.clear();
-    const int mesh = paths.follow(ray, landings);
+    glm::dvec3 astray(0.0);
+    const int mesh = paths.follow(ray, landings, &astray);
+    if (const double flux = (astray.x + astray.y) + astray.z; flux > 0.0) {
+      landed[mesh].all += flux;
+      whole += flux;
+    }
     for (const LightLanding& landing : landings) {
       const double flux = (landing.flux.x + landing.flux.y) + landing.flux.z;
       landed[mesh].all += flux;
