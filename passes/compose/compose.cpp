@@ -40,12 +40,6 @@ std140::Compose compose_uniforms(const PassContext& context) {
   };
 }
 
-// Glass would show them from other sides than that from which they are seen.
-int shows_highlights(const PassContext& context) {
-  return context.effects && context.effects->highlights.active &&
-         (context.layer() > 0 || !context.effects->seen_casters.active);
-}
-
 // Without glass before it the shaded scene is the picture.
 std::string_view shaded(const Effects& effects) {
   return effects.seen_casters.active ? "scene_color" : "beauty";
@@ -94,8 +88,7 @@ Pass compose_pass() {
       .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},
                   {"blends", chosen_by<&Effects::blended>},
                   {"mirrors", chosen_by<&Effects::highlights>},
-                  {"is_occluded", chosen_by<&Effects::occlusion>},
-                  {"shows_highlights", shows_highlights}},
+                  {"is_occluded", chosen_by<&Effects::occlusion>}},
   };
 }
 

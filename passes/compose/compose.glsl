@@ -104,8 +104,10 @@ Vec3 surface_radiance(Int column, Int row, Vec3 albedo) {
   }
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient;
+  // Glass shows what a surface mirrors of the lights towards the camera, though it looks from another side:
+  // rough metal shows nothing else.
   Vec3 surface = emission + (albedo * 0.318309886f) * irradiance + mirrored;
-  if (u.shows_highlights != 0) surface = surface + Vec3(fetch_clamped(highlight, column, row));
+  if (u.mirrors != 0) surface = surface + Vec3(fetch_clamped(highlight, column, row));
   return surface;
 }
 

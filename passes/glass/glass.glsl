@@ -15,7 +15,7 @@ TEXTURE(7, view_exit_normal)
 TEXTURE(8, caster_materials)
 TEXTURE(9, environment)
 TEXTURE(10, view_caster_tint)
-TEXTURE(11, highlight)
+TEXTURE(11, caster_highlight)
 TEXTURE(12, layers)
 TEXTURE(13, first_layer)
 
@@ -232,7 +232,7 @@ void main() {
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
   // What the frame lacks is one texel of zeros.
-  color = color + Vec3(fetch_clamped(highlight, column, row));
+  color = color + Vec3(fetch_clamped(caster_highlight, column, row));
   if (u.blends != 0) color = behind_layers(color, column, row);
   beauty = Vec4(color, Float(1.0f));
 }

@@ -1,4 +1,4 @@
-// What the first surface in a pixel mirrors of the light. Needs tangent_plane.glsl, shadows.glsl,
+// What surfaces in view mirror of the light. Needs tangent_plane.glsl, shadows.glsl,
 // highlight.glsl, caster_material.glsl, optics.glsl.
 
 // Where the camera's ray to a point comes from.
@@ -10,7 +10,8 @@ Vec3 towards_camera(Vec3 p) {
 
 Float depth_of(Vec3 p) { return dot3(p - Vec3(u.eye), Vec3(u.forward)); }
 
-// Of a diffuse surface's coat or of rough metal, for its irradiance.
+// Of a diffuse surface's coat or of rough metal, for its irradiance. A caustic's counts as if it came straight
+// from the light: maps hold no directions.
 Vec3 receiver_highlight(IN(SurfacePoint) surface, Vec3 irradiance) {
   // One texel of zeros where no picture is wanted of the frame.
   Vec4 specular = fetch_clamped(view_specular, surface.column, surface.row);
@@ -27,7 +28,7 @@ Vec3 facing_reflectance(IN(Material) material) {
 }
 
 // A caster's point, its normal on the camera's side.
-Vec3 caster_highlight(IN(SurfacePoint) caster, IN(Material) material) {
+Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
   Incidence light = incidence_of(u.light, caster.position, caster.normal);
   TangentPlane p = tangent_plane(caster.position, caster.normal);
   Float lit = Float(1.0f);
@@ -38,20 +39,20 @@ Vec3 caster_highlight(IN(SurfacePoint) caster, IN(Material) material) {
   return irradiance_by(light, p, lit) * reflectance * lobe;
 }
 
-// The receiver's highlight, or of glass and metal before it theirs: none on surfaces seen from inside.
-Vec3 first_highlight(IN(SurfacePoint) surface, Vec3 of_receiver) {
+// Of glass and metal before the surface: none on surfaces seen from inside.
+Vec3 first_caster_highlight(IN(SurfacePoint) surface) {
   Vec4 position = fetch_clamped(view_caster_position, surface.column, surface.row);
   Vec4 normal = fetch_clamped(view_caster_normal, surface.column, surface.row);
   Bool before = is_covered(position) &&
                 (!surface.visible || depth_of(Vec3(position)) < depth_of(surface.position));
   Bool shines = before && !is_back_face(position);
-  Vec3 result = sel(before, Vec3(0.0f), of_receiver);
+  Vec3 result = Vec3(0.0f);
   if (any_lane(shines)) {
     SurfacePoint caster = surface;
     caster.position = Vec3(position);
     caster.normal = facing_normal(Vec3(normal), -towards_camera(caster.position), Bool(false));
     Material material = fetch_material(caster_materials, material_row(normal));
-    result = sel(shines, caster_highlight(caster, material), result);
+    result = sel(shines, highlight_of_caster(caster, material), result);
   }
   return result;
 }

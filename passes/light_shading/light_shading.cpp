@@ -43,10 +43,11 @@ glm::vec2 tile_reach(const View& view) {
                    static_cast<double>(view.cube->side));
 }
 
-// Not of what glass shows from beyond the picture: there only the light that goes all ways is known.
-int has_highlights(const PassContext& context) {
+// Those that the camera sees before all else.
+int casters_shine(const PassContext& context) {
   const bool picture = !context.drawn_for || context.drawn_for->camera == CameraView::Picture;
-  return picture && context.effects->highlights.active ? 1 : 0;
+  return picture && context.layer() == 0 && context.effects->highlights.active &&
+         context.effects->seen_casters.active;
 }
 
 // Blended surfaces do not shadow one another.
@@ -129,16 +130,16 @@ Pass light_shading_pass() {
                  .meaning = "the glass and metal in view",
                  .texture = "caster_position.camera",
                  .optional = true,
-                 .only_towards = "highlight"},
+                 .only_towards = "caster_highlight"},
                 {.name = "view_caster_normal",
                  .meaning = "its normals and materials",
                  .texture = "caster_normal.camera",
                  .optional = true,
-                 .only_towards = "highlight"},
+                 .only_towards = "caster_highlight"},
                 {.name = kCasterMaterials,
                  .meaning = "indices, roughness, tint",
                  .optional = true,
-                 .only_towards = "highlight",
+                 .only_towards = "caster_highlight",
                  .needed_with = &Effects::seen_casters},
                 {.name = "view_lift",
                  .meaning = "how far they bulge over their triangles",
@@ -152,9 +153,13 @@ Pass light_shading_pass() {
                   .blend = kAccumulate,
                   .needed_with = &Effects::caustics},
                  {.name = "highlight",
-                  .meaning = "rgb: radiance that the first surface mirrors of the lights, nit",
+                  .meaning = "rgb: radiance that the surface mirrors of the lights, nit",
                   .blend = kAccumulate,
-                  .needed_with = &Effects::highlights}},
+                  .needed_with = &Effects::highlights},
+                 {.name = "caster_highlight",
+                  .meaning = "rgb: the same of glass and metal before it",
+                  .blend = kAccumulate,
+                  .needed_with = &Effects::seen_casters}},
       .owner = Each::Frame,
       .shaders = {{&light_shading_shader, block_of<light_shading_uniforms>},
                   {&light_shading_in_medium_shader, block_of<in_medium<light_shading_uniforms>>,
@@ -167,8 +172,8 @@ Pass light_shading_pass() {
                   {"receivers_are_layered", receivers_are_layered},
                   {"caustic_is_grey",
                    [](const PassContext& c) { return c.effects->coloured_caustics.active ? 0 : 1; }},
-                  {"has_highlights", has_highlights},
-                  {"is_layer", [](const PassContext& c) { return c.layer() > 0 ? 1 : 0; }},
+                  {"has_highlights", chosen_by<&Effects::highlights>},
+                  {"casters_shine", casters_shine},
                   {"samples_across",
                    [](const PassContext& c) { return c.settings->pixel_means ? kMostSamples : 0; }}},
   };

@@ -31,6 +31,7 @@ TEXTURE(14, view_lift)
 OUTPUT(0, Vec4, direct)
 OUTPUT(1, Vec4, caustic)
 OUTPUT(2, Vec4, highlight)
+OUTPUT(3, Vec4, caster_highlight)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/position_texel.glsl"
@@ -192,11 +193,13 @@ void main() {
     arriving = sel(surface.visible, arrival.direct, arriving);
     bent = sel(surface.visible, arrival.caustic, bent);
     if (u.has_highlights != 0)
-      mirrored = sel(surface.visible, receiver_highlight(surface, arrival.direct), mirrored);
+      mirrored = sel(surface.visible, receiver_highlight(surface, arrival.direct + arrival.caustic), mirrored);
   }
-  if (u.has_highlights != 0 && u.is_layer == 0) mirrored = first_highlight(surface, mirrored);
+  Vec3 of_casters = Vec3(0.0f);
+  if (u.casters_shine != 0) of_casters = first_caster_highlight(surface);
   direct = Vec4(arriving, Float(0.0f));
   caustic = Vec4(bent, Float(0.0f));
   highlight = Vec4(mirrored, Float(0.0f));
+  caster_highlight = Vec4(of_casters, Float(0.0f));
 }
 #endif

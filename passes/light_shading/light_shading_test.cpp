@@ -49,6 +49,7 @@ struct Bench {
     effects.tinted_light.active = !panes.values.empty();
     effects.hidden_receivers.active = !far_receiver.values.empty();
     effects.highlights.active = highlights;
+    effects.seen_casters.active = !glass.values.empty();
     if (caustics) effects.expectations = {{0, 0, true, ""}};
     View view = down(4.0, 10.0, 20.0);
     if (light.type != LightType::Directional) {
@@ -98,7 +99,7 @@ struct Bench {
   }
   float direct() const { return run()["direct"].at(0, 0, 0); }
   float caustic() const { return run()["caustic"].at(0, 0, 0); }
-  glm::vec3 highlight() const { return glm::vec3(texel(run()["highlight"], 0, 0)); }
+  glm::vec3 highlight(const char* of = "highlight") const { return glm::vec3(texel(run()[of], 0, 0)); }
 };
 
 Bench lamp(LightType type = LightType::Point) {
@@ -493,6 +494,16 @@ TEST_CASE("light_shading: a highlight is glTF's specular lobe times the irradian
   CHECK(glossy(0.0f, slanted).highlight() == glossy(0.2f, slanted).highlight());
 }
 
+TEST_CASE("light_shading: a surface mirrors its caustic as it mirrors the light") {
+  Bench bench = with_caustic();
+  const Bench rough = glossy(1.0f, {0.0, -1.0, 0.0});
+  bench.highlights = true;
+  bench.camera = rough.camera;
+  bench.specular = rough.specular;
+  // 100 lux of the light and 25 of the caustic, over 4 pi.
+  CHECK(bench.highlight().x == Approx(125.0 * 0.04 / (4.0 * 3.14159265)).epsilon(1e-5));
+}
+
 TEST_CASE("light_shading: a camera in perspective sees a highlight from where it stands") {
   Bench bench = glossy(0.5f, {0.0, -1.0, 0.0});
   bench.camera->perspective = true;
@@ -520,18 +531,20 @@ TEST_CASE("light_shading: glass and metal before a surface show their own highli
   for (int c = 0; c < 3; ++c) bench.materials.at(2, 0, c) = 0.9f - 0.3f * static_cast<float>(c);
   bench.materials.at(2, 0, 3) = 0.4f;
   const double lobe = 100.0 / (4.0 * 3.14159265 * 0.0256);
-  CHECK(bench.highlight().z == Approx(0.04 * lobe).epsilon(1e-5));
+  const auto shown = [&] { return bench.highlight("caster_highlight"); };
+  CHECK(shown().z == Approx(0.04 * lobe).epsilon(1e-5));
   bench.materials.at(0, 0, 3) = 1.0f;  // metal: its colour
-  CHECK(bench.highlight().x == Approx(0.9 * lobe).epsilon(1e-5));
-  CHECK(bench.highlight().z == Approx(0.3 * lobe).epsilon(1e-5));
+  CHECK(shown().x == Approx(0.9 * lobe).epsilon(1e-5));
+  CHECK(shown().z == Approx(0.3 * lobe).epsilon(1e-5));
   // In an opaque surface's shadow, 5 m along the light, there is none.
   bench.occluders = true;
   bench.shadow_depth = filled(8, 8, glm::vec4(5.0f));
-  CHECK(bench.highlight() == glm::vec3(0.0f));
+  CHECK(shown() == glm::vec3(0.0f));
   bench.occluders = false;
-  // Seen from inside there is none; behind the floor it is the floor's.
+  // Seen from inside there is none, nor behind the floor; the floor's own stays for glass to show.
   bench.glass = filled(1, 1, {0.5f, 2.0f, -0.5f, -1.0f});
-  CHECK(bench.highlight() == glm::vec3(0.0f));
+  CHECK(shown() == glm::vec3(0.0f));
   bench.glass = filled(1, 1, {0.5f, -2.0f, -0.5f, 1.0f});
+  CHECK(shown() == glm::vec3(0.0f));
   CHECK(bench.highlight() == glossy(0.5f, {0.0, -1.0, 0.0}).highlight());
 }

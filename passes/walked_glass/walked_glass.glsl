@@ -15,7 +15,7 @@ TEXTURE(8, hierarchy_nodes)
 TEXTURE(9, hierarchy_triangles)
 TEXTURE(10, hierarchy_normals)
 TEXTURE(11, environment)
-TEXTURE(12, highlight)
+TEXTURE(12, caster_highlight)
 TEXTURE(13, layers)
 TEXTURE(14, first_layer)
 
@@ -179,7 +179,7 @@ void main() {
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
   // What the frame lacks is one texel of zeros.
-  color = color + Vec3(fetch_clamped(highlight, column, row));
+  color = color + Vec3(fetch_clamped(caster_highlight, column, row));
   if (u.blends != 0) color = behind_layers(color, column, row);
   beauty = Vec4(color, Float(1.0f));
 }
