@@ -173,6 +173,7 @@ Pass light_shading_pass() {
                   {"caustic_is_grey",
                    [](const PassContext& c) { return c.effects->coloured_caustics.active ? 0 : 1; }},
                   {"has_highlights", chosen_by<&Effects::highlights>},
+                  {"is_layer", [](const PassContext& c) { return c.layer() > 0 ? 1 : 0; }},
                   {"casters_shine", casters_shine},
                   {"samples_across",
                    [](const PassContext& c) { return c.settings->pixel_means ? kMostSamples : 0; }}},

@@ -192,8 +192,9 @@ void main() {
     Arrival arrival = arrival_at(surface);
     arriving = sel(surface.visible, arrival.direct, arriving);
     bent = sel(surface.visible, arrival.caustic, bent);
+    Vec3 all = arrival.direct + arrival.caustic;
     if (u.has_highlights != 0)
-      mirrored = sel(surface.visible, receiver_highlight(surface, arrival.direct + arrival.caustic), mirrored);
+      mirrored = sel(surface.visible, receiver_highlight(surface, all), mirrored);
   }
   Vec3 of_casters = Vec3(0.0f);
   if (u.casters_shine != 0) of_casters = first_caster_highlight(surface);
