@@ -13,9 +13,9 @@ OUTPUT(3, Vec4, caster_tint)
 // What glass lets through of each channel, or metal mirrors of it at normal incidence.
 Vec3 caster_color_here() {
   Vec3 color = Vec3(u.color_factor);
-  if (u.has_base_color != 0) color = color * Vec3(fetch_repeat(base_color, color_uv.x, color_uv.y));
+  if (u.has_base_color != 0) color = color * Vec3(fetch_wrapped(base_color, u.mask.uv, color_uv));
   if (u.has_transmission != 0) {
-    color = color * fetch_repeat(transmission_texture, transmission_uv.x, transmission_uv.y).x;
+    color = color * fetch_wrapped(transmission_texture, u.transmission_uv, transmission_uv).x;
   }
   return color + Vec3(u.color_offset);
 }

@@ -106,6 +106,12 @@ TEST_CASE("textured_casters: a 2 x 2 normal texture leans the normals, interpola
     check_direction(texel(out, 3, 4), {0.5f, 1.0f, -0.75f});
     CHECK(out.at(2, 2, 3) == 3.0f);
   }
+  // Clamped, the first texel alone: along u, and then along v.
+  bench.material.normal_texture.wrap_u = Wrap::Clamp;
+  check_direction(texel(bench.run(detailed_casters())["caster_normal"], 2, 2), {1.0f, 1.0f, -0.25f});
+  bench.material.normal_texture.wrap_v = Wrap::Clamp;
+  check_direction(texel(bench.run(detailed_casters())["caster_normal"], 2, 2), {1.0f, 1.0f, 0.0f});
+  bench.material.normal_texture.wrap_u = bench.material.normal_texture.wrap_v = Wrap::Repeat;
   // Half the scale, half the lean.
   bench.material.normal_scale = 0.5f;
   check_direction(texel(bench.run(detailed_casters())["caster_normal"], 2, 2), {0.25f, 1.0f, -0.125f});

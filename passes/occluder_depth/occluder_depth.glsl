@@ -18,6 +18,7 @@ void main() {
   set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
+#include "passes/shared/wrapped.glsl"
 #include "passes/shared/alpha_mask.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/outside_tile.glsl"

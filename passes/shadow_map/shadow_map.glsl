@@ -21,6 +21,7 @@ void main() {
 }
 #else
 OUTPUT(0, Vec4, shadow_depth)
+#include "passes/shared/wrapped.glsl"
 #include "passes/shared/alpha_mask.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/outside_tile.glsl"

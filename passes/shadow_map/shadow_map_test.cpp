@@ -72,6 +72,9 @@ TEST_CASE("shadow_map: an alpha mask cuts holes, and an opaque material ignores 
   material.base_color_texture.uv_transform[2][0] = 0.5f;  // the texture's halves change places
   CHECK(depths(level(2.0f), view, material, base_color).at(1, 2, 0) == Approx(8.0));
   CHECK(depths(level(2.0f), view, material, base_color).at(2, 2, 0) == 1e30f);
+  material.base_color_texture.wrap_u = Wrap::Clamp;  // the right half goes on
+  CHECK(depths(level(2.0f), view, material, base_color).at(2, 2, 0) == Approx(8.0));
+  material.base_color_texture.wrap_u = Wrap::Repeat;
   material.base_color_texture.uv_transform[2][0] = 0.0f;
   base_color.at(0, 0, 3) = material.alpha_cutoff;  // as opaque as the cutoff stays
   CHECK(depths(level(2.0f), view, material, base_color).at(1, 2, 0) == Approx(8.0));

@@ -5,15 +5,24 @@
 
 namespace caustics::std140 {
 
+#define CONSTANT(name, value) inline constexpr int name = value;
 #include "passes/shared/texture_transform.glsl"
+#undef CONSTANT
+
+static_assert(WRAP_REPEAT == static_cast<int>(Wrap::Repeat) && WRAP_CLAMP == static_cast<int>(Wrap::Clamp) &&
+              WRAP_MIRROR == static_cast<int>(Wrap::Mirror));
 
 inline TextureTransform texture_transform(const caustics::TextureUse& use) {
   const glm::mat3& m = use.uv_transform;
-  return {.row0 = glm::vec3(m[0][0], m[1][0], m[2][0]), .row1 = glm::vec3(m[0][1], m[1][1], m[2][1])};
+  return {.row0 = glm::vec3(m[0][0], m[1][0], m[2][0]),
+          .wrap_u = static_cast<int>(use.wrap_u),
+          .row1 = glm::vec3(m[0][1], m[1][1], m[2][1]),
+          .wrap_v = static_cast<int>(use.wrap_v)};
 }
 
 inline SurfaceTexture surface_texture(const caustics::TextureUse& use) {
-  return {.uv = texture_transform(use), .levels = use.present() ? use.levels : 0};
+  return {
+      .uv = texture_transform(use), .levels = use.present() ? use.levels : 0, .nearest = use.nearest ? 1 : 0};
 }
 
 // `cutoff`: 0 for no mask.

@@ -18,6 +18,7 @@ void main() {
   set_position(view_clip(u.view, view_coordinates(u.view, position)));
 }
 #else
+#include "passes/shared/wrapped.glsl"
 #include "passes/shared/alpha_mask.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
@@ -48,7 +49,7 @@ Vec3 let_through(Vec3 d) {
   Float opacity = Float(u.alpha_mask.opacity);
   if (u.has_base_color != 0) {
     Vec2 at = transformed_uv(u.base_color_uv, surface_uv);
-    Vec4 texel = fetch_repeat(base_color, at.x, at.y);
+    Vec4 texel = fetch_wrapped(base_color, u.base_color_uv, at);
     color = color * Vec3(texel);
     opacity = opacity * texel.w;
   }

@@ -17,15 +17,17 @@ void main() {
 }
 #else
 #include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/wrapped.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/outside_tile.glsl"
 #include "passes/shared/tangent_space.glsl"
 
-// glTF's alpha mask: is the base colour's alpha below the cutoff here? Nearest texel, repeated.
+// glTF's alpha mask: is the base colour's alpha below the cutoff here? Nearest texel.
 Bool cut_out_here() {
   Float opacity = Float(u.mask.opacity);
   if (u.mask.textured != 0) {
-    Vec4 texel = fetch_nearest(base_color, color_uv.x - floor(color_uv.x), color_uv.y - floor(color_uv.y));
+    Vec2 place = wrapped(u.mask.uv, color_uv);
+    Vec4 texel = fetch_nearest(base_color, place.x, place.y);
     opacity = opacity * texel.w;
   }
   return opacity < u.mask.cutoff;
@@ -38,7 +40,7 @@ Bool is_not_drawn() { return outside_tile(u.view, u.map_side) || cut_out_here();
 Vec3 caster_normal_here() {
   Vec3 n = normalize_or(surface_normal, Vec3(0.0f, 1.0f, 0.0f));
   if (u.has_normal_texture != 0) {
-    Vec4 texel = fetch_repeat(normal_texture, normal_uv.x, normal_uv.y);
+    Vec4 texel = fetch_wrapped(normal_texture, u.normal_uv, normal_uv);
     Vec3 local = tangent_space_normal(texel, Float(u.normal_scale));
     local.z = max_of(local.z, 0.01f);
     n = leaned_normal(n, surface_tangent, local);

@@ -41,6 +41,7 @@ OUTPUT(6, Float, view_ambient)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/view_space.glsl"
+#include "passes/shared/wrapped.glsl"
 #include "passes/shared/material.glsl"
 #include "passes/shared/transformed_uv.glsl"
 #include "passes/shared/mip_levels.glsl"
@@ -148,8 +149,8 @@ Vec4 base_factor_here() {
 Float finest_opacity() {
   Float opacity = base_factor_here().w;
   if (u.alpha_cutoff > 0.0f && u.base_color_use.levels > 0) {
-    Vec2 uv = transformed_uv(u.base_color_use.uv, surface_uv);
-    opacity = opacity * fetch_repeat(base_color, uv.x, uv.y).w;
+    Vec2 place = wrapped(u.base_color_use.uv, transformed_uv(u.base_color_use.uv, surface_uv));
+    opacity = opacity * fetch_finest(base_color, u.base_color_use, place).w;
   }
   return opacity;
 }

@@ -165,6 +165,36 @@ TEST_CASE("view_surfaces: colours of the vertices, between them interpolated, mu
   CHECK(see(mesh, plain())["view_albedo"].at(0, 3, 0) == Approx(0.8));
 }
 
+TEST_CASE(
+    "view_surfaces: beyond the picture a clamped texture keeps its border and a mirrored one turns back") {
+  // Texels 0 and 1, their middles at 0.25 and 0.75; pixel i looks at 0.25 i - 0.375.
+  const auto seen_along = [](Wrap wrap, bool upwards, bool nearest = false) {
+    Image texels(Format::RGBA16F, upwards ? 1 : 2, upwards ? 2 : 1);
+    for (int c = 0; c < 4; ++c) texels.at(upwards ? 0 : 1, upwards ? 1 : 0, c) = 1.0f;
+    const int axis = upwards ? 1 : 0;
+    Material material = plain();
+    material.base_color = glm::vec4(1.0f);
+    TextureUse& use = material.base_color_texture;
+    use.image = 0;
+    use.uv_transform[axis][axis] = 2.0f;
+    use.uv_transform[2][axis] = -0.5f;
+    (upwards ? use.wrap_v : use.wrap_u) = wrap;
+    use.nearest = nearest;
+    const Image albedo = see(quad(kFront, {0.0f, 1.0f, 0.0f}), material, {texels})["view_albedo"];
+    std::vector<float> values;
+    for (int i = 0; i < 8; ++i) values.push_back(albedo.at(upwards ? 3 : i, upwards ? i : 3, 0));
+    return values;
+  };
+  using Values = std::vector<float>;
+  for (const bool upwards : {false, true}) {
+    CHECK(seen_along(Wrap::Repeat, upwards) ==
+          Values{0.75f, 0.75f, 0.25f, 0.25f, 0.75f, 0.75f, 0.25f, 0.25f});
+    CHECK(seen_along(Wrap::Clamp, upwards) == Values{0.0f, 0.0f, 0.0f, 0.25f, 0.75f, 1.0f, 1.0f, 1.0f});
+    CHECK(seen_along(Wrap::Mirror, upwards) == Values{0.25f, 0.0f, 0.0f, 0.25f, 0.75f, 1.0f, 1.0f, 0.75f});
+    CHECK(seen_along(Wrap::Repeat, upwards, true) == Values{1.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f});
+  }
+}
+
 TEST_CASE("view_surfaces: a normal texture leans the normal in tangent space") {
   // The square's tangent is +x, its normal +y, so the bitangent n x t is -z. Red 1 and blue 1 stand for
   // (1, 0, 1): halfway between tangent and normal. Green likewise along the bitangent.
@@ -452,6 +482,32 @@ TEST_CASE("view_surfaces: a pixel sees more of a texture where the surface leans
   const View view = down(2.0, 10.0, 20.0);
   CHECK(stripes_seen(1.5f, kSquare, view).x == Approx(0.625));
   CHECK(stripes_seen(1.5f, leaning, view).x == Approx(0.5 * 0.625 + 0.5 * 0.5));
+}
+
+TEST_CASE("view_surfaces: a clamped texture's coarser levels keep their borders too") {
+  // Columns 0, 0, 1, 1, of which the next level has 0, 1. Two texels a pixel: that level, at 0.125 of it,
+  // where it repeats a quarter of the way from the border to the other one.
+  Image halves(Format::RGBA16F, 4, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 2; x < 4; ++x)
+      for (int c = 0; c < 4; ++c) halves.at(x, y, c) = 1.0f;
+  std::vector<Image> bound(10);
+  bound[0] = halves;
+  bound[5] = coarser_levels(halves);
+  Material material = plain();
+  material.base_color = glm::vec4(1.0f);
+  TextureUse& use = material.base_color_texture;
+  use.image = 0;
+  use.levels = 3;
+  use.uv_transform[0][0] = use.uv_transform[1][1] = 4.0f;
+  use.uv_transform[2][0] = 0.125f - 4.0f * 2.5f / 8.0f;
+  const auto seen = [&](Wrap wrap) {
+    use.wrap_u = wrap;
+    return see(kSquare, material, bound)["view_albedo"].at(2, 4, 0);
+  };
+  CHECK(seen(Wrap::Repeat) == 0.25f);
+  CHECK(seen(Wrap::Clamp) == 0.0f);
+  CHECK(seen(Wrap::Mirror) == 0.0f);
 }
 
 TEST_CASE("view_surfaces: a mask's holes are those of the finest level") {

@@ -18,12 +18,18 @@
 
 namespace caustics {
 
+// What a sampler makes of coordinates beyond the picture, along an axis.
+enum class Wrap : std::uint8_t { Repeat, Clamp, Mirror };
+
 // A texture as a material uses it. Values are linear (sRGB images are decoded on loading), row 0 is
 // the bottom row; glTF's v axis is flipped on loading so that (0, 0) is the bottom left corner.
 struct TextureUse {
   int image = -1;  // index into Scene::images, -1: none
   // uv' = rows * (u, v, 1): KHR_texture_transform and the flip of v.
   glm::mat3 uv_transform{1.0f};
+  Wrap wrap_u = Wrap::Repeat, wrap_v = Wrap::Repeat;
+  // Where a texel is wider than what a sample sees it is shown as it is, not interpolated.
+  bool nearest = false;
   int levels = 1;  // of its mip map; the second and on are in Scene::coarser
   bool present() const { return image >= 0; }
 };

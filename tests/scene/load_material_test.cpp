@@ -196,6 +196,30 @@ TEST_CASE("A colour texture is decoded to linear half floats with its bottom row
   CHECK(scene.coarser.at(0).at(0, 0, 0) == Approx((1.0 + 2 * 0.50293) / 4).margin(2.5e-4));
 }
 
+TEST_CASE("A sampler says how a texture goes on along each axis, and whether it is interpolated") {
+  const auto use_of = [](const std::string& sampler) {
+    std::string text = textured(kBase, std::string("data:image/png;base64,") + kPng);
+    const std::string plain = R"("textures":[{"source":0}])";
+    text.replace(text.find(plain), plain.size(),
+                 R"("samplers":[{},{)" + sampler + R"(}],"textures":[{"source":0,"sampler":1}])");
+    Scene scene = load_text(text);
+    return std::pair(scene.materials.at(0).base_color_texture, scene.notes);
+  };
+  const auto [plain, none] = use_of("");
+  CHECK(plain.wrap_u == Wrap::Repeat);
+  CHECK(plain.wrap_v == Wrap::Repeat);
+  CHECK_FALSE(plain.nearest);
+  // CLAMP_TO_EDGE, MIRRORED_REPEAT, NEAREST (glTF 2.0, 5.26).
+  const auto [use, notes] = use_of(R"("wrapS":33071,"wrapT":33648,"magFilter":9728)");
+  CHECK(use.wrap_u == Wrap::Clamp);
+  CHECK(use.wrap_v == Wrap::Mirror);
+  CHECK(use.nearest);
+  CHECK(notes == none);
+  const auto [other, noted] = use_of(R"("wrapS":10496,"wrapT":10497)");
+  CHECK(other.wrap_u == Wrap::Repeat);
+  CHECK(contains(noted.at(0), "samplers[1].wrapS is no wrap mode of glTF: the texture repeats."));
+}
+
 TEST_CASE("A normal texture of 16 bits a channel keeps its steps") {
   // One texel: 32769, 32768, 65535.
   const std::string png =

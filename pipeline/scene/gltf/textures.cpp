@@ -71,6 +71,16 @@ glm::mat3 uv_transform(const Cursor& info) {
                    glm::vec3(ox, 1 - oy, 1));
 }
 
+// OpenGL's numbers, as glTF has them (5.26.3).
+Wrap wrap_of(Context& context, const Cursor& mode) {
+  constexpr int kRepeat = 10497, kClampToEdge = 33071, kMirroredRepeat = 33648;
+  const int number = static_cast<int>(mode.integer(0, 65535, kRepeat));
+  if (number == kClampToEdge) return Wrap::Clamp;
+  if (number == kMirroredRepeat) return Wrap::Mirror;
+  if (number != kRepeat) context.note(mode.path() + " is no wrap mode of glTF: the texture repeats.");
+  return Wrap::Repeat;
+}
+
 // The note of a failed resource: its message without the file's name and the advice.
 std::string reason(const Context& context, const Error& error) {
   std::string what = error.what();
@@ -95,18 +105,20 @@ std::optional<int> Textures::image_index(const Cursor& info) {
   const Cursor image = webp.present() ? webp : texture.member("source");
   const auto source = image.optional_index("images", root_.member("images").size());
   if (!source) context_.note(texture.path() + " has no PNG, JPEG or WebP image and is left out.");
-  const Cursor samplers = root_.member("samplers");
-  const auto sampler = texture.member("sampler").optional_index("samplers", samplers.size());
-  if (sampler) {
-    const Cursor how = samplers.element(static_cast<std::size_t>(*sampler));
-    if (how.member("wrapS").integer(0, 65535, 10497) != 10497 ||
-        how.member("wrapT").integer(0, 65535, 10497) != 10497) {
-      context_.note("Textures always repeat; other wrap modes of samplers are ignored.");
-    }
-    if (how.member("magFilter").integer(0, 65535, 9729) == 9728)
-      context_.note("Textures are always interpolated; samplers that ask for the nearest texel are ignored.");
-  }
   return source;
+}
+
+// How the texture's sampler reads it; `info` stands on one that image_index has accepted.
+void Textures::read_sampler(const Cursor& info, TextureUse& use) const {
+  const Cursor textures = root_.member("textures"), samplers = root_.member("samplers");
+  const Cursor texture =
+      textures.element(static_cast<std::size_t>(info.member("index").index("textures", textures.size())));
+  const auto sampler = texture.member("sampler").optional_index("samplers", samplers.size());
+  if (!sampler) return;
+  const Cursor how = samplers.element(static_cast<std::size_t>(*sampler));
+  use.wrap_u = wrap_of(context_, how.member("wrapS"));
+  use.wrap_v = wrap_of(context_, how.member("wrapT"));
+  use.nearest = how.member("magFilter").integer(0, 65535, 9729) == 9728;
 }
 
 Bytes Textures::image_bytes(const Cursor& image) {
@@ -147,6 +159,7 @@ TextureUse Textures::use(const Cursor& info, Reading reading) {
   const auto source = image_index(info);
   if (!source) return result;
   result.uv_transform = uv_transform(info);
+  read_sampler(info, result);
   const auto key = std::make_pair(*source, reading);
   const auto known = loaded_.find(key);
   if (known != loaded_.end()) {

@@ -43,6 +43,7 @@ class Textures {
 
  private:
   std::optional<int> image_index(const Cursor& info);
+  void read_sampler(const Cursor& info, TextureUse& use) const;
   bool decode(int image, Pixels& pixels);
   Bytes image_bytes(const Cursor& image);
 

@@ -95,7 +95,7 @@ def textured():
     material['extensions']['KHR_materials_transmission']['transmissionTexture'] = grey
     material['emissiveTexture'], material['emissiveFactor'] = grey, [0.1, 0, 0]
     material['alphaMode'], material['alphaCutoff'] = 'MASK', 0.3
-    file.document['samplers'] = [{'wrapS': 33071, 'wrapT': 10497}]
+    file.document['samplers'] = [{'wrapS': 33071, 'wrapT': 33648}]
     file.document['textures'][0]['sampler'] = 0
     file.node(mesh=file.mesh(square(1.0, 0.5), file.material(**material), uvs=UVS,
                              tangents=[(1, 0, 0, 1)] * 4))
