@@ -220,6 +220,22 @@ TEST_CASE("A sampler says how a texture goes on along each axis, and whether it 
   CHECK(contains(noted.at(0), "samplers[1].wrapS is no wrap mode of glTF: the texture repeats."));
 }
 
+TEST_CASE("What a blended material's texture covers at least and at most is known, of no other material") {
+  // Alpha 204, 51 over 102, 153.
+  const std::string png =
+      "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAFklEQVR42mPg+iV3BoiNGYBEGhDPBAA6iwaHbzjEJAAA"
+      "AABJRU5ErkJggg==";
+  const auto material = [&](const std::string& mode) {
+    return load_text(textured(kBase + R"(,"alphaMode":")" + mode + '"', "data:image/png;base64," + png))
+        .materials.at(0);
+  };
+  const Material blended = material("BLEND");
+  CHECK(blended.least_alpha == stored_value(Format::RGBA16F, 51.0f / 255.0f));
+  CHECK(blended.most_alpha == stored_value(Format::RGBA16F, 204.0f / 255.0f));
+  CHECK(material("OPAQUE").least_alpha == 1.0f);
+  CHECK(material("MASK").most_alpha == 1.0f);
+}
+
 TEST_CASE("A normal texture of 16 bits a channel keeps its steps") {
   // One texel: 32769, 32768, 65535.
   const std::string png =
