@@ -280,7 +280,7 @@ TEST_CASE("glass: a rough slab shows the mean of what lies behind it") {
   CHECK(blurred.at(3, 4, 0) > sharp.at(3, 4, 0) + 0.05f);
 }
 
-TEST_CASE("glass: a rough wall does not bend the view, and tints it; a closed body of them twice") {
+TEST_CASE("glass: a rough wall tints the view and bends nothing, a closed body of them tints twice") {
   // All that lies below is 1. At 20 degrees each face mirrors r = 0.040266, both 2 r / (1 + r) = 0.077415, of
   // a black sky.
   Bench bench;

@@ -10,8 +10,8 @@ Vec3 towards_camera(Vec3 p) {
 
 Float depth_of(Vec3 p) { return dot3(p - Vec3(u.eye), Vec3(u.forward)); }
 
-// Of a diffuse surface's coat or of rough metal, for its irradiance. A caustic's counts as if it came straight
-// from the light: maps hold no directions.
+// Of a diffuse surface's coat or of rough metal, for its irradiance. A caustic's counts as if it came
+// straight from the light: maps hold no directions.
 Vec3 receiver_highlight(IN(SurfacePoint) surface, Vec3 irradiance) {
   // One texel of zeros where no picture is wanted of the frame.
   Vec4 specular = fetch_clamped(view_specular, surface.column, surface.row);
