@@ -30,16 +30,16 @@ std::uint64_t float_bytes(const TextureOrMemory& texture) {
          static_cast<std::uint64_t>(channel_count(texture.format)) * sizeof(float);
 }
 
-// Meshes and images, here and on the device.
+// Meshes, here and on the device, and images, which the software device reads here.
 std::uint64_t scene_bytes(const Scene& scene) {
-  std::uint64_t sum = 0, densities = 0;
+  std::uint64_t sum = 0, densities = 0, texels = 0;
   for (const Mesh& mesh : scene.meshes) {
     sum += mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
     densities += mesh.vertices.size() * sizeof(glm::vec2);
   }
   for (const auto* images : {&scene.images, &scene.coarser})
-    for (const Image& image : *images) sum += image.values.size() * sizeof(float);
-  return 2 * sum + densities;
+    for (const Image& image : *images) texels += image.values.size() * sizeof(float);
+  return 2 * sum + densities + texels;
 }
 
 // Of the trees of casters and receivers, which rays for the model's error are followed through.

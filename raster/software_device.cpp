@@ -47,6 +47,7 @@ class SoftwareDevice final : public Device {
   }
 
   TextureId upload(const Image& image) override { return insert(Texture(image)); }
+  TextureId share(const Image& image) override { return insert(Texture::sharing(image)); }
 
   void destroy(TextureId texture) override { textures_.erase(texture); }
 
@@ -122,6 +123,13 @@ class SoftwareDevice final : public Device {
     return found->second;
   }
 
+  Texture& target_of(TextureId id) {
+    Texture& texture = textures_.at(id);
+    if (texture.values.get_deleter().is_shared)
+      throw Error(ExitCode::InternalError, "a shared image is drawn into");
+    return texture;
+  }
+
   static void check_indices(const MeshData& mesh) {
     const std::size_t count = mesh.vertex_count();
     for (const std::uint32_t index : mesh.indices)
@@ -147,10 +155,10 @@ class SoftwareDevice final : public Device {
     const PassDefinition& definition = *run.definition;
     RenderTarget target;
     for (std::size_t i = 0; i < run.colors.size(); ++i)
-      target.colors.push_back({run.colors[i] == TextureId::None ? nullptr : &textures_.at(run.colors[i]),
+      target.colors.push_back({run.colors[i] == TextureId::None ? nullptr : &target_of(run.colors[i]),
                                &definition.writes[i], !run.keep.empty() && run.keep[i]});
     if (definition.depth) {
-      target.depth = &textures_.at(run.depth);
+      target.depth = &target_of(run.depth);
       target.depth_clear = definition.depth->clear;
       target.keep_depth = !run.keep.empty() && run.keep.back();
     }

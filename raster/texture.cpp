@@ -35,6 +35,7 @@ std::size_t bytes_of_pages(std::size_t bytes) {
 }  // namespace
 
 void FreeTexels::operator()(float* texels) const {
+  if (is_shared) return;
   if (mapped > 0)
     munmap(texels, mapped);
   else

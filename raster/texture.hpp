@@ -19,6 +19,7 @@ inline bool same_bits(const std::array<float, 4>& a, const std::array<float, 4>&
 
 struct FreeTexels {
   std::size_t mapped = 0;  // bytes; 0: of the heap
+  bool is_shared = false;  // they are somebody else's
   void operator()(float* texels) const;
 };
 using Texels = std::unique_ptr<float[], FreeTexels>;
@@ -42,6 +43,9 @@ struct Texture {
     std::copy(image.values.begin(), image.values.end(), values.get());
     is_in_ = true;
   }
+
+  // Reads where the image lies.
+  static Texture sharing(const Image& image) { return Texture(image.shape, image.values.data()); }
 
   // Before it is drawn into for the first time: has its large pages made, each by one thread. Two that touch
   // the same page at once would both be given a cleared one, and one of these be thrown away.
@@ -73,6 +77,9 @@ struct Texture {
   }
 
  private:
+  Texture(const ImageShape& s, const float* shared)
+      : shape(s), values(const_cast<float*>(shared), FreeTexels{0, true}), is_in_(true) {}
+
   bool is_in_ = false;
 };
 

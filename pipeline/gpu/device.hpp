@@ -30,6 +30,9 @@ class Device {
   virtual TextureId create_texture(Format format, int width, int height) = 0;
   // A texture holding the image.
   virtual TextureId upload(const Image& image) = 0;
+  // Likewise, to be read only, of an image that stays as it is until the texture is destroyed: a device whose
+  // textures lie in this memory makes no copy of it.
+  virtual TextureId share(const Image& image) { return upload(image); }
   virtual void destroy(TextureId texture) = 0;
   virtual MeshId create_mesh(const MeshData& mesh) = 0;
   // Other contents for a mesh; layout and numbers of vertices and indices must stay as they are, else

@@ -49,15 +49,15 @@ SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device&
   // Each has its owner before the list may fail to grow.
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     meshes_.push_back(OwnedMesh(device, device.create_mesh(mesh_data(scene, i))));
-  for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.upload(image)));
+  for (const Image& image : scene.images) images_.push_back(OwnedTexture(device, device.share(image)));
   for (std::size_t i = 0; i < scene.coarser.size(); ++i)
     if (!scene.coarser[i].values.empty())
-      coarser_[static_cast<int>(i)] = {device, device.upload(scene.coarser[i])};
+      coarser_[static_cast<int>(i)] = {device, device.share(scene.coarser[i])};
   upload_caster_materials(effects);
   number_triangles(effects);
   for (std::size_t i = 0; i < scene.waters.size(); ++i)
     externals_[water_texture(kWaterBefore, i)] = {device, device.upload(scene.waters[i].before)};
-  if (scene.environment.image) externals_[kEnvironment] = {device, device.upload(*scene.environment.image)};
+  if (scene.environment.image) externals_[kEnvironment] = {device, device.share(*scene.environment.image)};
 }
 
 void SceneOnDevice::renew_waters(bool with_state) {

@@ -10,7 +10,8 @@
 
 namespace caustics {
 
-// Uploads on construction, releases on destruction; the scene and the device must outlive it.
+// Uploads on construction, releases on destruction; the scene and the device must outlive it. Images and
+// environment are shared with the device.
 // Meshes carry the attributes "position" 3, "normal" 3, "tangent" 4 (or Mesh::colors), "uv" 2,
 // "uv_density" 2.
 class SceneOnDevice {
