@@ -85,8 +85,10 @@ def expected_bytes(count, lights, coloured):
         # The picture's shading is one for all lights, a caustic map one for all branches.
         # Without casters there is no caustic irradiance.
         total += SHARED.get(name, 0) // (1 if "landing" in count else 2)
-        # What surfaces mirror of the lights.
+        # What surfaces mirror of the lights; and what glass and metal before them do.
         total += HIGHLIGHT.get(name, 0)
+        if name == "light_shading" and ("glass" in count or "walked_glass" in count):
+            total += HIGHLIGHT[name]
         total += lights * (16 if coloured else 4) * MAP if name in MAPS else 0
     return total
 
