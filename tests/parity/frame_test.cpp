@@ -68,6 +68,8 @@ Scene textured_scene() {
     material.normal_texture.image = 1;
     material.normal_scale = 0.3f;
     material.transmission_texture.image = 2;
+    material.base_color_texture.wrap_u = material.normal_texture.wrap_v = Wrap::Mirror;
+    material.transmission_texture.wrap_u = Wrap::Clamp;
     material.alpha_mode = AlphaMode::Mask;
     material.alpha_cutoff = 0.2f;
   }
@@ -77,6 +79,9 @@ Scene textured_scene() {
       receiver.metallic_roughness_texture.image = receiver.occlusion_texture.image = 0;
   receiver.normal_texture.image = 1;
   receiver.occlusion_strength = 0.7f;
+  receiver.normal_texture.wrap_u = receiver.emissive_texture.wrap_v = Wrap::Clamp;
+  receiver.base_color_texture.wrap_v = Wrap::Mirror;
+  receiver.base_color_texture.nearest = true;
   Material& veil = scene.materials[4];  // some of it opaque
   veil.base_color_texture.image = 0;
   veil.base_color.a = 1.0f;
