@@ -26,7 +26,8 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
   const auto fit = [&](const Settings& settings, std::vector<LandingSurvey>* surveys) {
     frame.settings = settings;
     frame.effects = effects_of(scene, settings, seen ? &*seen : nullptr);
-    if (asked.grid.automatic && all_light_is_spread(frame.effects)) frame.settings.grid = kGridOfSpreadLight;
+    if (asked.grid.automatic && frame.effects.rough_glass.active)
+      frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;
     if (without) frame.effects.*without = {false, "left out on request"};
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings);

@@ -16,9 +16,9 @@ bool chooses_sides(const Scene& scene, const Settings& settings);
 Settings with_least_sides(Settings settings);
 
 // Is every caster rough glass? Then no caustic has a sharp edge, the least map is enough, and of grid
-// vertices, which each way through it follows, this many a side.
+// vertices, which each way through it follows, this many a side; more where others stand beside it.
 bool all_light_is_spread(const Effects& effects);
-inline constexpr int kGridOfSpreadLight = 256;
+inline constexpr int kGridOfSpreadLight = 256, kGridBesideSpreadLight = 384;
 
 // The same, with the least sides for which maps blur no more of the caustics' light over their edges, as the
 // camera sees them, than 0.4 %, or the largest that may be expected to take at most twice the time of the

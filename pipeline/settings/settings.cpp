@@ -180,9 +180,10 @@ constexpr Setting staged(std::string_view name, Part part, std::string_view take
 constexpr Setting kTable[] = {
     number<&S::width>("width", Part::View, {1, 16384, "pixels"}, "width of the picture"),
     number<&S::height>("height", Part::View, {1, 16384, "pixels"}, "height of the picture"),
-    side<&S::grid>("grid", Part::Maps, {1, 8192},
-                   "grid vertices a side: rays from the light; auto: 512 to 704, with the map; 256 where all "
-                   "glass is rough"),
+    side<&S::grid>(
+        "grid", Part::Maps, {1, 8192},
+        "grid vertices a side: rays from the light; auto: 512 to 704, with the map; 256 or 384 with "
+        "rough glass"),
     side<&S::map>("map", Part::Maps, {1, 8192, "texels"},
                   "side of caustic and receiver map; auto: 512 to 1280, as the picture shows sharp edges"),
     number<&S::shadow>("shadow", Part::Maps, {1, 8192, "texels"}, "side of the shadow map"),
