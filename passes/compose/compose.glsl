@@ -54,9 +54,9 @@ Vec3 ray_direction() {
 }
 
 // What a surface mirrors of the environment along a camera's ray: between the sharp image and the mean over
-// the cosine by its roughness, times glTF's specular BRDF over all directions. Of that, what a reflectance of 1
-// sends back is fitted to its integral, to 2 % in the mean and 11 % at grazing view; the share that Fresnel adds
-// to a reflectance of 0 is from Karis, "Physically based shading on mobile", 2014.
+// the cosine by its roughness, times glTF's specular BRDF over all directions. Of that, what a reflectance of
+// 1 sends back is fitted to its integral, to 2 % in the mean and 11 % at grazing view; the share that Fresnel
+// adds to a reflectance of 0 is from Karis, "Physically based shading on mobile", 2014.
 Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
   Float cosine = clamp_to(-dot3(n, sight), 0.0f, 1.0f);
   Vec3 onward = normalize_or(sight + n * (2.0f * cosine), n);
