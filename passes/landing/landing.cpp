@@ -43,8 +43,8 @@ Pass landing_pass() {
                 {.name = "caster_exit_normal", .meaning = "its normals", .optional = true},
                 {.name = "receiver_position", .meaning = "what the light can land on"},
                 {.name = "caster_materials",
-                 .meaning = "row a material: index of refraction n_d, n_F - n_C, 1 for a mirror; "
-                            "absorption per metre, 1 for a solid; base colour"},
+                 .meaning = "row a material: index of refraction n_d, n_F - n_C, 1 for a mirror, -1 "
+                            "for a rough wall; absorption per metre, 1 for a solid; base colour"},
                 {.name = "caster_tint",
                  .meaning = "the grid vertices' colours, where textures give them",
                  .optional = true},
