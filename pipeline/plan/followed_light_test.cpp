@@ -47,7 +47,7 @@ Names labels_of(const FramePlan& plan, bool (*wanted)(const PlannedPass&) = foll
   return labels;
 }
 
-const PlannedPass& pass_of(const FramePlan& plan, const std::string& label) {
+PlannedPass pass_of(const FramePlan& plan, const std::string& label) {
   const auto found = std::find_if(plan.passes.begin(), plan.passes.end(),
                                   [&](const PlannedPass& pass) { return pass.label == label; });
   INFO(label);

@@ -29,5 +29,5 @@ TEST_CASE("scene on device: the software device reads images where they lie, and
   const PassDefinition definition = definition_of(pass);
   PassRun run{.definition = &definition, .colors = {on_device.image(0)}};
   run.draws.push_back({.vertex_count = 3, .uniforms = pass.uniforms({}), .textures = {source}});
-  CHECK_THROWS_WITH(device->run(run), Catch::Contains("a shared image is drawn into"));
+  CHECK_THROWS_WITH(device->run(run), "a shared image is drawn into");
 }
