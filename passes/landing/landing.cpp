@@ -22,6 +22,7 @@ std140::Landing landing_uniforms(const PassContext& context) {
   block.exit_tolerance = kExitTolerance;
   block.facets = glm::vec4(context.branch->facets);
   block.rough_from = context.settings->glass_roughness;
+  block.smooth_light = context.branch->smooth;
   return block;
 }
 

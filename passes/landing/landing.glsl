@@ -64,6 +64,7 @@ struct Entry {
   Vec2 slope;        // of the microfacets that its light enters by,
   Vec2 exit_slope;   // and leaves by
   Float reaching;    // the share of the light that blended surfaces before it leave
+  Float times;       // the light that the branch follows here for others
 };
 
 Entry entry_at(Int column, Int row) {
@@ -75,6 +76,7 @@ Entry entry_at(Int column, Int row) {
   entry.cell = cell_of(column, row, entry.covered);
   entry.covered = entry.cell.covered;
   entry.reaching = Float(1.0f);
+  entry.times = Float(1.0f);
   if (u.is_tinted != 0) entry.reaching = texel_fetch(reaching, column, row).x;
   if (u.only_unconverged != 0) {
     Vec4 before = texel_fetch(landed_before, column, row);
@@ -118,6 +120,8 @@ void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
   if (u.has_rough != 0 && u.is_reflection == 0) {
     entry.slope = slope_at(column, row, entry.material, Bool(false));
     entry.exit_slope = slope_at(column, row, entry.material, Bool(true));
+    entry.times = sel(width_of(entry.material) > 0.0f, Float(1.0f), Float(u.smooth_light));
+    entry.covered = entry.covered && entry.times > 0.0f;
   }
 }
 
@@ -446,6 +450,7 @@ void follow(IN(Entry) entry) {
   Incident light = light_onto(entry.cell, entry.point);
   if (u.is_tinted != 0) light.flux = light.flux * entry.reaching;
   if (u.paper_weights != 0) light.flux = equal_part(entry);
+  light.flux = light.flux * entry.times;
   FirstSurface first = enter_caster(entry, light);
   Exit exit = cross_caster(entry, light.direction, first);
   Landing end = fly_to_receiver(exit.ray);
@@ -475,7 +480,7 @@ void main() {
   Entry entry = entry_at(column, row);
   if (any_lane(entry.covered)) {
     find_surface_of(column, row, entry);
-    follow(entry);
+    if (any_lane(entry.covered)) follow(entry);
   }
 }
 #endif

@@ -296,6 +296,20 @@ TEST_CASE("landing: rough glass lets light out by another microfacet") {
   CHECK(bent_along_x(bench) == Approx(-0.5 * std::tan(std::asin(std::sin(lean) * 1.5) - lean)).epsilon(1e-4));
 }
 
+TEST_CASE("landing: beside rough glass one branch follows what is smooth for all of them") {
+  LandingBench bench;
+  bench.beside_rough = true;
+  bench.smooth_light = 16.0f;
+  const PassImages first = bench.run();
+  REQUIRE(landing_status(first) == LandingStatus::Landed);
+  CHECK(first["landing_flux"].at(0, 0, 0) == Approx(16 * 0.25 * 0.96));  // of the cell, 0.04 mirrored
+  CHECK(first["landing_fresnel"].at(0, 0, 3) == Approx(16 * 0.25));
+  bench.smooth_light = 0.0f;
+  CHECK(landing_status(bench.run()) == LandingStatus::Empty);
+  bench.roughness = 0.5f;
+  CHECK(bench.run()["landing_fresnel"].at(0, 0, 3) == Approx(0.25));
+}
+
 TEST_CASE("landing: a rough wall sends light on as its facet would mirror it, on the other side") {
   // The facet leans by atan 0.25 = 14.036 degrees, so what it mirrors leaves by twice that. At incidence of 0
   // each face mirrors 0.04, both 2 r / (1 + r) = 0.0769231; the colour counts once.

@@ -48,8 +48,9 @@ void add_reflections(const Settings& settings, Effects& effects) {
   add(true, "what refractors mirror throws a caustic, as asked for");
 }
 
-// Each branch once for each way through rough glass. Their microfacets are the first points of a sequence
-// that fills four dimensions evenly (Roberts 2018: powers of 1 / 1.16730397826, the root of x^5 = x + 1).
+// Each branch once for each way through rough glass; through smooth glass there is one. Their microfacets are
+// the first points of a sequence that fills four dimensions evenly (Roberts 2018: powers of 1 /
+// 1.16730397826, the root of x^5 = x + 1).
 std::vector<Branch> by_microfacets(const std::vector<Branch>& smooth, int ways) {
   constexpr double kSteps[4] = {0.856674883854502, 0.733891856627126, 0.628706721037855, 0.538597257223616};
   std::vector<Branch> branches;
@@ -58,6 +59,7 @@ std::vector<Branch> by_microfacets(const std::vector<Branch>& smooth, int ways) 
       Branch rough = branch;
       rough.name += (branch.name.empty() ? "way " : " way ") + std::to_string(way);
       rough.color /= static_cast<float>(ways);
+      rough.smooth = way == 1 ? static_cast<float>(ways) : 0.0f;
       for (int i = 0; i < 4; ++i) {
         const double place = way * kSteps[i];
         rough.facets[i] = place - std::floor(place);

@@ -24,7 +24,7 @@ struct Pixels {
 
 struct ImageToDecode {
   std::span<const std::uint8_t> bytes;
-  std::string format;   // of OpenImageIO: "png", "jpeg", "webp", "hdr", "openexr"
+  std::string format;   // of OpenImageIO: "jpeg", "webp", "hdr", "openexr"
   bool floats = false;  // else integers
   // Why an image of this width and height is refused, asked before memory is taken for it; empty: it is not.
   std::function<std::string(std::int64_t width, std::int64_t height)> refusal;

@@ -1,6 +1,8 @@
 # caustics_image_io: images in and out. It loads libcaustics_image_io.so, the module that links OpenImageIO,
-# when the first image is read or written.
+# when the first image is read or written, textures of PNG and JPEG apart.
 find_package(OpenImageIO REQUIRED)
+find_package(PNG REQUIRED)
+find_package(libjpeg-turbo CONFIG REQUIRED)
 # Debian 12's OpenImageIO names include folders (OpenCV's) that it does not depend on.
 get_target_property(oiio_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 set(oiio_existing "")
@@ -24,10 +26,11 @@ target_include_directories(caustics_image_io_module PRIVATE ${PROJECT_SOURCE_DIR
 target_link_libraries(caustics_image_io_module PRIVATE OpenImageIO::OpenImageIO)
 install(TARGETS caustics_image_io_module LIBRARY DESTINATION ${CAUSTICS_MODULE_FOLDER})
 
-add_library(caustics_image_io STATIC pipeline/image_io/image_io.cpp)
+add_library(caustics_image_io STATIC pipeline/image_io/image_io.cpp pipeline/image_io/png_and_jpeg.cpp)
 add_library(caustics::image_io ALIAS caustics_image_io)
 caustics_target_options(caustics_image_io)
 target_compile_definitions(caustics_image_io PRIVATE CAUSTICS_MODULE_FOLDER="${CAUSTICS_MODULE_FOLDER}"
   CAUSTICS_INSTALL_PREFIX="${CMAKE_INSTALL_PREFIX}" CAUSTICS_BUILD_FOLDER="${PROJECT_BINARY_DIR}")
-target_link_libraries(caustics_image_io PUBLIC caustics_pipeline PRIVATE ${CMAKE_DL_LIBS})
+target_link_libraries(caustics_image_io PUBLIC caustics_pipeline
+  PRIVATE PNG::PNG libjpeg-turbo::turbojpeg ${CMAKE_DL_LIBS})
 add_dependencies(caustics_image_io caustics_image_io_module)

@@ -40,7 +40,8 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
   std::vector<LandingSurvey> surveys;
   fit(with_least_sides(asked), chooses ? &surveys : nullptr);
   if (chooses && !all_light_is_spread(frame.effects)) {
-    const Settings chosen = with_sides_for_picture(frame.settings, scene, surveys, frame.views, *camera);
+    const Settings chosen = with_sides_for_picture(
+        frame.settings, scene, frame.effects.further_surfaces.active, surveys, frame.views, *camera);
     if (chosen.map != frame.settings.map) fit(chosen, nullptr);
   }
   const std::vector<PilotFinding> findings = findings_of(frame.views, frame.effects, camera);

@@ -23,11 +23,13 @@ std::vector<Landed> landed_light(const Scene& scene, const Settings& settings) {
   std::vector<Landed> landed;
   if (!effects.caustics.active) return landed;
   const LightPaths paths(scene, effects);
+  Settings even = settings;  // whatever the frame's grid is: the same rays, the same sun and camera
+  even.grid = kPilotRaysASide;
   const glm::dvec3 middle = subject_of(scene).centre();
   std::vector<LightLanding> landings;
   for (const int number : lights_to_pilot(scene, effects)) {
     const Light& light = scene.lights[static_cast<std::size_t>(number)];
-    const View casters = widest_views(scene, effects, settings, number).caster;
+    const View casters = widest_views(scene, effects, even, number).caster;
     landings.clear();
     for (const LightRay& ray : pilot_rays(light, casters)) paths.follow(ray, landings);
     double all = 0.0;

@@ -12,6 +12,9 @@ struct Sides {
 };
 // The grid need not grow as fast as the map (docs/accuracy.md has figures).
 constexpr Sides kSides[] = {{512, 512}, {768, 576}, {1024, 640}, {1280, 704}};
+// A vertex whose light is followed takes three to six times as long, and the ways that are left out err more
+// than the grid: it grows where cascades need half the map's side.
+constexpr Sides kSidesOfFollowed[] = {{512, 512}, {768, 512}, {1024, 512}, {1280, 640}};
 constexpr double kMostBlurred = 0.004;
 
 // What passes take of a pixel, of a vertex, of a cell in a cascade and of a texel that a cell's square
@@ -63,7 +66,7 @@ bool all_light_is_spread(const Effects& effects) {
                      [](const SurfaceRole& s) { return !is_caster(s.role) || s.rough; });
 }
 
-Settings with_sides_for_picture(Settings settings, const Scene& scene,
+Settings with_sides_for_picture(Settings settings, const Scene& scene, bool is_followed,
                                 const std::vector<LandingSurvey>& surveys,
                                 const std::vector<LightViews>& views, const View& camera) {
   const auto blurs = [&](int map) {
@@ -76,9 +79,10 @@ Settings with_sides_for_picture(Settings settings, const Scene& scene,
     }
     return blurred > kMostBlurred * all;
   };
-  const Sides* chosen = std::begin(kSides);
+  const auto& sides = is_followed ? kSidesOfFollowed : kSides;
+  const Sides* chosen = std::begin(sides);
   const double least = expected_time(settings, *chosen, surveys, views);
-  for (const Sides* finer = chosen + 1; finer != std::end(kSides) && blurs(chosen->map); ++finer) {
+  for (const Sides* finer = chosen + 1; finer != std::end(sides) && blurs(chosen->map); ++finer) {
     if (expected_time(settings, *finer, surveys, views) > kLongest * least) break;
     chosen = finer;
   }

@@ -23,8 +23,8 @@ inline constexpr int kGridOfSpreadLight = 256, kGridBesideSpreadLight = 384;
 // The same, with the least sides for which maps blur no more of the caustics' light over their edges, as the
 // camera sees them, than 0.4 %, or the largest that may be expected to take at most twice the time of the
 // least. `surveys` and `views` by Scene::lights. Lights that are drawn by several samples do not count: their
-// edges are soft.
-Settings with_sides_for_picture(Settings settings, const Scene& scene,
+// edges are soft. `is_followed`: light meets further surfaces, and the grid grows less.
+Settings with_sides_for_picture(Settings settings, const Scene& scene, bool is_followed,
                                 const std::vector<LandingSurvey>& surveys,
                                 const std::vector<LightViews>& views, const View& camera);
 

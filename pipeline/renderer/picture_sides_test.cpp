@@ -23,7 +23,8 @@ Scene lit_by(int samples) {
 }
 
 // A fold that holds `share` of the light in cells as wide as a pixel of the map's own size.
-Settings chosen(double share, int samples = 1, const std::vector<Window>& cells = {}) {
+Settings chosen(double share, int samples = 1, const std::vector<Window>& cells = {},
+                bool is_followed = false) {
   Settings settings;
   settings.width = 512;
   LightViews views;
@@ -34,7 +35,8 @@ Settings chosen(double share, int samples = 1, const std::vector<Window>& cells 
                              .cells = cells,
                              .flux = 1.0};
   const auto count = static_cast<std::size_t>(samples);
-  return with_sides_for_picture(settings, lit_by(samples), std::vector<LandingSurvey>(count, survey),
+  return with_sides_for_picture(settings, lit_by(samples), is_followed,
+                                std::vector<LandingSurvey>(count, survey),
                                 std::vector<LightViews>(count, views), window());
 }
 
@@ -53,6 +55,14 @@ TEST_CASE("picture sides: the least map that blurs no more than 0.4 % is chosen"
   CHECK(chosen(0.04).map == 1280);  // 0.47 % at 1024
   CHECK(chosen(1.0).map == 1280);   // not enough, and as much as there is
   CHECK(chosen(1.0).grid == 704);
+}
+
+TEST_CASE("picture sides: of light that is followed the grid grows when cascades need it to") {
+  const auto followed = [](double share) { return chosen(share, 1, {}, true); };
+  CHECK(followed(0.03).map == 1024);
+  CHECK(followed(0.03).grid == 512);
+  CHECK(followed(1.0).map == 1280);
+  CHECK(followed(1.0).grid == 640);
 }
 
 TEST_CASE("picture sides: where every caster is rough glass all light is spread") {

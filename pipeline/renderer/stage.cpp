@@ -29,7 +29,7 @@ constexpr double kCaught = 0.5;
 constexpr double kWidestCompany = 6.0, kWidestCatcher = 1.5, kCatches = 0.1;
 // What of the landed light the camera shows: the brightest first until this share of it, and nothing that is
 // less bright than this share of the light's own irradiance; within so many of the casters' radii.
-constexpr double kShownLight = 0.85, kLeastBright = 0.3, kShownReach = 3.5;
+constexpr double kShownLight = 0.9, kLeastBright = 0.2, kShownReach = 3.5;
 constexpr double kCellsARadius = 8.0;  // in which brightness is told
 constexpr Bearing kView{37.0f, 34.0f};
 constexpr double kFov = 0.6;  // radians
@@ -218,8 +218,11 @@ class Stage {
     std::vector<glm::dvec3> points =
         bright_part(landed_, subject_.centre(), kShownReach * radius, radius / kCellsARadius);
     const std::vector<double> caught = caught_by_mesh();
+    std::vector<glm::dvec3> company;
     for (std::size_t mesh = 0; mesh < scene_.meshes.size(); ++mesh)
-      if (is_company(mesh, caught[mesh])) add_points(scene_.meshes[mesh], points);
+      if (is_company(mesh, caught[mesh])) add_points(scene_.meshes[mesh], company);
+    for (const Light& light : scene_.lights) add_shadow(light, company, kShownReach * radius, points);
+    points.insert(points.end(), company.begin(), company.end());
     const double fov = settings_.fov ? static_cast<double>(*settings_.fov) * exact::kPi / 180.0 : kFov;
     Camera camera =
         framing_camera(points, -toward(settings_.view.value_or(kView)), fov,
@@ -228,6 +231,20 @@ class Stage {
     if (!settings_.view)
       say(kAddedCamera, "The scene has no camera: a three-quarter view from above was added.");
     scene_.cameras = {camera};
+  }
+
+  // That a sun throws onto an added ground, as far as caustics are shown.
+  void add_shadow(const Light& light, const std::vector<glm::dvec3>& company, double reach,
+                  std::vector<glm::dvec3>& points) const {
+    const auto ground = std::find_if(scene_.meshes.begin(), scene_.meshes.end(),
+                                     [](const Mesh& mesh) { return mesh.name == kGroundName; });
+    const double fall = -light.direction.y;
+    if (light.type != LightType::Directional || ground == scene_.meshes.end() || !(fall > 0.1)) return;
+    for (const glm::dvec3& p : company) {
+      const double height = p.y - static_cast<double>(ground->upper.y);
+      const glm::dvec3 q = p + light.direction * (std::max(height, 0.0) / fall);
+      if (exact::length(q - subject_.centre()) < reach) points.push_back(q);
+    }
   }
 
   // Its vertices; and where it is said to reach farther, as what moves does, its outline, or else the corners

@@ -29,7 +29,8 @@ struct Completed {
 //   caustics: under what stands on no floor, if the camera is added too. Never between the scene and a camera
 //   of its own below. It is twelve times as wide as the casters, and fades into the background;
 // - a camera where there is none, or settings.view asks for one: a three-quarter view from above of the
-//   casters, what stands by them, and the bright part of their caustics, as large as fits;
+//   casters, what stands by them, its shadow on an added ground, and all but the faintest of the caustics, as
+//   large as fits;
 // - a sky where there is no environment (pipeline/scene/defaults.hpp).
 // Throws Error, as effects_of does.
 Completed complete_scene(Scene& scene, const Settings& settings);

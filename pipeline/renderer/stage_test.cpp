@@ -81,6 +81,30 @@ TEST_CASE("stage: the added camera shows the object and the focus of its light, 
   CHECK(focus.y < 1.0);
 }
 
+TEST_CASE("stage: the added camera shows the shadow on an added ground") {
+  Scene scene = ball();
+  Settings settings;
+  set_option(settings, "sun", "217,35");  // behind the ball: its shadow comes towards the camera
+  complete_scene(scene, settings);
+  const glm::dvec3 d = scene.lights[0].direction;
+  for (const Vertex& vertex : scene.meshes[0].vertices) {
+    const glm::dvec3 p(vertex.position);
+    const glm::dvec2 shown = glm::abs(shown_at(scene.cameras.at(0), p - d * ((p.y + 1.0) / d.y)));
+    CHECK(shown.x < 1.0);
+    CHECK(shown.y < 1.0);
+  }
+}
+
+TEST_CASE("stage: sun and camera stand where they do whatever the grid is") {
+  Scene fine = ball(), coarse = ball();
+  Settings settings;
+  complete_scene(fine, settings);
+  settings.grid = 64;
+  complete_scene(coarse, settings);
+  CHECK(fine.lights[0].direction == coarse.lights[0].direction);
+  CHECK(fine.cameras.at(0).position == coarse.cameras.at(0).position);
+}
+
 TEST_CASE("stage: a ground is added where the light lands beside what is there") {
   // A floor beneath catches all of it; a shelf of the same size beside the ball nothing.
   Scene caught = ball({floor(4.0, -1.5, 0)}), missed = ball({box({5.0, -1.0, -1.0}, {5.5, 1.0, 1.0}, 0)});

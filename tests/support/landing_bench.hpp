@@ -62,6 +62,8 @@ struct LandingBench {
   std::optional<glm::vec3> tint;  // the grid vertices' own colour, in place of `color`
   float roughness = 0.0f;
   glm::vec4 facets{0.0f};
+  bool beside_rough = false;  // other casters are rough glass
+  float smooth_light = 1.0f;
   bool wyman = false;
   bool solid = false;
   bool thin = false;      // a rough wall
@@ -128,7 +130,8 @@ struct LandingBench {
     u.grid_side = 2;
     u.facets = facets;
     u.rough_from = 0.2f;
-    u.has_rough = roughness > 0.2f;
+    u.has_rough = roughness > 0.2f || beside_rough;
+    u.smooth_light = smooth_light;
     u.receivers_lower = receivers_lower;
     u.receivers_upper = receivers_upper;
     u.paper_weights = paper_weights;

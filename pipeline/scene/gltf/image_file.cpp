@@ -1,5 +1,7 @@
 #include "pipeline/scene/gltf/image_file.hpp"
 
+#include "pipeline/image_io/png_and_jpeg.hpp"
+
 namespace caustics::gltf {
 
 namespace {
@@ -8,8 +10,6 @@ constexpr int kMostScans = 200;  // progressive encoders write about ten
 
 const char* format_name(ImageKind kind) {
   switch (kind) {
-    case ImageKind::Png:
-      return "png";
     case ImageKind::Jpeg:
       return "jpeg";
     case ImageKind::Webp:
@@ -48,6 +48,14 @@ bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_s
     problem = "is a JPEG of " + std::to_string(header.scans) + " scans";
   }
   if (!problem.empty()) return false;
+  if (kind == ImageKind::Png) {
+    problem = decode_png(bytes, pixels);
+    return problem.empty();
+  }
+  if (kind == ImageKind::Jpeg && !has_four_inks(bytes)) {
+    problem = decode_jpeg(bytes, pixels);
+    return problem.empty();
+  }
   const bool floats = kind == ImageKind::Hdr || kind == ImageKind::Exr;
   // The size is checked again: this is what will be allocated.
   problem = image_io().decode({bytes, format_name(kind), floats,

@@ -22,7 +22,7 @@ int big_endian(Span bytes, std::size_t at, int count) {
 }
 
 // PNG specification 5.3 and 11.2: the first chunk is IHDR, width and height its first fields. All
-// chunks up to IEND must be there: OpenImageIO's reader leaks memory on data that end too early.
+// chunks up to IEND must be there.
 ImageHeader png_header(Span bytes) {
   ImageHeader header{ImageKind::Png, 0, 0, 0, ""};
   if (bytes.size() < 33 || !starts_with(bytes, "IHDR", 12)) {
