@@ -2,7 +2,7 @@
 
 #include "passes/landing/landing.hpp"
 #include "passes/shared/hierarchy_reads.hpp"
-#include "passes/shared/receiver_search_uniforms.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
@@ -11,12 +11,10 @@ extern const Shader land_shader;
 namespace {
 
 std140::Land land_uniforms(const PassContext& context) {
-  std140::Land block{};
-  set_receiver_search(block, context, kLandingTolerance);
-  block.caustic = shader_view(context.views->caustic);
-  block.channel_share = context.branch->color;
-  block.first_receiver = context.first_receiver;
-  return block;
+  return {.receiver = shader_view(context.views->receiver),
+          .caustic = shader_view(context.views->caustic),
+          .channel_share = context.branch->color,
+          .first_receiver = context.first_receiver};
 }
 
 std::vector<Read> land_reads() {
@@ -26,10 +24,7 @@ std::vector<Read> land_reads() {
   reads.push_back({.name = kCasterMaterials, .meaning = "a row a material"});
   reads.push_back(kReadHierarchyTriangles);
   reads.push_back(kReadHierarchyNormals);
-  reads.push_back({.name = "receiver_position", .meaning = "what the light can land on"});
-  reads.push_back({.name = "impostor_position",
-                   .meaning = "what lies around the casters, for the estimator impostor",
-                   .optional = true});
+  reads.push_back({.name = "receiver_position", .meaning = "what the light sees that its light can land on"});
   return reads;
 }
 
@@ -50,7 +45,7 @@ Pass land_pass() {
                   .keeps = true},
                  {.name = kLandingFlux,
                   .meaning = "rgb: flux that is left, relative to the light's intensity (square metres, or "
-                             "steradians); w: gap left by the estimator, metres",
+                             "steradians); w: 0",
                   .keeps = true},
                  {.name = kLandingAbsorbed,
                   .meaning = "rgb: flux absorbed in the material",
@@ -65,10 +60,7 @@ Pass land_pass() {
                       "caustic map",
                   .keeps = true}},
       .shaders = {{&land_shader, block_of<land_uniforms>}},
-      .choices = {kNewtonGuard,
-                  kDrawsUnconverged,
-                  kEstimator,
-                  {"can_be_hidden",
+      .choices = {{"can_be_hidden",
                    [](const PassContext& c) { return c.effects->receivers_are_one_plane ? 0 : 1; }},
                   {"is_last_round",
                    [](const PassContext& c) { return c.surface > c.settings->bounces ? 1 : 0; }}},

@@ -13,7 +13,6 @@ TEXTURE(7, caster_materials)
 TEXTURE(8, hierarchy_triangles)
 TEXTURE(9, hierarchy_normals)
 TEXTURE(10, receiver_position)
-TEXTURE(11, impostor_position)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -33,9 +32,7 @@ OUTPUT(4, Vec4, landing_footprint)
 #include "passes/shared/ray.glsl"
 #include "passes/shared/ray_state.glsl"
 #include "passes/shared/view_space.glsl"
-#include "passes/shared/intersect.glsl"
-#include "passes/shared/receivers_box.glsl"
-#include "passes/shared/fly_to_receiver.glsl"
+#include "passes/shared/shown_point.glsl"
 #include "passes/shared/light_path.glsl"
 #include "passes/shared/fetch_light_path.glsl"
 
@@ -54,27 +51,21 @@ WayAhead way_ahead(Vec4 start, Vec4 hit) {
   return ahead;
 }
 
-// The estimator's landing, where it is the surface that the hierarchy has met; else, on what the light does
-// not see, the hierarchy's own.
+// Where the hierarchy has it end.
 struct End {
   Vec3 point;
   Float flight;    // metres
-  Float residual;
   Bool lands;
   Bool seen;       // by the light
 };
 
 End end_of(IN(Ray) ray, IN(WayAhead) ahead, Vec4 hit) {
-  Landing found = fly_to_receiver(ray);
-  Float texel = texel_extent_at(receiver_position, u.receiver, found.point);
-  Bool same = abs(found.flight - hit.z) <= 8.0f * (texel + found.hit.residual);
-  Bool seen = found.lands && found.hit.inside && found.hit.covered && same;
   End end;
-  end.flight = sel(seen, found.flight, hit.z);
-  end.point = sel(seen, found.point, point_along(ray, hit.z));
-  end.residual = sel(seen, found.hit.residual, Float(0.0f));
+  end.flight = hit.z;
+  end.point = point_along(ray, hit.z);
   end.lands = ahead.receiver;
-  end.seen = seen;
+  end.seen = Bool(true);
+  if (u.can_be_hidden != 0) end.seen = shows_point(receiver_position, u.receiver, end.point);
   return end;
 }
 
@@ -84,7 +75,7 @@ Float largest(Vec3 v) { return max_of(max_of(v.x, v.y), v.z); }
 Float status_of(IN(End) end, IN(WayAhead) ahead, Vec3 carried, Float whole) {
   Vec2 uv = view_uv(u.caustic, view_coordinates(u.caustic, end.point));
   Float status = Float(STATUS_LANDED);
-  if (u.can_be_hidden != 0) status = sel(end.seen, status, Float(STATUS_NOT_CONVERGED));
+  status = sel(end.seen, status, Float(STATUS_NOT_CONVERGED));
   status = sel(!inside_unit(uv.x, uv.y), Float(STATUS_OUTSIDE), status);
   status = sel(largest(carried) <= whole * 1.0e-6f && whole > 0.0f, Float(STATUS_ABSORBED), status);
   status = sel(end.lands, status, Float(STATUS_MISSED));
@@ -120,7 +111,7 @@ void land_at(Int column, Int row, Vec4 hit, IN(WayAhead) ahead) {
   Float status = status_of(end, ahead, carried, path.whole);
   Vec3 share = Vec3(u.channel_share);
   landing = Vec4(end.point, status);
-  landing_flux = Vec4(carried * share, end.residual);
+  landing_flux = Vec4(carried * share, Float(0.0f));
   landing_absorbed = Vec4((path.flux - carried) * share, Float(0.0f));
   Vec3 plane = cross3(triangle.edge1, triangle.edge2);
   plane = normalize_or(plane, -path.ray.direction);

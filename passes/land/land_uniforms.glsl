@@ -1,4 +1,4 @@
-#include "passes/shared/receiver_search_uniforms.glsl"
+View receiver;            // the light's view of what its light can land on
 View caustic;             // the light's map that the landings are laid into
 vec3 channel_share;       // the branch's share of each channel's flux
 int first_receiver;       // number of the first triangle that is no caster's
