@@ -46,8 +46,8 @@ struct Bench {
     u.is_last_round = is_last_round;
     u.can_be_hidden = can_be_hidden;
     std::vector<Image> textures = path.textures();
-    for (const Image& image : {filled(1, 1, hit), caster_materials({material}), tables.triangles,
-                               tables.normals, receiver})
+    for (const Image& image :
+         {filled(1, 1, hit), caster_materials({material}), tables.triangles, tables.normals, receiver})
       textures.push_back(image);
     return run_pass(definition_of(land_pass()), {.uniforms = uniform_bytes(u), .textures = textures});
   }

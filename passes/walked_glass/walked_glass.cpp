@@ -16,6 +16,13 @@ namespace {
 // surfaces behind the first that bend a ray, as what total reflection sends through more is a different place
 // for each pixel; and those that it passes then.
 constexpr int kMostStepsInGlass = 2048, kMostBends = 6, kMostPassed = 4;
+// The same where a pixel has four times as many rays.
+constexpr int kMostStepsOfSeveral = 640;
+// As many as 16 samples have, where fewer were asked for.
+int several_rays(const PassContext& context) {
+  const int samples = samples_a_pixel(*context.settings);
+  return samples > 1 && samples < 16 ? 1 : 0;
+}
 
 std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
   const int bends = std::min(context.settings->bounces, kMostBends);
@@ -27,7 +34,7 @@ std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
       .surfaces = bends,
       .most_surfaces = bends + kMostPassed,
       .forward = context.camera->forward,
-      .most_steps = kMostStepsInGlass,
+      .most_steps = several_rays(context) != 0 ? kMostStepsOfSeveral : kMostStepsInGlass,
       .first_receiver = context.first_receiver,
       .touch = context.touch,
   };
@@ -69,7 +76,7 @@ Pass walked_glass_pass() {
                 kReadFirstLayer},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&walked_glass_shader, block_of<walked_glass_uniforms>}},
-      .choices = {{"blends", chosen_by<&Effects::blended>}},
+      .choices = {{"blends", chosen_by<&Effects::blended>}, {"several_rays", several_rays}},
   };
 }
 

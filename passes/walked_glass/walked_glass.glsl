@@ -143,10 +143,15 @@ Front front_at(Vec4 position, Int column, Int row) {
   return front;
 }
 
+Vec3 sight_to(Vec3 p) {
+  Vec3 sight = Vec3(u.forward);
+  if (u.view.kind != VIEW_PARALLEL) sight = normalize_or(p - Vec3(u.eye), Vec3(u.forward));
+  return sight;
+}
+
 // At the first surface both ways are followed, what it mirrors and what it lets through.
 Vec3 radiance_of(IN(Front) front, Bool seen) {
-  Vec3 sight = Vec3(u.forward);
-  if (u.view.kind != VIEW_PARALLEL) sight = normalize_or(front.at.point - Vec3(u.eye), Vec3(u.forward));
+  Vec3 sight = sight_to(front.at.point);
   Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
   Vec3 normal = facing_normal(front.at.outward, sight, !front.at.front);
   Refraction bent = refraction_at(sight, normal, both.before / both.behind);
@@ -168,6 +173,66 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
   return before + sel(front.material.mirror || bent.total, Vec3(0.0f), behind);
 }
 
+// A pixel's four places, in parts of it from its middle: within what one of several samples stands for.
+Vec2 place_of(int k) {
+  Float x = Float(k < 2 ? 0.0625f : 0.1875f);
+  Float y = Float(k < 2 ? 0.1875f : -0.0625f);
+  return Vec2(x, y) * Float((k & 1) == 0 ? 1.0f : -1.0f);
+}
+
+// The nearest weights that are not outside a triangle, nor on its edges.
+Vec2 within_triangle(Vec2 weights) {
+  Float x = max_of(weights.x, 0.01f);
+  Float y = max_of(weights.y, 0.01f);
+  Float most = max_of((x + y) / 0.99f, Float(1.0f));
+  return Vec2(x / most, y / most);
+}
+
+// What the pixel shows there, or as near to there as its triangle goes.
+Front beside(IN(Front) front, Vec2 place) {
+  mat4 axes = u.view.from_scene;
+  Vec3 p = front.at.point;
+  Float w = view_w(u.view, view_coordinates(u.view, p));
+  Float x = place.x * w / (u.view.scale.x * float(texture_width(view_caster_position)));
+  Float y = place.y * w / (u.view.scale.y * float(texture_height(view_caster_position)));
+  Vec3 moved =
+      Vec3(axes[0].x * x + axes[0].y * y, axes[1].x * x + axes[1].y * y, axes[2].x * x + axes[2].y * y);
+  Vec3 sight = sight_to(p + moved);
+  Float closing = dot3(sight, front.at.plane);
+  Bool steep = abs(closing) > 0.05f;
+  Float along = dot3(moved, front.at.plane) / sel(steep, closing, Float(1.0f));
+  Vec2 here = weights_at(front.triangle, p - front.triangle.corner);
+  Vec2 there = within_triangle(here + weights_at(front.triangle, moved - sight * along));
+  Vec2 by = sel(steep, there - here, Vec2(0.0f));
+  Front other = front;
+  other.at.point = p + (front.triangle.edge1 * by.x + front.triangle.edge2 * by.y);
+  Vec3 turned = front.triangle.turn1 * by.x + front.triangle.turn2 * by.y;
+  other.at.outward = normalize_or(front.at.outward + turned, front.at.outward);
+  return other;
+}
+
+Bool differ(Vec3 a, Vec3 b) {
+  Float apart = max_of(max_of(abs(a.x - b.x), abs(a.y - b.y)), abs(a.z - b.z));
+  Float most = max_of(max_of(max_of(a.x, b.x), max_of(a.y, b.y)), max_of(a.z, b.z));
+  return apart > 0.1f * most;
+}
+
+// The mean of what two rays bring or, where these differ, four: behind bumps a pixel's rays go everywhere.
+Vec3 mean_radiance(IN(Front) front, Bool seen) {
+  Vec3 sum = Vec3(0.0f);
+  Vec3 first = Vec3(0.0f);
+  Float count = Float(0.0f);
+  Bool wanted = seen;
+  for (int k = 0; k < 4 && any_lane(wanted); k++) {
+    Vec3 one = radiance_of(beside(front, place_of(k)), wanted);
+    sum = sel(wanted, sum + one, sum);
+    count = sel(wanted, count + 1.0f, count);
+    if (k == 0) first = one;
+    if (k == 1) wanted = wanted && differ(first, one);
+  }
+  return sum / max_of(count, 1.0f);
+}
+
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
@@ -177,7 +242,16 @@ void main() {
   Float surface_z = view_coordinates(u.view, Vec3(surface)).z;
   Bool seen = is_covered(caster) && (!is_covered(surface) || z < surface_z);
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
-  if (any_lane(seen)) color = sel(seen, radiance_of(front_at(caster, column, row), seen), color);
+  if (any_lane(seen)) {
+    Front front = front_at(caster, column, row);
+    Vec3 shown = Vec3(0.0f);
+    if (u.several_rays != 0) {
+      shown = mean_radiance(front, seen);
+    } else {
+      shown = radiance_of(front, seen);
+    }
+    color = sel(seen, shown, color);
+  }
   // What the frame lacks is one texel of zeros.
   color = color + Vec3(fetch_clamped(caster_highlight, column, row));
   if (u.blends != 0) color = behind_layers(color, column, row);

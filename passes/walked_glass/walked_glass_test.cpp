@@ -25,6 +25,9 @@ struct Bench {
   float ior = 1.5f, absorption = 0.0f;
   bool mirror = false, floor = true;
   int surfaces = 8, most_surfaces = 8;
+  bool several_rays = false;
+  glm::vec2 at{-0.5f, -0.25f};                  // x and z of what the pixel shows
+  Image shown = filled(1, 1, glm::vec4(1.0f));  // the floor
 
   float seen() const {
     const View view = down(4.0, 10.0, 20.0);
@@ -57,13 +60,14 @@ struct Bench {
                                 .forward = view.forward,
                                 .most_steps = 1000,
                                 .first_receiver = hierarchy.first_receiver(),
-                                .touch = hierarchy.touch};
+                                .touch = hierarchy.touch,
+                                .several_rays = several_rays};
     // On the second of the uppermost face's triangles.
-    const auto level = [&](float height) { return filled(1, 1, {-0.5f, height, -0.25f, 1.0f}); };
+    const auto level = [&](float height) { return filled(1, 1, {at.x, height, at.y, 1.0f}); };
     const Image beauty = run_pass(
         definition_of(walked_glass_pass()),
         {.uniforms = uniform_bytes(u),
-         .textures = {filled(1, 1, glm::vec4(1.0f)), level(0.0f), Image{}, Image{}, level(tops.front()),
+         .textures = {shown, level(0.0f), Image{}, Image{}, level(tops.front()),
                       filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), filled(1, 1, glm::vec4(2.0f)), materials,
                       tables.nodes, tables.triangles, tables.normals, Image{}, Image{}}})["beauty"];
     return beauty.at(0, 0, 0);
@@ -115,4 +119,24 @@ TEST_CASE("walked_glass: the last surfaces are passed straight on") {
   CHECK(bench.seen() == Approx(0.330579 * 1.0 + 0.669421 * 0.5));
   bench.surfaces = 8;
   CHECK(bench.seen() == Approx(0.5));
+}
+
+// The pixel is 8 m wide. Its rays go .0625 and .1875 of that to either side of x = -2.5: to -2 and -3, then
+// to -1 and -4.
+TEST_CASE("walked_glass: two rays that bring the same are enough, of four that differ there is the mean") {
+  Bench bench;
+  bench.several_rays = true;
+  CHECK(bench.seen() == Approx(0.96 * 1.0 + 0.04 * 0.5));
+  bench.ior = 1.0f;
+  bench.at = {-2.5f, -2.0f};
+  const auto lit_to = [&](float x) {
+    bench.shown = Image(Format::RGBA32F, 64, 1);
+    for (int texel = 0; texel < 64; ++texel)
+      for (int c = 0; c < 4; ++c)
+        bench.shown.at(texel, 0, c) = -4.0f + (static_cast<float>(texel) + 0.5f) / 8.0f < x ? 1.0f : 0.0f;
+    return bench.seen();
+  };
+  CHECK(lit_to(-2.5f) == Approx(0.5));
+  CHECK(lit_to(-1.5f) == Approx(1.0));
+  CHECK(lit_to(-3.5f) == 0.0f);
 }

@@ -10,3 +10,4 @@ int most_steps;      // as next_surface has them
 int first_receiver;
 float touch;
 CHOICE(blends)           // there are blended surfaces
+CHOICE(several_rays)     // 1: two or four rays a pixel, else one
