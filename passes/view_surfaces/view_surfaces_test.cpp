@@ -1,6 +1,5 @@
 #include "passes/view_surfaces/view_surfaces.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -345,77 +344,12 @@ TEST_CASE("view_surfaces: of the environment's light arrives what the occlusion 
   CHECK(share() == 1.0f);
 }
 
-namespace {
-
-// Of a layer of blended squares at these heights, 10 m under the camera: a pixel's depth and alpha. `behind`,
-// `before`: depths of what is opaque and of the layer before, 0: none; `glass`: the height of glass, 0: none.
-struct LayerBench {
-  std::vector<float> heights;
-  float alpha = 0.25f, behind = 0.0f, before = 0.0f, glass = 0.0f;
-
-  PassImages layer(int number) const {
-    const Pass pass = view_surfaces_pass();
-    const auto is_layer = [&](const DrawnFor& each) { return each.layer == number; };
-    const DrawnFor& drawn_for = *std::find_if(pass.drawn_for.begin(), pass.drawn_for.end(), is_layer);
-    Material material = plain();
-    material.alpha_mode = AlphaMode::Blend;
-    material.base_color.a = alpha;
-    MeshData mesh = level(heights[0]);
-    for (std::size_t i = 1; i < heights.size(); ++i) mesh = both(mesh, level(heights[i]));
-    const View view = down(2.0, 10.0, 20.0);
-    const Effects effects;
-    return run_pass(
-        definition_of(pass, {}, drawn_for),
-        {.uniforms = pass.uniforms(
-             {.effects = &effects, .camera = &view, .material = &material, .drawn_for = &drawn_for}),
-         .textures = {Image{}, Image{}, Image{}, Image{}, Image{}, Image{}, Image{}, Image{}, Image{},
-                      Image{}, filled(1, 1, {0, 1, 0, behind}), filled(1, 1, {0, 1, 0, before}),
-                      filled(1, 1, {0, glass, 0, glass > 0.0f ? 1.0f : 0.0f})},
-         .mesh = mesh});
-  }
-  float depth(int number) const { return layer(number)["view_normal"].at(0, 0, 3); }
-};
-
-}  // namespace
-
-TEST_CASE("view_surfaces: layers are blended surfaces from the nearest on, whatever their order") {
-  for (const std::vector<float>& heights : {std::vector{1.0f, 4.0f, 2.0f}, std::vector{4.0f, 2.0f, 1.0f}}) {
-    LayerBench bench{heights};
-    CHECK(bench.depth(1) == 6.0f);
-    CHECK(bench.layer(1)["view_albedo"].at(0, 0, 3) == 0.25f);
-    bench.before = 6.0f;
-    CHECK(bench.depth(2) == 8.0f);
-    bench.before = 8.0f;
-    CHECK(bench.depth(3) == 9.0f);
-    bench.before = 9.0f;
-    CHECK(bench.layer(4)["view_position"].at(0, 0, 3) == 0.0f);
-    bench.before = 0.0f;  // where a layer is empty the next is too
-    CHECK(bench.layer(2)["view_position"].at(0, 0, 3) == 0.0f);
-  }
-}
-
-TEST_CASE("view_surfaces: a layer leaves out what is hidden, opaque or not there") {
-  CHECK(LayerBench{{4.0f}, 0.25f, 7.0f}.depth(1) == 6.0f);
-  CHECK(LayerBench{{4.0f}, 0.25f, 5.0f}.depth(1) == 0.0f);
-  CHECK(LayerBench{{4.0f}, 1.0f}.depth(1) == 0.0f);
-  CHECK(LayerBench{{4.0f}, 0.0f}.depth(1) == 0.0f);
-  // Opaque parts are drawn with all else that is opaque, the others are not.
+TEST_CASE("view_surfaces: opaque parts of a blended surface are seen with all else that is opaque") {
   Material material = plain();
   material.alpha_mode = AlphaMode::Blend;
   CHECK(see(quad(kFront, {0.0f, 1.0f, 0.0f}), material)["view_position"].at(2, 2, 3) == 1.0f);
   material.base_color.a = 0.99f;
   CHECK(see(quad(kFront, {0.0f, 1.0f, 0.0f}), material)["view_position"].at(2, 2, 3) == 0.0f);
-}
-
-TEST_CASE("view_surfaces: layers before glass are marked, and those behind it left out with them") {
-  LayerBench bench{{4.0f, 1.0f}};
-  bench.glass = 2.0f;
-  CHECK(bench.layer(1)["view_position"].at(0, 0, 3) == 2.0f);
-  bench.before = 6.0f;
-  CHECK(bench.depth(2) == 0.0f);
-  bench.glass = 5.0f;
-  CHECK(bench.layer(1)["view_position"].at(0, 0, 3) == 1.0f);
-  CHECK(bench.depth(2) == 9.0f);
 }
 
 namespace {

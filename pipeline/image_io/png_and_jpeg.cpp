@@ -53,7 +53,6 @@ struct PngReader {
   bool read_rows(png_bytepp rows) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_read_image(png, rows);
-    png_read_end(png, nullptr);
     return true;
   }
 };
@@ -100,10 +99,10 @@ std::string decode_png(std::span<const std::uint8_t> bytes, Pixels& pixels) {
   return "";
 }
 
-bool has_four_inks(std::span<const std::uint8_t> bytes) {
+bool is_usual_jpeg(std::span<const std::uint8_t> bytes) {
   JpegHeader header;
-  return read_header(Turbo(tjInitDecompress()), bytes, header) &&
-         (header.colors == TJCS_CMYK || header.colors == TJCS_YCCK);
+  return read_header(Turbo(tjInitDecompress()), bytes, header) && header.colors != TJCS_CMYK &&
+         header.colors != TJCS_YCCK;
 }
 
 std::string decode_jpeg(std::span<const std::uint8_t> bytes, Pixels& pixels) {

@@ -16,7 +16,7 @@ std::string decode_png(std::span<const std::uint8_t> bytes, Pixels& pixels);
 
 // Grey, or red, green and blue. Damaged data give what libjpeg-turbo makes of them.
 std::string decode_jpeg(std::span<const std::uint8_t> bytes, Pixels& pixels);
-// Four inks are left to OpenImageIO.
-bool has_four_inks(std::span<const std::uint8_t> bytes);
+// Four inks and unusual subsampling are left to OpenImageIO.
+bool is_usual_jpeg(std::span<const std::uint8_t> bytes);
 
 }  // namespace caustics

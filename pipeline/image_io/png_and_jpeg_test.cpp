@@ -1,6 +1,7 @@
 #include "pipeline/image_io/png_and_jpeg.hpp"
 
 #include <png.h>
+#include <turbojpeg.h>
 
 #include "tests/support/catch.hpp"
 
@@ -97,10 +98,22 @@ TEST_CASE("png and jpeg: every kind of PNG has the texels that OpenImageIO reads
 TEST_CASE("png and jpeg: a JPEG of colours or greys has the texels that OpenImageIO reads") {
   const Bytes bytes =
       jpeg_of(GENERATE(std::vector<std::string>{"Y"}, std::vector<std::string>{"R", "G", "B"}));
-  CHECK_FALSE(has_four_inks(bytes));
+  CHECK(is_usual_jpeg(bytes));
   Pixels pixels;
   CHECK(decode_jpeg(bytes, pixels) == "");
   check_same(pixels, by_openimageio(bytes, "jpeg"));
+}
+
+TEST_CASE("png and jpeg: a JPEG of four inks is not a usual one") {
+  const Bytes inks(4 * kWidth * kHeight, 128);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  const tjhandle turbo = tjInitCompress();
+  REQUIRE(tjCompress2(turbo, inks.data(), kWidth, 0, kHeight, TJPF_CMYK, &bytes, &size, TJSAMP_444, 90, 0) ==
+          0);
+  CHECK_FALSE(is_usual_jpeg({bytes, size}));
+  tjFree(bytes);
+  tjDestroy(turbo);
 }
 
 TEST_CASE("png and jpeg: damaged files are refused in a few words") {
@@ -110,5 +123,7 @@ TEST_CASE("png and jpeg: damaged files are refused in a few words") {
   CHECK(decode_png(png, pixels).find("cannot be decoded: ") == 0);
   CHECK(decode_png(Bytes(png.begin(), png.begin() + 40), pixels).find("cannot be decoded: ") == 0);
   const Bytes jpeg = jpeg_of({"R", "G", "B"});
-  CHECK(decode_jpeg(Bytes(jpeg.begin(), jpeg.begin() + 30), pixels).find("cannot be decoded: ") == 0);
+  const Bytes cut(jpeg.begin(), jpeg.begin() + 30);
+  CHECK_FALSE(is_usual_jpeg(cut));
+  CHECK(decode_jpeg(cut, pixels).find("cannot be decoded: ") == 0);
 }

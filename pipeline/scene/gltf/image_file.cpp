@@ -52,7 +52,7 @@ bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_s
     problem = decode_png(bytes, pixels);
     return problem.empty();
   }
-  if (kind == ImageKind::Jpeg && !has_four_inks(bytes)) {
+  if (kind == ImageKind::Jpeg && is_usual_jpeg(bytes)) {
     problem = decode_jpeg(bytes, pixels);
     return problem.empty();
   }
