@@ -43,6 +43,7 @@ void main() {
     left_out = left_out || in_shadow();
   }
   discard_if(left_out);
-  pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
+  pane_transmittance = Vec4(1.0f);
+  if (any_lane(!left_out)) pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
 }
 #endif

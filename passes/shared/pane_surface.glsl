@@ -44,17 +44,14 @@ Float face_reflectance(Vec3 d) {
 // (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once. A blended surface keeps what it
 // covers.
 Vec3 let_through(Vec3 d) {
-  Float r = face_reflectance(d);
-  Vec3 color = Vec3(u.color);
-  Float opacity = Float(u.alpha_mask.opacity);
-  if (u.has_base_color != 0) {
-    Vec2 at = transformed_uv(u.base_color_uv, surface_uv);
-    Vec4 texel = fetch_wrapped(base_color, u.base_color_uv, at);
-    color = color * Vec3(texel);
-    opacity = opacity * texel.w;
+  Vec4 texel = Vec4(1.0f);
+  if (u.has_base_color != 0)
+    texel = fetch_wrapped(base_color, u.base_color_uv, transformed_uv(u.base_color_uv, surface_uv));
+  Vec3 passes = Vec3(1.0f - u.alpha_mask.opacity * texel.w);
+  if (u.is_blended == 0) {
+    Float r = face_reflectance(d);
+    passes = Vec3(u.color) * Vec3(texel) * ((1.0f - r) / (1.0f + r));
   }
-  Vec3 passes = color * ((1.0f - r) / (1.0f + r));
-  if (u.is_blended != 0) passes = Vec3(1.0f - opacity);
   return passes;
 }
 
