@@ -13,9 +13,10 @@ namespace caustics {
 
 namespace {
 
-// Fronts are bright enough when so much of them is lit; and a surface is where the sun's light meets it less
-// flatly than this cosine.
-constexpr double kLitFronts = 0.4, kLeastCosine = 0.15;
+// Fronts are bright enough when so much of them is lit, or so much of those that catch most of the casters'
+// light: a backdrop is not to darken itself; and a surface is lit where the sun's light meets it less flatly
+// than this cosine.
+constexpr double kLitFronts = 0.4, kLitCatchers = 0.9, kLeastCosine = 0.15;
 constexpr std::size_t kTriangles = 2000;  // that are looked at, about
 
 // Light that travels towards the camera, to its right and down.
@@ -37,6 +38,16 @@ std::vector<int> opaque_meshes(const Scene& scene) {
         scene.meshes[m].name != kGroundName)
       meshes.push_back(static_cast<int>(m));
   return meshes;
+}
+
+// Do the scene's own surfaces catch most of the casters' light?
+bool catches_light(const Scene& scene, const Settings& settings) {
+  double all = 0.0, caught = 0.0;
+  for (const Landed& each : landed_light(scene, settings)) {
+    all += each.share;
+    if (scene.meshes[static_cast<std::size_t>(each.mesh)].name != kGroundName) caught += each.share;
+  }
+  return caught > 0.5 * all;
 }
 
 // The share of the casters' landed light that no receiver hides from the camera; 1 where none lands at all.
@@ -90,13 +101,15 @@ SunSide sun_side(Scene& scene, const Settings& settings, const glm::dvec3& towar
   const std::vector<int> own = opaque_meshes(scene);
   if (own.empty()) return best;
   const TriangleTree tree(scene, own);
-  if (lit_share(scene, own, tree, toward_camera, best.direction) >= kLitFronts) return best;
+  set_sun(scene, subject_of(scene), best.direction, scene.lights.front().intensity);
+  const double enough = catches_light(scene, settings) ? kLitCatchers : kLitFronts;
+  if (lit_share(scene, own, tree, toward_camera, best.direction) >= enough) return best;
   double most = 0.0;
   for (const Way& way : kWays) {
     const SunSide side{direction(way), way.where};
     set_sun(scene, subject_of(scene), side.direction, scene.lights.front().intensity);
     const double lit = lit_share(scene, own, tree, toward_camera, side.direction);
-    const double worth = std::min(lit, kLitFronts) * shown_share(scene, settings, tree, toward_camera);
+    const double worth = std::min(lit, enough) * shown_share(scene, settings, tree, toward_camera);
     if (!(worth > most)) continue;
     most = worth;
     best = side;

@@ -45,6 +45,15 @@ TEST_CASE("sun side: a board behind the glass is lit from before, and shows its 
   CHECK(side.direction.x > 0.0);
 }
 
+TEST_CASE("sun side: a backdrop does not throw its own shadow over the floor that catches the light") {
+  Scene scene = ball(false);
+  scene.meshes.front() = box({-6.0, -1.1, -3.0}, {6.0, -1.0, 9.0}, 0);
+  scene.meshes.back() = box({-6.0, -1.0, -3.1}, {6.0, 4.0, -3.0}, 0);
+  scene.meshes.push_back(sphere(glm::dvec3(0.0), 1.0, 2, 1));
+  const glm::dvec3 above{0.0, 0.8, 0.6};
+  CHECK(std::string(sun_side(scene, {}, above, kFront).where) != "behind");
+}
+
 TEST_CASE("sun side: the sun stays behind what it shines on enough, as the camera sees it") {
   // Of a grey ball the camera sees the lit top from above, and hardly any of it from the side.
   Scene scene = ball(false);
