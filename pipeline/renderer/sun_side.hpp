@@ -14,8 +14,8 @@ struct SunSide {
 // Behind, on the left, so that caustics fall towards the camera; but where most opaque surfaces that turn to
 // the camera would lie in the dark, or a tenth of them if they catch the casters' light, beside or before the
 // scene, if the camera sees its caustics there. The scene has the ground that it will be shown on, and a sun,
-// which is turned here and there. Unit vectors from the scene: `toward_camera`, and `front` the same along the
-// ground.
+// which is turned here and there. Unit vectors from the scene: `toward_camera`, and `front` the same along
+// the ground.
 SunSide sun_side(Scene& scene, const Settings& settings, const glm::dvec3& toward_camera,
                  const glm::dvec3& front);
 
