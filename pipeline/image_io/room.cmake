@@ -1,8 +1,9 @@
 # caustics_image_io: images in and out. It loads libcaustics_image_io.so, the module that links OpenImageIO,
 # when the first image is read or written, textures of PNG and JPEG apart.
 find_package(OpenImageIO REQUIRED)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(PNG_AND_JPEG REQUIRED IMPORTED_TARGET libpng libturbojpeg)
+find_package(PNG REQUIRED)
+# By its name: Debian's CMake files for it name a library of another package.
+find_library(TURBOJPEG_LIBRARY turbojpeg REQUIRED)
 # Debian 12's OpenImageIO names include folders (OpenCV's) that it does not depend on.
 get_target_property(oiio_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 set(oiio_existing "")
@@ -32,5 +33,5 @@ caustics_target_options(caustics_image_io)
 target_compile_definitions(caustics_image_io PRIVATE CAUSTICS_MODULE_FOLDER="${CAUSTICS_MODULE_FOLDER}"
   CAUSTICS_INSTALL_PREFIX="${CMAKE_INSTALL_PREFIX}" CAUSTICS_BUILD_FOLDER="${PROJECT_BINARY_DIR}")
 target_link_libraries(caustics_image_io PUBLIC caustics_pipeline
-  PRIVATE PkgConfig::PNG_AND_JPEG ${CMAKE_DL_LIBS})
+  PRIVATE PNG::PNG turbojpeg ${CMAKE_DL_LIBS})
 add_dependencies(caustics_image_io caustics_image_io_module)
