@@ -68,7 +68,7 @@ TEST_CASE("picture sides: of light that is followed the grid grows when cascades
 TEST_CASE("picture sides: where every caster is rough glass all light is spread") {
   Effects effects;
   effects.surfaces = {{.role = Role::Receiver, .reason = ""},
-                      {.role = Role::Refractor, .rough = true, .reason = ""}};
+                      {.role = Role::Refractor, .reason = "", .rough = true}};
   effects.rough_glass.active = true;
   CHECK(all_light_is_spread(effects));
   effects.surfaces.push_back({.role = Role::Mirror, .reason = ""});
