@@ -1,6 +1,7 @@
 // What OpenImageIO does for this project, without its headers. It stands in a module of its own that is
-// loaded when the first image is read or written: OpenImageIO brings some 260 shared libraries, and loading
-// them takes longer than most commands and tests.
+// loaded when the first image is read or written that is no PNG or JPEG texture (png_and_jpeg.hpp), nor a PNG
+// to write: OpenImageIO brings some 260 shared libraries, and loading them takes longer than most commands
+// and tests.
 #pragma once
 #include <cstdint>
 #include <deque>

@@ -1,5 +1,5 @@
 # caustics_image_io: images in and out. It loads libcaustics_image_io.so, the module that links OpenImageIO,
-# when the first image is read or written, textures of PNG and JPEG apart.
+# when the first image is read or written that is no PNG or JPEG texture, nor a PNG to write.
 find_package(OpenImageIO REQUIRED)
 find_package(PNG REQUIRED)
 # By its name: Debian's CMake files for it name a library of another package.
