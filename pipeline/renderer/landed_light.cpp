@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pipeline/effects/effects.hpp"
-#include "pipeline/measure/light_paths.hpp"
 #include "pipeline/renderer/pilot_rays.hpp"
 #include "pipeline/renderer/widest_views.hpp"
 #include "pipeline/scene/defaults.hpp"
@@ -18,24 +17,27 @@ double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
-std::vector<Landed> landed_light(const Scene& scene, const Settings& settings) {
-  const Effects effects = effects_of(scene, settings);
+LandedLight::LandedLight(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
+
+std::vector<Landed> LandedLight::find(int step) {
+  const Effects effects = effects_of(scene_, settings_);
   std::vector<Landed> landed;
   if (!effects.caustics.active) return landed;
-  const LightPaths paths(scene, effects);
-  Settings even = settings;  // whatever the frame's grid is: the same rays, the same sun and camera
+  if (!paths_) paths_.emplace(scene_, effects);
+  Settings even = settings_;  // whatever the frame's grid is: the same rays, the same sun and camera
   even.grid = kPilotRaysASide;
-  const glm::dvec3 middle = subject_of(scene).centre();
+  const glm::dvec3 middle = subject_of(scene_).centre();
   std::vector<LightLanding> landings;
-  for (const int number : lights_to_pilot(scene, effects)) {
-    const Light& light = scene.lights[static_cast<std::size_t>(number)];
-    const View casters = widest_views(scene, effects, even, number).caster;
+  for (const int number : lights_to_pilot(scene_, effects)) {
+    const Light& light = scene_.lights[static_cast<std::size_t>(number)];
+    const View casters = widest_views(scene_, effects, even, number).caster;
     landings.clear();
-    for (const LightRay& ray : pilot_rays(light, casters)) paths.follow(ray, landings);
+    for (const LightRay& ray : pilot_rays(light, casters, step)) paths_->follow(ray, landings);
     double all = 0.0;
     for (const LightLanding& landing : landings) all += largest(landing.flux);
     const double away = casters.perspective ? exact::length(middle - light.position) : 1.0;
-    const double area = casters.window_area() * away * away / (kPilotRaysASide * kPilotRaysASide);
+    const double side = static_cast<double>(kPilotRaysASide) / step;
+    const double area = casters.window_area() * away * away / (side * side);
     for (const LightLanding& landing : landings) {
       const double flux = largest(landing.flux);
       landed.push_back({landing.position, flux / std::max(all, 1e-300), flux * area, landing.mesh});

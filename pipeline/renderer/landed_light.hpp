@@ -1,7 +1,9 @@
 // Where the casters' light lands, by a few thousand rays: what a scene is set up by.
 #pragma once
+#include <optional>
 #include <vector>
 
+#include "pipeline/measure/light_paths.hpp"
 #include "pipeline/scene/scene.hpp"
 
 namespace caustics {
@@ -15,7 +17,17 @@ struct Landed {
   int mesh = -1;
 };
 
-// By any number of surfaces.
-std::vector<Landed> landed_light(const Scene& scene, const Settings& settings);
+// The scene must outlive it and keep its meshes and materials; its lights may be others for each search.
+class LandedLight {
+ public:
+  LandedLight(const Scene& scene, const Settings& settings);
+  // By any number of surfaces; by each ray, or each `step`th along each side of their square.
+  std::vector<Landed> find(int step = 1);
+
+ private:
+  const Scene& scene_;
+  const Settings& settings_;
+  std::optional<LightPaths> paths_;
+};
 
 }  // namespace caustics

@@ -4,17 +4,16 @@
 
 namespace caustics {
 
-std::vector<LightRay> pilot_rays(const Light& light, const View& casters) {
+std::vector<LightRay> pilot_rays(const Light& light, const View& casters, int step) {
   constexpr int kPlaces = 16, kSide = kPilotRaysASide * kPlaces;  // places a side in a ray's square
   const int texels = casters.cube ? casters.cube->side : kSide;
   std::vector<LightRay> rays;
-  rays.reserve(static_cast<std::size_t>(kPilotRaysASide) * kPilotRaysASide);
-  for (int y = 0; y < kPilotRaysASide; ++y)
-    for (int x = 0; x < kPilotRaysASide; ++x) {
+  for (int y = 0; y < kPilotRaysASide; y += step)
+    for (int x = 0; x < kPilotRaysASide; x += step) {
       const int column = x * kPlaces + (5 * x + 7 * y) % kPlaces,
                 row = y * kPlaces + (11 * x + 3 * y) % kPlaces;
       rays.push_back(light_ray(light, casters, texels, column * texels / kSide, row * texels / kSide));
-      rays.back().key = rays.size();
+      rays.back().key = static_cast<std::uint64_t>(y * kPilotRaysASide + x + 1);
     }
   return rays;
 }

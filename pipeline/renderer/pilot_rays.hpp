@@ -8,9 +8,9 @@ namespace caustics {
 
 // kPilotRaysASide a side through the light's view of its casters, each with a flux of 1 and a key of its own.
 // A share of 5 % is known to 0.5 % by as many. Each lies somewhere else in its square, so that no pattern of
-// the casters' own is met at its crests alone.
+// the casters' own is met at its crests alone. Of these, each `step`th along each side.
 inline constexpr int kPilotRaysASide = 48;
-std::vector<LightRay> pilot_rays(const Light& light, const View& casters);
+std::vector<LightRay> pilot_rays(const Light& light, const View& casters, int step = 1);
 
 // Those that throw caustics, by Scene::lights; of the samples of a light with a size the first alone.
 std::vector<int> lights_to_pilot(const Scene& scene, const Effects& effects);

@@ -92,8 +92,15 @@ class Stage {
     const auto loaded = static_cast<std::ptrdiff_t>(scene_.notes.size());
     completed_ = {.lights = scene_.lights.empty() || settings_.sun,
                   .cameras = scene_.cameras.empty() || settings_.view};
-    if (completed_.lights) place_sun();
-    lay_ground();
+    const std::optional<double> height = ground_height();
+    const bool tries = settings_.ground.wish == Ground::Wish::Auto && has_receiver(scene_);
+    // A camera of its own shows the scene as its author wants it, on the floor or without.
+    stands_ = !completed_.cameras || has_floor(scene_);
+    if (height) add_ground(scene_, subject_, *height);
+    LandedLight light(scene_, settings_);
+    if (completed_.lights) place_sun(light);
+    if ((height && tries) || completed_.cameras) landed_ = light.find();
+    if (height) keep_ground(*height, tries);
     if (completed_.cameras) place_camera();
     if (add_sky(scene_))
       say("the light of a studio",
@@ -126,17 +133,11 @@ class Stage {
     return completed_.cameras ? toward(settings_.view.value_or(kView)) : -scene_.cameras.front().forward;
   }
 
-  void place_sun() {
+  void place_sun(LandedLight& light) {
     const float lux = settings_.sun && settings_.sun->lux ? *settings_.sun->lux : sun_lux(scene_.environment);
     if (settings_.sun) return set_sun(scene_, subject_, -toward(settings_.sun->stands), lux);
     set_sun(scene_, subject_, {0.0, -1.0, 0.0}, lux);
-    const std::optional<double> ground = ground_height();
-    if (ground) add_ground(scene_, subject_, *ground);
-    const SunSide side = sun_side(scene_, settings_, toward_camera(), camera_side());
-    if (ground) {
-      scene_.meshes.pop_back();
-      scene_.materials.pop_back();
-    }
+    const SunSide side = sun_side(scene_, light, toward_camera(), camera_side());
     set_sun(scene_, subject_, side.direction, lux);
     const std::string strong = "a sun of " + lux_text(lux) + " lux";
     say(strong,
@@ -159,16 +160,9 @@ class Stage {
     return height;
   }
 
-  void lay_ground() {
-    const bool tries = settings_.ground.wish == Ground::Wish::Auto && has_receiver(scene_);
-    const std::optional<double> height = ground_height();
-    // A camera of its own shows the scene as its author wants it, on the floor or without.
-    stands_ = !completed_.cameras || has_floor(scene_);
-    if (height) add_ground(scene_, subject_, *height);
-    if (!(height && tries) && !completed_.cameras) return;
-    landed_ = landed_light(scene_, settings_);
-    if (!height) return;
-    const double above = *height + 1e-5 * widest(subject_);
+  // Unless it is only tried, and the scene itself catches the casters' light.
+  void keep_ground(double height, bool tries) {
+    const double above = height + 1e-5 * widest(subject_);
     double all = 0.0, caught = 0.0;
     for (const Landed& each : landed_) {
       all += each.share;

@@ -7,7 +7,6 @@
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
-#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
@@ -18,6 +17,7 @@ namespace {
 // than this cosine.
 constexpr double kLitFronts = 0.4, kLitCatchers = 0.9, kLeastCosine = 0.15;
 constexpr std::size_t kTriangles = 2000;  // that are looked at, about
+constexpr int kStep = 2;                  // a quarter of the rays tells shares well enough
 
 // Light that travels towards the camera, to its right and down.
 struct Way {
@@ -41,9 +41,9 @@ std::vector<int> opaque_meshes(const Scene& scene) {
 }
 
 // Do the scene's own surfaces catch most of the casters' light?
-bool catches_light(const Scene& scene, const Settings& settings) {
+bool catches_light(const Scene& scene, LandedLight& landed) {
   double all = 0.0, caught = 0.0;
-  for (const Landed& each : landed_light(scene, settings)) {
+  for (const Landed& each : landed.find(kStep)) {
     all += each.share;
     if (scene.meshes[static_cast<std::size_t>(each.mesh)].name != kGroundName) caught += each.share;
   }
@@ -51,11 +51,11 @@ bool catches_light(const Scene& scene, const Settings& settings) {
 }
 
 // The share of the casters' landed light that no receiver hides from the camera; 1 where none lands at all.
-double shown_share(const Scene& scene, const Settings& settings, const TriangleTree& receivers,
+double shown_share(const Scene& scene, LandedLight& landed, const TriangleTree& receivers,
                    const glm::dvec3& toward_camera) {
   const double up = 1e-4 * widest(subject_of(scene));
   double all = 0.0, shown = 0.0;
-  for (const Landed& each : landed_light(scene, settings)) {
+  for (const Landed& each : landed.find(kStep)) {
     all += each.share;
     if (!receivers.nearest(each.position + toward_camera * up, toward_camera)) shown += each.share;
   }
@@ -91,25 +91,30 @@ double lit_share(const Scene& scene, const std::vector<int>& meshes, const Trian
 
 }  // namespace
 
-SunSide sun_side(Scene& scene, const Settings& settings, const glm::dvec3& toward_camera,
+SunSide sun_side(Scene& scene, LandedLight& landed, const glm::dvec3& toward_camera,
                  const glm::dvec3& front) {
   const glm::dvec3 right{front.z, 0.0, -front.x};
-  const auto direction = [&](const Way& way) {
-    return front * way.onward + right * way.right - glm::dvec3(0.0, way.down, 0.0);
+  const auto side_of = [&](const Way& way) {
+    return SunSide{front * way.onward + right * way.right - glm::dvec3(0.0, way.down, 0.0), way.where};
   };
-  SunSide best{direction(kWays[0]), kWays[0].where};
+  const auto turn_to = [&](const SunSide& side) {
+    set_sun(scene, subject_of(scene), side.direction, scene.lights.front().intensity);
+  };
+  SunSide best = side_of(kWays[0]);
   const std::vector<int> own = opaque_meshes(scene);
   if (own.empty()) return best;
   const TriangleTree tree(scene, own);
-  set_sun(scene, subject_of(scene), best.direction, scene.lights.front().intensity);
-  const double enough = catches_light(scene, settings) ? kLitCatchers : kLitFronts;
-  if (lit_share(scene, own, tree, toward_camera, best.direction) >= enough) return best;
+  const double behind = lit_share(scene, own, tree, toward_camera, best.direction);
+  if (behind >= kLitCatchers) return best;
+  turn_to(best);
+  const double enough = catches_light(scene, landed) ? kLitCatchers : kLitFronts;
+  if (behind >= enough) return best;
   double most = 0.0;
   for (const Way& way : kWays) {
-    const SunSide side{direction(way), way.where};
-    set_sun(scene, subject_of(scene), side.direction, scene.lights.front().intensity);
+    const SunSide side = side_of(way);
+    turn_to(side);
     const double lit = lit_share(scene, own, tree, toward_camera, side.direction);
-    const double worth = std::min(lit, enough) * shown_share(scene, settings, tree, toward_camera);
+    const double worth = std::min(lit, enough) * shown_share(scene, landed, tree, toward_camera);
     if (!(worth > most)) continue;
     most = worth;
     best = side;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "pipeline/renderer/landed_light.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
@@ -26,7 +27,11 @@ Scene ball(bool board) {
   return scene;
 }
 
-SunSide side_of(Scene scene) { return sun_side(scene, {}, kFront, kFront); }
+SunSide side_of(Scene scene, const glm::dvec3& toward_camera = kFront) {
+  const Settings settings;
+  LandedLight landed(scene, settings);
+  return sun_side(scene, landed, toward_camera, kFront);
+}
 
 }  // namespace
 
@@ -51,7 +56,7 @@ TEST_CASE("sun side: a backdrop does not throw its own shadow over the floor tha
   scene.meshes.back() = box({-6.0, -1.0, -3.1}, {6.0, 4.0, -3.0}, 0);
   scene.meshes.push_back(sphere(glm::dvec3(0.0), 1.0, 2, 1));
   const glm::dvec3 above{0.0, 0.8, 0.6};
-  CHECK(std::string(sun_side(scene, {}, above, kFront).where) != "behind");
+  CHECK(std::string(side_of(scene, above).where) != "behind");
 }
 
 TEST_CASE("sun side: the sun stays behind what it shines on enough, as the camera sees it") {
@@ -59,6 +64,6 @@ TEST_CASE("sun side: the sun stays behind what it shines on enough, as the camer
   Scene scene = ball(false);
   scene.meshes.insert(scene.meshes.begin(), sphere({3.0, 0.0, 0.0}, 1.0, 3, 0));
   const glm::dvec3 above{0.0, 0.8, 0.6};
-  CHECK(std::string(sun_side(scene, {}, above, kFront).where) == "behind");
+  CHECK(std::string(side_of(scene, above).where) == "behind");
   CHECK(std::string(side_of(scene).where) != "behind");
 }
