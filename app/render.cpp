@@ -162,8 +162,8 @@ bool parse(const Arguments& arguments, RenderRequest& request) {
 // where figures of them are asked for. `beauty` is kept to be checked.
 PlanGoal goal_of(const RenderRequest& request) {
   if (!request.dump.empty()) return {.light_by_light = true};
-  if (request.frame.preview && !request.books())
-    return {.textures = textures_for(request.outputs), .light_by_light = true};
+  if (!request.books())
+    return {.textures = textures_for(request.outputs), .beside = {"beauty"}, .light_by_light = true};
   PlanGoal goal = goal_with_ledgers(textures_for(request.outputs));
   if (request.stats.empty() && !request.demand.any()) return goal;
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);

@@ -23,11 +23,16 @@ void copy_texel(Image& to, const ImageView& from, std::size_t texel) {
               to.values.begin() + static_cast<std::ptrdiff_t>(texel * channels));
 }
 
-// With the farther texels where the last channel of `where` is not 0.
-Image merged(const ImageView& image, const ImageView& far, const ImageView& where) {
+// With the farther texels where the last channel of `where` is not 0; no copy where it is 0 everywhere.
+ImageView merged(const ImageView& image, const ImageView& far, const ImageView& where) {
+  const auto is_farther = [&](std::size_t texel) { return where.values[4 * texel + 3] != 0.0f; };
+  const std::size_t texels = where.values.size() / 4;
+  std::size_t first = 0;
+  while (first < texels && !is_farther(first)) ++first;
+  if (first == texels) return image;
   Image both = image.copy();
-  for (std::size_t i = 0; 4 * i < where.values.size(); ++i)
-    if (where.values[4 * i + 3] != 0.0f) copy_texel(both, far, i);
+  for (std::size_t i = first; i < texels; ++i)
+    if (is_farther(i)) copy_texel(both, far, i);
   return both;
 }
 

@@ -108,14 +108,12 @@ class Planner {
     const int passes = static_cast<int>(registry_.size());
     for (int i = 0; i < passes;) {
       int end = i;
-      while (effects_.further_surfaces.active && end < passes && follows_branches(pass_of(end))) ++end;
-      const bool followed = std::any_of(registry_.begin() + i, registry_.begin() + end, has_rounds);
-      if (followed) {
-        add_followed(i, end);
-        i = end;
-      } else {
-        add_instances(i++);
-      }
+      while (end < passes && follows_branches(pass_of(end))) ++end;
+      if (end > i)
+        add_by_branch(i, end);
+      else
+        add_instances(end++);
+      i = end;
     }
     return std::move(plan_);
   }
@@ -142,19 +140,31 @@ class Planner {
     });
   }
 
-  // Light that is followed from surface to surface: each branch all its way before the next begins, so that
-  // what is kept of it is the surfaces where another branch may part.
-  void add_followed(int first, int end) {
-    for (int i = first; i < end; ++i)
-      for (const DrawnFor& drawn_for : pass_of(i).drawn_for)
-        if (const auto reason = not_called_for(pass_of(i), drawn_for, effects_))
-          plan_.skipped.push_back({with_label(pass_of(i).name, drawn_for.label), *reason});
+  // Each branch all its way before the next begins, so that what is kept of it is the surfaces where another
+  // branch may part.
+  void add_by_branch(int first, int end) {
+    for (int i = first; i < end; ++i) say_skipped(i);
+    const int surfaces = std::any_of(registry_.begin() + first, registry_.begin() + end, has_rounds)
+                             ? settings_.bounces + 1
+                             : 0;
     for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light)
       for (int b = 0; b < static_cast<int>(effects_.branches.size()); ++b) {
-        for (int surface = 1; surface <= settings_.bounces + 1; ++surface)
+        for (int surface = 1; surface <= surfaces; ++surface)
           for (int i = first; i < end; ++i) add_of_branch(i, {light, b, surface});
         for (int i = first; i < end; ++i) add_of_branch(i, {light, b, 0});
       }
+  }
+
+  void say_skipped(int index) {
+    const Pass& pass = pass_of(index);
+    for (const DrawnFor& drawn_for : pass.drawn_for) {
+      bool any = false;
+      for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light)
+        any |= light_needs(pass, drawn_for, light);
+      auto reason = not_called_for(pass, drawn_for, effects_);
+      if (!reason && !any) reason = why_no_light(pass);
+      if (reason) plan_.skipped.push_back({with_label(pass.name, drawn_for.label), *reason});
+    }
   }
 
   void add_of_branch(int index, Owner user) {
@@ -228,9 +238,7 @@ class Planner {
     for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light) {
       if (!light_needs(pass, drawn_for, light)) continue;
       any = true;
-      if (drawn_for.each == Each::Light) add(index, drawn_for, {light, -1});
-      for (int b = 0; drawn_for.each == Each::Branch && b < static_cast<int>(effects_.branches.size()); ++b)
-        add(index, drawn_for, {light, b});
+      add(index, drawn_for, {light, -1});
     }
     if (!any) plan_.skipped.push_back({with_label(pass.name, drawn_for.label), why_no_light(pass)});
   }
