@@ -93,6 +93,10 @@ class Tile {
       const int channels = color.texture->channels();
       for (int y = 0; y < height_; ++y) {
         float* out = color.texture->texel(x_, y_ + y);
+        if (is_single(i)) {
+          std::copy_n(values_of(i) + static_cast<std::ptrdiff_t>(y) * kTile, width_, out);
+          continue;
+        }
         const float(*row)[4] = storage_.color[i] + static_cast<std::ptrdiff_t>(y) * kTile;
         if (channels == 4) {
           std::memcpy(out, row, sizeof(Texel) * static_cast<std::size_t>(width_));
@@ -119,7 +123,8 @@ class Tile {
     job.color_count = static_cast<int>(target_.colors.size());
     for (std::size_t i = 0; i < target_.colors.size(); ++i) {
       const ColorWrite& write = *target_.colors[i].write;
-      job.colors[i] = {storage_.color[i], write.format, write.blend, {}};
+      job.colors[i] = {
+          storage_.color[i], is_single(i) ? values_of(i) : nullptr, write.format, write.blend, {}};
       for (std::size_t c = 0; c < 4; ++c) job.colors[i].mask[c] = write.mask[c];
     }
     job.depth = target_.depth ? storage_.depth : nullptr;
@@ -141,7 +146,27 @@ class Tile {
         clear_tile(*color.texture, static_cast<int>(index_), cleared(*color.write));
   }
 
+  // Does a texel's one channel take what is drawn as it is, or add it?
+  bool is_single(std::size_t i) const {
+    const ColorWrite& write = *target_.colors[i].write;
+    return write.format == Format::R32F && write.mask[0] &&
+           (!write.blend.enabled || write.blend == kAccumulate);
+  }
+  float* values_of(std::size_t i) const { return storage_.color[i][0]; }
+
+  void load_values(std::size_t i) {
+    const RenderTarget::Color& color = target_.colors[i];
+    for (int y = 0; y < height_; ++y) {
+      float* const row = values_of(i) + static_cast<std::ptrdiff_t>(y) * kTile;
+      if (color.keep)
+        std::copy_n(color.texture->texel(x_, y_ + y), width_, row);
+      else
+        std::fill_n(row, width_, cleared(*color.write)[0]);
+    }
+  }
+
   void load_color(std::size_t i) {
+    if (is_single(i)) return load_values(i);
     const RenderTarget::Color& color = target_.colors[i];
     const int channels = color.texture->channels();
     Texel texel = cleared(*color.write);

@@ -57,7 +57,7 @@ TileJob replay_job(const FragmentWork& work, const TexelRectangle& where, const 
   job.color_count = static_cast<int>(definition.writes.size());
   for (std::size_t i = 0; i < definition.writes.size(); ++i) {
     const ColorWrite& write = definition.writes[i];
-    job.colors[i] = {storage.color[i], write.format, write.blend, {}};
+    job.colors[i] = {storage.color[i], nullptr, write.format, write.blend, {}};
     std::copy(write.mask.begin(), write.mask.end(), job.colors[i].mask);
   }
   job.depth = definition.depth ? storage.depth : nullptr;

@@ -51,6 +51,7 @@ struct PrimitiveChunk {
 // One colour attachment's share of a tile: four floats a texel, whatever the format.
 struct TileColor {
   float (*texels)[4];
+  float* values;  // one a texel instead, of a single channel that is replaced or added to; else null
   Format format;
   BlendState blend;
   bool mask[4];

@@ -1,6 +1,7 @@
 #include "passes/pane_light/pane_light.hpp"
 
 #include "passes/shared/pane_uniforms.hpp"
+#include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
@@ -13,6 +14,13 @@ constexpr DrawnFor kCasters{.each = Each::Light,
                             .size = grid_size,
                             .also = &Effects::blended,
                             .reason = "blended surfaces may stand between the light and casters"};
+
+// Half the shadow map's side: panes have a window to themselves. A light that sees all around shares the
+// shadow map's tiles.
+TargetSize pane_size(const Settings& settings, const Effects&, const LightEffects* light) {
+  const int side = light && !light->all_around.empty() ? int{settings.shadow} : (settings.shadow + 1) / 2;
+  return {side, side};
+}
 
 int before_casters(const PassContext& context) {
   return context.drawn_for && context.drawn_for->label == kCasters.label ? 1 : 0;
@@ -37,7 +45,7 @@ Pass pane_light_pass() {
       .when = {&Effects::light, &Effects::tinted_light},
       .drawn_for = {kLight, kCasters},
       .draws = DrawSet::LightTinters,
-      .size = shadow_size,
+      .size = pane_size,
       .reads = {{.name = "base_color", .meaning = "the pane's tint", .of_material = true},
                 {.name = "shadow_depth",
                  .meaning = "opaque surfaces, behind which panes no longer count",

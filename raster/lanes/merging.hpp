@@ -1,6 +1,7 @@
 // How a shaded fragment gets into a tile's colours: blending, masks, and the rounding of the target's format.
 // As tile_renderer.hpp, which includes it in the namespace of one instruction set.
 #pragma once
+#include "raster/lanes/sixteen.hpp"
 #include "raster/tile_job.hpp"
 
 namespace caustics::raster::CAUSTICS_TILE_NAMESPACE {
@@ -60,20 +61,20 @@ inline void write_color(const TileColor& target, float* texel, const float* colo
     if (target.mask[c]) texel[c] = quantized(target.format, result[c]);
 }
 
-// How a fragment gets into a target. What a target of one channel holds beside it is never stored.
-// ReplaceByte: as Replace, once a block's values have been rounded to the bytes that the target can hold.
-enum class Merging { General, Replace, ReplaceByte, Add, AddOneChannel };
+// How a fragment gets into a target. ReplaceByte: as Replace, once a block's values have been rounded to the
+// bytes that the target can hold. ReplaceValue and AddValue: into TileColor::values.
+enum class Merging { General, Replace, ReplaceByte, Add, ReplaceValue, AddValue };
 
 inline Merging merging_of(const TileColor& target) {
-  const bool one_channel = target.format == Format::R32F;
-  const bool all = target.mask[0] && (one_channel || (target.mask[1] && target.mask[2] && target.mask[3]));
   const BlendState& blend = target.blend;
+  if (target.values) return blend.enabled ? Merging::AddValue : Merging::ReplaceValue;
+  const bool all = target.mask[0] && target.mask[1] && target.mask[2] && target.mask[3];
   if (all && !blend.enabled && target.format == Format::RGBA8) return Merging::ReplaceByte;
-  if (!all || !(one_channel || target.format == Format::RGBA32F)) return Merging::General;
+  if (!all || target.format != Format::RGBA32F) return Merging::General;
   if (!blend.enabled) return Merging::Replace;
   const bool adds = blend.equation == BlendEquation::Add && blend.source == BlendFactor::One &&
                     blend.destination == BlendFactor::One;
-  return !adds ? Merging::General : one_channel ? Merging::AddOneChannel : Merging::Add;
+  return adds ? Merging::Add : Merging::General;
 }
 
 // stored_value of RGBA8 for a block of one channel. Adding 1.5 * 2^23 leaves no place for a fraction: the sum
@@ -88,17 +89,36 @@ inline void round_to_bytes(float (&values)[kBlock]) {
   }
 }
 
-inline void merge_texel(const TileColor& target, Merging merging, float* texel,
-                        const float (*outputs)[kBlock], int lane) {
-  if (merging == Merging::AddOneChannel) {
-    texel[0] = outputs[0][lane] + texel[0];
+inline void merge_texel(const TileColor& target, Merging merging, int pixel, const float (*outputs)[kBlock],
+                        int lane) {
+  if (merging == Merging::ReplaceValue) {
+    target.values[pixel] = outputs[0][lane];
+    return;
+  }
+  if (merging == Merging::AddValue) {
+    target.values[pixel] = outputs[0][lane] + target.values[pixel];
     return;
   }
   float color[4];
   for (int c = 0; c < 4; ++c) color[c] = outputs[c][lane];
+  float* const texel = target.texels[pixel];
   if (merging == Merging::General) return write_color(target, texel, color);
   const bool adds = merging == Merging::Add;
   for (int c = 0; c < 4; ++c) texel[c] = adds ? color[c] + texel[c] : color[c];
+}
+
+// Sixteen neighbours from `pixel` on.
+inline void merge_texels(const TileColor& target, Merging merging, int pixel,
+                         const float (*outputs)[kBlock]) {
+  float* const values = target.values + pixel;
+  if (merging == Merging::Replace || merging == Merging::ReplaceByte)
+    replace_row(target.texels + pixel, outputs);
+  else if (merging == Merging::ReplaceValue)
+    store_floats(values, load_floats(outputs[0]));
+  else if (merging == Merging::AddValue)
+    store_floats(values, load_floats(outputs[0]) + load_floats(values));
+  else
+    for (int lane = 0; lane < kBlock; ++lane) merge_texel(target, merging, pixel + lane, outputs, lane);
 }
 
 }  // namespace caustics::raster::CAUSTICS_TILE_NAMESPACE

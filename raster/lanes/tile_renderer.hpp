@@ -330,22 +330,15 @@ class TileRenderer {
   void merge_whole_row(int pixel) {
     if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
     counters_.samples_passed += static_cast<std::uint64_t>(kBlock);
-    for (int i = 0; i < job_.color_count; ++i) {
-      if (merging_[i] == Merging::Replace || merging_[i] == Merging::ReplaceByte)
-        replace_row(job_.colors[i].texels + pixel, outputs_ + 4 * i);
-      else
-        for (int lane = 0; lane < kBlock; ++lane) merge_into(i, lane, pixel + lane);
-    }
+    for (int i = 0; i < job_.color_count; ++i)
+      merge_texels(job_.colors[i], merging_[i], pixel, outputs_ + 4 * i);
   }
 
   void merge_lane(int lane, int pixel) {
     if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
     ++counters_.samples_passed;
-    for (int i = 0; i < job_.color_count; ++i) merge_into(i, lane, pixel);
-  }
-
-  void merge_into(int i, int lane, int pixel) {
-    merge_texel(job_.colors[i], merging_[i], job_.colors[i].texels[pixel], outputs_ + 4 * i, lane);
+    for (int i = 0; i < job_.color_count; ++i)
+      merge_texel(job_.colors[i], merging_[i], pixel, outputs_ + 4 * i, lane);
   }
 
   const TileJob& job_;
