@@ -70,6 +70,18 @@ float float_from_half(std::uint16_t half) {
   return sign ? -magnitude : magnitude;
 }
 
+namespace {
+
+float nearest_half(float value) {
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value), magnitude = bits & 0x7fffffffu;
+  const bool is_normal = magnitude >= 0x38800000u && magnitude < 0x477ff000u;
+  if (!is_normal) return float_from_half(half_from_float(value));
+  // To the nearest multiple of the half's last place, ties to even; a carry moves on into the exponent.
+  return std::bit_cast<float>((bits + 0xfffu + (bits >> 13 & 1u)) & ~0x1fffu);
+}
+
+}  // namespace
+
 std::uint8_t unorm8_from_float(float value) {
   if (!(value > 0.0f)) return 0;
   if (value >= 1.0f) return 255;
@@ -84,7 +96,7 @@ std::uint8_t unorm8_from_float(float value) {
 float stored_value(Format format, float value) {
   switch (format) {
     case Format::RGBA16F:
-      return float_from_half(half_from_float(value));
+      return nearest_half(value);
     case Format::RGBA8:
       return static_cast<float>(unorm8_from_float(value)) / 255.0f;
     case Format::R32F:

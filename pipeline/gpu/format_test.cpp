@@ -1,5 +1,6 @@
 #include "pipeline/gpu/format.hpp"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,17 @@ TEST_CASE("half: every half survives the way to float and back") {
     else
       CHECK(half_from_float(float_from_half(half)) == half);
   }
+}
+
+TEST_CASE("half: a float is stored as on the way to a half and back, whatever its bits") {
+  std::uint32_t wrong = 0;
+  for (std::uint64_t bits = 0; bits < 0x100000000ull; bits += 1021) {
+    const float value = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    const float there_and_back = float_from_half(half_from_float(value));
+    wrong += std::bit_cast<std::uint32_t>(stored_value(Format::RGBA16F, value)) !=
+             std::bit_cast<std::uint32_t>(there_and_back);
+  }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("half: ties go to the even neighbour") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace caustics {
 
@@ -41,27 +42,32 @@ struct Part {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-// All channels of the texels of a part that one coarser texel covers.
-std::array<double, 4> mean_of(const Image& image, const Part& part, const Cover& columns, const Cover& rows) {
+const float* texel_at(const Image& image, int x, int y) {
+  return &image.values[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width()) +
+                            static_cast<std::size_t>(x))];
+}
+
+// All channels of the texels from (x, y) on that one coarser texel covers.
+std::array<double, 4> mean_of(const Image& image, int x, int y, const Cover& columns, const Cover& rows) {
   std::array<double, 4> sum{};
   for (int j = 0; j < rows.count; ++j) {
+    const float* texel = texel_at(image, x, y + j);
     for (int i = 0; i < columns.count; ++i) {
       const double weight = rows.weights[j] * columns.weights[i];
-      const int x = part.x + columns.first + i, y = part.y + rows.first + j;
-      const float* texel =
-          &image.values[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width()) +
-                             static_cast<std::size_t>(x))];
-      for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * static_cast<double>(texel[c]);
+      for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * static_cast<double>(*texel++);
     }
   }
   return sum;
 }
 
 void fill_level(const Image& from, const Part& finer, Image& to, const Part& coarser) {
+  std::vector<Cover> columns;
+  for (int x = 0; x < coarser.width; ++x) columns.push_back(cover_of(x, finer.width, coarser.width));
   for (int y = 0; y < coarser.height; ++y) {
     const Cover rows = cover_of(y, finer.height, coarser.height);
     for (int x = 0; x < coarser.width; ++x) {
-      const auto mean = mean_of(from, finer, cover_of(x, finer.width, coarser.width), rows);
+      const Cover& column = columns[static_cast<std::size_t>(x)];
+      const auto mean = mean_of(from, finer.x + column.first, finer.y + rows.first, column, rows);
       for (int c = 0; c < 4; ++c)
         to.at(coarser.x + x, coarser.y + y, c) =
             stored_value(to.shape.format, static_cast<float>(mean[static_cast<std::size_t>(c)]));

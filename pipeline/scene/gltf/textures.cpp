@@ -43,15 +43,32 @@ Image to_image(const Pixels& pixels, Reading reading) {
   Image image(format, pixels.width, pixels.height);
   const auto channels = static_cast<std::size_t>(pixels.channels);
   const auto width = static_cast<std::size_t>(pixels.width);
+  const std::size_t places[] = {source_channel(0, pixels.channels), source_channel(1, pixels.channels),
+                                source_channel(2, pixels.channels), source_channel(3, pixels.channels)};
   float* out = image.values.data();
   for (int y = pixels.height - 1; y >= 0; --y) {  // row 0 is the bottom one
     const std::uint16_t* texel = pixels.integers.data() + static_cast<std::size_t>(y) * width * channels;
     for (std::size_t x = 0; x < width; ++x, texel += channels) {
-      for (int c = 0; c < 3; ++c) *out++ = color[texel[source_channel(c, pixels.channels)]];
-      *out++ = has_alpha(pixels.channels) ? plain[texel[source_channel(3, pixels.channels)]] : 1;
+      for (int c = 0; c < 3; ++c) *out++ = color[texel[places[c]]];
+      *out++ = has_alpha(pixels.channels) ? plain[texel[places[3]]] : 1;
     }
   }
   return image;
+}
+
+// By channel; -1 for an alpha that the image does not have.
+std::array<double, 4> means_of(const Pixels& pixels) {
+  const auto channels = static_cast<std::size_t>(pixels.channels);
+  // Sums of integers: exact, so the order does not matter.
+  std::array<std::uint64_t, 4> sums{};
+  for (std::size_t i = 0; i < pixels.integers.size(); i += channels)
+    for (std::size_t c = 0; c < channels; ++c) sums[c] += pixels.integers[i + c];
+  std::array<double, 4> means{-1, -1, -1, -1};
+  const double texels = static_cast<double>(pixels.integers.size()) / static_cast<double>(channels);
+  for (int c = 0; c < 3 + has_alpha(pixels.channels); ++c)
+    means[static_cast<std::size_t>(c)] =
+        static_cast<double>(sums[source_channel(c, pixels.channels)]) / (pixels.largest * texels);
+  return means;
 }
 
 // KHR_texture_transform, then v counted from the bottom. The extension turns textures
@@ -153,6 +170,14 @@ bool Textures::decode(int index, Pixels& pixels) {
   return false;
 }
 
+const Pixels* Textures::pixels_of(int index) {
+  if (decoded_ == index) return &pixels_;
+  decoded_.reset();
+  if (!decode(index, pixels_)) return nullptr;
+  decoded_ = index;
+  return &pixels_;
+}
+
 TextureUse Textures::use(const Cursor& info, Reading reading) {
   TextureUse result;
   if (!info.present()) return result;
@@ -166,10 +191,9 @@ TextureUse Textures::use(const Cursor& info, Reading reading) {
     result.image = known->second;
     return result;
   }
-  Pixels pixels;
-  if (decode(*source, pixels)) {
+  if (const Pixels* pixels = pixels_of(*source)) {
     result.image = static_cast<int>(images_.size());
-    images_.push_back(to_image(pixels, reading));
+    images_.push_back(to_image(*pixels, reading));
   }
   loaded_[key] = result.image;
   return result;
@@ -195,20 +219,7 @@ std::optional<double> Textures::mean(const Cursor& info, int channel) {
   auto known = means_.find(*source);
   if (known == means_.end()) {
     std::array<double, 4> means{-1, -1, -1, -1};
-    Pixels pixels;
-    if (decode(*source, pixels)) {
-      const auto channels = static_cast<std::size_t>(pixels.channels);
-      for (int c = 0; c < 3 + has_alpha(pixels.channels); ++c) {
-        // A sum of integers: exact, so the order does not matter.
-        std::uint64_t sum = 0;
-        for (std::size_t i = source_channel(c, pixels.channels); i < pixels.integers.size(); i += channels) {
-          sum += pixels.integers[i];
-        }
-        means[static_cast<std::size_t>(c)] =
-            static_cast<double>(sum) /
-            (pixels.largest * (static_cast<double>(pixels.integers.size()) / channels));
-      }
-    }
+    if (const Pixels* pixels = pixels_of(*source)) means = means_of(*pixels);
     known = means_.emplace(*source, means).first;
   }
   const double value = known->second[static_cast<std::size_t>(channel)];

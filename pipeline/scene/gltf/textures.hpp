@@ -44,6 +44,8 @@ class Textures {
  private:
   std::optional<int> image_index(const Cursor& info);
   void read_sampler(const Cursor& info, TextureUse& use) const;
+  // Null where it cannot be decoded.
+  const Pixels* pixels_of(int image);
   bool decode(int image, Pixels& pixels);
   Bytes image_bytes(const Cursor& image);
 
@@ -51,6 +53,8 @@ class Textures {
   Cursor root_;
   const Model& model_;
   std::uint64_t pixels_left_;
+  std::optional<int> decoded_;  // the image that `pixels_` are of: most are read twice in a row
+  Pixels pixels_;
   std::vector<Image> images_;
   std::map<std::pair<int, Reading>, int> loaded_;        // -> index, -1: failed
   std::map<int, std::array<double, 4>> means_;           // image -> mean of each channel, -1: failed
