@@ -50,16 +50,30 @@ void clear_tile(Texture& texture, int index, const Texel& texel) {
   if (!texture.clear_tiles.empty()) texture.clear_tiles[static_cast<std::size_t>(index)] = 1;
 }
 
+// Does a texel's one channel take what is drawn as it is, or add it?
+bool is_single(const ColorWrite& write) {
+  return write.format == Format::R32F && write.mask[0] &&
+         (!write.blend.enabled || write.blend == kAccumulate);
+}
+
 // A tile's attachments while it is drawn: compact, so that they stay in the cache.
 struct TileStorage {
   alignas(64) float color[kMaxColors][kTile * kTile][4];
   alignas(64) float depth[kTile * kTile];
 };
 
+// Are most texels drawn once? Then a tile's copy would cost more than it saves.
+bool is_drawn_in_place(const RenderTarget& target, const PassDefinition& definition) {
+  return !target.depth && definition.topology == Topology::Triangles &&
+         std::all_of(target.colors.begin(), target.colors.end(), [](const RenderTarget::Color& color) {
+           return !color.texture || color.texture->channels() == 4 || is_single(*color.write);
+         });
+}
+
 class Tile {
  public:
-  Tile(const TileGrid& grid, int index, const RenderTarget& target, TileStorage& storage)
-      : target_(target), storage_(storage) {
+  Tile(const TileGrid& grid, int index, const RenderTarget& target, bool in_place, TileStorage& storage)
+      : target_(target), in_place_(in_place), storage_(storage) {
     index_ = static_cast<std::size_t>(index);
     x_ = index % grid.columns * kTile;
     y_ = index / grid.columns * kTile;
@@ -68,6 +82,7 @@ class Tile {
   }
 
   void load_colors() {
+    if (in_place_) return clear_colors();
     for (std::size_t i = 0; i < target_.colors.size(); ++i)
       if (target_.colors[i].texture) load_color(i);
   }
@@ -90,10 +105,11 @@ class Tile {
       const RenderTarget::Color& color = target_.colors[i];
       if (!color.texture || !drawn) continue;
       if (!color.texture->clear_tiles.empty()) color.texture->clear_tiles[index_] = 0;
+      if (in_place_) continue;
       const int channels = color.texture->channels();
       for (int y = 0; y < height_; ++y) {
         float* out = color.texture->texel(x_, y_ + y);
-        if (is_single(i)) {
+        if (is_single(*color.write)) {
           std::copy_n(values_of(i) + static_cast<std::ptrdiff_t>(y) * kTile, width_, out);
           continue;
         }
@@ -122,11 +138,20 @@ class Tile {
     job.height = height_;
     job.color_count = static_cast<int>(target_.colors.size());
     for (std::size_t i = 0; i < target_.colors.size(); ++i) {
-      const ColorWrite& write = *target_.colors[i].write;
-      job.colors[i] = {
-          storage_.color[i], is_single(i) ? values_of(i) : nullptr, write.format, write.blend, {}};
+      const RenderTarget::Color& color = target_.colors[i];
+      const ColorWrite& write = *color.write;
+      float* const texels = !color.texture ? nullptr
+                            : in_place_    ? color.texture->texel(x_, y_)
+                                           : values_of(i);
+      const bool single = is_single(write);
+      job.colors[i] = {single ? nullptr : reinterpret_cast<float(*)[4]>(texels),
+                       single ? texels : nullptr,
+                       write.format,
+                       write.blend,
+                       {}};
       for (std::size_t c = 0; c < 4; ++c) job.colors[i].mask[c] = write.mask[c];
     }
+    if (in_place_) job.row = target_.shape().width;
     job.depth = target_.depth ? storage_.depth : nullptr;
     job.chunks = chunks.data();
     job.chunk_count = static_cast<int>(chunks.size());
@@ -139,19 +164,12 @@ class Tile {
   }
 
  private:
-  // Of a tile where nothing is drawn.
   void clear_colors() {
     for (const RenderTarget::Color& color : target_.colors)
       if (color.texture && !color.keep)
         clear_tile(*color.texture, static_cast<int>(index_), cleared(*color.write));
   }
 
-  // Does a texel's one channel take what is drawn as it is, or add it?
-  bool is_single(std::size_t i) const {
-    const ColorWrite& write = *target_.colors[i].write;
-    return write.format == Format::R32F && write.mask[0] &&
-           (!write.blend.enabled || write.blend == kAccumulate);
-  }
   float* values_of(std::size_t i) const { return storage_.color[i][0]; }
 
   void load_values(std::size_t i) {
@@ -166,7 +184,7 @@ class Tile {
   }
 
   void load_color(std::size_t i) {
-    if (is_single(i)) return load_values(i);
+    if (is_single(*target_.colors[i].write)) return load_values(i);
     const RenderTarget::Color& color = target_.colors[i];
     const int channels = color.texture->channels();
     Texel texel = cleared(*color.write);
@@ -188,6 +206,7 @@ class Tile {
   }
 
   const RenderTarget& target_;
+  bool in_place_;
   TileStorage& storage_;
   std::size_t index_ = 0;
   int x_ = 0, y_ = 0, width_ = 0, height_ = 0;
@@ -259,6 +278,7 @@ TileJob job_of(const FragmentWork& work) {
   job.textures = work.textures;
   job.varying_count = work.varying_count;
   job.varying_flat = work.varying_flat;
+  job.row = kTile;
   return job;
 }
 
@@ -270,6 +290,7 @@ TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>
   for (RenderTarget::Color& color : target.colors)
     if (color.texture && !color.keep)
       begin_clear(*color.texture, cleared(*color.write), static_cast<std::size_t>(grid.count()));
+  const bool in_place = is_drawn_in_place(target, *work.definition);
   const std::vector<int> order = fullest_first(chunks, grid);
   std::vector<TileCounters> counters(order.size());
   workers.run(static_cast<int>(order.size()), [&](int i) {
@@ -277,7 +298,7 @@ TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>
     const int index = order[static_cast<std::size_t>(i)];
     const std::vector<PrimitiveChunk> touching = chunks_of_tile(chunks, static_cast<std::size_t>(index));
     if (touching.empty() && all_kept) return;
-    Tile tile(grid, index, target, *storage);
+    Tile tile(grid, index, target, in_place, *storage);
     TileCounters& counted = counters[static_cast<std::size_t>(i)];
     const bool idle = std::any_of(
         work.idle_where_zero.begin(), work.idle_where_zero.end(),

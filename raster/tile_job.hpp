@@ -48,7 +48,8 @@ struct PrimitiveChunk {
   std::uint32_t count;
 };
 
-// One colour attachment's share of a tile: four floats a texel, whatever the format.
+// One colour attachment's share of a tile: four floats a texel, whatever the format; both null where nothing
+// is attached.
 struct TileColor {
   float (*texels)[4];
   float* values;  // one a texel instead, of a single channel that is replaced or added to; else null
@@ -67,6 +68,7 @@ struct TileJob {
   int x, y, width, height;  // window coordinates of the tile's lower left pixel, and its size
   TileColor colors[kMaxColors];
   int color_count;
+  int row;       // texels from one row of the attachments to the next
   float* depth;  // null without a depth attachment
   DepthState depth_state;
   bool test_depth_late;  // the shader may discard

@@ -26,8 +26,14 @@ namespace {
 constexpr double kBorder = 1.0;
 // Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps.
 // Pixels on one surface share its texels, so there are hardly more samples in all than texels, however wide
-// the pixels are.
-constexpr int kMostSamples = 64;
+// the pixels are. The surroundings are only seen bent by glass.
+constexpr int kMostSamples = 64, kMostOfSurroundings = 8;
+
+int samples_across(const PassContext& context) {
+  if (!context.settings->pixel_means) return 0;
+  const bool of_picture = !context.drawn_for || context.drawn_for->camera == CameraView::Picture;
+  return of_picture ? kMostSamples : kMostOfSurroundings;
+}
 
 int has_finer_map(const PassContext& context) { return context.views->cascade && throws_caustic(context); }
 
@@ -175,8 +181,7 @@ Pass light_shading_pass() {
                   {"has_highlights", chosen_by<&Effects::highlights>},
                   {"is_layer", [](const PassContext& c) { return c.layer() > 0 ? 1 : 0; }},
                   {"casters_shine", casters_shine},
-                  {"samples_across",
-                   [](const PassContext& c) { return c.settings->pixel_means ? kMostSamples : 0; }}},
+                  {"samples_across", samples_across}},
   };
 }
 

@@ -63,10 +63,11 @@ inline void write_color(const TileColor& target, float* texel, const float* colo
 
 // How a fragment gets into a target. ReplaceByte: as Replace, once a block's values have been rounded to the
 // bytes that the target can hold. ReplaceValue and AddValue: into TileColor::values.
-enum class Merging { General, Replace, ReplaceByte, Add, ReplaceValue, AddValue };
+enum class Merging { None, General, Replace, ReplaceByte, Add, ReplaceValue, AddValue };
 
 inline Merging merging_of(const TileColor& target) {
   const BlendState& blend = target.blend;
+  if (!target.texels && !target.values) return Merging::None;
   if (target.values) return blend.enabled ? Merging::AddValue : Merging::ReplaceValue;
   const bool all = target.mask[0] && target.mask[1] && target.mask[2] && target.mask[3];
   if (all && !blend.enabled && target.format == Format::RGBA8) return Merging::ReplaceByte;
@@ -91,6 +92,7 @@ inline void round_to_bytes(float (&values)[kBlock]) {
 
 inline void merge_texel(const TileColor& target, Merging merging, int pixel, const float (*outputs)[kBlock],
                         int lane) {
+  if (merging == Merging::None) return;
   if (merging == Merging::ReplaceValue) {
     target.values[pixel] = outputs[0][lane];
     return;
@@ -110,6 +112,7 @@ inline void merge_texel(const TileColor& target, Merging merging, int pixel, con
 // Sixteen neighbours from `pixel` on.
 inline void merge_texels(const TileColor& target, Merging merging, int pixel,
                          const float (*outputs)[kBlock]) {
+  if (merging == Merging::None) return;
   float* const values = target.values + pixel;
   if (merging == Merging::Replace || merging == Merging::ReplaceByte)
     replace_row(target.texels + pixel, outputs);

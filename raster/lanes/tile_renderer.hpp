@@ -253,7 +253,7 @@ class TileRenderer {
     store_floats(f.y + first, broadcast(static_cast<float>(y)));
   }
 
-  int pixel_at(int x, int y) const { return (y - job_.y) * kTile + (x - job_.x); }
+  int pixel_at(int x, int y) const { return (y - job_.y) * job_.row + (x - job_.x); }
 
   bool depth_passes(int pixel, float z) {
     if (!job_.depth) return true;
