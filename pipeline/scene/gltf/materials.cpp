@@ -225,12 +225,13 @@ int Reader::read_textures() {
                         : both.present()     ? both
                                              : occlusion;
   const int set = Textures::uv_set(first);
+  // First: its means were just read.
+  result_.metallic_roughness_texture = placed(both, set, Reading::Data);
   result_.base_color_texture = placed(base, set, Reading::Color);
   read_coverage();
   result_.normal_texture = placed(normal, set, Reading::FineData);
   result_.normal_scale = factor(context_, normal.member("scale"), 1, -1000, 1000);
   result_.emissive_texture = placed(emissive, set, Reading::Color);
-  result_.metallic_roughness_texture = placed(both, set, Reading::Data);
   result_.occlusion_texture = placed(occlusion, set, Reading::Data);
   result_.occlusion_strength = factor(context_, occlusion.member("strength"), 1, 0, 1);
   if (result_.transmission > 0) {
