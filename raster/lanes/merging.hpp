@@ -90,6 +90,7 @@ inline void round_to_bytes(float (&values)[kBlock]) {
   }
 }
 
+// Where texels are not all of four channels that are replaced or added to.
 inline void merge_texel(const TileColor& target, Merging merging, int pixel, const float (*outputs)[kBlock],
                         int lane) {
   if (merging == Merging::None) return;
@@ -103,10 +104,31 @@ inline void merge_texel(const TileColor& target, Merging merging, int pixel, con
   }
   float color[4];
   for (int c = 0; c < 4; ++c) color[c] = outputs[c][lane];
-  float* const texel = target.texels[pixel];
-  if (merging == Merging::General) return write_color(target, texel, color);
+  write_color(target, target.texels[pixel], color);
+}
+
+// Of a block the lanes whose bits are set, one after the other: several may lie at one pixel.
+inline void merge_lanes(const TileColor& target, Merging merging, const std::int32_t* pixels, unsigned lanes,
+                        const float (*outputs)[kBlock]) {
   const bool adds = merging == Merging::Add;
-  for (int c = 0; c < 4; ++c) texel[c] = adds ? color[c] + texel[c] : color[c];
+  if (!adds && merging != Merging::Replace && merging != Merging::ReplaceByte) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int lane = __builtin_ctz(lanes);
+      merge_texel(target, merging, pixels[lane], outputs, lane);
+    }
+    return;
+  }
+  float colors[kBlock][4];
+  replace_row(colors, outputs);
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = __builtin_ctz(lanes);
+    float* const texel = target.texels[pixels[lane]];
+    Texel color, stored;
+    __builtin_memcpy(&color, colors[lane], sizeof color);
+    __builtin_memcpy(&stored, texel, sizeof stored);
+    if (adds) color = color + stored;
+    __builtin_memcpy(texel, &color, sizeof color);
+  }
 }
 
 // Sixteen neighbours from `pixel` on.
@@ -114,14 +136,17 @@ inline void merge_texels(const TileColor& target, Merging merging, int pixel,
                          const float (*outputs)[kBlock]) {
   if (merging == Merging::None) return;
   float* const values = target.values + pixel;
-  if (merging == Merging::Replace || merging == Merging::ReplaceByte)
+  if (merging == Merging::Replace || merging == Merging::ReplaceByte) {
     replace_row(target.texels + pixel, outputs);
-  else if (merging == Merging::ReplaceValue)
+  } else if (merging == Merging::ReplaceValue) {
     store_floats(values, load_floats(outputs[0]));
-  else if (merging == Merging::AddValue)
+  } else if (merging == Merging::AddValue) {
     store_floats(values, load_floats(outputs[0]) + load_floats(values));
-  else
-    for (int lane = 0; lane < kBlock; ++lane) merge_texel(target, merging, pixel + lane, outputs, lane);
+  } else {
+    std::int32_t pixels[kBlock];
+    store_ints(pixels, pixel + kNeighbours);
+    merge_lanes(target, merging, pixels, 0xffffu, outputs);
+  }
 }
 
 }  // namespace caustics::raster::CAUSTICS_TILE_NAMESPACE

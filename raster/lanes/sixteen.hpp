@@ -18,6 +18,8 @@ static_assert(kBlock == 16);
 using Floats = float __attribute__((vector_size(64)));
 using Ints = std::int32_t __attribute__((vector_size(64)));
 
+using Texel = float __attribute__((vector_size(16)));
+
 inline constexpr Ints kNeighbours = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 inline Floats load_floats(const float* p) {

@@ -39,37 +39,49 @@ struct Span {
   float first, last;
 };
 
-// Lengthens a span of a row by what of an edge lies in it.
-inline void add_edge(Span& span, const float* p, const float* q, float lower, float upper) {
-  if (p[1] > q[1]) {
-    const float* const swapped = p;
-    p = q;
-    q = swapped;
+// Where rows of pixels meet the triangles (a, b, c) and (d, c, b), with the margin. Rounding takes less than
+// half of the margin: corners are less than 2^15 pixels apart.
+class QuadRows {
+ public:
+  explicit QuadRows(const float* corners) {
+    const float *const a = corners, *const b = corners + 2, *const c = corners + 4, *const d = corners + 6;
+    edges_[0] = edge_between(a, b);
+    edges_[1] = edge_between(c, a);
+    edges_[2] = edge_between(b, c);
+    edges_[3] = edge_between(d, c);
+    edges_[4] = edge_between(b, d);
   }
-  if (q[1] < lower || p[1] > upper) return;
-  const float rise = q[1] - p[1];
-  const float slope = rise > 0.0f ? (q[0] - p[0]) / rise : 0.0f;
-  const float from = p[1] < lower ? p[0] + (lower - p[1]) * slope : p[0];
-  const float to = q[1] > upper ? p[0] + (upper - p[1]) * slope : q[0];
-  const float left = from < to ? from : to, right = from < to ? to : from;
-  if (left < span.first) span.first = left;
-  if (right > span.last) span.last = right;
-}
 
-// Where a row of pixels meets the triangles (a, b, c) and (d, c, b), with the margin: none of it where
-// `first` is larger. Rounding takes less than half of the margin: corners are less than 2^15 pixels apart.
-inline Span quad_span(const float* corners, int row) {
-  const float *const a = corners, *const b = corners + 2, *const c = corners + 4, *const d = corners + 6;
-  const float lower = static_cast<float>(row) - kQuadMargin,
-              upper = static_cast<float>(row + 1) + kQuadMargin;
-  Span span{1e30f, -1e30f};
-  add_edge(span, a, b, lower, upper);
-  add_edge(span, c, a, lower, upper);
-  add_edge(span, b, c, lower, upper);
-  add_edge(span, d, c, lower, upper);
-  add_edge(span, b, d, lower, upper);
-  return {span.first - kQuadMargin, span.last + kQuadMargin};
-}
+  // None of the row where `first` is larger.
+  Span at(int row) const {
+    const float lower = static_cast<float>(row) - kQuadMargin,
+                upper = static_cast<float>(row + 1) + kQuadMargin;
+    Span span{1e30f, -1e30f};
+    for (const Edge& edge : edges_) {
+      if (edge.top < lower || edge.bottom > upper) continue;
+      const float from =
+          edge.bottom < lower ? edge.x_bottom + (lower - edge.bottom) * edge.slope : edge.x_bottom;
+      const float to = edge.top > upper ? edge.x_bottom + (upper - edge.bottom) * edge.slope : edge.x_top;
+      const float left = from < to ? from : to, right = from < to ? to : from;
+      span.first = left < span.first ? left : span.first;
+      span.last = right > span.last ? right : span.last;
+    }
+    return {span.first - kQuadMargin, span.last + kQuadMargin};
+  }
+
+ private:
+  struct Edge {
+    float x_bottom, bottom, x_top, top, slope;
+  };
+  static Edge edge_between(const float* p, const float* q) {
+    const bool turned = p[1] > q[1];
+    const float *const from = turned ? q : p, *const to = turned ? p : q;
+    const float rise = to[1] - from[1];
+    return {from[0], from[1], to[0], to[1], rise > 0.0f ? (to[0] - from[0]) / rise : 0.0f};
+  }
+
+  Edge edges_[5];
+};
 
 class TileRenderer {
  public:
@@ -97,12 +109,13 @@ class TileRenderer {
     const int y_last = smaller(point.y_last, job_.y + job_.height - 1);
     const int x_first = larger(point.x_first, job_.x), y_first = larger(point.y_first, job_.y);
     const bool narrows = job_.zero_outside_quad >= 0 && x_last - x_first >= 3 && y_last > y_first;
+    if (!narrows) {
+      for (int y = y_first; y <= y_last; ++y) add_row(x_first, x_last, y, point);
+      return;
+    }
+    const QuadRows quad(point.varyings + job_.zero_outside_quad);
     for (int y = y_first; y <= y_last; ++y) {
-      if (!narrows) {
-        add_row(x_first, x_last, y, point);
-        continue;
-      }
-      const Span span = quad_span(point.varyings + job_.zero_outside_quad, y);
+      const Span span = quad.at(y);
       if (!(span.first <= span.last)) continue;
       const float first = static_cast<float>(x_first), last = static_cast<float>(x_last);
       // Truncated below 0 too: there the row begins anyway.
@@ -289,11 +302,13 @@ class TileRenderer {
     fill_up(f);
     interpolate(job_, f, varyings_);
     shade(f);
-    for (int lane = 0; lane < f.count; ++lane) {
-      if (discarded_[lane]) continue;
-      if (job_.test_depth_late && !depth_passes(f.pixel[lane], f.z[lane])) continue;
-      merge_lane(lane, f.pixel[lane]);
-    }
+    unsigned merged = ~bits_of(load_ints(discarded_)) & ((1u << f.count) - 1u);
+    if (job_.depth && job_.test_depth_late)
+      for (unsigned left = merged; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        if (!depth_passes(f.pixel[lane], f.z[lane])) merged &= ~(1u << lane);
+      }
+    merge_lanes(merged, f.pixel);
     counters_.fragments += static_cast<std::uint64_t>(f.count);
     f.count = 0;
   }
@@ -321,10 +336,9 @@ class TileRenderer {
       merge_whole_row(pixel);
       return;
     }
-    for (; merged != 0; merged &= merged - 1) {
-      const int lane = __builtin_ctz(merged);
-      merge_lane(lane, pixel + lane);
-    }
+    std::int32_t pixels[kBlock];
+    store_ints(pixels, pixel + kNeighbours);
+    merge_lanes(merged, pixels);
   }
 
   void merge_whole_row(int pixel) {
@@ -334,11 +348,12 @@ class TileRenderer {
       merge_texels(job_.colors[i], merging_[i], pixel, outputs_ + 4 * i);
   }
 
-  void merge_lane(int lane, int pixel) {
+  void merge_lanes(unsigned lanes, const std::int32_t* pixels) {
+    if (lanes == 0) return;
     if (counters_.samples_passed == 0) job_.load_colors(job_.tile);
-    ++counters_.samples_passed;
+    counters_.samples_passed += static_cast<std::uint64_t>(__builtin_popcount(lanes));
     for (int i = 0; i < job_.color_count; ++i)
-      merge_texel(job_.colors[i], merging_[i], pixel, outputs_ + 4 * i, lane);
+      CAUSTICS_TILE_NAMESPACE::merge_lanes(job_.colors[i], merging_[i], pixels, lanes, outputs_ + 4 * i);
   }
 
   const TileJob& job_;
