@@ -48,24 +48,23 @@ std::vector<int> casters_by_row(const RenderedFrame& frame) {
   return meshes;
 }
 
-// What a light's sample wrote, as it is until the next pass.
-struct SampleImages {
-  std::vector<BranchImages> branches;
-  std::vector<CellImages> cells;
+// What a light's sample wrote besides its branches', as it is until the next pass.
+struct SampleMaps {
   ImageView map, far_map, cascade, caster_normal, view_position;
 };
 
-SampleImages images_of(const RenderedFrame& frame, int light) {
-  const auto has = [&](const std::string& name) { return frame.has(name); };
+SampleMaps maps_of(const RenderedFrame& frame, int light) {
   const auto read = [&](const std::string& name) { return frame.look_at(name); };
-  const auto if_any = [&](const std::string& name) { return has(name) ? read(name) : ImageView{}; };
-  return {.branches = branch_images(light, frame.effects().branches, has, read),
-          .cells = cell_images(light, frame.effects().branches, has, read),
-          .map = read(light_texture(kCausticMap, light)),
+  const auto if_any = [&](const std::string& name) { return frame.has(name) ? read(name) : ImageView{}; };
+  return {.map = read(light_texture(kCausticMap, light)),
           .far_map = if_any(light_texture(far_texture(kCausticMap), light)),
           .cascade = if_any(light_texture(kCascadeMap, light)),
           .caster_normal = read(light_texture(kCasterNormal, light)),
           .view_position = frame.settings().pixel_means ? if_any(kViewPosition) : ImageView{}};
+}
+
+void run_side_by_side(std::initializer_list<std::function<void()>> parts) {
+  in_pieces(static_cast<int>(parts.size()), 0, [&](int part) { parts.begin()[part](); });
 }
 
 void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vector<Outcome>& sum) {
@@ -76,34 +75,39 @@ void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vecto
 
 // Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.
 void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
-  const SampleImages images = images_of(frame, light);
+  const SampleMaps maps = maps_of(frame, light);
   const LightViews& views = frame.views()[static_cast<std::size_t>(light)];
+  const std::vector<int> casters = casters_by_row(frame);
+  LedgerSum ledger_sum(views.caustic, frame.settings(), maps.map.width());
+  ErrorSum error_sum(views, frame.settings(), maps.map.width(), !maps.cascade.values.empty());
+  std::vector<BranchImages> judged;  // the model looks at all branches at once
+  for (const Branch& branch : frame.effects().branches) {
+    const auto has = [&](const std::string& name) { return frame.has(name); };
+    const auto read = [&](const std::string& name) { return frame.look_at(name); };
+    const BranchImages images = images_of_branch(light, branch, has, read);
+    const CellImages cells = cells_of_branch(light, branch, has, read);
+    run_side_by_side({[&] { ledger_sum.add(images, cells); }, [&] { error_sum.add(images, cells); },
+                      [&] {
+                        add_outcomes(outcomes_of(sum.light, {images}, maps.caster_normal, casters), share,
+                                     sum.outcomes);
+                      }});
+    if (model) judged.push_back(images);
+  }
   Ledger ledger;
   double pixel = 0.0;
-  const std::function<void()> parts[] = {
-      [&] {
-        if (model)
-          model->add({.light = frame.scene().lights[static_cast<std::size_t>(light)],
-                      .caster = views.caster,
-                      .branches = images.branches,
-                      .share = share,
-                      .samples = static_cast<int>(samples_of(frame.scene(), sum.light).size())});
-      },
-      [&] {
-        ledger = make_ledger(images.branches, images.cells, images.map, images.far_map, views.caustic,
-                             frame.settings());
-      },
-      [&] { pixel = kJudgedPixels * pixel_side(images.view_position, images.map, views.caustic); },
-      [&] {
-        add_outcomes(outcomes_of(sum.light, images.branches, images.caster_normal, casters_by_row(frame)),
-                     share, sum.outcomes);
-      }};
-  in_pieces(static_cast<int>(std::size(parts)), 0, [&](int part) { parts[part](); });
+  run_side_by_side(
+      {[&] {
+         if (model)
+           model->add({.light = frame.scene().lights[static_cast<std::size_t>(light)],
+                       .caster = views.caster,
+                       .branches = judged,
+                       .share = share,
+                       .samples = static_cast<int>(samples_of(frame.scene(), sum.light).size())});
+       },
+       [&] { ledger = ledger_sum.with_maps(maps.map, maps.far_map); },
+       [&] { pixel = kJudgedPixels * pixel_side(maps.view_position, maps.map, views.caustic); }});
   add(sum.ledger, ledger, share);
-  add(sum.error,
-      estimate_error(images.branches, images.cells, images.map, images.cascade, views, frame.settings(),
-                     ledger, pixel),
-      share);
+  add(sum.error, error_sum.with_maps(maps.map, maps.cascade, ledger, pixel), share);
 }
 
 }  // namespace

@@ -58,9 +58,11 @@ struct Bench {
                                 .surfaces = surfaces,
                                 .most_surfaces = most_surfaces,
                                 .forward = view.forward,
+                                .bend = 0.0f,
                                 .most_steps = 1000,
                                 .first_receiver = hierarchy.first_receiver(),
                                 .touch = hierarchy.touch,
+                                .blends = 0,
                                 .several_rays = several_rays};
     // On the second of the uppermost face's triangles.
     const auto level = [&](float height) { return filled(1, 1, {at.x, height, at.y, 1.0f}); };

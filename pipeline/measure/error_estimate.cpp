@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "pipeline/measure/shown_light.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/in_pieces.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
@@ -206,35 +205,6 @@ void compare_splats(const BranchImages& images, const View& view, const SplatKer
 
 bool in_cells(const BranchImages& images) { return !images.cell_flux.values.empty(); }
 
-double cells_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
-                   const View& caster, const ShownMaps& maps, double pixel) {
-  ShownLight moved(maps);
-  for (std::size_t b = 0; b < branches.size(); ++b)
-    if (in_cells(branches[b])) compare_cells(cells[b], branches[b].cell_flux, caster, moved);
-  return std::move(moved).sum(pixel);
-}
-
-double splats_error(const std::vector<BranchImages>& branches, const View& caustic, const SplatKernel& kernel,
-                    const ShownMaps& maps, double pixel) {
-  ShownLight splats(maps);
-  for (const BranchImages& images : branches)
-    if (!in_cells(images)) compare_splats(images, caustic, kernel, maps.side, splats);
-  return std::move(splats).sum(pixel);
-}
-
-double grid_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
-                  const LightViews& views, const Settings& settings, const ShownMaps& maps, double pixel) {
-  double error = 0.0, points = 0.0;
-  if (std::any_of(branches.begin(), branches.end(), in_cells))
-    error = kOfGrid * cells_error(branches, cells, views.caster, maps, pixel);
-  if (!std::all_of(branches.begin(), branches.end(), in_cells))
-    error += splats_error(branches, views.caustic, splat_kernel(settings), maps, pixel);
-  for (const BranchImages& images : branches)
-    if (in_cells(images))
-      points += (images.footprint.values.empty() ? kOfPoints : kOfFootprints) * flux_of_points(images);
-  return error + points;
-}
-
 double total(const FluxRgb& flux) { return flux[0] + flux[1] + flux[2]; }
 
 }  // namespace
@@ -247,26 +217,53 @@ void add(ErrorEstimate& sum, const ErrorEstimate& other, double share) {
   sum.judged = sum.judged || other.judged;
 }
 
-ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
-                             const ImageView& caustic_map, const ImageView& cascade_map,
-                             const LightViews& views, const Settings& settings, const Ledger& ledger,
-                             double pixel) {
+ErrorSum::ErrorSum(const LightViews& views, const Settings& settings, int map, bool has_cascade)
+    : views_(views), settings_(settings), maps_(views, settings, map, has_cascade) {}
+
+void ErrorSum::add(const BranchImages& images, const CellImages& cells) {
+  if (in_cells(images)) {
+    if (!cells_) cells_.emplace(maps_);
+    compare_cells(cells, images.cell_flux, views_.caster, *cells_);
+    points_ += (images.footprint.values.empty() ? kOfPoints : kOfFootprints) * flux_of_points(images);
+    return;
+  }
+  if (!splats_) splats_.emplace(maps_);
+  if (!views_.caustic.cube)
+    compare_splats(images, views_.caustic, splat_kernel(settings_), maps_.side, *splats_);
+}
+
+double ErrorSum::grid_error(double pixel) {
+  double error = 0.0;
+  if (cells_) error = kOfGrid * std::move(*cells_).sum(pixel);
+  if (splats_) error += std::move(*splats_).sum(pixel);
+  return error + points_;
+}
+
+ErrorEstimate ErrorSum::with_maps(const ImageView& caustic_map, const ImageView& cascade_map,
+                                  const Ledger& ledger, double pixel) {
   ErrorEstimate estimate;
-  const bool spots = !std::all_of(branches.begin(), branches.end(), in_cells);
-  if (views.caustic.cube && spots) return estimate;
-  const ShownMaps maps(views, settings, caustic_map.width(), !cascade_map.values.empty());
+  if (views_.caustic.cube && splats_) return estimate;
   estimate.landed = total(ledger.in_map);
   estimate.missing = total(ledger.outside) + total(ledger.kernel_edge) + total(ledger.not_converged) +
                      total(ledger.exit_not_found) + total(ledger.given_up);
   double of_map = 0.0, of_cascade = 0.0, of_grid = 0.0;
   const std::function<void()> parts[] = {
-      [&] { of_map = map_error(caustic_map, maps, views.caustic, pixel); },
-      [&] { of_cascade = maps.has_cascade ? cascade_error(cascade_map, maps, pixel) : 0.0; },
-      [&] { of_grid = grid_error(branches, cells, views, settings, maps, pixel); }};
+      [&] { of_map = map_error(caustic_map, maps_, views_.caustic, pixel); },
+      [&] { of_cascade = maps_.has_cascade ? cascade_error(cascade_map, maps_, pixel) : 0.0; },
+      [&] { of_grid = grid_error(pixel); }};
   in_pieces(static_cast<int>(std::size(parts)), 0, [&](int part) { parts[part](); });
   estimate.map = kOfTexels * (of_map + of_cascade);
   estimate.grid = of_grid;
   return estimate;
+}
+
+ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
+                             const ImageView& caustic_map, const ImageView& cascade_map,
+                             const LightViews& views, const Settings& settings, const Ledger& ledger,
+                             double pixel) {
+  ErrorSum sum(views, settings, caustic_map.width(), !cascade_map.values.empty());
+  for (std::size_t b = 0; b < branches.size(); ++b) sum.add(branches[b], cells[b]);
+  return sum.with_maps(caustic_map, cascade_map, ledger, pixel);
 }
 
 }  // namespace caustics

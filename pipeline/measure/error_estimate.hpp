@@ -1,10 +1,12 @@
 // How far a light's caustic may be from the truth, told from the frame itself (docs/accuracy.md).
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "pipeline/effects/effects.hpp"
 #include "pipeline/gpu/image_view.hpp"
 #include "pipeline/measure/ledger.hpp"
+#include "pipeline/measure/shown_light.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
@@ -32,9 +34,29 @@ struct ErrorEstimate {
 // add up.
 void add(ErrorEstimate& sum, const ErrorEstimate& other, double share);
 
-// Of one light; `pixel` is a pixel's side in texels of the caustic map (pixel_side.hpp), 1 or less where the
-// maps' own texels are judged; `cells` by branch, `cascade_map` without values where the light has none. Of
-// lights that see all around only cells are judged: landed is 0 where their landings are splatted one by one.
+// Of one light, branch by branch, so that no more than one branch's images need be there. Of lights that see
+// all around only cells are judged: landed is 0 where their landings are splatted one by one.
+class ErrorSum {
+ public:
+  // Maps of `map` texels a side, with a cascade or without. Views and settings must outlive it.
+  ErrorSum(const LightViews& views, const Settings& settings, int map, bool has_cascade);
+  void add(const BranchImages& images, const CellImages& cells);
+  // Once, at the end. `pixel` is a pixel's side in texels of the caustic map (pixel_side.hpp), 1 or less
+  // where the maps' own texels are judged; `cascade_map` without values where the light has none.
+  ErrorEstimate with_maps(const ImageView& caustic_map, const ImageView& cascade_map, const Ledger& ledger,
+                          double pixel);
+
+ private:
+  double grid_error(double pixel);
+
+  const LightViews& views_;
+  const Settings& settings_;
+  ShownMaps maps_;
+  std::optional<ShownLight> cells_, splats_;  // in wrong places; none of the kind at first
+  double points_ = 0.0;
+};
+
+// The same of all branches at once; `cells` by branch.
 ErrorEstimate estimate_error(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
                              const ImageView& caustic_map, const ImageView& cascade_map,
                              const LightViews& views, const Settings& settings, const Ledger& ledger,

@@ -47,44 +47,52 @@ void merge_far(BranchImages& images, const BranchImages& far) {
 
 }  // namespace
 
-std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
-                                        const std::function<bool(const std::string&)>& has,
-                                        const std::function<ImageView(const std::string&)>& read) {
+BranchImages images_of_branch(int light, const Branch& branch, const HasTexture& has,
+                              const ReadTexture& read) {
+  const auto own = [&](const char* name) { return read(branch_texture(name, light, branch)); };
+  const auto if_any = [&](const char* name) {
+    return has(branch_texture(name, light, branch)) ? own(name) : ImageView{};
+  };
+  BranchImages images{branch,
+                      own(kLanding),
+                      own(kLandingFlux),
+                      own(kLandingFresnel),
+                      own(kLandingAbsorbed),
+                      if_any(kCellFlux),
+                      if_any(kLandingMedium),
+                      if_any(kLandingFootprint)};
+  if (!has(branch_texture(far_texture(kLanding), light, branch))) return images;
+  const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
+  const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
+  merge_far(images, {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
+                     cells ? far(kCellFlux) : ImageView{}, ImageView{}, ImageView{}});
+  return images;
+}
+
+CellImages cells_of_branch(int light, const Branch& branch, const HasTexture& has, const ReadTexture& read) {
+  const auto own = [&](const std::string& name) {
+    const std::string full = branch_texture(name, light, branch);
+    return has(full) ? read(full) : ImageView{};
+  };
+  CellImages cells{own(kCellNear), own(kCellFar)};
+  const ImageView far_flux = own(far_texture(kCellFlux));
+  if (far_flux.values.empty()) return cells;
+  cells.near = merged(cells.near, own(far_texture(kCellNear)), far_flux);
+  cells.far = merged(cells.far, own(far_texture(kCellFar)), far_flux);
+  return cells;
+}
+
+std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches, const HasTexture& has,
+                                        const ReadTexture& read) {
   std::vector<BranchImages> result;
-  for (const Branch& branch : branches) {
-    const auto own = [&](const char* name) { return read(branch_texture(name, light, branch)); };
-    const auto if_any = [&](const char* name) {
-      return has(branch_texture(name, light, branch)) ? own(name) : ImageView{};
-    };
-    result.push_back({branch, own(kLanding), own(kLandingFlux), own(kLandingFresnel), own(kLandingAbsorbed),
-                      if_any(kCellFlux), if_any(kLandingMedium), if_any(kLandingFootprint)});
-    if (!has(branch_texture(far_texture(kLanding), light, branch))) continue;
-    const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
-    const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
-    merge_far(result.back(),
-              {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
-               cells ? far(kCellFlux) : ImageView{}, ImageView{}, ImageView{}});
-  }
+  for (const Branch& branch : branches) result.push_back(images_of_branch(light, branch, has, read));
   return result;
 }
 
-std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
-                                    const std::function<bool(const std::string&)>& has,
-                                    const std::function<ImageView(const std::string&)>& read) {
+std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches, const HasTexture& has,
+                                    const ReadTexture& read) {
   std::vector<CellImages> result;
-  for (const Branch& branch : branches) {
-    const auto own = [&](const std::string& name) {
-      const std::string full = branch_texture(name, light, branch);
-      return has(full) ? read(full) : ImageView{};
-    };
-    CellImages cells{own(kCellNear), own(kCellFar)};
-    const ImageView far_flux = own(far_texture(kCellFlux));
-    if (!far_flux.values.empty()) {
-      cells.near = merged(cells.near, own(far_texture(kCellNear)), far_flux);
-      cells.far = merged(cells.far, own(far_texture(kCellFar)), far_flux);
-    }
-    result.push_back(std::move(cells));
-  }
+  for (const Branch& branch : branches) result.push_back(cells_of_branch(light, branch, has, read));
   return result;
 }
 

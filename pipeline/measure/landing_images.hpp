@@ -25,17 +25,22 @@ struct BranchImages {
   ImageView footprint;  // likewise where light is not followed from surface to surface
 };
 
-// What a light's passes hold, of all its branches; what the search on the farthest receivers found stands in
-// the place of what had not landed before; `read` gives a texture by its full name, and `has` tells whether
-// the frame holds it.
-std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches,
-                                        const std::function<bool(const std::string&)>& has,
-                                        const std::function<ImageView(const std::string&)>& read);
+// Whether a frame holds a texture, and the texture, by its full name.
+using HasTexture = std::function<bool(const std::string&)>;
+using ReadTexture = std::function<ImageView(const std::string&)>;
 
-// By branch; those of the farthest receivers among them. `has` and `read` as for branch_images.
-std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches,
-                                    const std::function<bool(const std::string&)>& has,
-                                    const std::function<ImageView(const std::string&)>& read);
+// What a branch's passes hold; what the search on the farthest receivers found stands in the place of what
+// had not landed before.
+BranchImages images_of_branch(int light, const Branch& branch, const HasTexture& has,
+                              const ReadTexture& read);
+// Those of the farthest receivers among them.
+CellImages cells_of_branch(int light, const Branch& branch, const HasTexture& has, const ReadTexture& read);
+
+// The same of all of a light's branches.
+std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches, const HasTexture& has,
+                                        const ReadTexture& read);
+std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches, const HasTexture& has,
+                                    const ReadTexture& read);
 
 // The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken. 1 where
 // landings are not joined to cells: `cell_flux` without values.

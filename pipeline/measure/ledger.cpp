@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/measure/splat_counts.hpp"
 #include "pipeline/settings/splat_kernel.hpp"
 #include "pipeline/shader/constants.hpp"
 
@@ -140,34 +139,49 @@ void add_vertex(const BranchImages& images, int x, int y, const std140::View& vi
 
 constexpr double kUnitRoundoff = 0x1p-24;  // of single precision, to nearest
 
+// `counts` by texel of a map that is so wide; none where splats are not counted.
+void add_map(const ImageView& map, const std::vector<std::uint32_t>& counts, int side, Ledger& ledger) {
+  for (int y = 0; y < map.height(); ++y)
+    for (int x = 0; x < map.width(); ++x) {
+      const FluxRgb flux = rgb(map, x, y);
+      add(ledger.in_map, flux);
+      add(ledger.rounding, flux, -1.0);
+      const std::size_t texel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+      if (!counts.empty())
+        add(ledger.rounding_bound, flux, static_cast<double>(counts[texel]) * kUnitRoundoff);
+    }
+}
+
 }  // namespace
+
+LedgerSum::LedgerSum(const View& caustic_view, const Settings& settings, int map)
+    : view_(caustic_view), kernel_(splat_kernel(settings)), map_(map) {
+  if (!view_.cube) counts_.emplace(kernel_, view_, map_);
+}
+
+void LedgerSum::add(const BranchImages& images, const CellImages& cells) {
+  const std140::View uniforms = shader_view(view_);
+  for (int y = 0; y < images.landing.height(); ++y)
+    for (int x = 0; x < images.landing.width(); ++x)
+      add_vertex(images, x, y, uniforms, kernel_, map_, ledger_);
+  if (counts_) counts_->add(images, cells);
+}
+
+Ledger LedgerSum::with_maps(const ImageView& caustic_map, const ImageView& far_map) const {
+  Ledger ledger = ledger_;
+  const std::vector<std::uint32_t> counts = counts_ ? counts_->by_texel() : std::vector<std::uint32_t>{};
+  for (const ImageView* map : {&caustic_map, &far_map}) add_map(*map, counts, map_, ledger);
+  return ledger;
+}
 
 Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
                    const ImageView& caustic_map, const ImageView& far_map, const View& caustic_view,
                    const Settings& settings) {
-  Ledger ledger;
-  const SplatKernel kernel = splat_kernel(settings);
-  const int side = caustic_map.width();
-  const std140::View uniforms = shader_view(caustic_view);
-  for (const BranchImages& images : branches)
-    for (int y = 0; y < images.landing.height(); ++y)
-      for (int x = 0; x < images.landing.width(); ++x)
-        add_vertex(images, x, y, uniforms, kernel, side, ledger);
-  const std::vector<std::uint32_t> counts = caustic_view.cube
-                                                ? std::vector<std::uint32_t>{}
-                                                : splat_counts(branches, cells, kernel, caustic_view, side);
-  for (const ImageView* map : {&caustic_map, &far_map})
-    for (int y = 0; y < map->height(); ++y)
-      for (int x = 0; x < map->width(); ++x) {
-        const FluxRgb flux = rgb(*map, x, y);
-        add(ledger.in_map, flux);
-        add(ledger.rounding, flux, -1.0);
-        const std::size_t texel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
-        if (!counts.empty())
-          add(ledger.rounding_bound, flux, static_cast<double>(counts[texel]) * kUnitRoundoff);
-      }
-  return ledger;
+  LedgerSum sum(caustic_view, settings, caustic_map.width());
+  for (std::size_t b = 0; b < branches.size(); ++b)
+    sum.add(branches[b], b < cells.size() ? cells[b] : CellImages{});
+  return sum.with_maps(caustic_map, far_map);
 }
 
 }  // namespace caustics

@@ -2,11 +2,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "pipeline/gpu/image_view.hpp"
 #include "pipeline/measure/landing_images.hpp"
+#include "pipeline/measure/splat_counts.hpp"
 #include "pipeline/scene/view.hpp"
 #include "pipeline/shader/constants.hpp"
 
@@ -65,8 +67,25 @@ struct Ledger {
 // Adds another ledger, each of its fluxes times `share`: the samples of one light to the light's own.
 void add(Ledger& sum, const Ledger& other, double share);
 
-// Adds up, in double precision and texel order, what the landing passes of all branches and the caustic map
-// hold; `cells` by branch. `far_map`: that of the farthest receivers, where there is one.
+// Adds up, in double precision and texel order, what a light's passes hold, branch by branch, so that no more
+// than one branch's images need be there.
+class LedgerSum {
+ public:
+  // The view is the caustic map's, of `map` texels a side; it must outlive this.
+  LedgerSum(const View& caustic_view, const Settings& settings, int map);
+  void add(const BranchImages& images, const CellImages& cells);
+  // With what the maps hold. `far_map`: that of the farthest receivers, without values where there is none.
+  Ledger with_maps(const ImageView& caustic_map, const ImageView& far_map) const;
+
+ private:
+  const View& view_;
+  SplatKernel kernel_;
+  int map_;
+  Ledger ledger_;
+  std::optional<SplatCounts> counts_;  // none where the light sees all around
+};
+
+// The same of all branches at once; `cells` by branch.
 Ledger make_ledger(const std::vector<BranchImages>& branches, const std::vector<CellImages>& cells,
                    const ImageView& caustic_map, const ImageView& far_map, const View& caustic_view,
                    const Settings& settings);

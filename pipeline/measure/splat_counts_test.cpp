@@ -19,7 +19,10 @@ TEST_CASE("splat counts: a splat counts in every texel that it touches, and in n
   for (const double radius : {0.0, 1.2}) {
     SplatKernel kernel;
     kernel.radius = radius;
-    const std::vector<std::uint32_t> counts = splat_counts({branch}, {}, kernel, down(4.0, 10.0, 20.0), 8);
+    const View view = down(4.0, 10.0, 20.0);
+    SplatCounts splats(kernel, view, 8);
+    splats.add(branch, {});
+    const std::vector<std::uint32_t> counts = splats.by_texel();
     REQUIRE(counts.size() == 64);
     const int reach = radius > 0.0 ? 1 : 0;
     for (int y = 0; y < 8; ++y)
