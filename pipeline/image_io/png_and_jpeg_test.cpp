@@ -58,7 +58,8 @@ Bytes png_of(const Kind& kind) {
 }
 
 Bytes jpeg_of(const std::vector<std::string>& channels) {
-  ImageToEncode image{.format = ImageFormat::Jpeg, .width = kWidth, .height = kHeight, .channels = channels, .row = {}};
+  ImageToEncode image{
+      .format = ImageFormat::Jpeg, .width = kWidth, .height = kHeight, .channels = channels, .row = {}};
   image.row = [&](int row, float* values) {
     for (std::size_t i = 0; i < kWidth * channels.size(); ++i)
       values[i] = static_cast<float>(noise(i + static_cast<std::size_t>(row) * 97)) / 255.0f;
