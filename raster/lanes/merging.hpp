@@ -135,12 +135,12 @@ inline void merge_lanes(const TileColor& target, Merging merging, const std::int
 inline void merge_texels(const TileColor& target, Merging merging, int pixel,
                          const float (*outputs)[kBlock]) {
   if (merging == Merging::None) return;
-  float* const values = target.values + pixel;
   if (merging == Merging::Replace || merging == Merging::ReplaceByte) {
     replace_row(target.texels + pixel, outputs);
   } else if (merging == Merging::ReplaceValue) {
-    store_floats(values, load_floats(outputs[0]));
+    store_floats(target.values + pixel, load_floats(outputs[0]));
   } else if (merging == Merging::AddValue) {
+    float* const values = target.values + pixel;
     store_floats(values, load_floats(outputs[0]) + load_floats(values));
   } else {
     std::int32_t pixels[kBlock];
