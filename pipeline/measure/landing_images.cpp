@@ -85,6 +85,7 @@ CellImages cells_of_branch(int light, const Branch& branch, const HasTexture& ha
 std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& branches, const HasTexture& has,
                                         const ReadTexture& read) {
   std::vector<BranchImages> result;
+  result.reserve(branches.size());
   for (const Branch& branch : branches) result.push_back(images_of_branch(light, branch, has, read));
   return result;
 }
@@ -92,6 +93,7 @@ std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& br
 std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches, const HasTexture& has,
                                     const ReadTexture& read) {
   std::vector<CellImages> result;
+  result.reserve(branches.size());
   for (const Branch& branch : branches) result.push_back(cells_of_branch(light, branch, has, read));
   return result;
 }

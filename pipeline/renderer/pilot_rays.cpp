@@ -13,7 +13,7 @@ std::vector<LightRay> pilot_rays(const Light& light, const View& casters, int st
       const int column = x * kPlaces + (5 * x + 7 * y) % kPlaces,
                 row = y * kPlaces + (11 * x + 3 * y) % kPlaces;
       rays.push_back(light_ray(light, casters, texels, column * texels / kSide, row * texels / kSide));
-      rays.back().key = static_cast<std::uint64_t>(y * kPilotRaysASide + x + 1);
+      rays.back().key = static_cast<std::uint64_t>(y) * kPilotRaysASide + static_cast<std::uint64_t>(x) + 1;
     }
   return rays;
 }

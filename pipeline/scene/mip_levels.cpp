@@ -62,6 +62,7 @@ std::array<double, 4> mean_of(const Image& image, int x, int y, const Cover& col
 
 void fill_level(const Image& from, const Part& finer, Image& to, const Part& coarser) {
   std::vector<Cover> columns;
+  columns.reserve(static_cast<std::size_t>(coarser.width));
   for (int x = 0; x < coarser.width; ++x) columns.push_back(cover_of(x, finer.width, coarser.width));
   for (int y = 0; y < coarser.height; ++y) {
     const Cover rows = cover_of(y, finer.height, coarser.height);
