@@ -4,6 +4,7 @@
 
 #include "app/output/light_groups.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/scene/defaults.hpp"
 
 namespace caustics::app {
 
@@ -26,11 +27,13 @@ const Outcome* find_outcome(const std::vector<LightLedger>& ledgers, const Expec
 
 std::vector<Expectation> known_expectations(const Scene& scene, const Effects& effects,
                                             const std::vector<LightLedger>& ledgers) {
+  const bool has_ground = std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                                      [](const Mesh& mesh) { return mesh.name == kGroundName; });
   std::vector<Expectation> known = expectations_by_source(scene, effects);
   for (Expectation& e : known) {
     const Outcome* outcome = e.expected ? find_outcome(ledgers, e) : nullptr;
     if (!outcome) continue;
-    const std::string why_not = why_no_caustic(*outcome);
+    const std::string why_not = why_no_caustic(*outcome, has_ground);
     e.expected = why_not.empty();
     e.reason = e.expected ? e.reason + "; " + percent(outcome->share(LandingStatus::Landed)) + " of it lands"
                           : why_not;

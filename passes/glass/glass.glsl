@@ -138,7 +138,9 @@ Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
   Vec2 uv = view_uv(u.view, view_coordinates(u.view, p));
   Vec4 smooth_normal = fetch_bilinear(view_exit_normal, uv.x, uv.y);
   Vec4 nearest = fetch_nearest(view_exit_normal, uv.x, uv.y);
-  return normalize_or(sel(is_fully_covered(smooth_normal), Vec3(smooth_normal), Vec3(nearest)), fallback);
+  // Over a crease there is no normal between those of its two sides.
+  Bool one_side = is_fully_covered(smooth_normal) && dot3(Vec3(smooth_normal), Vec3(nearest)) > 0.9f;
+  return normalize_or(sel(one_side, Vec3(smooth_normal), Vec3(nearest)), fallback);
 }
 
 // The way through the glass and out of it.
@@ -160,6 +162,9 @@ Exit leave_glass(IN(Ray) inside, Float ior, Bool solid) {
   // What cannot leave is mirrored inside once and then followed straight on.
   Vec3 leaving = sel(solid && bent.total, reflected(inside.direction, normal, bent.cosine), bent.direction);
   exit.ray.direction = sel(solid, leaving, inside.direction);
+  // What the glass stands on touches the place where the ray leaves: it is to lie before the ray, not behind.
+  Float back = 2.0f * texel_extent_at(view_exit_position, u.view, exit.ray.start);
+  exit.ray.start = exit.ray.start - exit.ray.direction * sel(solid, back, Float(0.0f));
   exit.reflectance = sel(solid && !bent.total, bent.reflectance, Float(0.0f));
   return exit;
 }

@@ -91,16 +91,20 @@ Float width_of(IN(Material) material) {
   return sel(rough, material.roughness * material.roughness, Float(0.0f));
 }
 
-// What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again 4
-// times over the grid where light enters and 7 times where it leaves: far slower than by a cell, whose
-// corners keep together.
+// What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again every 6
+// to 16 vertices where light enters, and at other places more often where it leaves: cells overlie each other
+// many times, and none of their folds is seen. What is spread more, by wider slopes or a wall, changes more
+// slowly: else its cells would be large.
 Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
-  Float x = Float(column) / float(u.grid_side);
-  Float y = Float(row) / float(u.grid_side);
+  Float width = width_of(material);
+  Float period = min_of(width * 30.0f + 5.0f, Float(16.0f)) * sel(material.thin, Float(4.0f), Float(1.0f));
+  period = sel(leaves, period * 0.61803399f, period);
+  Float x = Float(column) / period;
+  Float y = Float(row) / period;
   Vec4 facets = Vec4(u.facets);
-  Vec2 entry = facet_slope(folded(x * 4.0f + facets.x), y * 4.0f + facets.y);
-  Vec2 exit = facet_slope(folded(y * 7.0f + facets.z), x * 7.0f + facets.w);
-  return sel(leaves, exit, entry) * width_of(material);
+  Vec2 entry = facet_slope(folded(x + facets.x), y + facets.y);
+  Vec2 exit = facet_slope(folded(y + facets.z), x + facets.w);
+  return sel(leaves, exit, entry) * width;
 }
 
 // What the surface is like that the light enters by.

@@ -287,6 +287,20 @@ TEST_CASE("landing: rough glass lets light in by a microfacet") {
   CHECK(bent_along_x(bench) == 0.0f);
 }
 
+TEST_CASE("landing: a microfacet comes again 12.5 vertices on in glass of roughness 0.5, 50 on at a wall") {
+  // 30 x 0.5^2 + 5, and four times as many; so the vertex beside (0, 0) is 1 / 12.5 or 1 / 50 further on.
+  LandingBench bench;
+  bench.roughness = 0.5f;
+  for (const float period : {12.5f, 50.0f}) {
+    bench.thin = period == 50.0f;
+    bench.facets.x = 0.25f;
+    const float bent = bent_along_x(bench);
+    bench.facets.x = 0.25f - 1.0f / period;
+    CHECK(bench.run()["landing"].at(1, 0, 0) == Approx(bent).epsilon(1e-5));
+    CHECK(bent_along_x(bench) != Approx(bent).epsilon(1e-2));
+  }
+}
+
 TEST_CASE("landing: rough glass lets light out by another microfacet") {
   LandingBench bench;
   bench.solid = true;  // down to height 0.5

@@ -80,12 +80,14 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
     branches.push_back({});
   }
   if (effects.rough_glass.active && effects.caustics.active)
-    branches = by_microfacets(branches, settings.light_samples);
+    branches = by_microfacets(branches, ways_through_rough_glass(settings));
   if (effects.reflections.active) branches.push_back({.name = "reflected", .reflected = true});
   return branches;
 }
 
 }  // namespace
+
+int ways_through_rough_glass(const Settings& settings) { return (settings.light_samples + 1) / 2; }
 
 void add_branches(const Scene& scene, const Settings& settings, Effects& effects) {
   add_dispersion(scene, settings, effects);

@@ -214,9 +214,10 @@ void add_rough_glass(const Settings& settings, Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
                                                             [](const SurfaceRole& s) { return s.rough; }));
   effects.rough_glass = {
-      rough > 0, rough > 0 ? count(rough, "surface", "surfaces") + " of rough glass: light is spread over " +
-                                 count(static_cast<std::size_t>(settings.light_samples), "way", "ways")
-                           : "none in the scene"};
+      rough > 0, rough > 0
+                     ? count(rough, "surface", "surfaces") + " of rough glass: light is spread over " +
+                           count(static_cast<std::size_t>(ways_through_rough_glass(settings)), "way", "ways")
+                     : "none in the scene"};
 }
 
 }  // namespace

@@ -13,15 +13,15 @@ double mean(const ImageView& image, int x, int y) {
   return (double(image.at(x, y, 0)) + double(image.at(x, y, 1)) + double(image.at(x, y, 2))) / 3.0;
 }
 
-std::string reason_of(LandingStatus status) {
+std::string reason_of(LandingStatus status, bool over_added_ground) {
   switch (status) {
     case LandingStatus::TotalReflection:
       return "all of its light is totally reflected inside; --sun lights it from another side";
     case LandingStatus::Missed:
     case LandingStatus::Outside:
-      return "all of its light goes past everything that could show it; --ground on puts a ground below, "
-             "--sun "
-             "moves the light";
+      return std::string("all of its light goes past everything that could show it") +
+             (over_added_ground ? ", the added ground too; --sun moves the light"
+                                : "; --ground on puts a ground below, --sun moves the light");
     case LandingStatus::Absorbed:
       return "its material absorbs all of the light";
     case LandingStatus::NotConverged:
@@ -68,13 +68,13 @@ void add(Outcome& sum, const Outcome& other, double share) {
   for (std::size_t s = 0; s < sum.ended.size(); ++s) sum.ended[s] += other.ended[s] * share;
 }
 
-std::string why_no_caustic(const Outcome& outcome) {
+std::string why_no_caustic(const Outcome& outcome, bool over_added_ground) {
   if (!(outcome.entered > 0.0)) return "no light reaches it: something stands before it";
   if (outcome.share(LandingStatus::Landed) >= kLeastShare) return {};
   const auto most = std::max_element(outcome.ended.begin(), outcome.ended.end()) - outcome.ended.begin();
-  return *std::max_element(outcome.ended.begin(), outcome.ended.end()) > kLeastShare * outcome.entered
-             ? reason_of(static_cast<LandingStatus>(most))
-             : reason_of(LandingStatus::Landed);
+  const bool is_most =
+      *std::max_element(outcome.ended.begin(), outcome.ended.end()) > kLeastShare * outcome.entered;
+  return reason_of(is_most ? static_cast<LandingStatus>(most) : LandingStatus::Landed, over_added_ground);
 }
 
 }  // namespace caustics

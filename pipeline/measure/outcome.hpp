@@ -29,7 +29,8 @@ std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& bra
 // Adds `share` of another's flux on the same caster.
 void add(Outcome& sum, const Outcome& other, double share);
 
-// Why (nearly) nothing of the flux landed: less than a thousandth. Empty where more did.
-std::string why_no_caustic(const Outcome& outcome);
+// Why (nearly) nothing of the flux landed: less than a thousandth. Empty where more did. `over_added_ground`:
+// there is one already, so none is proposed.
+std::string why_no_caustic(const Outcome& outcome, bool over_added_ground);
 
 }  // namespace caustics

@@ -9,11 +9,11 @@ using namespace caustics::test;
 namespace {
 
 // Of light that has entered, nearly all ended so, and a little was missed.
-std::string reason(LandingStatus most) {
+std::string reason(LandingStatus most, bool over_added_ground = false) {
   Outcome outcome{.entered = 1.0};
   outcome.ended[static_cast<std::size_t>(LandingStatus::Missed)] = 0.01;
   outcome.ended[static_cast<std::size_t>(most)] += 0.9;
-  return why_no_caustic(outcome);
+  return why_no_caustic(outcome, over_added_ground);
 }
 
 }  // namespace
@@ -21,14 +21,16 @@ std::string reason(LandingStatus most) {
 TEST_CASE("outcome: the reason why there is no caustic is what became of most of the light") {
   CHECK(reason(LandingStatus::Landed).empty());
   CHECK(reason(LandingStatus::Missed).starts_with("all of its light goes past everything"));
+  CHECK(reason(LandingStatus::Missed).find("--ground on") != std::string::npos);
+  CHECK(reason(LandingStatus::Missed, true).ends_with("the added ground too; --sun moves the light"));
   CHECK(reason(LandingStatus::Outside) == reason(LandingStatus::Missed));
   CHECK(reason(LandingStatus::TotalReflection).starts_with("all of its light is totally reflected inside"));
   CHECK(reason(LandingStatus::Absorbed) == "its material absorbs all of the light");
   CHECK(reason(LandingStatus::NotConverged) == "none of its light could be followed to the end");
   CHECK(reason(LandingStatus::ExitNotFound) ==
         "where its light leaves it was not found: behind a nearer second surface, perhaps");
-  CHECK(why_no_caustic({.entered = 1.0}) == "hardly any of its light is left");
-  CHECK(why_no_caustic({}) == "no light reaches it: something stands before it");
+  CHECK(why_no_caustic({.entered = 1.0}, false) == "hardly any of its light is left");
+  CHECK(why_no_caustic({}, false) == "no light reaches it: something stands before it");
 }
 
 TEST_CASE("outcome: what was mirrored has entered once, and each caster has its own") {
