@@ -91,13 +91,14 @@ Float width_of(IN(Material) material) {
   return sel(rough, material.roughness * material.roughness, Float(0.0f));
 }
 
-// What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again every 6
-// to 16 vertices where light enters, and at other places more often where it leaves: cells overlie each other
-// many times, and none of their folds is seen. What is spread more, by wider slopes or a wall, changes more
-// slowly: else its cells would be large.
+// What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again
+// every 6 to 16 vertices where light enters, and at other places more often where it leaves: cells overlie
+// each other many times, and none of their folds is seen. What is spread more, by wider slopes or a wall, changes
+// more slowly: else its cells would be large.
 Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
   Float width = width_of(material);
-  Float period = min_of(width * 30.0f + 5.0f, Float(16.0f)) * sel(material.thin, Float(4.0f), Float(1.0f));
+  Float slower = sel(material.thin, Float(4.0f), Float(1.0f));
+  Float period = min_of(width * 30.0f + 5.0f, Float(16.0f)) * slower;
   period = sel(leaves, period * 0.61803399f, period);
   Float x = Float(column) / period;
   Float y = Float(row) / period;

@@ -188,7 +188,7 @@ constexpr Setting kTable[] = {
                   "side of caustic and receiver map; auto: 512 to 1280, as the picture shows sharp edges"),
     number<&S::shadow>("shadow", Part::Maps, {1, 8192, "texels"}, "side of the shadow map"),
     number<&S::light_samples>("light.samples", Part::Maps, {1, 256},
-                              "points by which a light with a size is drawn; half as many ways lead "
+                              "points by which a light with a size is drawn; half as many ways "
                               "through rough glass"),
     choice<&S::emissive_lights, kOffOn>("emissive.lights", Part::Light, "meshes that shine light the scene"),
     number<&S::shafts>("shafts", Part::Maps, {1, 1024},
