@@ -93,8 +93,8 @@ Float width_of(IN(Material) material) {
 
 // What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again
 // every 6 to 16 vertices where light enters, and at other places more often where it leaves: cells overlie
-// each other many times, and none of their folds is seen. What is spread more, by wider slopes or a wall, changes
-// more slowly: else its cells would be large.
+// each other many times, and none of their folds is seen. What is spread more, by wider slopes or a wall,
+// changes more slowly: else its cells would be large.
 Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
   Float width = width_of(material);
   Float slower = sel(material.thin, Float(4.0f), Float(1.0f));
