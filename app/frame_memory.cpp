@@ -49,7 +49,7 @@ std::uint64_t tree_bytes(const Scene& scene) {
   return TriangleTree::building_bytes(indices / 3);
 }
 
-// The largest of the pass's draws, beside textures.
+// The largest of the pass's draws and those that are sorted into tiles with it, beside textures.
 std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const Settings& settings) {
   const auto points = [&](std::uint64_t count) { return draw_bytes(pass.definition, 0, count); };
   const auto grid = static_cast<std::uint64_t>(settings.grid);
@@ -71,10 +71,13 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const S
     case DrawSet::LightTinters:
       break;
   }
-  std::uint64_t most = 0;
-  for (const Mesh& mesh : scene.meshes)
-    most = std::max(most, draw_bytes(pass.definition, mesh.vertices.size(), mesh.indices.size() / 3));
-  return most;
+  std::uint64_t largest = 0, all = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    const std::uint64_t draw = draw_bytes(pass.definition, mesh.vertices.size(), mesh.indices.size() / 3);
+    largest = std::max(largest, draw);
+    all += draw;
+  }
+  return std::min<std::uint64_t>(all, largest + kMostKeptOfDraws);
 }
 
 // Of the light that a pass ends, beside its textures, which are looked at where they lie: where the farthest
@@ -126,7 +129,7 @@ std::uint64_t memory_needed(const FramePlan& plan, const Scene& scene, const Set
     }
     const std::uint64_t draw = drawing_bytes(pass, scene, settings);
     most = std::max(most, held + draw);
-    drawing = std::max(drawing, std::min<std::uint64_t>(draw, kMostKeptOfDraw));
+    drawing = std::max(drawing, std::min<std::uint64_t>(draw, kMostKeptOfDraws));
     const std::uint64_t ledger = pass.ends_light ? ledger_bytes(plan, pass.light) : 0;
     if (ledger == 0) continue;
     most = std::max(most, held + drawing + ledger);

@@ -27,6 +27,12 @@ struct BinnedChunk {
   std::vector<Plane> planes;
   std::vector<std::uint32_t> first;
   std::vector<std::uint32_t> touching;
+
+  std::size_t bytes() const {
+    return triangles.capacity() * sizeof(TriangleRecord) + points.capacity() * sizeof(PointRecord) +
+           planes.capacity() * sizeof(Plane) +
+           (first.capacity() + touching.capacity()) * sizeof(std::uint32_t);
+  }
 };
 
 struct PrimitiveStage {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/stopwatch.hpp"
@@ -162,7 +163,6 @@ class SoftwareDevice final : public Device {
       target.depth_clear = definition.depth->clear;
       target.keep_depth = !run.keep.empty() && run.keep.back();
     }
-    const ImageShape size = target.shape();
     PassResult result;
     const auto condition = run.only_if == OcclusionQuery::None ? samples_.end() : samples_.find(run.only_if);
     result.left_out = condition != samples_.end() && condition->second == 0;
@@ -171,33 +171,59 @@ class SoftwareDevice final : public Device {
     for (const RenderTarget::Color& color : target.colors)
       if (drawn && color.texture) color.texture->bring_in(workers_);
     if (drawn && target.depth) target.depth->bring_in(workers_);
-    for (std::size_t i = 0; !result.left_out && i < run.draws.size(); ++i)
-      execute_draw(run, run.draws[i], target, TileGrid(size.width, size.height), result);
+    if (drawn) {
+      forget_waiting();
+      for (const Draw& draw : run.draws) execute_draw(definition, draw, target, result);
+      fill_waiting(target, result);
+      forget_much();
+    }
     if (!definition.count_samples) result.samples_passed = 0;
     if (run.counts_into != OcclusionQuery::None) samples_[run.counts_into] = result.samples_passed;
     return result;
   }
 
-  void execute_draw(const PassRun& run, const Draw& draw, RenderTarget& target, const TileGrid& grid,
+  // Its primitives wait for those of the draws behind it, until they are many.
+  void execute_draw(const PassDefinition& definition, const Draw& draw, RenderTarget& target,
                     PassResult& result) {
-    const PassDefinition& definition = *run.definition;
-    PreparedDraw prepared = prepared_draw(definition, draw, shaded_);
-    prepared.work.idle_where_zero = idle_where_zero(definition, draw, target.shape());
+    const ImageShape size = target.shape();
+    const TileGrid grid(size.width, size.height);
+    std::size_t place = waiting_.size();
+    if (binned_.size() == place) binned_.push_back(std::make_unique<Binned>());
+    Binned& own = *binned_[place];
+    own.prepared = prepared_draw(definition, draw, own.shaded);
+    own.prepared.work.idle_where_zero = idle_where_zero(definition, draw, size);
     std::size_t first = 0;
     do {  // without a primitive too: what is not kept is cleared
-      const std::size_t count = std::min(batch_, prepared.primitives - first);
-      result.operations += prepared.shade(first, count, workers_, shaded_);
-      bin_primitives(prepared.primitive_stage, first, count, grid, workers_, chunks_);
-      const TileCounters counters = fill_tiles(prepared.work, chunks_, grid, target, workers_);
-      target.keep_all();
-      result.fragments += counters.fragments;
-      result.samples_passed += counters.samples_passed;
-      result.operations += counters.operations;
+      const std::size_t count = std::min(batch_, own.prepared.primitives - first);
+      if (waiting_primitives_ + count > batch_ || waiting_bytes_ > kMostKeptOfDraws) {
+        fill_waiting(target, result);
+        std::swap(binned_.front(), binned_[std::exchange(place, 0)]);
+      }
+      result.operations += own.prepared.shade(first, count, workers_, own.shaded);
+      bin_primitives(own.prepared.primitive_stage, first, count, grid, workers_, own.chunks);
+      waiting_.push_back({&own.prepared.work, &own.chunks});
+      waiting_primitives_ += count;
+      waiting_bytes_ += own.shaded.room * sizeof(float);
       first += count;
-    } while (first < prepared.primitives);
-    result.vertices += prepared.corners;
-    result.primitives += prepared.primitives;
-    forget_much();
+    } while (first < own.prepared.primitives);
+    result.vertices += own.prepared.corners;
+    result.primitives += own.prepared.primitives;
+  }
+
+  void fill_waiting(RenderTarget& target, PassResult& result) {
+    if (waiting_.empty()) return;
+    const ImageShape size = target.shape();
+    const TileCounters counters = fill_tiles(waiting_, TileGrid(size.width, size.height), target, workers_);
+    target.keep_all();
+    result.fragments += counters.fragments;
+    result.samples_passed += counters.samples_passed;
+    result.operations += counters.operations;
+    forget_waiting();
+  }
+
+  void forget_waiting() {
+    waiting_.clear();
+    waiting_primitives_ = waiting_bytes_ = 0;
   }
 
   PreparedDraw prepared_draw(const PassDefinition& definition, const Draw& draw,
@@ -206,11 +232,16 @@ class SoftwareDevice final : public Device {
     return prepare_draw(definition, draw, bound_textures(draw), mesh, lanes_, shaded);
   }
 
-  // The next draw finds the memory of this one there, unless it was much.
+  // The next pass finds the memory of this one there, unless it was much.
   void forget_much() {
-    if (shaded_.room * sizeof(float) <= kMostKeptOfDraw) return;
-    shaded_ = {};
-    chunks_ = {};
+    std::size_t bytes = 0;
+    for (const auto& draw : binned_) {
+      bytes += draw->shaded.room * sizeof(float);
+      // The first one's records take no more than those of a batch.
+      if (draw != binned_.front())
+        for (const BinnedChunk& chunk : draw->chunks) bytes += chunk.bytes();
+    }
+    if (bytes > kMostKeptOfDraws) binned_.clear();
   }
 
   std::vector<const Texture*> idle_where_zero(const PassDefinition& definition, const Draw& draw,
@@ -238,6 +269,12 @@ class SoftwareDevice final : public Device {
     return views;
   }
 
+  struct Binned {
+    ShadedVertices shaded;
+    PreparedDraw prepared;  // of the vertices above
+    std::vector<BinnedChunk> chunks;
+  };
+
   Workers workers_;
   Lanes lanes_;
   std::size_t batch_;  // primitives
@@ -245,8 +282,10 @@ class SoftwareDevice final : public Device {
   DeviceObjects made_;
   std::map<TextureId, Texture> textures_;
   std::map<MeshId, MeshData> meshes_;
-  ShadedVertices shaded_;                            // of the last draw
-  std::vector<BinnedChunk> chunks_;                  // likewise
+  // Of the pass that runs: its draws, and which of their stretches wait to be drawn.
+  std::vector<std::unique_ptr<Binned>> binned_;
+  std::vector<BinnedDraw> waiting_;
+  std::size_t waiting_primitives_ = 0, waiting_bytes_ = 0;
   std::map<OcclusionQuery, std::uint64_t> samples_;  // that passed, by the query they were counted into
 };
 

@@ -15,12 +15,14 @@
 
 namespace caustics {
 
-// A draw of more primitives is drawn in batches of so many, so that its memory does not grow with it. A
-// quarter and four times as many take the same time, all at once a third more (4.2 million cells).
+// Draws are sorted into tiles together, up to so many primitives: a draw of more takes several batches, so
+// that its memory does not grow with it. A quarter and four times as many take the same time, all at once a
+// third more (4.2 million cells).
 inline constexpr std::size_t kPrimitivesPerBatch = std::size_t{1} << 18;
 
-// Bytes of shaded vertices: a draw that takes more gives its memory back, instead of leaving it to the next.
-inline constexpr std::size_t kMostKeptOfDraw = std::size_t{32} << 20;
+// Bytes of shaded vertices: draws that take more are not sorted together, and a pass whose draws do gives
+// their memory back, instead of leaving it to the next.
+inline constexpr std::size_t kMostKeptOfDraws = std::size_t{32} << 20;
 
 struct SoftwareOptions {
   int threads = 0;                          // 0: all that the machine has

@@ -23,28 +23,55 @@ std::size_t tiles_of(const ImageShape& shape) {
          static_cast<std::size_t>((shape.height + kTile - 1) / kTile);
 }
 
-std::vector<PrimitiveChunk> chunks_of_tile(const std::vector<BinnedChunk>& chunks, std::size_t tile) {
-  std::vector<PrimitiveChunk> result;
-  for (const BinnedChunk& chunk : chunks) {
+// Into memory of before.
+void find_chunks(const BinnedDraw& draw, std::size_t tile, std::vector<PrimitiveChunk>& found) {
+  found.clear();
+  for (const BinnedChunk& chunk : *draw.chunks) {
     const std::uint32_t first = chunk.first[tile], last = chunk.first[tile + 1];
     if (first == last) continue;
-    result.push_back(
+    found.push_back(
         {chunk.triangles.data(), chunk.points.data(), chunk.touching.data() + first, last - first});
   }
-  return result;
+}
+
+// How many primitives touch a tile.
+std::vector<std::uint64_t> load_of_tiles(std::span<const BinnedDraw> draws, const TileGrid& grid) {
+  std::vector<std::uint64_t> load(static_cast<std::size_t>(grid.count()));
+  for (const BinnedDraw& draw : draws)
+    for (const BinnedChunk& chunk : *draw.chunks)
+      for (std::size_t t = 0; t < load.size(); ++t) load[t] += chunk.first[t + 1] - chunk.first[t];
+  return load;
 }
 
 // Tile numbers, the fullest first; equal ones by number.
-std::vector<int> fullest_first(const std::vector<BinnedChunk>& chunks, const TileGrid& grid) {
-  std::vector<std::uint64_t> load(static_cast<std::size_t>(grid.count()));
-  for (std::size_t t = 0; t < load.size(); ++t)
-    for (const BinnedChunk& chunk : chunks) load[t] += chunk.first[t + 1] - chunk.first[t];
+std::vector<int> fullest_first(const std::vector<std::uint64_t>& load) {
   std::vector<int> order(load.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return load[static_cast<std::size_t>(a)] > load[static_cast<std::size_t>(b)];
   });
   return order;
+}
+
+bool is_idle(const FragmentWork& work, int tile) {
+  return std::any_of(work.idle_where_zero.begin(), work.idle_where_zero.end(), [&](const Texture* read) {
+    return read->is_clear(static_cast<std::size_t>(tile), std::array<float, 4>{});
+  });
+}
+
+TileCounters fill_tile(std::span<const BinnedDraw> draws, int index, Tile& tile) {
+  thread_local std::vector<PrimitiveChunk> touching;
+  TileCounters counted;
+  const std::uint64_t before = operations_of_thread;
+  tile.load_depth();
+  for (const BinnedDraw& draw : draws) {
+    find_chunks(draw, static_cast<std::size_t>(index), touching);
+    if (!touching.empty() && !is_idle(*draw.work, index))
+      draw.work->kernel(tile.job(*draw.work, touching), counted);
+  }
+  counted.operations = operations_of_thread - before;
+  tile.store(counted.samples_passed > 0);
+  return counted;
 }
 
 }  // namespace
@@ -93,33 +120,24 @@ TileJob job_of(const FragmentWork& work) {
   return job;
 }
 
-TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,
-                        const TileGrid& grid, RenderTarget& target, const Workers& workers) {
+TileCounters fill_tiles(std::span<const BinnedDraw> draws, const TileGrid& grid, RenderTarget& target,
+                        const Workers& workers) {
   const bool all_kept = (!target.depth || target.keep_depth) &&
                         std::all_of(target.colors.begin(), target.colors.end(),
                                     [](const RenderTarget::Color& c) { return c.keep; });
   for (RenderTarget::Color& color : target.colors)
     if (color.texture && !color.keep)
       begin_clear(*color.texture, cleared(*color.write), static_cast<std::size_t>(grid.count()));
-  const bool in_place = is_drawn_in_place(target, *work.definition);
-  const std::vector<int> order = fullest_first(chunks, grid);
+  const bool in_place = is_drawn_in_place(target, *draws.front().work->definition);
+  const std::vector<std::uint64_t> load = load_of_tiles(draws, grid);
+  const std::vector<int> order = fullest_first(load);
   std::vector<TileCounters> counters(order.size());
   workers.run(static_cast<int>(order.size()), [&](int i) {
     thread_local const std::unique_ptr<TileStorage> storage = std::make_unique<TileStorage>();
     const int index = order[static_cast<std::size_t>(i)];
-    const std::vector<PrimitiveChunk> touching = chunks_of_tile(chunks, static_cast<std::size_t>(index));
-    if (touching.empty() && all_kept) return;
+    if (load[static_cast<std::size_t>(index)] == 0 && all_kept) return;
     Tile tile(grid, index, target, in_place, *storage);
-    TileCounters& counted = counters[static_cast<std::size_t>(i)];
-    const bool idle =
-        std::any_of(work.idle_where_zero.begin(), work.idle_where_zero.end(), [&](const Texture* read) {
-          return read->is_clear(static_cast<std::size_t>(index), std::array<float, 4>{});
-        });
-    tile.load_depth();
-    const std::uint64_t before = operations_of_thread;
-    if (!idle) work.kernel(tile.job(work, touching), counted);
-    counted.operations = operations_of_thread - before;
-    tile.store(counted.samples_passed > 0);
+    counters[static_cast<std::size_t>(i)] = fill_tile(draws, index, tile);
   });
   TileCounters sum;
   for (const TileCounters& c : counters) {

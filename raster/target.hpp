@@ -1,5 +1,6 @@
 // The render target of a pass, and filling its tiles.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "raster/primitives.hpp"
@@ -43,9 +44,15 @@ struct FragmentWork {
 // What a draw's jobs have in common: all but where, what and onto which texels.
 TileJob job_of(const FragmentWork& work);
 
-// Draws the chunks, in order, into every tile; the fullest tiles first, so that no thread is left with a
-// long one at the end.
-TileCounters fill_tiles(const FragmentWork& work, const std::vector<BinnedChunk>& chunks,
-                        const TileGrid& grid, RenderTarget& target, const Workers& workers);
+// A draw's primitives, or a stretch of them, sorted into tiles.
+struct BinnedDraw {
+  const FragmentWork* work = nullptr;
+  const std::vector<BinnedChunk>* chunks = nullptr;
+};
+
+// Draws them all, in order, into one tile after the other, so that a tile's attachments are loaded and stored
+// once; the fullest tiles first, so that no thread is left with a long one at the end.
+TileCounters fill_tiles(std::span<const BinnedDraw> draws, const TileGrid& grid, RenderTarget& target,
+                        const Workers& workers);
 
 }  // namespace caustics::raster

@@ -189,13 +189,16 @@ class TileRenderer {
     Floats z{};
     if (job_.depth) {
       z = depth_of(x, y, t.planes[0]);
-      if (!job_.test_depth_late) inside = test_depth(job_.depth + pixel_at(x, y), z, inside);
+      float* const stored = job_.depth + pixel_at(x, y);
+      inside = job_.test_depth_late ? inside & may_pass(stored, z) : test_depth(stored, z, inside);
     }
     unsigned drawn = bits_of(inside);
     if (job_.discards_where_zero.texels) drawn = kept(drawn, x, y);
-    // What waits of the same triangle lies at other pixels.
-    const bool may_go_first = collected_.count == 0 || oldest_of_ == &t;
-    if (drawn == 0xffffu && may_go_first) return shade_row(x, y, z, t);
+    if (drawn == 0xffffu) {
+      // What waits of the same triangle lies at other pixels; of an earlier one it comes first.
+      if (oldest_of_ != &t) flush();
+      return shade_row(x, y, z, t);
+    }
     for (; drawn != 0; drawn &= drawn - 1) {
       const int lane = __builtin_ctz(drawn);
       if (collected_.count == 0) oldest_of_ = &t;
@@ -223,6 +226,14 @@ class TileRenderer {
     const Floats z = evaluate(plane, to_floats(x + kNeighbours), broadcast(static_cast<float>(y)));
     const Floats nearest{}, farthest = broadcast(1.0f);
     return chosen(less(z, nearest), nearest, chosen(less(farthest, z), farthest, z));
+  }
+
+  // What lies behind before it is shaded does so after: stored depths only come nearer.
+  Ints may_pass(const float* stored, Floats z) const {
+    const Floats before = load_floats(stored);
+    if (job_.depth_state.compare == Compare::Less) return less(z, before);
+    if (job_.depth_state.compare == Compare::Greater) return less(before, z);
+    return ~Ints{};
   }
 
   // Which of sixteen pass, whose depths are then stored.

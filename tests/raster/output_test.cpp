@@ -311,6 +311,55 @@ TEST_CASE("batches: an index of any batch may be of any vertex") {
   CHECK(b.result.vertices == 11);
 }
 
+TEST_CASE("batches: draws of a pass come in turn, whether they share a batch or take several") {
+  // Each point leaves half of what was before it: the sum's binary digits are their order, the last first.
+  RasterBench b = with_format(
+      Format::R32F, {true, BlendEquation::Add, BlendFactor::SourceAlpha, BlendFactor::OneMinusSourceAlpha});
+  b.definition.topology = Topology::Points;
+  const auto points = [&](std::initializer_list<float> values) {
+    std::vector<RasterVertex> v;
+    for (const float value : values) {
+      v.push_back(b.at(0.5, 0.5, value));
+      v.back().alpha = 0.5f;
+    }
+    return v;
+  };
+  const float expected = (1.0f + (0.0f + (1.0f + (1.0f + (0.0f + 1.0f / 2) / 2) / 2) / 2) / 2) / 2;
+  for (const std::size_t batch : {1u, 2u, 3u, 4u, 5u, 100u}) {
+    INFO(batch << " primitives a batch");
+    b.options.batch = batch;
+    const auto images = b.draw_each({points({1}), points({0, 1, 1}), {}, points({0, 1})});
+    CHECK(images[0].values == std::vector{expected});
+    CHECK(b.result.primitives == 6);
+    CHECK(b.result.fragments == 6);
+  }
+}
+
+TEST_CASE("depth: what lies behind is not shaded, by a shader that may discard either") {
+  for (const Compare compare : {Compare::Less, Compare::Greater}) {
+    RasterBench b = with_depth(compare, compare == Compare::Less ? 1.0f : 0.0f);
+    b.width = b.height = 16;
+    b.definition.shader = &raster_discard_shader;
+    const float first = compare == Compare::Less ? 0.25f : 0.75f;
+    // A value of 0 is discarded: nothing hides what comes next.
+    const auto images = b.draw(layers(b, {0, 1, 2}, {first, 0.5f, 1.0f - first}));
+    CHECK(RasterBench::sum(images[0]) == 256.0);
+    CHECK(b.result.fragments == 2 * 256);
+    CHECK(b.result.samples_passed == 256);
+  }
+}
+
+TEST_CASE("depth: rows of sixteen come behind the single fragments that were drawn before them") {
+  for (const Shader* shader : {&raster_probe_shader, &raster_discard_shader}) {
+    RasterBench b = with_depth(Compare::Always, 1.0f);
+    b.width = b.height = 32;
+    b.definition.shader = shader;
+    std::vector<RasterVertex> drawn{b.at(3, 3, 1.0f), b.at(6, 3, 1.0f), b.at(3, 6, 1.0f)};
+    for (const RasterVertex& v : layers(b, {2.0f})) drawn.push_back(v);
+    CHECK(RasterBench::sum(b.draw(drawn)[0]) == 2.0 * 32 * 32);
+  }
+}
+
 TEST_CASE("queries: samples passed count covered texels, layer by layer") {
   RasterBench b = with_depth(Compare::Always, 1.0f, false);
   b.width = b.height = 64;

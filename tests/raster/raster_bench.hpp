@@ -46,14 +46,14 @@ struct RasterBench {
   // All colour targets after one draw of these vertices; `before` fills the first target
   // beforehand.
   std::vector<Image> draw(const std::vector<RasterVertex>& vertices, const Image* before = nullptr) {
+    return draw_each({vertices}, before);
+  }
+
+  // After a draw of each.
+  std::vector<Image> draw_each(const std::vector<std::vector<RasterVertex>>& draws,
+                               const Image* before = nullptr) {
     const std::unique_ptr<Device> own = on ? nullptr : make_software_device(options);
     Device* const device = on ? on : own.get();
-    MeshData mesh;
-    mesh.layout = {{"position", 4}, {"color", 4}, {"size", 1}};
-    for (const RasterVertex& v : vertices)
-      for (const float f : {v.x, v.y, v.z, v.w, v.red, v.green, v.blue, v.alpha, v.size})
-        mesh.vertices.push_back(f);
-    mesh.indices = indices;
     PassRun run;
     run.definition = &definition;
     for (const ColorWrite& write : definition.writes) {
@@ -64,9 +64,11 @@ struct RasterBench {
     }
     if (definition.depth) run.depth = device->create_texture(Format::Depth32F, width, height);
     run.keep = keep;
-    Draw draw;
-    draw.mesh = device->create_mesh(mesh);
-    run.draws.push_back(draw);
+    for (const std::vector<RasterVertex>& vertices : draws) {
+      Draw draw;
+      draw.mesh = device->create_mesh(mesh_of(vertices));
+      run.draws.push_back(draw);
+    }
     result = device->run(run);
     std::vector<Image> images;
     std::erase(run.colors, TextureId::None);
@@ -74,8 +76,18 @@ struct RasterBench {
     if (run.depth != TextureId::None) images.push_back(device->read_back(run.depth));
     for (const TextureId color : run.colors) device->destroy(color);
     if (run.depth != TextureId::None) device->destroy(run.depth);
-    device->destroy(draw.mesh);
+    for (const Draw& draw : run.draws) device->destroy(draw.mesh);
     return images;
+  }
+
+  MeshData mesh_of(const std::vector<RasterVertex>& vertices) const {
+    MeshData mesh;
+    mesh.layout = {{"position", 4}, {"color", 4}, {"size", 1}};
+    for (const RasterVertex& v : vertices)
+      for (const float f : {v.x, v.y, v.z, v.w, v.red, v.green, v.blue, v.alpha, v.size})
+        mesh.vertices.push_back(f);
+    mesh.indices = indices;
+    return mesh;
   }
 
   // The sum of the first target's first channel, and how many texels are not 0.
