@@ -69,7 +69,7 @@ void add(Outcome& sum, const Outcome& other, double share) {
 }
 
 std::string why_no_caustic(const Outcome& outcome, bool over_added_ground) {
-  if (!(outcome.entered > 0.0)) return "no light reaches it: something stands before it";
+  if (!(outcome.entered > 0.0)) return kNoLightReachesIt;
   if (outcome.share(LandingStatus::Landed) >= kLeastShare) return {};
   const auto most = std::max_element(outcome.ended.begin(), outcome.ended.end()) - outcome.ended.begin();
   const bool is_most =
