@@ -352,11 +352,13 @@ TEST_CASE("depth: what lies behind is not shaded, by a shader that may discard e
 TEST_CASE("depth: rows of sixteen come behind the single fragments that were drawn before them") {
   for (const Shader* shader : {&raster_probe_shader, &raster_discard_shader}) {
     RasterBench b = with_depth(Compare::Always, 1.0f);
-    b.width = b.height = 32;
+    b.width = b.height = 64;
     b.definition.shader = shader;
-    std::vector<RasterVertex> drawn{b.at(3, 3, 1.0f), b.at(6, 3, 1.0f), b.at(3, 6, 1.0f)};
-    for (const RasterVertex& v : layers(b, {2.0f})) drawn.push_back(v);
-    CHECK(RasterBench::sum(b.draw(drawn)[0]) == 2.0 * 32 * 32);
+    // The second covers all of the first one's tile.
+    const Image image = b.draw({b.at(3, 3, 1.0f), b.at(6, 3, 1.0f), b.at(3, 6, 1.0f), b.at(0, 0, 2.0f),
+                                b.at(64, 0, 2.0f), b.at(0, 64, 2.0f)})[0];
+    for (int y = 3; y < 6; ++y)
+      for (int x = 3; x < 6; ++x) CHECK(image.at(x, y, 0) == 2.0f);
   }
 }
 
