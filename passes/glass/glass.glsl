@@ -68,9 +68,9 @@ Met met_in(Texture colors, Texture positions, IN(View) view, IN(Ray) ray, Bool w
 
 // Radiance along a ray that starts outside the glass: the surface it meets on the screen, else one in
 // the wider view around it, else the sky.
-Met seen_along(IN(Ray) ray, Bool wanted) {
+Met seen_along(IN(Ray) ray, Bool wanted, Bool mirrored) {
   Met first;
-  first.color = sky_radiance(u.sky, ray.direction);
+  first.color = sky_in_glass(u.sky, ray.direction, mirrored);
   first.surface = Bool(false);
   first.distance = Float(0.0f);
   Bool possible = wanted && cross_receivers(ray).meets;
@@ -102,7 +102,7 @@ Vec3 color_at(Texture colors, Texture positions, IN(View) view, Vec3 p, Vec3 oth
 // The mean over 16 rays spread by microfacets of this width: as long as the middle one, and where that has
 // met nothing, to where they leave the box around all receivers. Each ray turns them by an angle of its own,
 // after interleaved gradient noise (Jimenez 2014).
-Vec3 spread_radiance(IN(Ray) ray, IN(Met) middle, Float width) {
+Vec3 spread_radiance(IN(Ray) ray, IN(Met) middle, Float width, Bool mirrored) {
   AxesAcross axes = axes_across(ray.direction);
   Float diagonal = frag_x() * 0.06711056f + frag_y() * 0.00583715f;
   Vec3 way = ray.direction;
@@ -115,7 +115,7 @@ Vec3 spread_radiance(IN(Ray) ray, IN(Met) middle, Float width) {
     Vec3 d = normalize_or(ray.direction + axes.x * slope.x + axes.y * slope.y, ray.direction);
     Crossing box = cross_receivers(ray_from(ray.start, d));
     Vec3 p = ray.start + d * sel(middle.surface, middle.distance, box.leaves);
-    Vec3 sky = sky_radiance(u.sky, d);
+    Vec3 sky = sky_in_glass(u.sky, d, mirrored);
     Vec3 color = color_at(wide_color, wide_position, u.surroundings, p, sky);
     color = color_at(scene_color, view_position, u.view, p, color);
     sum = sum + sel(box.meets, color, sky);
@@ -124,12 +124,12 @@ Vec3 spread_radiance(IN(Ray) ray, IN(Met) middle, Float width) {
 }
 
 // `width`: of the slopes by which directions are spread; 0: not at all.
-Vec3 radiance_along(IN(Ray) ray, Float width, Bool wanted) {
-  Met met = seen_along(ray, wanted);
+Vec3 radiance_along(IN(Ray) ray, Float width, Bool wanted, Bool mirrored) {
+  Met met = seen_along(ray, wanted, mirrored);
   Vec3 color = met.color;
   if (u.has_rough != 0) {
     Bool rough = wanted && width > 0.0f;
-    if (any_lane(rough)) color = sel(rough, spread_radiance(ray, met, width), color);
+    if (any_lane(rough)) color = sel(rough, spread_radiance(ray, met, width, mirrored), color);
   }
   return color;
 }
@@ -147,6 +147,7 @@ Vec3 exit_normal_at(Vec3 p, Vec3 fallback) {
 struct Exit {
   Ray ray;
   Float inside_length;  // metres
+  Bool mirrored;        // inside
   Float reflectance;    // of the second surface
 };
 
@@ -160,7 +161,8 @@ Exit leave_glass(IN(Ray) inside, Float ior, Bool solid) {
   Vec3 normal = facing_normal(outward, inside.direction, Bool(true));
   Refraction bent = refraction_at(inside.direction, normal, ior);
   // What cannot leave is mirrored inside once and then followed straight on.
-  Vec3 leaving = sel(solid && bent.total, reflected(inside.direction, normal, bent.cosine), bent.direction);
+  exit.mirrored = solid && bent.total;
+  Vec3 leaving = sel(exit.mirrored, reflected(inside.direction, normal, bent.cosine), bent.direction);
   exit.ray.direction = sel(solid, leaving, inside.direction);
   // What the glass stands on touches the place where the ray leaves: it is to lie before the ray, not behind.
   Float back = 2.0f * texel_extent_at(view_exit_position, u.view, exit.ray.start);
@@ -214,10 +216,10 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
     turn = sel(material.thin, sel(solid, Float(2.82842712f), Float(2.0f)), turn);
     exit.reflectance = sel(material.thin && solid, bent.reflectance, exit.reflectance);
   }
-  Vec3 behind = radiance_along(exit.ray, turn * width, seen && !material.mirror) * tint *
+  Vec3 behind = radiance_along(exit.ray, turn * width, seen && !material.mirror, exit.mirrored) * tint *
                 transmittance(material.absorption, exit.inside_length);
   Ray back = ray_from(front.point, reflected(sight, normal, bent.cosine));
-  Vec3 mirrored = radiance_along(back, sel(material.mirror, Float(0.0f), 2.0f * width), seen);
+  Vec3 mirrored = radiance_along(back, sel(material.mirror, Float(0.0f), 2.0f * width), seen, Bool(true));
   Vec3 metal = mirrored * metal_reflectance(material.color, bent.cosine);
   // The share that the second surface sends back is taken to leave as it would have: nothing is lost to
   // black.

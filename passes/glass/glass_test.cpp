@@ -216,6 +216,20 @@ TEST_CASE("glass: what leaves the picture is found in the wide view, and beyond 
   CHECK(sky.x == Approx(3.0 * (1.0 - 0.050240)).epsilon(1e-4));
 }
 
+TEST_CASE(
+    "glass: clear glass over nothing is as bright as the backdrop beside it, metal mirrors the ground") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.floor = filled(8, 8, kNothing);
+  bench.scene.environment.ground = glm::vec3(1.0f);
+  bench.scene.environment.backdrop = glm::vec3(3.0f);
+  CHECK(bench.run().at(4, 4, 0) == Approx(3.0f));
+  // Leans by 70 degrees: what it mirrors comes from 50 degrees below the horizon.
+  bench.mirror = true;
+  bench.normal = {0.9396926f, 0.3420201f, 0.0f};
+  CHECK(bench.run().at(4, 4, 0) == Approx(1.0f));
+}
+
 TEST_CASE("glass: from inside at a flat angle all is mirrored") {
   // A back face leaning by 60 degrees, beyond the critical angle of 41.8. Mirrored, the view leaves 30
   // degrees below level, passes the floor's edge (5 m down take 8.66 m) and sees the ground; nothing is lost.

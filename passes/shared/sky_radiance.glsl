@@ -24,11 +24,11 @@ Vec3 image_radiance(IN(Sky) sky, Vec3 d) {
 }
 
 // Without an image: from the horizon up a linear ramp of the height, below it a quick one to `ground`.
-Vec3 gradient_radiance(IN(Sky) sky, vec3 ground, Vec3 d) {
+Vec3 gradient_radiance(IN(Sky) sky, Vec3 ground, Vec3 d) {
   Float up = clamp_to(d.y, 0.0f, 1.0f);
   Float below = clamp_to(d.y * -5.0f, 0.0f, 1.0f);
   Vec3 horizon = Vec3(sky.horizon);
-  return horizon + (Vec3(sky.zenith) - horizon) * up + (Vec3(ground) - horizon) * below;
+  return horizon + (Vec3(sky.zenith) - horizon) * up + (ground - horizon) * below;
 }
 
 // 1 within 0.7 of half a side, smooth to 0 at its end.
@@ -47,18 +47,25 @@ Float box_radiance(IN(SoftBox) box, Vec3 d) {
   return sel(ahead, box.radiance * (x * y), Float(0.0f));
 }
 
-// As glass and metal show it.
-Vec3 sky_radiance(IN(Sky) sky, Vec3 d) {
-  Vec3 color = gradient_radiance(sky, sky.ground, d);
+Vec3 sky_over(IN(Sky) sky, Vec3 ground, Vec3 d) {
+  Vec3 color = gradient_radiance(sky, ground, d);
   if (sky.has_boxes != 0)
     color = color + Vec3(box_radiance(sky.key, d) + box_radiance(sky.rim, d) + box_radiance(sky.fill, d));
   if (sky.has_image != 0) color = image_radiance(sky, d);
   return color;
 }
 
+// As it is mirrored.
+Vec3 sky_radiance(IN(Sky) sky, Vec3 d) { return sky_over(sky, Vec3(sky.ground), d); }
+
+// As glass shows it: below the horizon clear glass is as bright as what is seen beside it.
+Vec3 sky_in_glass(IN(Sky) sky, Vec3 d, Bool mirrored) {
+  return sky_over(sky, sel(mirrored, Vec3(sky.ground), Vec3(sky.backdrop)), d);
+}
+
 // As it is seen directly: without soft boxes.
 Vec3 backdrop_radiance(IN(Sky) sky, Vec3 d) {
-  Vec3 color = gradient_radiance(sky, sky.backdrop, d);
+  Vec3 color = gradient_radiance(sky, Vec3(sky.backdrop), d);
   if (sky.has_image != 0) color = image_radiance(sky, d);
   return color;
 }

@@ -46,6 +46,7 @@ struct Sight {
   Float own;      // the triangle that it starts on
   Vec4 media;     // the bodies that it is in
   Vec3 through;   // what is left of the radiance from its end
+  Bool mirrored;
   Bool under_way;
 };
 
@@ -56,8 +57,8 @@ Vec3 shown_color(Texture colors, IN(View) view, Vec3 p) {
 
 // Radiance of a receiver at p towards the camera, which stands for that towards the ray; of what neither view
 // shows, the sky's in the ray's direction.
-Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands) {
-  Vec3 color = sky_radiance(u.sky, direction);
+Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands, Bool mirrored) {
+  Vec3 color = sky_in_glass(u.sky, direction, mirrored);
   Bool wide = lands && shows_point(wide_position, u.surroundings, p);
   color = sel(wide, shown_color(wide_color, u.surroundings, p), color);
   Bool seen = lands && shows_point(view_position, u.view, p);
@@ -76,6 +77,7 @@ void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, Bool 
   Vec3 onward = sel(both.passes, before, bent.direction);
   sight.ray = ray_from(at.point, sel(back, reflected(before, normal, bent.cosine), onward));
   sight.own = at.number;
+  sight.mirrored = sight.mirrored || back;
   sight.media = sel(back, sight.media, both.media);
   Vec3 metal = metal_reflectance(material.color, bent.cosine);
   Bool tints = both.tints && !back && !both.passes;
@@ -90,6 +92,7 @@ Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
   sight.own = sel(condition, a.own, b.own);
   sight.media = sel(condition, a.media, b.media);
   sight.through = sel(condition, a.through, b.through);
+  sight.mirrored = sel(condition, a.mirrored, b.mirrored);
   sight.under_way = sel(condition, a.under_way, b.under_way);
   return sight;
 }
@@ -118,7 +121,7 @@ Vec3 radiance_along(IN(Sight) from) {
     }
     sight.under_way = sight.under_way && caster;
   }
-  return sight.through * radiance_at(end, sight.ray.direction, lands);
+  return sight.through * radiance_at(end, sight.ray.direction, lands, sight.mirrored);
 }
 
 // What a pixel shows of the casters.
@@ -160,12 +163,14 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
   back.ray = ray_from(front.at.point, reflected(sight, normal, bent.cosine));
   back.own = front.at.number;
   back.media = Vec4(0.0f);
+  back.mirrored = Bool(true);
   Vec3 metal = metal_reflectance(front.material.color, bent.cosine);
   back.through = sel(front.material.mirror, metal, Vec3(mirrored));
   back.under_way = seen;
   Sight on = back;
   on.ray = ray_from(front.at.point, bent.direction);
   on.media = both.media;
+  on.mirrored = Bool(false);
   on.through = front.material.color * (1.0f - mirrored);
   on.under_way = seen && !front.material.mirror && !bent.total;
   Vec3 behind = radiance_along(on);

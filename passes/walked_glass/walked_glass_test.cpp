@@ -1,6 +1,7 @@
 #include "passes/walked_glass/walked_glass.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/light_path_bench.hpp"
@@ -26,6 +27,7 @@ struct Bench {
   bool mirror = false, floor = true;
   int surfaces = 8, most_surfaces = 8;
   bool several_rays = false;
+  std::optional<float> backdrop;                // seen below the horizon, 0.5 nit without
   glm::vec2 at{-0.5f, -0.25f};                  // x and z of what the pixel shows
   Image shown = filled(1, 1, glm::vec4(1.0f));  // the floor
 
@@ -51,6 +53,7 @@ struct Bench {
     const glm::vec3 sky(0.5f);
     Environment environment;
     environment.zenith = environment.horizon = environment.ground = sky;
+    if (backdrop) environment.backdrop = glm::vec3(*backdrop);
     const std140::WalkedGlass u{.sky = shader_sky(environment),
                                 .view = shader_view(view),
                                 .surroundings = shader_view(widened(view, 3.0)),
@@ -111,6 +114,15 @@ TEST_CASE("walked_glass: where nothing lies behind, or more surfaces than are fo
   deep.tops = {8.0f, 5.0f, 3.0f};
   deep.surfaces = deep.most_surfaces = 3;
   CHECK(deep.seen() == Approx(0.5));
+}
+
+TEST_CASE("walked_glass: clear plates over nothing are as bright as the backdrop beside them") {
+  Bench bench;
+  bench.floor = false;
+  bench.tops = {8.0f, 5.0f};
+  bench.ior = 1.0f;
+  bench.backdrop = 2.0f;
+  CHECK(bench.seen() == Approx(2.0));
 }
 
 TEST_CASE("walked_glass: the last surfaces are passed straight on") {
