@@ -1,9 +1,11 @@
 #include "app/expectations.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/output/light_groups.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/measure/leaning_normals.hpp"
 #include "pipeline/scene/defaults.hpp"
 
 namespace caustics::app {
@@ -12,6 +14,9 @@ namespace {
 
 // A larger share than this that leaves the maps is worth a warning.
 constexpr double kMostLeaving = 0.01;
+
+// From here on a caster's normals are named where so much of its light is given up.
+constexpr double kLeaningDegrees = 20.0, kMostGivenUp = 0.2;
 
 const Outcome* find_outcome(const std::vector<LightLedger>& ledgers, const Expectation& e) {
   for (const LightLedger& ledger : ledgers) {
@@ -75,6 +80,20 @@ std::string leaving_sentence(const Scene& scene, const LightLedger& ledger) {
   if (!(ledger.leaves() > kMostLeaving)) return {};
   return "light " + light_label(scene, ledger.light) + ": " + percent(ledger.leaves()) +
          " of the light onto its casters leaves its maps and is not drawn";
+}
+
+std::string leaning_sentence(const Scene& scene, const LightLedger& ledger) {
+  for (const Outcome& outcome : ledger.outcomes) {
+    const double share = outcome.share(LandingStatus::GivenUp);
+    if (share < kMostGivenUp) continue;
+    const double degrees = glm::degrees(mean_lean(scene.meshes[static_cast<std::size_t>(outcome.mesh)]));
+    if (degrees < kLeaningDegrees) continue;
+    return "light " + light_label(scene, ledger.light) + ": " + percent(share) + " of the light onto " +
+           mesh_label(scene, outcome.mesh) + " is given up: its smooth normals lean " +
+           std::to_string(std::lround(degrees)) +
+           " degrees away from its triangles; split them at sharp edges (in " + "Blender: Shade Auto Smooth)";
+  }
+  return {};
 }
 
 }  // namespace caustics::app

@@ -113,8 +113,9 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
   for (const LightLedger& ledger : ledgers) {
     std::fprintf(stderr, "%s%s\n", ledger_sentence(frame.scene(), ledger).c_str(),
                  error_text(ledger.error, why_not_judged(frame), ledgers.size() == 1).c_str());
-    const std::string warning = leaving_sentence(frame.scene(), ledger);
-    if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const std::string& warning :
+         {leaving_sentence(frame.scene(), ledger), leaning_sentence(frame.scene(), ledger)})
+      if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
 }
 
