@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/output/light_groups.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/measure/leaning_normals.hpp"
+#include "pipeline/measure/meshes_in_the_way.hpp"
 #include "pipeline/scene/defaults.hpp"
 
 namespace caustics::app {
@@ -28,6 +30,13 @@ const Outcome* find_outcome(const std::vector<LightLedger>& ledgers, const Expec
   return nullptr;
 }
 
+// With the name of what stands before the caster.
+std::string named_reason(const Scene& scene, const Expectation& e, const MeshesInTheWay& meshes) {
+  const int before = meshes.before(e.mesh, samples_of(scene, e.light));
+  return before < 0 ? kNoLightReachesIt
+                    : "no light reaches it: " + mesh_label(scene, before) + " stands before it";
+}
+
 }  // namespace
 
 std::vector<Expectation> known_expectations(const Scene& scene, const Effects& effects,
@@ -35,6 +44,7 @@ std::vector<Expectation> known_expectations(const Scene& scene, const Effects& e
   const bool has_ground = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                       [](const Mesh& mesh) { return mesh.name == kGroundName; });
   std::vector<Expectation> known = expectations_by_source(scene, effects);
+  std::optional<MeshesInTheWay> in_the_way;
   for (Expectation& e : known) {
     const Outcome* outcome = e.expected ? find_outcome(ledgers, e) : nullptr;
     if (!outcome) continue;
@@ -42,6 +52,9 @@ std::vector<Expectation> known_expectations(const Scene& scene, const Effects& e
     e.expected = why_not.empty();
     e.reason = e.expected ? e.reason + "; " + percent(outcome->share(LandingStatus::Landed)) + " of it lands"
                           : why_not;
+    if (why_not != kNoLightReachesIt) continue;
+    if (!in_the_way) in_the_way.emplace(scene);
+    e.reason = named_reason(scene, e, *in_the_way);
   }
   return known;
 }

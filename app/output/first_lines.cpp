@@ -8,8 +8,6 @@
 #include "app/loaded_scene.hpp"
 #include "app/shell/on_demand.hpp"
 #include "app/shell/terminal.hpp"
-#include "pipeline/measure/mesh_in_the_way.hpp"
-#include "pipeline/measure/outcome.hpp"
 #include "pipeline/renderer/stage.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -105,13 +103,6 @@ std::string sight_text(const RenderedFrame& frame, const SeenCaustic& seen, doub
   return text + ", " + brightness_text(seen);
 }
 
-// With the name of what keeps the light from the caster.
-std::string named_reason(const Scene& scene, const NoCaustic& group) {
-  const int before = group.reason == kNoLightReachesIt ? mesh_in_the_way(scene, *group.meshes.begin()) : -1;
-  return before < 0 ? group.reason
-                    : "no light reaches it: " + mesh_label(scene, before) + " stands before it";
-}
-
 // As an artist knows it: by the thing, whatever the light.
 std::string no_caustic_text(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers) {
   const std::vector<NoCaustic> groups =
@@ -121,7 +112,7 @@ std::string no_caustic_text(const RenderedFrame& frame, const std::vector<LightL
   const NoCaustic& most = groups.front();
   if (most.meshes.empty()) return most.reason;
   const std::string more = most.meshes.size() == 1 ? "" : " and " + grouped(most.meshes.size() - 1) + " more";
-  return mesh_label(frame.scene(), *most.meshes.begin()) + more + ": " + named_reason(frame.scene(), most);
+  return mesh_label(frame.scene(), *most.meshes.begin()) + more + ": " + most.reason;
 }
 
 std::string caustic_line(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,

@@ -29,7 +29,7 @@ std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& bra
 // Adds `share` of another's flux on the same caster.
 void add(Outcome& sum, const Outcome& other, double share);
 
-// Of a caster that no flux enters; what stands before it, mesh_in_the_way.hpp finds.
+// Of a caster that no flux enters; what stands before it, meshes_in_the_way.hpp finds.
 inline constexpr char kNoLightReachesIt[] = "no light reaches it: something stands before it";
 
 // Why (nearly) nothing of the flux landed: less than a thousandth. Empty where more did. `over_added_ground`:

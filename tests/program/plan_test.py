@@ -246,7 +246,7 @@ class WhatBecomesOfTheLight(PlanTest):
     def test_a_caster_in_the_dark_throws_none(self):
         said = self.expectation(floors=((0, 0, 0), (0, 3, 0)))
         self.assertFalse(said["expected"])
-        self.assertIn("no light reaches it", said["reason"])
+        self.assertEqual(said["reason"], "no light reaches it: 'floor' stands before it")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-#include "pipeline/measure/mesh_in_the_way.hpp"
+#include "pipeline/measure/meshes_in_the_way.hpp"
 
 #include "tests/support/catch.hpp"
 #include "tests/support/shapes.hpp"
@@ -16,25 +16,31 @@ Scene walled() {
   return scene;
 }
 
+int before_the_ball(const Scene& scene) {
+  std::vector<int> lights;
+  for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) lights.push_back(light);
+  return MeshesInTheWay(scene).before(1, lights);
+}
+
 }  // namespace
 
-TEST_CASE("mesh in the way: what most of a caster is hidden behind, of a sun and of a lamp") {
+TEST_CASE("meshes in the way: what most of a caster is hidden behind, of a sun and of a lamp") {
   Scene scene = walled();
   scene.lights = {sun({1.0, 0.0, 0.0}, 1.0f)};
-  CHECK(mesh_in_the_way(scene, 1) == 2);
+  CHECK(before_the_ball(scene) == 2);
   Light lamp;
   lamp.type = LightType::Point;
   scene.lights = {lamp};
-  CHECK(mesh_in_the_way(scene, 1) == 2);
+  CHECK(before_the_ball(scene) == 2);
   // Its own light comes through the wall that shines.
   scene.lights[0].emitter = 2;
-  CHECK(mesh_in_the_way(scene, 1) == -1);
+  CHECK(before_the_ball(scene) == -1);
 }
 
-TEST_CASE("mesh in the way: nothing where light comes freely, whatever lies behind the caster") {
+TEST_CASE("meshes in the way: nothing where light comes freely, whatever lies behind the caster") {
   Scene scene = walled();
   scene.lights = {sun({-1.0, 0.0, 0.0}, 1.0f)};
-  CHECK(mesh_in_the_way(scene, 1) == -1);
+  CHECK(before_the_ball(scene) == -1);
   scene.lights.clear();
-  CHECK(mesh_in_the_way(scene, 1) == -1);
+  CHECK(before_the_ball(scene) == -1);
 }

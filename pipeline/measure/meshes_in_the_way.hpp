@@ -1,0 +1,25 @@
+// What keeps light from a caster, by name instead of as "something".
+#pragma once
+#include <vector>
+
+#include "pipeline/scene/scene.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
+
+namespace caustics {
+
+class MeshesInTheWay {
+ public:
+  // The scene must outlive it and keep its vertices.
+  explicit MeshesInTheWay(const Scene& scene);
+
+  // Of the straight ways from these lights (indices into Scene::lights) to some points of a mesh, what most
+  // of them meet before it: an index into Scene::meshes, -1 where nothing stands before it.
+  int before(int caster, const std::vector<int>& lights) const;
+
+ private:
+  const Scene& scene_;
+  TriangleTree tree_;
+  double beyond_;  // metres that lie behind all of the scene, seen from any point of it
+};
+
+}  // namespace caustics
