@@ -104,7 +104,7 @@ std::string leaning_sentence(const Scene& scene, const LightLedger& ledger) {
     return "light " + light_label(scene, ledger.light) + ": " + percent(share) + " of the light onto " +
            mesh_label(scene, outcome.mesh) + " is given up: its smooth normals lean " +
            std::to_string(std::lround(degrees)) +
-           " degrees away from its triangles; split them at sharp edges (in " + "Blender: Shade Auto Smooth)";
+           " degrees away from its triangles; split them at sharp edges (in Blender: Shade Auto Smooth)";
   }
   return {};
 }
