@@ -1,6 +1,7 @@
 // Rough glass in whole frames: the same light, spread.
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
+#include "tests/support/run_pass.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace caustics;
@@ -10,11 +11,11 @@ namespace {
 
 // Of the caustic map under a glass sphere, or an open level sheet of glass: its flux, and how much of it the
 // brightest texel has.
-struct Light {
+struct MapLight {
   double flux = 0.0, peak = 0.0;
 };
 
-Light light_below(float roughness, bool sheet = false) {
+MapLight light_below(float roughness, bool sheet = false) {
   Scene scene = sphere_scene(1.5f, 4);
   if (sheet) scene.meshes[1] = floor(0.4, 0.3, 1);
   scene.materials[1].roughness = roughness;
@@ -22,7 +23,7 @@ Light light_below(float roughness, bool sheet = false) {
   settings.cascades = false;
   const std::string name = light_texture(kCausticMap, 0);
   const Image map = render(scene, settings, {name})[name];
-  Light light{sum(map)};
+  MapLight light{sum(map)};
   for (int y = 0; y < map.height(); ++y)
     for (int x = 0; x < map.width(); ++x)
       light.peak = std::max(light.peak, static_cast<double>(map.at(x, y, 0)));
@@ -32,7 +33,7 @@ Light light_below(float roughness, bool sheet = false) {
 }  // namespace
 
 TEST_CASE("rough glass: the light of a sphere is spread, the more the rougher") {
-  const Light smooth = light_below(0.0f), rough = light_below(0.3f), rougher = light_below(0.5f);
+  const MapLight smooth = light_below(0.0f), rough = light_below(0.3f), rougher = light_below(0.5f);
   // Steep facets of the second surface reflect it all.
   CHECK(rough.flux > 0.85 * smooth.flux);
   CHECK(rough.peak / rough.flux < 0.5 * smooth.peak / smooth.flux);
@@ -41,7 +42,7 @@ TEST_CASE("rough glass: the light of a sphere is spread, the more the rougher") 
 
 TEST_CASE("rough glass: an open sheet keeps its light") {
   // Straight down 4 % are mirrored; a facet that leans by 45 degrees mirrors 5 %.
-  const Light smooth = light_below(0.0f, true), rough = light_below(0.4f, true);
+  const MapLight smooth = light_below(0.0f, true), rough = light_below(0.4f, true);
   CHECK(smooth.flux == Approx(0.64 * 0.96).epsilon(0.01));
   CHECK(rough.flux == Approx(smooth.flux).epsilon(0.01));
 }
