@@ -4,6 +4,7 @@
 
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
+#include "tests/support/run_pass.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace caustics;
