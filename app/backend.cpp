@@ -16,7 +16,7 @@ namespace {
 Backend parse_backend(const std::string& name) {
   if (name == "software") return Backend::Software;
   if (name == "gl") return Backend::OpenGl;
-  throw Error(ExitCode::WrongUsage, "--backend cannot be '" + name.substr(0, 60) + "': software or gl");
+  throw Error(ExitCode::WrongUsage, "--backend cannot be " + in_quotes(name) + ": software or gl");
 }
 
 void add_one(std::vector<Backend>& backends, Backend backend) {

@@ -1,6 +1,7 @@
 // caustics doctor: what this build is made of and what this machine lets it use.
 #include <CLI/Version.hpp>
 #include <cstdio>
+#include <functional>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -13,6 +14,7 @@
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/shader.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/image_io/image_io.hpp"
 #include "pipeline/scene/gltf/compressed.hpp"
 #include "raster/software_device.hpp"
@@ -21,7 +23,19 @@ namespace caustics::app {
 
 namespace {
 
-void line(const char* what, const std::string& value) { std::printf("%-22s %s\n", what, value.c_str()); }
+void line(const char* what, const std::string& value) {
+  std::printf("%-22s %s\n", what, one_line(value).c_str());
+}
+
+// Of a part that is loaded when it is needed, and may be missing: then the line says so, and the others
+// follow.
+void line_on_demand(const char* what, const std::function<std::string()>& value) {
+  try {
+    line(what, value());
+  } catch (const Error& error) {
+    line(what, std::string("cannot be used: ") + error.what());
+  }
+}
 
 std::string instruction_sets(const std::vector<Lanes>& lanes) {
   std::string text;
@@ -93,7 +107,7 @@ ExitCode run_doctor(const Arguments& arguments) {
   line("largest texture", std::to_string(device->max_texture_size()));
   describe_gl();
   line("passes", std::to_string(pass_registry().size()));
-  line("OpenImageIO", image_io().version);
+  line_on_demand("OpenImageIO", [] { return image_io().version; });
   line("unpacks from glTF", unpacked_formats());
   line("CLI11", CLI11_VERSION);
   line("nlohmann-json", std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +

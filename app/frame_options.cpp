@@ -44,11 +44,13 @@ std::string name_of_scene(const FrameRequest& request) {
   return is_standard_input(request.scene) ? "stdin" : request.scene.stem().string();
 }
 
-void check_request(const FrameRequest& request, const std::string& command) {
+void check_request(FrameRequest& request, const std::string& command) {
   if (request.scene.empty()) {
     throw Error(ExitCode::WrongUsage, "no scene given; see 'caustics " + command + " --help' for examples");
   }
   check(request.settings);
+  request.files.reads(request.scene, "the scene");
+  if (request.environment) request.files.reads(*request.environment, "the image of --environment");
   if (is_standard_input(request.scene)) standard_input(LoadOptions{}.max_bytes);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/backend.hpp"
+#include "pipeline/gpu/run_files.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
@@ -17,6 +18,7 @@ struct FrameRequest {
   bool preview = false;           // --preview, which `settings` have
   Settings settings;
   BackendRequest backend;
+  RunFiles files;  // that the run reads and writes; the scene's own are added as it is loaded
 };
 
 // -r, --camera, --grid and so on, and -D; they write into `request`, which must outlive the parser.
@@ -34,8 +36,8 @@ inline bool is_standard_input(const std::filesystem::path& scene) { return scene
 std::string name_of_scene(const FrameRequest& request);
 
 // Throws Error (WrongUsage) when no scene was named or a size is beyond its limits. Reads standard input, if
-// it is the scene.
-void check_request(const FrameRequest& request, const std::string& command);
+// it is the scene. Tells request.files of the files that are read.
+void check_request(FrameRequest& request, const std::string& command);
 
 // Throws Error (WrongUsage) when a command that looks at the pixels' middles alone is asked for more samples.
 void require_one_sample(const Settings& settings, const std::string& command);

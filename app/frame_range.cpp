@@ -5,6 +5,7 @@
 
 #include "app/shell/parser.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 
 namespace caustics::app {
 
@@ -39,7 +40,7 @@ FrameRange parse_frames(const std::string& text) {
                    : parse_number("--frames", text.substr(dots + 2), Limits<int>{0, kLastFrame});
   if (range.last < range.first) {
     throw Error(ExitCode::WrongUsage,
-                "--frames cannot be '" + text.substr(0, 60) + "': the first frame comes first, as in 0..9");
+                "--frames cannot be " + in_quotes(text) + ": the first frame comes first, as in 0..9");
   }
   return range;
 }

@@ -34,8 +34,7 @@ const Camera& camera_called(const Scene& scene, const std::string& wanted) {
     const std::size_t number = static_cast<std::size_t>(std::stoi(wanted));
     if (number < scene.cameras.size()) return scene.cameras[number];
   }
-  throw Error(ExitCode::WrongUsage,
-              "there is no camera '" + one_line(wanted).substr(0, 60) + "'" + suggestion(wanted, names));
+  throw Error(ExitCode::WrongUsage, "there is no camera " + in_quotes(wanted) + suggestion(wanted, names));
 }
 
 // More would plan for minutes before the memory that they need is refused.
@@ -70,6 +69,8 @@ LoadedScene::LoadedScene(const FrameRequest& request)
     swept_.push_back(animation_.swept_bounds(mesh));
     outlines_.push_back(animation_.outline(mesh));
   }
+  RunFiles run = request.files;
+  for (const std::filesystem::path& file : animation_.files()) run.reads(file, "a file of the scene");
   scene_ = animation_.take();
   if (request.environment) scene_.environment = load_environment(*request.environment);
   complete();

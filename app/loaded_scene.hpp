@@ -25,6 +25,8 @@ class LoadedScene {
   const Camera& camera() const { return camera_; }
   float exposure() const { return exposure_; }
 
+  // AnimatedScene::files; none of them is an output of the request.
+  const std::vector<std::filesystem::path>& files() const { return animation_.files(); }
   bool moves() const { return animation_.moves(); }
   double duration() const { return animation_.duration(); }
   // Completed::added.

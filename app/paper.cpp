@@ -60,8 +60,7 @@ std::vector<Row> wanted_rows(const PaperRequest& request) {
   for (const Row& row : rows) ids.push_back(row.id);
   for (const std::string& id : request.rows)
     if (std::none_of(ids.begin(), ids.end(), [&](const std::string& each) { return is_called(each, id); }))
-      throw Error(ExitCode::WrongUsage,
-                  "there is no row '" + one_line(id).substr(0, 60) + "'" + suggestion(id, ids));
+      throw Error(ExitCode::WrongUsage, "there is no row " + in_quotes(id) + suggestion(id, ids));
   if (!request.rows.empty())
     std::erase_if(rows, [&](const Row& row) {
       return std::none_of(request.rows.begin(), request.rows.end(),
@@ -108,6 +107,7 @@ ExitCode run_paper(const Arguments& arguments) {
   if (!parse(arguments, request)) return ExitCode::Done;
   const std::vector<Row> rows = wanted_rows(request);
   const fs::path folder = request.folder;
+  refuse_standard_output(folder, "-o", "the report is a folder of files");
   std::error_code error;
   fs::create_directories(folder, error);
   require_writable(folder / "paper.md");

@@ -65,12 +65,12 @@ class ParityCommand {
         gl_(make_gl_device(measuring(request.frame.backend))),
         driver_(class_of(probe(*gl_))) {}
 
-  ParityReport compare(const std::string& scene, ParityDump* dump) {
+  ParityReport compare(const std::string& scene, std::optional<ParityDump>& dump) {
     FrameRequest request = request_.frame;
     request.scene = scene;
     request.backend.backend = Backend::Software;
-    check_request(request, "parity");
     const RenderedFrame frame(request, load_scene(request), {});
+    if (!request_.dump.empty() && !dump) dump.emplace(request_.dump);
     const SceneOnDevice on_gl(frame.scene(), frame.effects(), *gl_);
     const FrameParity parity = compare_devices(
         frame.plan(), pass_registry(), frame.on_device(), on_gl, frame.inputs(),
@@ -120,14 +120,18 @@ std::string verdict_line(const ParityReport& report) {
 ExitCode run_parity(const Arguments& arguments) {
   ParityRequest request;
   if (!parse(arguments, request)) return ExitCode::Done;
-  std::optional<ParityDump> dump;
-  if (!request.dump.empty()) dump.emplace(request.dump);
+  if (!request.dump.empty()) require_dump_folder(request.frame.files, request.dump, "--dump", false);
+  for (const std::string& scene : request.scenes) {
+    request.frame.scene = scene;
+    check_request(request.frame, "parity");
+  }
   ParityCommand command(request);
+  std::optional<ParityDump> dump;
   Json reports = Json::array();
   bool passes = true;
   for (const std::string& scene : request.scenes) {
     const bool names_devices = !request.json && request.scenes.size() > 1 && reports.empty();
-    const ParityReport report = command.compare(scene, dump ? &*dump : nullptr);
+    const ParityReport report = command.compare(scene, dump);
     passes = passes && report.judged.passes();
     reports.push_back(parity_json(report));
     if (request.json) continue;

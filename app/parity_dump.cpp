@@ -21,21 +21,17 @@ Image mask_of(const Image& a, const Image& b) {
 
 }  // namespace
 
-ParityDump::ParityDump(const std::filesystem::path& folder) : folder_(folder) { make_dump_folder(folder); }
-
 void ParityDump::add(const AttachmentParity& parity, const Image& reference, const Image& tested) {
   if (parity.difference.differing_texels == 0) return;
   const std::string stem = (count_ < 10 ? "0" : "") + std::to_string(count_) + "_" + file_part(parity.pass) +
                            "." + file_part(parity.attachment);
   ++count_;
-  write_exr(folder_ / (stem + ".software.exr"), channels_of(reference));
-  write_exr(folder_ / (stem + ".gl.exr"), channels_of(tested));
+  write_exr(folder_.file(stem + ".software.exr"), channels_of(reference));
+  write_exr(folder_.file(stem + ".gl.exr"), channels_of(tested));
   const Image mask = mask_of(reference, tested);
-  write_exr(folder_ / (stem + ".mask.exr"), channels_of(mask));
+  write_exr(folder_.file(stem + ".mask.exr"), channels_of(mask));
 }
 
-void ParityDump::finish(const Json& report) {
-  write_atomically(folder_ / "manifest.json", json_text(report));
-}
+void ParityDump::finish(const Json& report) { folder_.finish(report); }
 
 }  // namespace caustics::app

@@ -79,6 +79,7 @@ class ReferenceRun {
   }
 
   void save() {
+    if (!request_.keeps_state()) return;
     const std::string bytes = tracer::to_bytes(tracer_->state(), text_);
     // Not write_atomically, which gives up when a signal has come: that is when this file is wanted.
     PendingFile file(request_.state_file());
@@ -123,7 +124,7 @@ class ReferenceRun {
 
   [[noreturn]] void break_off() {
     progress_.clear();
-    if (tracer_->state().batches > 0) {
+    if (tracer_->state().batches > 0 && request_.keeps_state()) {
       save();
       if (!request_.quiet)
         std::fprintf(stderr, "%s batches are kept in %s; --resume goes on\n",
@@ -169,7 +170,8 @@ class ReferenceRun {
     if (!request_.quiet) print_reference(request_, loaded_->scene(), effects_, *tracer_, timing_);
     if (!reached_)
       complain("the error is " + percent(tracer_->relative_error()) + ", not the " +
-               percent(*request_.error) + " asked for; the picture is written, --resume goes on");
+               percent(*request_.error) + " asked for; the picture is written" +
+               (request_.keeps_state() ? ", --resume goes on" : ""));
   }
 
   ReferenceRequest request_;
@@ -189,11 +191,14 @@ class ReferenceRun {
 ExitCode run_reference(const Arguments& arguments) {
   ReferenceRequest request;
   if (!parse_reference(arguments, request)) return ExitCode::Done;
-  if (!is_exr(request.output))
+  if (!is_standard_output(request.output) && !is_exr(request.output))
     throw Error(ExitCode::WrongUsage,
                 request.output.string() + ": the reference is light in lux, written as .exr only");
-  require_writable(request.output);
-  if (!request.stats.empty()) require_writable(request.stats);
+  RunFiles& files = request.frame.files;
+  require_output(files, request.output, "-o", Content::Binary);
+  if (request.keeps_state())
+    require_output(files, request.state_file(), "the state beside -o", Content::Binary);
+  if (!request.stats.empty()) require_output(files, request.stats, "--stats", Content::Text);
   return ReferenceRun(std::move(request)).run();
 }
 

@@ -40,8 +40,7 @@ const ReferenceLayer& find_reference_layer(const std::string& name) {
         "glass; 'caustic' and 'direct' are what to compare");
   std::vector<std::string> names;
   for (const ReferenceLayer& layer : kReferenceLayers) names.emplace_back(layer.name);
-  throw Error(ExitCode::WrongUsage,
-              "--aov has no layer '" + one_line(name).substr(0, 60) + "'" + suggestion(name, names));
+  throw Error(ExitCode::WrongUsage, "--aov has no layer " + in_quotes(name) + suggestion(name, names));
 }
 
 Image image_of(const std::vector<float>& values, int width, int height) {

@@ -2,6 +2,7 @@
 
 #include "app/reference_layers.hpp"
 #include "app/shell/setting_options.hpp"
+#include "pipeline/gpu/text.hpp"
 
 namespace caustics::app {
 
@@ -23,7 +24,7 @@ constexpr Limits<double> kSeconds{0.0, 1e7}, kErrors{1e-6, 1000.0};  // errors i
 tracer::Physics parse_physics(const std::string& name) {
   if (name == "single") return tracer::Physics::Single;
   if (name == "full") return tracer::Physics::Full;
-  throw Error(ExitCode::WrongUsage, "--physics cannot be '" + name.substr(0, 60) + "': single or full");
+  throw Error(ExitCode::WrongUsage, "--physics cannot be " + in_quotes(name) + ": single or full");
 }
 
 void add_physics(Parser& parser, SettingOptions& options, ReferenceRequest& request) {
@@ -66,9 +67,10 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   std::string scene;
   parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Output");
-  parser.option("-o,--output", "FILE.exr",
-                {"where the layers go", ".exr", "SCENE.reference.exr in the current folder"},
-                [&](const std::string& file) { request.output = file; });
+  parser.option(
+      "-o,--output", "FILE.exr",
+      {"where the layers go; - is standard output", ".exr", "SCENE.reference.exr in the current folder"},
+      [&](const std::string& file) { request.output = file; });
   parser.option("--aov", "LIST", {"layers, listed below, with commas between", "", "all"},
                 [&](const std::string& list) { request.layers = parse_reference_layers(list); });
   parser.option("--stats", "F.json", {"rays, time, error and the flux ledger", "", "none"},
@@ -86,6 +88,9 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   request.frame.scene = scene;
   check_request(request.frame, "reference");
   if (request.output.empty()) request.output = name_of_scene(request.frame) + ".reference.exr";
+  if (request.resume && !request.keeps_state())
+    throw Error(ExitCode::WrongUsage,
+                "--resume goes on from a file beside -o FILE.exr, and there is none beside -");
   if (request.layers.empty()) request.layers = all_reference_layers();
   if (!request.batches && !request.seconds && !request.error) request.batches = kUsualBatches;
   request.trace.width = request.frame.settings.width;

@@ -25,6 +25,8 @@ struct ReferenceRequest {
   std::optional<double> error;  // relative, of Tracer::relative_error
   bool resume = false, quiet = false;
 
+  // Beside standard output there is no place for one.
+  bool keeps_state() const { return output != "-"; }
   std::filesystem::path state_file() const { return output.string() + ".state"; }
 };
 

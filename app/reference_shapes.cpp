@@ -28,13 +28,12 @@ void add_named(const Scene& scene, const ExactRequest::Named& wanted,
     found = true;
     const int mesh = static_cast<int>(i);
     if (has_shape(shapes, mesh))
-      throw Error(ExitCode::WrongUsage,
-                  "--exact names the mesh '" + one_line(wanted.mesh).substr(0, 60) + "' twice");
+      throw Error(ExitCode::WrongUsage, "--exact names the mesh " + in_quotes(wanted.mesh) + " twice");
     shapes.push_back(tracer::exact_shape_of(scene, mesh, wanted.kind));
   }
   if (!found)
-    throw Error(ExitCode::WrongUsage, "--exact names no mesh: '" + one_line(wanted.mesh).substr(0, 60) + "'" +
-                                          suggestion(wanted.mesh, names));
+    throw Error(ExitCode::WrongUsage,
+                "--exact names no mesh: " + in_quotes(wanted.mesh) + suggestion(wanted.mesh, names));
 }
 
 }  // namespace
@@ -48,8 +47,8 @@ void ExactRequest::add(const std::string& text) {
   const std::string kind = equals == std::string::npos ? "" : text.substr(equals + 1);
   const auto found = std::find(std::begin(kNames), std::end(kNames), kind);
   if (found == std::end(kNames))
-    throw Error(ExitCode::WrongUsage, "--exact cannot be '" + one_line(text).substr(0, 60) +
-                                          "': scene, or NAME=sphere, NAME=cylinder, NAME=waves");
+    throw Error(ExitCode::WrongUsage, "--exact cannot be " + in_quotes(text) +
+                                          ": scene, or NAME=sphere, NAME=cylinder, NAME=waves");
   named.push_back({text.substr(0, equals), static_cast<ShapeKind>(found - std::begin(kNames))});
 }
 

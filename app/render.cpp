@@ -43,6 +43,7 @@ constexpr Limits<double> kTargetError{0.001, 100.0};  // percent
 struct RenderRequest {
   FrameRequest frame;
   OutputRequest outputs;
+  RunFiles beside;  // FrameRequest::files but those of the outputs
   std::optional<FrameRange> frames;
   double rate = 24.0;  // frames a second
   bool timed = false, resume = false;
@@ -213,6 +214,16 @@ OutputRequest outputs_of(const RenderRequest& request, int frame) {
   return outputs;
 }
 
+// Tells the list of every file of every frame; the first frame's are tried, too.
+void require_outputs(const RenderRequest& request, RunFiles& files) {
+  const FrameRange range = request.frames.value_or(FrameRange{});
+  for (const std::filesystem::path& file : request.outputs.files) {
+    const bool one_a_frame = request.frames && has_number(file) && !is_video(file);
+    require_output(files, one_a_frame ? numbered(file, range.first) : file, "-o", Content::Binary);
+    for (int n = range.first + 1; one_a_frame && n <= range.last; ++n) files.writes(numbered(file, n), "-o");
+  }
+}
+
 // Is there a whole file for each output of the frame? Files appear whole or not at all, so that their
 // heads are enough to look at.
 bool is_there(const RenderRequest& request, int frame) {
@@ -314,6 +325,7 @@ class Renderer {
     std::unique_ptr<LoadedScene> loaded = load_scene(request_.frame);
     if (!request_.frames && request_.films()) {
       request_.frames = whole_animation(*loaded, request_.rate);
+      require_all_frames(*loaded);
       todo_ = frames_to_draw(request_);
     }
     if (!loaded->moves() && loaded->scene().waters.empty()) say_that_nothing_moves();
@@ -327,6 +339,13 @@ class Renderer {
       if (is_video(file))
         films_.push_back(std::make_unique<VideoFile>(file, size.width, size.height, request_.rate));
     started_ = Stopwatch();
+  }
+
+  // How many frames there are has just been found: pictures beside a film have their names from it.
+  void require_all_frames(const LoadedScene& loaded) const {
+    RunFiles files = request_.beside;
+    for (const std::filesystem::path& file : loaded.files()) files.reads(file, "a file of the scene");
+    require_outputs(request_, files);
   }
 
   void say_that_nothing_moves() {
@@ -442,8 +461,12 @@ class Renderer {
 ExitCode run_render(const Arguments& arguments) {
   RenderRequest request;
   if (!parse(arguments, request)) return ExitCode::Done;
-  check_outputs(outputs_of(request, request.frames ? request.frames->first : 0));
-  if (!request.stats.empty()) require_writable(request.stats);
+  check_outputs(request.outputs);
+  RunFiles& files = request.frame.files;
+  if (!request.dump.empty()) require_dump_folder(files, request.dump, "--dump", request.pictures);
+  if (!request.stats.empty()) require_output(files, request.stats, "--stats", Content::Text);
+  request.beside = files;
+  require_outputs(request, files);
   for (const std::filesystem::path& file : request.outputs.files)
     if (is_video(file)) require_ffmpeg(file);
   return Renderer(std::move(request)).render();

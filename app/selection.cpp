@@ -66,7 +66,7 @@ Region parse_region(const std::string& text) {
   }
   if (numbers.size() != 4) {
     throw Error(ExitCode::WrongUsage,
-                "--region cannot be '" + one_line(text).substr(0, 80) + "': four integers, X,Y,WIDTH,HEIGHT");
+                "--region cannot be " + in_quotes(text) + ": four integers, X,Y,WIDTH,HEIGHT");
   }
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }

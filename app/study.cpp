@@ -211,8 +211,7 @@ class StudyRun {
       throw Error(ExitCode::CannotWrite, one_line(request_.folder.string()) + ": " + error.message());
     fs::create_directories(request_.folder / "img", error);
     require_writable(request_.folder / "img" / "truth.png");
-    for (const char* file : {"study.json", "study.csv", "report.html", "error_time.svg"})
-      require_writable(request_.folder / file);
+    for (const char* file : kStudyFiles) require_writable(request_.folder / file);
   }
 
   void read_earlier() {

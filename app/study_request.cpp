@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/output/stats.hpp"
+#include "app/shell/atomic_file.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/study_effects.hpp"
@@ -40,12 +41,12 @@ void add_varied(StudyRequest& request, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw Error(ExitCode::WrongUsage,
-                "--vary cannot be '" + one_line(text).substr(0, 60) + "': KEY=a,b,c, as in grid=64,128,256");
+                "--vary cannot be " + in_quotes(text) + ": KEY=a,b,c, as in grid=64,128,256");
   }
   const std::string key = text.substr(0, equals);
   for (const Varied& each : request.varied)
     if (each.first == key)
-      throw Error(ExitCode::WrongUsage, "--vary " + one_line(key).substr(0, 60) +
+      throw Error(ExitCode::WrongUsage, "--vary " + one_line(key, 60) +
                                             " is given twice; give all of its "
                                             "values at once, with commas between");
   request.varied.emplace_back(key, text.substr(equals + 1));
@@ -158,6 +159,16 @@ bool parse_study(const Arguments& arguments, StudyRequest& request) {
   check_request(request.frame, "study");
   if (is_standard_input(request.frame.scene))
     throw Error(ExitCode::WrongUsage, "study goes on with what it has found of a scene, which needs a file");
+  refuse_standard_output(request.folder, "-o", "a study is a folder of files");
+  RunFiles& files = request.frame.files;
+  if (!request.mask.empty()) files.reads(request.mask, "the mask");
+  if (!request.truth.empty()) files.reads(request.truth, "the truth");
+  for (const char* file : kStudyFiles) files.writes(request.folder / file, "-o");
+  if (request.traced.wanted)
+    for (const char* file : {"truth.exr", "truth.exr.state", "truth.exr.json"})
+      files.writes(request.folder / file, "-o");
+  files.writes_in(request.folder / "img", "-o",
+                  [](const std::string& name) { return name.ends_with(".png"); });
   // What is compared has given sides.
   request.frame.settings = with_least_sides(request.frame.settings);
   if (request.says_how_long && !request.traced.wanted)

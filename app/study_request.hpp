@@ -13,6 +13,9 @@
 namespace caustics::app {
 
 inline constexpr std::size_t kMostRuns = 1000;
+// Beside img/ and what is traced.
+inline constexpr const char* kStudyFiles[] = {"study.json", "study.csv", "effects.csv", "report.html",
+                                              "error_time.svg"};
 
 struct StudyRequest {
   FrameRequest frame;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "app/compare/block_means.hpp"
 #include "app/compare/difference_images.hpp"
@@ -31,6 +32,7 @@ struct CompareRequest {
   std::vector<MetricBound> bounds;
   bool flip = false;
   bool json = false;
+  RunFiles files;
 
   bool needs_flip() const {
     return flip || std::any_of(bounds.begin(), bounds.end(),
@@ -46,8 +48,7 @@ double parse_bound(const std::string& option, const std::string& text) {
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
   if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value) || value < 0.0) {
-    throw Error(ExitCode::WrongUsage,
-                option + " cannot be '" + one_line(text).substr(0, 80) + "': a number, 0 or more");
+    throw Error(ExitCode::WrongUsage, option + " cannot be " + in_quotes(text) + ": a number, 0 or more");
   }
   return value;
 }
@@ -57,18 +58,12 @@ void require_there(const std::string& path) {
   if (!fs::exists(path, error)) throw Error(ExitCode::BadInput, path + ": no such file or folder");
 }
 
-void require_output(const CompareRequest& request, const fs::path& output) {
-  for (const std::string& input : {request.comparison.a, request.comparison.b, request.mask}) {
-    std::error_code error;
-    if (!input.empty() && fs::equivalent(output, input, error)) {
-      throw Error(ExitCode::WrongUsage, output.string() + ": --diff would replace an input");
-    }
-  }
-  require_writable(output);
+void require_difference_image(CompareRequest& request, const fs::path& output) {
+  require_output(request.files, output, "--diff", Content::Binary);
 }
 
 // Everything that can be known before anything is read. True for two folders.
-bool check(const CompareRequest& request) {
+bool check(CompareRequest& request) {
   const std::string &a = request.comparison.a, &b = request.comparison.b;
   if (a.empty() || b.empty()) {
     throw Error(ExitCode::WrongUsage, "compare needs two images, or two folders of --dump");
@@ -87,12 +82,16 @@ bool check(const CompareRequest& request) {
                 "--layer, --mask, --region, --blocks, --flip and --fail-above need two images; name the "
                 "files in the folders");
   }
-  if (request.prefix.empty() || folders) return folders;
+  refuse_standard_output(request.prefix, "--diff", "the differences are several images");
+  if (folders) return true;
+  request.files.reads(a, "an image");
+  request.files.reads(b, "an image");
+  if (!request.mask.empty()) request.files.reads(request.mask, "the mask");
+  if (request.prefix.empty()) return false;
   const DifferencePaths paths(request.prefix);
-  for (const fs::path& output : {paths.signed_exr, paths.color_png}) {
-    require_output(request, output);
-  }
-  return folders;
+  for (const fs::path& output : {paths.signed_exr, paths.color_png})
+    require_difference_image(request, output);
+  return false;
 }
 
 // Prints the report; the answer becomes the exit code.
@@ -110,11 +109,12 @@ fs::path flip_path(const std::string& prefix, std::string layer) {
   return prefix + (layer.empty() ? "" : "_" + layer) + "_flip.png";
 }
 
-void require_flip_outputs(const CompareRequest& request, const PlanesDifference& difference) {
+void require_flip_outputs(CompareRequest& request, const PlanesDifference& difference) {
   if (!request.flip || request.prefix.empty()) return;
-  for (const ChannelDifference& channel : difference.channels) {
-    require_output(request, flip_path(request.prefix, layer_of(channel.name)));
-  }
+  std::set<fs::path> pictures;
+  for (const ChannelDifference& channel : difference.channels)
+    pictures.insert(flip_path(request.prefix, layer_of(channel.name)));
+  for (const fs::path& picture : pictures) require_difference_image(request, picture);
 }
 
 void draw_flip(const CompareRequest& request, const Measurement& measurement) {
@@ -146,20 +146,15 @@ DifferencePaths dump_pictures(const std::string& diff, const fs::path& file) {
 }
 
 // Before anything is compared: the pictures can be written, and replace no file of the dumps.
-void check_dump_pictures(const CompareRequest& request) {
+void check_dump_pictures(CompareRequest& request) {
   if (request.prefix.empty()) return;
   const std::vector<DumpedAttachment> in_a = read_manifest(request.comparison.a);
   std::vector<DumpedAttachment> inputs = read_manifest(request.comparison.b);
   inputs.insert(inputs.end(), in_a.begin(), in_a.end());
+  for (const DumpedAttachment& input : inputs) request.files.reads(input.file, "an attachment of a dump");
   for (const DumpedAttachment& attachment : in_a) {
     const DifferencePaths paths = dump_pictures(request.prefix, attachment.file);
-    for (const fs::path& output : {paths.signed_exr, paths.color_png}) {
-      std::error_code error;
-      if (!fs::exists(output, error)) continue;
-      for (const DumpedAttachment& input : inputs)
-        if (fs::equivalent(output, input.file, error))
-          throw Error(ExitCode::WrongUsage, input.file.string() + ": --diff would replace an input");
-    }
+    for (const fs::path& output : {paths.signed_exr, paths.color_png}) request.files.writes(output, "--diff");
   }
   // A folder that is to be made could be a file, too.
   const bool missing = is_folder(request.prefix) && !fs::exists(request.prefix);
@@ -174,7 +169,7 @@ void draw_dumps(const CompareRequest& request, const fs::path& file, const Attac
   draw(dump_pictures(request.prefix, file), one_line(attachment.name) + ": ", attachment.planes, {});
 }
 
-ExitCode compare_dumps(const CompareRequest& request) {
+ExitCode compare_dumps(CompareRequest& request) {
   const Comparison& comparison = request.comparison;
   check_dump_pictures(request);
   const FolderDifference difference =
@@ -185,7 +180,7 @@ ExitCode compare_dumps(const CompareRequest& request) {
   return answer(request, difference, difference.verdict() != Verdict::Different);
 }
 
-ExitCode compare_images(const CompareRequest& request) {
+ExitCode compare_images(CompareRequest& request) {
   const Comparison& comparison = request.comparison;
   ImagePlanes a = read_planes(comparison.a), b = read_planes(comparison.b);
   if (!request.layer.empty()) {

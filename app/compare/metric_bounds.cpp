@@ -61,17 +61,16 @@ MetricBound parse_metric_bound(const std::string& text) {
   const std::string metric = text.substr(0, split);
   const std::vector<std::string> names = boundable_metrics();
   if (std::find(names.begin(), names.end(), metric) == names.end()) {
-    throw Error(ExitCode::WrongUsage, "--fail-above knows no metric '" + one_line(metric).substr(0, 60) +
-                                          "'" + suggestion(metric, names));
+    throw Error(ExitCode::WrongUsage,
+                "--fail-above knows no metric " + in_quotes(metric) + suggestion(metric, names));
   }
   const std::string number = split == std::string::npos ? "" : text.substr(split + 1);
   MetricBound bound{.metric = metric};
   const char* end = number.data() + number.size();
   const auto result = std::from_chars(number.data(), end, bound.most);
   if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(bound.most) || bound.most < 0.0) {
-    throw Error(ExitCode::WrongUsage, "--fail-above " + metric + " cannot be '" +
-                                          one_line(number).substr(0, 60) + "': " + metric +
-                                          "=NUMBER, 0 or more");
+    throw Error(ExitCode::WrongUsage, "--fail-above " + metric + " cannot be " + in_quotes(number) + ": " +
+                                          metric + "=NUMBER, 0 or more");
   }
   return bound;
 }

@@ -43,8 +43,8 @@ ExitCode run_completion(const Arguments& arguments) {
   if (wanted.empty())
     throw Error(ExitCode::WrongUsage, "completion of what? " + joined_words(form_names(), ", "));
   if (form == std::end(kForms))
-    throw Error(ExitCode::WrongUsage, "no completion for '" + one_line(wanted).substr(0, 60) + "'" +
-                                          suggestion(wanted, form_names()));
+    throw Error(ExitCode::WrongUsage,
+                "no completion for " + in_quotes(wanted) + suggestion(wanted, form_names()));
   std::fputs(form->text(completed_commands()).c_str(), stdout);
   return ExitCode::Done;
 }

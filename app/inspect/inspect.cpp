@@ -52,7 +52,8 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
   std::string scene;
   parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Page");
-  parser.option("-o,--output", "FILE.html", {"the page", ".html", "SCENE.html in the current folder"},
+  parser.option("-o,--output", "FILE.html",
+                {"the page; - is standard output", ".html", "SCENE.html in the current folder"},
                 [&](const std::string& value) { request.output = value; });
   parser.repeated(
       "--against", "WHAT",
@@ -68,7 +69,8 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
   check_request(request.frame, "inspect");
   require_one_sample(request.frame.settings, "inspect");
   if (request.output.empty()) request.output = name_of_scene(request.frame) + ".html";
-  if (request.output.extension() != ".html" && request.output.extension() != ".htm")
+  if (!is_standard_output(request.output) && request.output.extension() != ".html" &&
+      request.output.extension() != ".htm")
     throw Error(ExitCode::WrongUsage, "-o " + one_line(request.output.string()) + ": a page is a file .html");
   return true;
 }
@@ -127,11 +129,12 @@ bool is_folder(const InspectRequest& request) {
 }
 
 // Before anything is drawn.
-void check_against(const InspectRequest& request) {
-  if (is_folder(request))
-    read_manifest(request.against.front());
-  else
-    other_request(request);
+void check_against(InspectRequest& request) {
+  if (!is_folder(request)) return void(other_request(request));
+  const std::filesystem::path folder = request.against.front();
+  request.frame.files.reads(folder / "manifest.json", "the manifest of --against");
+  for (const DumpedAttachment& each : read_manifest(folder))
+    request.frame.files.reads(each.file, "an attachment of --against");
 }
 
 Json other_run(const InspectRequest& request, const Json& first, Progress& progress, Blobs& blobs) {
@@ -151,8 +154,8 @@ Json other_run(const InspectRequest& request, const Json& first, Progress& progr
 ExitCode run_inspect(const Arguments& arguments) {
   InspectRequest request;
   if (!parse(arguments, request)) return ExitCode::Done;
-  require_writable(request.output);
   check_against(request);
+  require_output(request.frame.files, request.output, "-o", Content::Text);
   if (!request.against.empty()) request.limits.branch_bytes /= 2;  // a page of two runs is no larger
   Progress progress(request.quiet);
   Blobs blobs;

@@ -34,22 +34,9 @@ std::string file_part(const std::string& label) {
   return part;
 }
 
-void make_dump_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw Error(ExitCode::CannotWrite, folder.string() + ": cannot make this folder: " +
-                                           (error ? error.message() : "a file is in its place"));
-  }
-  require_writable(folder / "manifest.json");
-  std::filesystem::remove(folder / "manifest.json", error);
-}
-
 Dump::Dump(const std::filesystem::path& folder, bool pictures)
-    : folder_(folder), manifest_(std::make_unique<Json>()) {
-  make_dump_folder(folder);
-  remove_picture_page(folder);
-  if (pictures) pictures_.emplace(folder);
+    : folder_(folder, pictures), manifest_(std::make_unique<Json>()) {
+  if (pictures) pictures_.emplace(folder_);
   for (const char* list : {"attachments", "tables", "passes"}) (*manifest_)[list] = Json::array();
 }
 
@@ -71,7 +58,7 @@ void Dump::add_attachment(const PlannedPass& pass, const Attachment& attachment)
   const PlannedTexture& texture = attachment.texture;
   const std::string stem = (number < 10 ? "0" : "") + std::to_string(number) + "_" + file_part(pass.label) +
                            "." + file_part(texture.name);
-  write_exr(folder_ / (stem + ".exr"), channels_of(attachment.image));
+  write_exr(folder_.file(stem + ".exr"), channels_of(attachment.image));
   Json json = image_json(texture.format, attachment.image, stem + ".exr");
   json["kind"] = name_of(kind_of(texture.format, attachment.meaning));
   json["meaning"] = attachment.meaning;
@@ -108,7 +95,7 @@ std::string Dump::table_file(const RenderedFrame& frame, TextureId texture, cons
   if (found != tables_.end()) return found->second;
   const std::string file = "table_" + file_part(name) + ".exr";
   const Image image = frame.device().read_back(texture);
-  write_exr(folder_ / file, channels_of(image));
+  write_exr(folder_.file(file), channels_of(image));
   Json json = {{"name", name}};
   json.update(image_json(image.shape.format, image, file));
   (*manifest_)["tables"].push_back(json);
@@ -117,7 +104,7 @@ std::string Dump::table_file(const RenderedFrame& frame, TextureId texture, cons
 
 void Dump::finish() {
   if (pictures_) pictures_->finish();
-  write_atomically(folder_ / "manifest.json", json_text(*manifest_));
+  folder_.finish(*manifest_);
 }
 
 }  // namespace caustics::app

@@ -14,19 +14,15 @@ namespace caustics::app {
 // A label as part of a file's name: whatever is not a plain letter or digit becomes '_'.
 std::string file_part(const std::string& label);
 
-// Makes the folder and takes away a manifest of an earlier run; throws Error (CannotWrite).
-void make_dump_folder(const std::filesystem::path& folder);
-
 class Dump {
  public:
-  // Makes the folder; throws Error (CannotWrite). `pictures`: to look at, too.
+  // See DumpFolder. `pictures`: to look at, too.
   Dump(const std::filesystem::path& folder, bool pictures);
   Dump(const Dump&) = delete;
   Dump& operator=(const Dump&) = delete;
   ~Dump();
   // Called right after the pass, because later passes may add to the same textures.
   void add(const RenderedFrame& frame, const PlannedPass& pass);
-  // The manifest comes last, so that a folder with one is complete.
   void finish();
 
  private:
@@ -36,7 +32,7 @@ class Dump {
   nlohmann::ordered_json material_file(const RenderedFrame& frame, TextureId texture);
   std::string table_file(const RenderedFrame& frame, TextureId texture, const std::string& name);
 
-  std::filesystem::path folder_;
+  DumpFolder folder_;
   std::unique_ptr<nlohmann::ordered_json> manifest_;
   std::map<int, std::string> latest_;          // of each texture of the plan: the file written last
   std::map<std::string, std::string> tables_;  // file, by name

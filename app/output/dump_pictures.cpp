@@ -10,8 +10,6 @@ namespace caustics::app {
 
 namespace {
 
-constexpr char kSheetFile[] = "contact_sheet.png", kPageFile[] = "index.html";
-
 constexpr char kPageHead[] =
     "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Passes</title>\n"
     "<style>body{background:#1a1a1a;color:#ddd;font:15px sans-serif;margin:1em}figure{margin:0 0 2em}"
@@ -31,20 +29,11 @@ std::string figure(const std::string& file, const std::string& title, std::strin
 
 }  // namespace
 
-void remove_picture_page(const std::filesystem::path& folder) {
-  std::error_code error;
-  for (const char* file : {kSheetFile, kPageFile}) std::filesystem::remove(folder / file, error);
-}
-
-DumpPictures::DumpPictures(const std::filesystem::path& folder) : folder_(folder) {
-  for (const char* file : {kSheetFile, kPageFile}) require_writable(folder / file);
-}
-
 Json DumpPictures::add(const std::string& pass, const Attachment& attachment, const std::string& stem) {
   Json list = Json::array();
   for (const AttachmentPicture& each : pictures_of(attachment)) {
     const std::string file = stem + (each.part.empty() ? "" : "." + each.part) + ".png";
-    write_png(folder_ / file, each.picture);
+    write_png(folder_.file(file), each.picture);
     sheet_.add(each.picture, pass, attachment.texture.name + (each.part.empty() ? "" : " " + each.part));
     figures_ += figure(file, pass + " / " + attachment.texture.name, attachment.meaning, each.caption);
     list.push_back({{"file", file}, {"caption", each.caption}});
@@ -53,8 +42,8 @@ Json DumpPictures::add(const std::string& pass, const Attachment& attachment, co
 }
 
 void DumpPictures::finish() {
-  if (!sheet_.empty()) write_png(folder_ / kSheetFile, sheet_.picture());
-  write_atomically(folder_ / kPageFile, kPageHead + figures_ + "</html>\n");
+  if (!sheet_.empty()) write_png(folder_.file(kSheetFile), sheet_.picture());
+  write_atomically(folder_.file(kPageFile), kPageHead + figures_ + "</html>\n");
 }
 
 }  // namespace caustics::app

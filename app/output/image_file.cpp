@@ -30,11 +30,6 @@ float value_of(const ExrChannel& channel, int x, int y) {
   return static_cast<float>(static_cast<double>(value) + channel.offset);
 }
 
-void write_to_standard_output(const std::vector<std::uint8_t>& bytes, std::size_t size) {
-  if (std::fwrite(bytes.data(), 1, size, stdout) != size || std::fflush(stdout) != 0)
-    throw Error(ExitCode::CannotWrite, "standard output cannot be written");
-}
-
 void write_encoded(const std::filesystem::path& path, const ImageToEncode& image) {
   std::vector<unsigned char> bytes;
   const std::string problem = image_io().encode(image, bytes);
@@ -43,8 +38,6 @@ void write_encoded(const std::filesystem::path& path, const ImageToEncode& image
 }
 
 }  // namespace
-
-bool is_standard_output(const std::filesystem::path& path) { return path == "-"; }
 
 bool is_image_of_size(const std::filesystem::path& path, int width, int height) {
   std::error_code error;
@@ -72,7 +65,6 @@ void write_png(const std::filesystem::path& path, const ImageView& picture) {
   png_alloc_size_t size = bytes.size();
   if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, texels.data(), 0, nullptr))
     refuse_to_encode(path, png.message);
-  if (is_standard_output(path)) return write_to_standard_output(bytes, size);
   write_atomically(path, bytes.data(), size);
 }
 

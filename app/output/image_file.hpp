@@ -9,9 +9,6 @@
 
 namespace caustics::app {
 
-// Is it "-", standard output?
-bool is_standard_output(const std::filesystem::path& path);
-
 // An 8-bit RGB picture from the first three channels of an image; its values are already encoded
 // for display (sRGB). To standard output too.
 void write_png(const std::filesystem::path& path, const ImageView& picture);

@@ -20,7 +20,7 @@ std::string listed(const std::vector<std::string>& layers) {
   std::string text = "it has ";
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (i == 16) return text + ", ...";
-    const std::string name = layers[i].empty() ? kNameless : one_line(layers[i]).substr(0, 40);
+    const std::string name = layers[i].empty() ? kNameless : one_line(layers[i], 40);
     text += (i == 0 ? "" : ", ") + name;
   }
   return text;
@@ -53,8 +53,7 @@ void keep_layer(ImagePlanes& image, const std::string& layer, const std::string&
   const std::vector<std::string> layers = layers_of(image);
   const std::string wanted = layer == kNameless && !has(layers, layer) ? "" : layer;
   if (!has(layers, wanted)) {
-    throw Error(ExitCode::BadInput,
-                file + ": has no layer '" + one_line(layer).substr(0, 60) + "'; " + listed(layers));
+    throw Error(ExitCode::BadInput, file + ": has no layer " + in_quotes(layer) + "; " + listed(layers));
   }
   std::erase_if(image.planes, [&](const Plane& plane) { return layer_of(plane.name) != wanted; });
 }

@@ -9,8 +9,8 @@
 #include "app/output/video_file.hpp"
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/parser.hpp"
-#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/nearest.hpp"
 
 namespace caustics::app {
@@ -49,8 +49,7 @@ const Layer& find_layer(const std::string& name) {
   if (found != std::end(kLayers)) return *found;
   std::vector<std::string> names;
   for (const Layer& layer : kLayers) names.emplace_back(layer.name);
-  throw Error(ExitCode::WrongUsage,
-              "--aov has no layer '" + one_line(name).substr(0, 60) + "'" + suggestion(name, names));
+  throw Error(ExitCode::WrongUsage, "--aov has no layer " + in_quotes(name) + suggestion(name, names));
 }
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -175,25 +174,16 @@ void list_layers(Parser& parser) {
 
 void check_outputs(const OutputRequest& request) {
   bool exr = false;
-  for (std::size_t i = 0; i < request.files.size(); ++i) {
-    const std::filesystem::path& file = request.files[i];
+  for (const std::filesystem::path& file : request.files) {
     if (output_kind(file) == OutputKind::Unknown)
       throw Error(ExitCode::WrongUsage, one_line(file.string()) +
                                             ": the name says the format, and is to end in one of " +
                                             known_outputs() + "; or - for a PNG to standard output");
-    if (is_standard_output(file) && is_terminal(stdout))
-      throw Error(ExitCode::WrongUsage,
-                  "-o -: standard output is a terminal; send it on, as in caustics scene.glb -o - > a.png");
     exr = exr || is_exr(file);
-    if (std::count(request.files.begin(), request.files.end(), file) > 1) {
-      throw Error(ExitCode::WrongUsage, file.string() + ": named twice as an output");
-    }
   }
   if (!request.layers.empty() && !exr) {
     throw Error(ExitCode::WrongUsage, "--aov needs an EXR output: add -o FILE.exr");
   }
-  for (const std::filesystem::path& file : request.files)
-    if (!is_standard_output(file)) require_writable(file);
 }
 
 bool are_for_display(const OutputRequest& request) {

@@ -25,8 +25,7 @@ std::vector<std::string> parse_layers(const std::string& list);
 // Lists names and meanings in the help.
 void list_layers(Parser& parser);
 
-// Refuses unknown extensions, two outputs of one name and a terminal (WrongUsage), and what cannot be
-// written.
+// Refuses unknown extensions, and layers without a file for them (WrongUsage).
 void check_outputs(const OutputRequest& request);
 // Are all of them to be looked at, and none to be calculated with?
 bool are_for_display(const OutputRequest& request);

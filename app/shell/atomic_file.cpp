@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
 #include "app/shell/interrupt.hpp"
+#include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
 
 namespace caustics::app {
@@ -26,12 +28,15 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-// What a link points to, as far as it can be followed.
-fs::path followed(const fs::path& path) {
+// Paths without links stay as they were typed, for messages.
+fs::path target_of(const fs::path& path) {
   std::error_code error;
-  if (!fs::is_symlink(path, error)) return path;
-  const fs::path target = fs::weakly_canonical(path, error);
-  return error ? path : target;
+  return fs::is_symlink(path, error) ? followed(path) : path;
+}
+
+void write_to_standard_output(const void* data, std::size_t size) {
+  if (std::fwrite(data, 1, size, stdout) != size || std::fflush(stdout) != 0)
+    throw Error(ExitCode::CannotWrite, "standard output cannot be written");
 }
 
 // Only plain files are replaced: not a folder, nor a device or a pipe.
@@ -49,7 +54,7 @@ void require_replaceable(const fs::path& path) {
 
 }  // namespace
 
-PendingFile::PendingFile(const fs::path& path) : target_(followed(path)) {
+PendingFile::PendingFile(const fs::path& path) : target_(target_of(path)) {
   require_replaceable(target_);
   for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
     name_ = (folder_of(target_) /
@@ -93,7 +98,21 @@ void PendingFile::move_into_place() {
 
 void require_writable(const fs::path& path) { const PendingFile probe(path); }
 
+void require_output(RunFiles& files, const fs::path& path, const std::string& option, Content content) {
+  files.writes(path, option);
+  if (!is_standard_output(path)) return require_writable(path);
+  if (content == Content::Binary && is_terminal(stdout))
+    throw Error(ExitCode::WrongUsage,
+                option + " -: standard output is a terminal; send it on, as in ... " + option + " - > FILE");
+}
+
+void refuse_standard_output(const fs::path& path, const std::string& option, const std::string& why) {
+  if (is_standard_output(path))
+    throw Error(ExitCode::WrongUsage, option + " cannot be -, standard output: " + why);
+}
+
 void write_atomically(const fs::path& path, const void* data, std::size_t size) {
+  if (is_standard_output(path)) return write_to_standard_output(data, size);
   PendingFile file(path);
   file.write_all(static_cast<const char*>(data), size);
   stop_if_interrupted();

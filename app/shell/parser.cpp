@@ -16,8 +16,6 @@ namespace {
 // Where the next parser puts what its help says, instead of parsing (page_of); null: it parses.
 HelpPage* wanted_page = nullptr;
 
-std::string in_quotes(const std::string& text) { return "'" + one_line(text).substr(0, 80) + "'"; }
-
 // As people write it: 1e6, not 1e+06.
 std::string plain(double value) {
   const std::string text = significant(value, 6);

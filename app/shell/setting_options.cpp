@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/presets.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -36,7 +37,7 @@ void assign(Settings& settings, const std::string& assignment, const std::vector
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos)
     throw Error(ExitCode::WrongUsage,
-                "-D cannot be '" + assignment.substr(0, 60) + "': key=value, as in reflections=yes");
+                "-D cannot be " + in_quotes(assignment) + ": key=value, as in reflections=yes");
   const std::string key = assignment.substr(0, equals);
   set_option(settings, key, assignment.substr(equals + 1));
   if (!has(parts, setting(key))) throw Error(ExitCode::WrongUsage, "-D " + key + " " + why_not);

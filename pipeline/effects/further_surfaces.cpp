@@ -5,7 +5,7 @@
 #include <map>
 
 #include "pipeline/effects/optics.hpp"
-#include "pipeline/effects/surface_role.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
@@ -29,8 +29,6 @@ void add_parts(const Branch& branch, int splits, std::vector<Branch>& branches) 
     add_parts(part, splits, branches);
   }
 }
-
-std::string percent(double share) { return rounded_text(100.0 * share, 2) + " %"; }
 
 }  // namespace
 

@@ -1,17 +1,14 @@
 #include "pipeline/effects/surface_role.hpp"
 
 #include <algorithm>
-#include <charconv>
 
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
 
 std::string rounded_text(double value, int digits) {
-  char buffer[32];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
-  std::string result(buffer, end);
+  const std::string result = significant(value, digits);
   return result.find_first_not_of("-0123456789") == std::string::npos ? result + ".0" : result;
 }
 

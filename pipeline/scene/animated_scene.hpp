@@ -12,6 +12,7 @@
 // Plugging in something else that moves, for example a water surface that is simulated: derive from
 // MeshAnimator, and add() it. It runs after the file's own animation.
 #pragma once
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -53,8 +54,9 @@ class Motion {
 class AnimatedScene {
  public:
   // `start` is the scene at 0 s; without a motion nothing moves but what animators move.
-  explicit AnimatedScene(Scene start, std::shared_ptr<const Motion> motion = nullptr)
-      : start_(std::move(start)), motion_(std::move(motion)) {}
+  explicit AnimatedScene(Scene start, std::shared_ptr<const Motion> motion = nullptr,
+                         std::vector<std::filesystem::path> files = {})
+      : start_(std::move(start)), motion_(std::move(motion)), files_(std::move(files)) {}
 
   // Its meshes() must exist, else Error (InternalError). Animators run in the order they came.
   void add(std::shared_ptr<MeshAnimator> animator);
@@ -69,6 +71,9 @@ class AnimatedScene {
   // Likewise, as Mesh::outline; empty where an animator alone moves it.
   std::vector<glm::vec3> outline(int mesh) const;
   const Scene& start() const { return start_; }
+
+  // The files that the scene's own file refers to, whether the scene uses them or not.
+  const std::vector<std::filesystem::path>& files() const { return files_; }
 
   // The scene at a moment, finite and >= 0. Throws Error (BadInput) where the animation takes
   // something beyond all limits. Not at the same time from several threads where there are animators.
@@ -91,6 +96,7 @@ class AnimatedScene {
 
   Scene start_;
   std::shared_ptr<const Motion> motion_;
+  std::vector<std::filesystem::path> files_;
   std::vector<std::shared_ptr<MeshAnimator>> animators_;
   std::vector<Resting> resting_;
   std::vector<Light> lights_;  // of the start, where no motion sets them

@@ -41,8 +41,6 @@ bool is_near(std::string_view typed, const std::string& name) {
   return distance(typed, name) <= std::max<std::size_t>(1, letters / 3);
 }
 
-std::string in_quotes(const std::string& name) { return "'" + one_line(name).substr(0, kLongest) + "'"; }
-
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kMostListed); ++i)

@@ -46,7 +46,7 @@ void apply_preset(Settings& settings, std::string_view name) {
     return apply(settings, preset);
   }
   throw Error(ExitCode::WrongUsage,
-              "there is no preset '" + one_line(std::string(name)).substr(0, 60) + "'; there is " + names);
+              "there is no preset " + in_quotes(std::string(name)) + "; there is " + names);
 }
 
 }  // namespace caustics

@@ -33,11 +33,6 @@ bool read(const Setting::Range& range, std::string_view text, T& result) {
   return inside;
 }
 
-// User text inside a one-line message: cut where it is long, control characters replaced.
-std::string in_quotes(std::string_view text) {
-  return "'" + one_line(text.substr(0, 60)) + (text.size() > 60 ? "...'" : "'");
-}
-
 // "1, 3 or 8..64", "auto or -40..40 EV".
 std::string number_range(const Setting& row) {
   std::string before;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 
 namespace caustics::gltf {
 
@@ -11,15 +12,14 @@ constexpr std::size_t kMostNotes = 300;
 }
 
 std::string printable(const std::string& text, std::size_t longest) {
-  std::string line = text;
-  if (line.size() > longest) {
-    const std::size_t half = longest / 2;
-    line = line.substr(0, half) + "..." + line.substr(line.size() - half);
-  }
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return line;
+  if (text.size() <= longest) return one_line(text);
+  // Cut between two characters: bytes 10xxxxxx go on with one.
+  const auto cut = [&](std::size_t at) {
+    while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u) --at;
+    return at;
+  };
+  const std::size_t half = longest / 2;
+  return one_line(text.substr(0, cut(half))) + "..." + one_line(text.substr(cut(text.size() - half)));
 }
 
 Context::Context(const std::filesystem::path& path, const LoadOptions& options)

@@ -37,7 +37,7 @@ class Context {
   std::uint64_t bytes_left_;
 };
 
-// Text from a file made fit for one line: control characters replaced, and shortened in the middle.
+// one_line of a text from a file, which is shortened in the middle.
 std::string printable(const std::string& text, std::size_t longest = 200);
 
 }  // namespace caustics::gltf

@@ -282,6 +282,7 @@ Document without_data(Document document) {
 struct Loaded {
   Scene scene;
   std::shared_ptr<gltf::GltfMotion> motion;  // null: nothing moves
+  std::vector<std::filesystem::path> files;  // that the document refers to
 };
 
 Loaded load(Context& context) {
@@ -294,6 +295,7 @@ Loaded load(Context& context) {
   document.bin = {};
   document.bytes = {};
   Loaded loaded;
+  loaded.files = gltf::referred_files(context, document);
   Scene& scene = loaded.scene;
   scene.file = context.path().string();
   gltf::Placements placements = gltf::place_nodes(context, document, model);
@@ -359,7 +361,7 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
 
 AnimatedScene load_animated(const std::filesystem::path& path, const LoadOptions& options) {
   Loaded loaded = load_file(path, options);
-  return AnimatedScene(std::move(loaded.scene), std::move(loaded.motion));
+  return AnimatedScene(std::move(loaded.scene), std::move(loaded.motion), std::move(loaded.files));
 }
 
 }  // namespace caustics

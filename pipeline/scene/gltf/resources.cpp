@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "pipeline/scene/gltf/compressed.hpp"
 
@@ -19,7 +20,8 @@ int hex_digit(char c) {
   return -1;
 }
 
-std::string percent_decoded(const Cursor& uri, const std::string& text) {
+// No value where an escape is broken.
+std::optional<std::string> percent_decoded(const std::string& text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '%') {
@@ -28,7 +30,7 @@ std::string percent_decoded(const Cursor& uri, const std::string& text) {
     }
     const int high = i + 1 < text.size() ? hex_digit(text[i + 1]) : -1;
     const int low = i + 2 < text.size() ? hex_digit(text[i + 2]) : -1;
-    if (high < 0 || low < 0) uri.fail("has a broken percent escape", "write % as %25");
+    if (high < 0 || low < 0) return {};
     decoded += static_cast<char>(high * 16 + low);
     i += 2;
   }
@@ -49,6 +51,11 @@ bool inside(const fs::path& file, const fs::path& folder) {
   return mismatch.first == folder.end();
 }
 
+fs::path folder_of(const Context& context) {
+  const fs::path parent = context.path().parent_path();
+  return parent.empty() ? fs::path(".") : parent;
+}
+
 // The file that a relative URI names, proven to lie in the glTF file's folder.
 fs::path confined(const Context& context, const Cursor& uri, const std::string& text) {
   const char* advice = "put the file beside the glTF file and refer to it by its name";
@@ -58,7 +65,9 @@ fs::path confined(const Context& context, const Cursor& uri, const std::string& 
   if (context.options().content != nullptr)
     uri.fail("refers to another file, and " + context.path().string() + " has no folder",
              "give a .glb file, which holds all that it needs");
-  const std::string name = percent_decoded(uri, text);
+  const std::optional<std::string> decoded = percent_decoded(text);
+  if (!decoded) uri.fail("has a broken percent escape", "write % as %25");
+  const std::string& name = *decoded;
   if (std::any_of(name.begin(), name.end(),
                   [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\'; })) {
     uri.fail("holds a control character or a backslash", advice);
@@ -68,9 +77,7 @@ fs::path confined(const Context& context, const Cursor& uri, const std::string& 
     uri.fail("leaves the glTF file's folder: " + text, advice);
   }
   std::error_code error;
-  fs::path parent = context.path().parent_path();
-  if (parent.empty()) parent = ".";
-  const fs::path folder = fs::canonical(parent, error);
+  const fs::path folder = fs::canonical(folder_of(context), error);
   if (error) uri.fail("the glTF file's folder cannot be read: " + error.message());
   fs::path file = fs::canonical(folder / relative, error);
   if (error) uri.fail("file not found: " + text, "put it beside the glTF file");
@@ -140,7 +147,30 @@ Bytes read_buffer(Context& context, const Document& document, std::size_t i) {
   return bytes;
 }
 
+void add_uris(const Json& json, std::vector<std::string>& uris) {
+  if (json.is_array())
+    for (const Json& element : json.as<Json::Array>()) add_uris(element, uris);
+  if (!json.is_object()) return;
+  for (const JsonMember& member : json.as<Json::Object>()) {
+    const bool is_name = member.key == "uri" && member.value.is<std::string>();
+    if (is_name) uris.push_back(member.value.as<std::string>());
+    add_uris(member.value, uris);
+  }
+}
+
 }  // namespace
+
+std::vector<fs::path> referred_files(const Context& context, const Document& document) {
+  std::vector<fs::path> files;
+  if (context.options().content) return files;
+  std::vector<std::string> uris;
+  add_uris(document.json, uris);
+  for (const std::string& uri : uris) {
+    if (uri.empty() || uri.size() > kLongestUri || has_scheme(uri)) continue;
+    if (const auto name = percent_decoded(uri)) files.push_back(folder_of(context) / *name);
+  }
+  return files;
+}
 
 Bytes read_uri(Context& context, const Cursor& uri) {
   const std::string text = uri.string();

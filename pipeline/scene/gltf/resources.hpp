@@ -12,6 +12,10 @@ namespace caustics::gltf {
 // file.
 Bytes read_uri(Context& context, const Cursor& uri);
 
+// The files under the folder of the glTF file that any "uri" of the document names, used or not, there or
+// not.
+std::vector<std::filesystem::path> referred_files(const Context& context, const Document& document);
+
 // The contents of all buffers, each exactly byteLength long, or empty (is_meshopt_fallback). A GLB's binary
 // chunk is the first one.
 std::vector<Bytes> read_buffers(Context& context, const Document& document);
