@@ -18,7 +18,7 @@ void add_moment_options(Parser& parser, FrameRequest& request) {
 
 void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several,
                        std::vector<int>* thread_counts) {
-  SettingOptions options(parser, request.settings);
+  SettingOptions options(parser, request.settings, request.given);
   parser.group("View");
   options.add_preview(request.preview);
   options.add_resolution();

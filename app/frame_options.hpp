@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/backend.hpp"
 #include "pipeline/gpu/run_files.hpp"
@@ -17,6 +18,8 @@ struct FrameRequest {
   std::optional<double> seconds;  // --time; 0 where it was not given
   bool preview = false;           // --preview, which `settings` have
   Settings settings;
+  std::vector<std::string>
+      given;  // the names of those that were given one by one, not by --preview or --preset
   BackendRequest backend;
   RunFiles files;  // that the run reads and writes; the scene's own are added as it is loaded
 };

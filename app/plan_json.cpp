@@ -133,7 +133,7 @@ std::string plan_json(const PlanReport& report) {
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
                    {"memory_bytes", memory_needed(report.plan, scene, report.settings)},
-                   {"notes", scene.notes}};
+                   {"notes", report.notes()}};
   if (report.loaded.moves()) {
     document["animation"] = {{"seconds", report.loaded.duration()},
                              {"meshes", report.loaded.moving_meshes()}};

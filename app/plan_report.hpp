@@ -1,6 +1,7 @@
 // What `plan` prints, for people and for programs.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "app/flux.hpp"
 
@@ -11,11 +12,14 @@ struct PlanReport {
   const Effects& effects;
   const Settings& settings;
   const FramePlan& plan;
+  std::vector<std::string> idle;     // idle_settings
   std::vector<LightLedger> ledgers;  // of a coarse run; empty where nothing throws a caustic
 
   // As far as a coarse run tells: does the pass draw nothing, since its light reaches no caster?
   bool draws_nothing(const PlannedPass& pass) const;
   std::size_t passes_that_draw_nothing() const;
+  // Of the scene, then of settings.
+  std::vector<std::string> notes() const;
 };
 
 std::string plan_text(const PlanReport& report, bool colour);

@@ -32,6 +32,12 @@ bool PlanReport::draws_nothing(const PlannedPass& pass) const {
   });
 }
 
+std::vector<std::string> PlanReport::notes() const {
+  std::vector<std::string> notes = loaded.scene().notes;
+  notes.insert(notes.end(), idle.begin(), idle.end());
+  return notes;
+}
+
 std::size_t PlanReport::passes_that_draw_nothing() const {
   return static_cast<std::size_t>(std::count_if(
       plan.passes.begin(), plan.passes.end(), [&](const PlannedPass& pass) { return draws_nothing(pass); }));
@@ -279,9 +285,10 @@ class TextReport {
   }
 
   void notes() {
-    if (of().notes.empty()) return;
+    const std::vector<std::string> notes = report_.notes();
+    if (notes.empty()) return;
     heading("notes");
-    for (const std::string& note : of().notes) text_ += "  " + one_line(note) + "\n";
+    for (const std::string& note : notes) text_ += "  " + one_line(note) + "\n";
   }
 
   const PlanReport& report_;

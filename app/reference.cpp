@@ -170,7 +170,7 @@ class ReferenceRun {
     if (!request_.quiet) print_reference(request_, loaded_->scene(), effects_, *tracer_, timing_);
     if (!reached_)
       complain("the error is " + percent(tracer_->relative_error()) + ", not the " +
-               percent(*request_.error) + " asked for; the picture is written" +
+               significant(100.0 * *request_.error, 3) + "% asked for; the picture is written" +
                (request_.keeps_state() ? ", --resume goes on" : ""));
   }
 

@@ -76,7 +76,7 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   parser.option("--stats", "F.json", {"rays, time, error and the flux ledger", "", "none"},
                 [&](const std::string& file) { request.stats = file; });
   parser.flag("-q,--quiet", request.quiet, "say nothing but errors");
-  SettingOptions options(parser, request.frame.settings);
+  SettingOptions options(parser, request.frame.settings, request.frame.given);
   parser.group("View");
   options.add_resolution();
   for (const char* name : {"camera", "view", "zoom", "fov", "ground", "sun"}) options.add(name);

@@ -414,7 +414,7 @@ class Renderer {
     }
     progress_.clear();
     if (request_.quiet) return;
-    print_summary(*frame_, ledgers, sight_.seen(), request_.verbose);
+    print_summary(*frame_, ledgers, sight_.seen(), request_.frame.given, request_.verbose);
     if (found_) std::fputs(demand_text(request_.demand, *found_, only_model_, choosing_).c_str(), stderr);
     print_work(*frame_, timing_, request_.outputs.files,
                request_.several() ? static_cast<int>(todo_.size()) : 0);

@@ -6,6 +6,7 @@
 #include "app/loaded_scene.hpp"
 #include "app/output/first_lines.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/effects/idle_settings.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/settings/setting.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -98,11 +99,13 @@ void print_some(const char* kind, const std::vector<std::string>& sentences) {
 }  // namespace
 
 void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
-                   const std::optional<SeenCaustic>& seen, bool verbose) {
+                   const std::optional<SeenCaustic>& seen, const std::vector<std::string>& given,
+                   bool verbose) {
   std::fputs(first_lines(frame, ledgers, seen).c_str(), stderr);
   const std::vector<std::string>& notes = frame.scene().notes;
   const std::size_t said = verbose ? 0 : frame.loaded().added().size();
   print_some("note", gathered({notes.begin() + static_cast<std::ptrdiff_t>(said), notes.end()}));
+  print_some("note", idle_settings(given, frame.scene(), frame.settings(), frame.effects()));
   if (frame.effects().blended_layers.active) print_some("note", {frame.effects().blended_layers.reason});
   std::vector<std::string> missing;
   for (const NoCaustic& each :

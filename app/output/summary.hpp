@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/output/stats.hpp"
@@ -11,7 +12,8 @@ namespace caustics::app {
 
 // What the picture shows, its light, and notes; of what was added why only when verbose.
 void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
-                   const std::optional<SeenCaustic>& seen, bool verbose);
+                   const std::optional<SeenCaustic>& seen, const std::vector<std::string>& given,
+                   bool verbose);
 
 // What was written, and what it took. `drawn` is the number of frames of a row, 0 for a single picture.
 void print_work(const RenderedFrame& frame, const Timing& timing,

@@ -27,7 +27,7 @@ std::optional<Trial> try_sizes(FrameRequest request, const Demand& demand, int g
 }
 
 std::string demand_text(const Demand& demand, const Trial& found, bool only_model, double milliseconds) {
-  const std::string asked = demand.error ? "an error of " + percent(*demand.error)
+  const std::string asked = demand.error ? "an error of " + significant(100.0 * *demand.error, 3) + "%"
                                          : "passes within " + duration_text(*demand.milliseconds);
   const std::string model = only_model ? ", of which " + percent(found.model) +
                                              " is light that takes ways which are not followed, whatever the "

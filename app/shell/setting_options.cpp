@@ -31,9 +31,9 @@ std::string values_text(const Preset& preset) {
   return text;
 }
 
-// -D's KEY=VALUE; `why_not` is said of keys that have no part here.
-void assign(Settings& settings, const std::string& assignment, const std::vector<Setting::Part>& parts,
-            const std::string& why_not) {
+// -D's KEY=VALUE, whose key is returned; `why_not` is said of keys that have no part here.
+std::string assign(Settings& settings, const std::string& assignment, const std::vector<Setting::Part>& parts,
+                   const std::string& why_not) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos)
     throw Error(ExitCode::WrongUsage,
@@ -41,6 +41,7 @@ void assign(Settings& settings, const std::string& assignment, const std::vector
   const std::string key = assignment.substr(0, equals);
   set_option(settings, key, assignment.substr(equals + 1));
   if (!has(parts, setting(key))) throw Error(ExitCode::WrongUsage, "-D " + key + " " + why_not);
+  return key;
 }
 
 }  // namespace
@@ -91,12 +92,16 @@ void SettingOptions::add(std::string_view name) {
   const Setting& row = setting(name);
   const std::string option = option_name(name);
   if (row.kind == Setting::Kind::YesNo) {
-    parser_.flag(option, std::string(row.meaning),
-                 [&row, &settings = settings_] { row.set(row, settings, row.choices().back()); });
+    parser_.flag(option, std::string(row.meaning), [&row, &settings = settings_, &given = given_] {
+      row.set(row, settings, row.choices().back());
+      given.emplace_back(row.name);
+    });
   } else {
-    parser_.option(
-        option, placeholder(row), about(row, settings_),
-        [name, &settings = settings_](const std::string& value) { set_option(settings, name, value); });
+    parser_.option(option, placeholder(row), about(row, settings_),
+                   [name, &settings = settings_, &given = given_](const std::string& value) {
+                     set_option(settings, name, value);
+                     given.emplace_back(name);
+                   });
   }
   own_.push_back(name);
 }
@@ -114,8 +119,8 @@ void SettingOptions::add_any(const std::vector<Setting::Part>& parts, const std:
   }
   parser_.repeated("-D", "KEY=VALUE",
                    {"a setting: one of those listed below, or " + own + " as above; may stand several times"},
-                   [&settings = settings_, parts, why_not](const std::string& value) {
-                     assign(settings, value, parts, why_not);
+                   [&settings = settings_, &given = given_, parts, why_not](const std::string& value) {
+                     given.push_back(assign(settings, value, parts, why_not));
                    });
 }
 

@@ -10,7 +10,9 @@ namespace caustics::app {
 // The options write into `settings`, which must outlive the parser.
 class SettingOptions {
  public:
-  SettingOptions(Parser& parser, Settings& settings) : parser_(parser), settings_(settings) {}
+  // `given` receives the names of the settings that are set by options of their own or by -D.
+  SettingOptions(Parser& parser, Settings& settings, std::vector<std::string>& given)
+      : parser_(parser), settings_(settings), given_(given) {}
 
   // --preview: before all others, which override it.
   void add_preview(bool& wanted);
@@ -27,6 +29,7 @@ class SettingOptions {
  private:
   Parser& parser_;
   Settings& settings_;
+  std::vector<std::string>& given_;
   std::vector<std::string_view> own_;  // settings that have options of their own
 };
 

@@ -109,12 +109,12 @@ TEST_CASE("further surfaces: light is followed where more than a named share of 
   const Effects little = judged(0.1, 0.4);
   CHECK_FALSE(little.further_surfaces.active);
   CHECK(little.further_surfaces.reason ==
-        "4.0 % of the light that lands meets more than two surfaces, no more than 5.0 %");
+        "4.0% of the light that lands meets more than two surfaces, no more than 5.0%");
   CHECK(names_of(little) == std::vector<std::string>{"", "reflected"});
   const Effects more = judged(0.1, 0.6);
   CHECK(more.further_surfaces.active);
   CHECK(more.further_surfaces.reason ==
-        "6.0 % of the light that lands meets more than two surfaces, more than 5.0 %");
+        "6.0% of the light that lands meets more than two surfaces, more than 5.0%");
   CHECK(more.further_shares.size() == 1);
   CHECK_FALSE(judged(0.0, 1.0).further_surfaces.active);
 }
@@ -126,7 +126,7 @@ TEST_CASE("further surfaces: the light with the most decides, by all its casters
                 {.light = 1, .mesh = 2, .share = 0.2, .of_light = 0.5},
                 {.light = 1, .mesh = 1, .share = 0.04, .of_light = 0.5}});  // 0.1 and 0.02
   CHECK(effects.further_surfaces.active);
-  CHECK(effects.further_surfaces.reason.starts_with("12.0 % of the light"));
+  CHECK(effects.further_surfaces.reason.starts_with("12.0% of the light"));
   CHECK(effects.further_shares.size() == 3);
   // Where nothing lands there is nothing to follow.
   CHECK_FALSE(followed(2, {}, {}).further_surfaces.active);

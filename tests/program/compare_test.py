@@ -175,7 +175,7 @@ class DifferenceImages(CompareTest):
 
     def test_never_replaces_an_input(self):
         self.write("d_signed.exr", {"Z": [1, 2, 3, 4]})
-        self.fails(2, "compare", "d_signed.exr", "d_signed.exr", "--diff", "d", saying="input")
+        self.fails(2, "compare", "d_signed.exr", "d_signed.exr", "--diff", "d", saying="which is read")
 
 
 class Likenesses(CompareTest):
@@ -321,7 +321,7 @@ class Dumps(CompareTest):
     def test_pictures_that_cannot_be_written_or_would_replace_an_input(self):
         self.write_dump("a", p=[1, 2, 3, 4], p_signed=[1, 2, 3, 4])
         self.write_dump("b", p=[1, 2, 3, 5], p_signed=[1, 2, 3, 4])
-        self.fails(2, "compare", "a", "b", "--diff", "a", saying="replace an input")
+        self.fails(2, "compare", "a", "b", "--diff", "a", saying="would replace an attachment")
         self.fails(4, "compare", "a", "b", "--diff", "missing/d", saying="no folder")
         self.fails(4, "compare", "a", "b", "--diff", "missing/d/", saying="no folder")
 

@@ -140,7 +140,7 @@ class Mistakes(ProgramTest):
     def test_outputs_of_unknown_format_or_named_twice(self):
         for name in ("a.bmp", "a", ".png", "a.png "):
             self.fails(2, "ball.glb", "-o", name, saying=".png, .jpg, .tif, .exr, .hdr, .mp4")
-        self.fails(2, "ball.glb", "-o", "a.png", "-o", "a.png", saying="named twice")
+        self.fails(2, "ball.glb", "-o", "a.png", "-o", "a.png", saying="-o names it twice")
         self.fails(2, "ball.glb", "-o", "a.png", "--aov", "depth", saying="-o FILE.exr")
 
 

@@ -15,6 +15,7 @@ Scene with_material(const std::string& material, const std::string& more = "") {
 
 std::string refused_material(const std::string& material) {
   Gltf gltf = triangle();
+  gltf.mesh += R"(,"material":0)";
   gltf.rest = R"(,"materials":[{)" + material + "}]";
   return refusal(gltf);
 }

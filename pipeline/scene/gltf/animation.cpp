@@ -196,9 +196,13 @@ Keyframes AnimationReader::read_keys(const Cursor& sampler, const Channel& chann
 
 }  // namespace
 
+std::optional<std::size_t> chosen_animation(const Context& context, const Document& document) {
+  return choose(context, document.root(context).member("animations"));
+}
+
 std::optional<Animation> read_animation(Context& context, const Document& document, const Model& model) {
   const Cursor all = document.root(context).member("animations");
-  const auto chosen = choose(context, all);
+  const auto chosen = chosen_animation(context, document);
   if (!chosen) return std::nullopt;
   if (all.size() > 1 && context.options().animation.empty())
     context.note("The file has " + std::to_string(all.size()) + " animations; the first one is shown.");

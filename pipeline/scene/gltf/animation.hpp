@@ -22,8 +22,11 @@ struct Animation {
   double duration = 0.0;  // seconds: the last moment of any channel
 };
 
-// The animation that LoadOptions::animation names, the first by default; none where the file has none
-// or "none" is asked for. Channels without a node, and those of properties that are no node's, are
+// The number of the animation that LoadOptions::animation names, the first by default; none where the file
+// has none or "none" is asked for. Throws Error (WrongUsage) for an unknown name.
+std::optional<std::size_t> chosen_animation(const Context& context, const Document& document);
+
+// The chosen animation. Channels without a node, and those of properties that are no node's, are
 // left out with a note. Fails on what no animation may be (BadInput); an unknown name is WrongUsage.
 std::optional<Animation> read_animation(Context& context, const Document& document, const Model& model);
 

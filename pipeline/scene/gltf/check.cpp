@@ -12,13 +12,13 @@ namespace {
 constexpr std::int64_t kMostBytes = std::int64_t{1} << 53;
 
 struct Counts {
-  std::size_t buffers, views, accessors, meshes, nodes, materials, cameras, textures, images;
+  std::size_t buffers, views, accessors, meshes, nodes, materials, cameras;
 };
 
 Counts count(const Cursor& root) {
   return {root.member("buffers").size(), root.member("bufferViews").size(), root.member("accessors").size(),
           root.member("meshes").size(),  root.member("nodes").size(),       root.member("materials").size(),
-          root.member("cameras").size(), root.member("textures").size(),    root.member("images").size()};
+          root.member("cameras").size()};
 }
 
 std::int64_t checked_bytes(const Cursor& type) {
@@ -130,28 +130,34 @@ void check_each(const Cursor& array, const Check& check) {
   for (std::size_t i = 0; i < size; ++i) check(array.element(i));
 }
 
+// As many as the array has elements.
+template <typename Check>
+void check_used(const Cursor& array, const std::vector<bool>& used, const Check& check) {
+  const std::size_t size = array.size();
+  for (std::size_t i = 0; i < size; ++i)
+    if (used[i]) check(array.element(i));
+}
+
 }  // namespace
 
-void check_structure(const Context& context, const Document& document) {
+void check_structure(const Context& context, const Document& document, const Used& used) {
   const Cursor root = document.root(context);
   const Counts counts = count(root);
-  check_each(root.member("buffers"), [](const Cursor& buffer) { length_of(buffer); });
-  check_each(root.member("bufferViews"), [&](const Cursor& view) { check_view(root, view, counts); });
-  check_each(root.member("accessors"),
+  check_used(root.member("buffers"), used.buffers, [](const Cursor& buffer) { length_of(buffer); });
+  check_used(root.member("bufferViews"), used.views,
+             [&](const Cursor& view) { check_view(root, view, counts); });
+  check_used(root.member("accessors"), used.accessors,
              [&](const Cursor& accessor) { check_accessor(root, accessor, counts); });
-  check_each(root.member("meshes"), [&](const Cursor& mesh) {
+  check_used(root.member("meshes"), used.meshes, [&](const Cursor& mesh) {
     mesh.member("name").string("");
     check_each(mesh.member("primitives"),
                [&](const Cursor& primitive) { check_primitive(primitive, counts); });
   });
-  check_each(root.member("nodes"), [&](const Cursor& node) { check_node(node, counts); });
-  check_each(root.member("scenes"), [&](const Cursor& scene) {
+  check_used(root.member("nodes"), used.nodes, [&](const Cursor& node) { check_node(node, counts); });
+  check_used(root.member("scenes"), used.scenes, [&](const Cursor& scene) {
     check_each(scene.member("nodes"), [&](const Cursor& node) { node.index("nodes", counts.nodes); });
   });
-  check_each(root.member("textures"), [&](const Cursor& texture) {
-    texture.member("source").optional_index("images", counts.images);
-  });
-  check_each(root.member("images"), [&](const Cursor& image) {
+  check_used(root.member("images"), used.images, [&](const Cursor& image) {
     image.member("uri").string("");
     image.member("bufferView").optional_index("bufferViews", counts.views);
   });

@@ -4,7 +4,7 @@
 // What passes can be read without further bounds checks, except the values that accessors hold.
 // Source: glTF 2.0 section 5 (properties reference).
 #pragma once
-#include "pipeline/scene/gltf/container.hpp"
+#include "pipeline/scene/gltf/used.hpp"
 
 namespace caustics::gltf {
 
@@ -12,7 +12,7 @@ namespace caustics::gltf {
 // ignored).
 void check_extensions(Context& context, const Document& document);
 
-// Buffer views, accessors, meshes, nodes, scenes, textures and images.
-void check_structure(const Context& context, const Document& document);
+// Of what is used: buffers and their views, accessors, meshes, nodes, scenes and images.
+void check_structure(const Context& context, const Document& document, const Used& used);
 
 }  // namespace caustics::gltf

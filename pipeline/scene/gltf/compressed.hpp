@@ -23,8 +23,8 @@ bool has_draco_decoder();
 // A buffer that need not be there, because its views have compressed data in another.
 bool is_meshopt_fallback(const Cursor& buffer);
 
-// Views with meshopt data get the buffers that those unpack to.
-void unpack_views(Context& context, const Document& document, Model& model);
+// Used views with meshopt data get the buffers that those unpack to.
+void unpack_views(Context& context, const Document& document, const Used& used, Model& model);
 // Primitives whose accessors are empty shells get those of their Draco data.
 void unpack_primitives(Context& context, const Document& document, Model& model);
 

@@ -288,9 +288,10 @@ struct Loaded {
 Loaded load(Context& context) {
   Document document = gltf::read_document(context);
   gltf::check_extensions(context, document);
-  gltf::check_structure(context, document);
-  gltf::Model model = gltf::build_model(context, document, gltf::read_buffers(context, document));
-  gltf::unpack_views(context, document, model);
+  const gltf::Used used = gltf::used_by_scene(context, document);
+  gltf::check_structure(context, document, used);
+  gltf::Model model = gltf::build_model(context, document, used, gltf::read_buffers(context, document, used));
+  gltf::unpack_views(context, document, used, model);
   gltf::unpack_primitives(context, document, model);
   document.bin = {};
   document.bytes = {};
@@ -300,7 +301,7 @@ Loaded load(Context& context) {
   scene.file = context.path().string();
   gltf::Placements placements = gltf::place_nodes(context, document, model);
   gltf::Textures textures(context, document, model);
-  const gltf::Materials materials = gltf::read_materials(context, document, textures);
+  const gltf::Materials materials = gltf::read_materials(context, document, used, textures);
   std::vector<gltf::Skin> skins = read_skins(context, document, model, placements);
   std::vector<std::vector<double>> weights = read_rest_weights(context, document, placements);
   gltf::Animation animation = gltf::read_animation(context, document, model).value_or(gltf::Animation{});

@@ -243,13 +243,13 @@ int Reader::read_textures() {
 
 }  // namespace
 
-Materials read_materials(Context& context, const Document& document, Textures& textures) {
+Materials read_materials(Context& context, const Document& document, const Used& used, Textures& textures) {
   Materials materials;
   const Cursor all = document.root(context).member("materials");
   for (std::size_t i = 0; i < all.size(); ++i) {
     int set = 0;
     const Cursor material = all.element(i);
-    materials.list.push_back(Reader(context, textures, material).run(set));
+    materials.list.push_back(used.materials[i] ? Reader(context, textures, material).run(set) : Material());
     if (materials.list.back().name.empty()) materials.list.back().name = material.path();
     materials.uv_sets.push_back(set);
   }

@@ -14,6 +14,7 @@ struct Materials {
   int fallback() const { return static_cast<int>(list.size()) - 1; }
 };
 
-Materials read_materials(Context& context, const Document& document, Textures& textures);
+// Unused ones are glTF's default material.
+Materials read_materials(Context& context, const Document& document, const Used& used, Textures& textures);
 
 }  // namespace caustics::gltf

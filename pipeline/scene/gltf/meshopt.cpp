@@ -103,9 +103,10 @@ bool is_meshopt_fallback(const Cursor& buffer) {
          buffer.member("extensions").member(kMeshopt).member("fallback").boolean(false);
 }
 
-void unpack_views(Context& context, const Document& document, Model& model) {
+void unpack_views(Context& context, const Document& document, const Used& used, Model& model) {
   const Cursor views = document.root(context).member("bufferViews");
   for (std::size_t i = 0; i < model.views.size(); ++i) {
+    if (!used.views[i]) continue;
     const Cursor packed = views.element(i).member("extensions").member(kMeshopt);
     const bool missing = model.buffers[model.views[i].buffer].empty();
     if (!packed.present()) {

@@ -23,6 +23,15 @@ std::vector<T> all_of(const Cursor& array, const Read& read) {
   return list;
 }
 
+// Likewise, with an empty element in the place of each unused one.
+template <typename T, typename Read>
+std::vector<T> used_of(const Cursor& array, const std::vector<bool>& used, const Read& read) {
+  std::vector<T> list(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) list[i] = read(array.element(i));
+  return list;
+}
+
 std::vector<int> indices_of(const Cursor& array) {
   return all_of<int>(array, [](const Cursor& index) { return static_cast<int>(index.integer(0, kMost)); });
 }
@@ -96,19 +105,21 @@ int component_count(const std::string& type) {
   return type == "MAT4" ? 16 : 0;
 }
 
-Model build_model(const Context& context, const Document& document, std::vector<Bytes> buffers) {
+Model build_model(const Context& context, const Document& document, const Used& used,
+                  std::vector<Bytes> buffers) {
   const Cursor root = document.root(context);
   Model model;
   model.buffers = std::move(buffers);
-  model.views = all_of<BufferView>(root.member("bufferViews"), view_of);
-  model.accessors = all_of<AccessorLayout>(root.member("accessors"), accessor_of);
-  model.meshes = all_of<MeshSource>(root.member("meshes"), [](const Cursor& mesh) {
+  model.views = used_of<BufferView>(root.member("bufferViews"), used.views, view_of);
+  model.accessors = used_of<AccessorLayout>(root.member("accessors"), used.accessors, accessor_of);
+  model.meshes = used_of<MeshSource>(root.member("meshes"), used.meshes, [](const Cursor& mesh) {
     return MeshSource{mesh.member("name").string(""),
                       all_of<Primitive>(mesh.member("primitives"), primitive_of)};
   });
-  model.nodes = all_of<NodeSource>(root.member("nodes"), node_of);
-  model.scenes = all_of<std::vector<int>>(
-      root.member("scenes"), [](const Cursor& scene) { return indices_of(scene.member("nodes")); });
+  model.nodes = used_of<NodeSource>(root.member("nodes"), used.nodes, node_of);
+  model.scenes = used_of<std::vector<int>>(root.member("scenes"), used.scenes, [](const Cursor& scene) {
+    return indices_of(scene.member("nodes"));
+  });
   return model;
 }
 

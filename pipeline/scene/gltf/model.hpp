@@ -7,7 +7,7 @@
 #pragma once
 #include <map>
 
-#include "pipeline/scene/gltf/container.hpp"
+#include "pipeline/scene/gltf/used.hpp"
 
 namespace caustics::gltf {
 
@@ -79,7 +79,8 @@ std::size_t component_bytes(int component_type);
 // Of an accessor's type, such as VEC3; 0: there is no such type.
 int component_count(const std::string& type);
 
-// check_structure must have passed.
-Model build_model(const Context& context, const Document& document, std::vector<Bytes> buffers);
+// check_structure must have passed. What is unused is there, and empty.
+Model build_model(const Context& context, const Document& document, const Used& used,
+                  std::vector<Bytes> buffers);
 
 }  // namespace caustics::gltf

@@ -181,10 +181,11 @@ Bytes read_uri(Context& context, const Cursor& uri) {
   return decode_data_uri(uri, text);
 }
 
-std::vector<Bytes> read_buffers(Context& context, const Document& document) {
+std::vector<Bytes> read_buffers(Context& context, const Document& document, const Used& used) {
   const std::size_t count = document.root(context).member("buffers").size();
   std::vector<Bytes> buffers;
-  for (std::size_t i = 0; i < count; ++i) buffers.push_back(read_buffer(context, document, i));
+  for (std::size_t i = 0; i < count; ++i)
+    buffers.push_back(used.buffers[i] ? read_buffer(context, document, i) : Bytes());
   return buffers;
 }
 

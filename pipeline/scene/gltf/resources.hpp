@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/scene/gltf/container.hpp"
+#include "pipeline/scene/gltf/used.hpp"
 
 namespace caustics::gltf {
 
@@ -16,8 +16,8 @@ Bytes read_uri(Context& context, const Cursor& uri);
 // not.
 std::vector<std::filesystem::path> referred_files(const Context& context, const Document& document);
 
-// The contents of all buffers, each exactly byteLength long, or empty (is_meshopt_fallback). A GLB's binary
-// chunk is the first one.
-std::vector<Bytes> read_buffers(Context& context, const Document& document);
+// The contents of all buffers, each exactly byteLength long, or empty: is_meshopt_fallback, or unused. A
+// GLB's binary chunk is the first one.
+std::vector<Bytes> read_buffers(Context& context, const Document& document, const Used& used);
 
 }  // namespace caustics::gltf

@@ -143,6 +143,7 @@ Bytes Textures::image_bytes(const Cursor& image) {
   if (!view.present()) return read_uri(context_, image.member("uri"));
   const BufferView& v =
       model_.views[static_cast<std::size_t>(view.index("bufferViews", model_.views.size()))];
+  if (v.length == 0) view.fail("has no bytes", kExportAgain);  // used images have checked views
   const auto begin = model_.buffers[v.buffer].begin() + static_cast<std::ptrdiff_t>(v.offset);
   return Bytes(begin, begin + static_cast<std::ptrdiff_t>(v.length));
 }
