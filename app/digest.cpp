@@ -17,8 +17,8 @@ namespace caustics::app {
 
 namespace {
 
-// One word, for lines whose words stand between blanks: blanks, what is no character, and % as URLs have
-// them.
+// One word, for lines whose words stand between blanks: blanks, control characters and % as URLs have them,
+// and the others that a terminal is spared as one_line has them.
 std::string word(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -27,7 +27,7 @@ std::string word(const std::string& text) {
     if (byte <= 0x20 || byte == 0x7f || c == '%') std::snprintf(escaped, sizeof escaped, "%%%02X", byte);
     result += escaped;
   }
-  return result;
+  return one_line(result);
 }
 
 // Gives each attachment's name, which is 'scene pass attachment', and its hash.
@@ -67,7 +67,7 @@ class KeptList {
                                             " is not 'scene pass attachment sha256', as digest prints it");
       }
       const std::size_t end = line.rfind(' ');
-      hashes_[line.substr(0, end)].push_back(line.substr(end + 1));
+      hashes_[one_line(line.substr(0, end))].push_back(line.substr(end + 1));
     }
     if (number == 0 || !file.eof())
       throw Error(ExitCode::BadInput,

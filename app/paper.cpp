@@ -130,7 +130,8 @@ ExitCode run_paper(const Arguments& arguments) {
   write_atomically(folder / "paper.md", markdown(done, shots));
   write_atomically(folder / "paper.json", json(done, shots));
   const auto fails = std::count_if(done.begin(), done.end(), [](const Done& d) { return !d.finding.holds; });
-  std::printf("%zu rows, %td do not hold; %s\n", done.size(), fails, (folder / "paper.md").string().c_str());
+  std::printf("%zu rows, %td do not hold; %s\n", done.size(), fails,
+              one_line((folder / "paper.md").string()).c_str());
   return fails == 0 ? ExitCode::Done : ExitCode::AnswerIsNo;
 }
 

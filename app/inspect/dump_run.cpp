@@ -6,6 +6,7 @@
 #include "app/json.hpp"
 #include "app/output/image_planes.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 
 namespace caustics::app {
 
@@ -85,11 +86,11 @@ Json dump_run(const std::filesystem::path& folder, const Json& beside, const Rec
       for (int c = 0; c < image.channels(); ++c)
         attachment["channels"].push_back(
             {{"name", "RGBA"[c] + std::string()}, {"meaning", ""}, {"unit", ""}});
-    const std::string label = pass_label(dumped.name);
+    const std::string name = one_line(dumped.name), label = pass_label(name);
     const std::size_t pass = pass_in(run, beside, label);
     attachment["id"] = run["attachments"].size();
     attachment["pass"] = pass;
-    attachment["texture"] = dumped.name.substr(label.size() + 1);
+    attachment["texture"] = name.substr(label.size() + 1);
     if (!known) attachment["label"] = attachment["texture"];
     attachment["name"] = known ? (*known)["name"] : attachment["texture"];
     attachment["format"] = format_name(image.shape.format);

@@ -94,7 +94,7 @@ FrameRequest other_request(const InspectRequest& request) {
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + one_line(word);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 
 import glb
@@ -141,6 +142,63 @@ class StandardInput(ProgramTest):
         os.close(follower)
         self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), result.stderr)
         self.assertIn("terminal", result.stderr)
+
+
+class Names(ProgramTest):
+    """What a terminal or a page is spared: C0, DEL, C1, and marks of the direction of writing."""
+
+    NAME = "a\x1b[31m\x9b31m\u202eb\u2066\u2028c\x7f\r\nFAKE: line"
+    SHOWN = "a\\x1b[31m\\u009b31m\\u202eb\\u2066\\u2028c\\x7f\\x0d\\x0aFAKE: line"
+    SPARED = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff]")
+
+    def setUp(self):
+        super().setUp()
+        document, data = glb.unpack(glb.scene())
+        for kind in ("nodes", "materials", "cameras", "meshes"):
+            for each in document[kind]:
+                each["name"] = self.NAME
+        document["extensions"]["KHR_lights_punctual"]["lights"][0]["name"] = self.NAME
+        document["asset"]["generator"] = self.NAME
+        (self.folder / "named\x9b\u202e.glb").write_bytes(glb.pack(document, data))
+
+    def test_are_shown_as_escapes_by_every_command(self):
+        scene = "named\x9b\u202e.glb"
+        shown = ""
+        for command in (["plan", scene], ["plan", scene, "--json"], ["render", scene, *SMALL, "-v"],
+                        ["probe", scene, *SMALL, "--texel", "9,9", "--pixel", "30,20"],
+                        ["probe", scene, *SMALL, "--texel", "9,9", "--json"],
+                        ["digest", scene, *SMALL], ["bench", scene, *SMALL, "--frames", "1"],
+                        ["render", scene, *SMALL, "--dump", "d", "--pictures", "--stats", "-"],
+                        ["inspect", scene, *SMALL, "-o", "-"]):
+            result = self.succeeds(*command)
+            self.assertEqual(self.SPARED.findall(result.stdout.replace("\n", "")), [], command)
+            self.assertEqual(self.SPARED.findall(result.stderr), [], command)
+            shown += result.stdout
+            if "--json" in command:
+                json.loads(result.stdout)
+                self.assertIn(json.dumps(self.SHOWN)[1:-1], result.stdout)
+        self.assertIn(self.SHOWN, shown)
+        page = (self.folder / "d/index.html").read_text()
+        self.assertEqual(self.SPARED.findall(page), [])
+        self.assertIn("FAKE", page)
+        json.loads((self.folder / "d/manifest.json").read_text())
+
+    def test_in_images_and_manifests_too(self):
+        self.succeeds("ball.glb", *SMALL, "-o", "a.png", "--dump", "d")
+        for name in ("d", "e"):
+            (self.folder / name).mkdir(exist_ok=True)
+            file = next(self.folder.glob("d/*.exr"))
+            (self.folder / name / "x.exr").write_bytes(file.read_bytes())
+            (self.folder / name / "manifest.json").write_text(json.dumps({"attachments": [
+                {"pass": self.NAME, "attachment": name + self.NAME, "file": "x.exr"}]}))
+        for more in ([], ["--json"]):
+            result = self.run_program("compare", "d", "e", *more)
+            self.assertEqual(result.returncode, 1)
+            self.assertEqual(self.SPARED.findall(result.stdout), [])
+            self.assertIn("FAKE", result.stdout)
+            if more:
+                for attachment in json.loads(result.stdout)["attachments"]:
+                    self.assertIn(self.NAME, attachment["attachment"])
 
 
 class Reasons(ProgramTest):

@@ -135,7 +135,7 @@ class Mistakes(ProgramTest):
         self.fails(2, "ball.glb", "--camera", "eey", saying="'eye'")
 
     def test_control_characters_do_not_break_the_line(self):
-        self.fails(3, "a\nb\033.glb")
+        self.fails(3, "a\nb\033.glb", saying="a\\x0ab\\x1b.glb")
 
     def test_outputs_of_unknown_format_or_named_twice(self):
         for name in ("a.bmp", "a", ".png", "a.png "):
@@ -151,6 +151,25 @@ class Plan(ProgramTest):
         self.assertIn("closed mesh: light enters and leaves", result.stdout)
         self.assertNotIn("\033", result.stdout)
         self.assertEqual(result.stderr, "")
+
+    def test_a_setting_that_changes_nothing_is_named_with_the_reason(self):
+        nothing = "splits=4 changes nothing here: "
+        self.assertIn("  " + nothing, self.succeeds("plan", "ball.glb", "-D", "splits=4").stdout)
+        notes = json.loads(self.succeeds("plan", "ball.glb", "-D", "splits=4", "--json").stdout)["notes"]
+        self.assertEqual([note.startswith(nothing) for note in notes].count(True), 1)
+        self.assertIn("note: " + nothing, self.succeeds("ball.glb", *SMALL, "-D", "splits=4").stderr)
+        followed = "-D", "further.share=0", "-D", "splits=4"
+        self.assertNotIn("changes nothing", self.succeeds("ball.glb", *SMALL, *followed).stderr)
+        # What comes with a preset was not given.
+        self.assertNotIn("changes nothing", self.succeeds("ball.glb", "--preview").stderr)
+
+    def test_doctor_goes_on_without_openimageio(self):
+        (self.folder / "broken").mkdir()
+        for version in ("2.2", "2.3", "2.4", "2.5", "3.0", "3.1"):
+            (self.folder / f"broken/libOpenImageIO.so.{version}").write_text("")
+        result = self.succeeds("doctor", env={**os.environ, "LD_LIBRARY_PATH": str(self.folder / "broken")})
+        self.assertRegex(result.stdout, r"(?m)^OpenImageIO +cannot be used: images need .*OpenImageIO: .")
+        self.assertRegex(result.stdout, r"(?m)^Embree  ")
 
     def test_doctor_tells_what_opengl_is_there_or_why_there_is_none(self):
         lines = [line
