@@ -28,6 +28,9 @@ class Fault:
             number = (number ^ byte) * 16777619 % 2**32
         return number & 0x7fffffff
 
+    def place(self, source):
+        return source.index(self.text)
+
     def choice(self):
         """The text with both ways, one taken at run time; a fault that says FAULT is the whole text."""
         if 'FAULT' in self.fault:

@@ -1,0 +1,156 @@
+"""Which tests reach which places of a planted build, and what each takes: found by one run of all tests without a
+fault, kept beside the build, and found anew after each build."""
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 4  # tests/support/skip.hpp: what cannot run notices nothing
+LONGEST = 900  # seconds; what takes longer hangs, which a test run notices, too
+# What needs more than the planted copy has, or compares times.
+LEFT_OUT = {'launcher_test.py', 'docs_pictures_test.py', 'povray_test.py', 'command_line_doc_test.py', 'bench_test.py'}
+# What computes long; `--quick` leaves it out.
+SLOW_CASES = ['~truth*', '~area light*', '~all around*', '~water film*', '~torture*', '~textured casters*',
+              '~stability*', '~random*', '~forward*', '~parity*', '~seen glass*']
+SLOW_FILES = {'compare_metrics_test.py', 'frame_costs_test.py', 'gl_test.py', 'study_test.py', 'paper_test.py',
+              'faults_test.py'}
+
+
+@dataclasses.dataclass
+class Test:
+    file: str  # of Python tests; '' for Catch2's
+    name: str
+    seconds: float
+    places: set
+
+
+def run(command, environment, folder, timeout):
+    """Exit status and output; the whole group of processes ends with it. None where it does not end."""
+    environment = {**os.environ, 'PYTHONDONTWRITEBYTECODE': '1', **environment}
+    with tempfile.TemporaryFile('w+', errors='replace') as output:
+        child = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=output,
+                                 stderr=subprocess.STDOUT, start_new_session=True)
+        try:
+            status = child.wait(timeout)
+        except subprocess.TimeoutExpired:
+            status = None
+        finally:
+            try:
+                os.killpg(child.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+            child.wait()
+        output.seek(0)
+        return status, output.read()
+
+
+def files_of_tests(source, quick):
+    files = sorted((source / 'tests/program').glob('*_test.py')) + [source / 'tests/inspect/inspect_page_test.py']
+    return [file for file in files if file.name not in LEFT_OUT and not (quick and file.name in SLOW_FILES)]
+
+
+def lines_of(log):
+    for line in log.read_text(errors='replace').splitlines():
+        name, seconds, passed, places = line.split('\t')
+        yield name, float(seconds), passed == '1', {int(place) for place in places.split()}
+
+
+def find(build, source, quick, pool):
+    """All tests that pass here."""
+    with tempfile.TemporaryDirectory() as scratch:
+        scratch, answers, tests = pathlib.Path(scratch), [], []
+        program = {'CAUSTICS_PROGRAM': str(build / 'caustics')}
+        log = scratch / 'catch2'
+        command = [str(build / 'caustics_tests'), *([','.join(['*'] + SLOW_CASES)] if quick else [])]
+        answers.append(('', log, pool.submit(run, command, {**program, 'CAUSTICS_REACH_LOG': str(log)}, scratch, 4000)))
+        for file in files_of_tests(source, quick):
+            log = scratch / file.name
+            command = [sys.executable, str(pathlib.Path(__file__).with_name('reach_of.py')), str(file), str(log)]
+            answers.append((str(file.relative_to(source)), log, pool.submit(run, command, program, scratch, 4000)))
+        for file, log, answer in answers:
+            status, output = answer.result()
+            if not log.is_file():
+                print(f'no test of {file or "Catch2"} runs: {output[-500:]}', flush=True)
+                continue
+            for name, seconds, passed, places in lines_of(log):
+                if passed:
+                    tests.append(Test(file, name, seconds, places))
+                elif 'kipped' not in output:
+                    print(f'left out, since it fails without a fault: {file} {name}', flush=True)
+        return tests
+
+
+def known_or_found(build, source, quick, pool):
+    kept = build / ('reach_quick.json' if quick else 'reach.json')
+    made = max((build / name).stat().st_mtime for name in ('caustics', 'caustics_tests'))
+    if kept.is_file() and kept.stat().st_mtime > made:
+        return [Test(*row[:3], set(row[3])) for row in json.loads(kept.read_text())]
+    tests = find(build, source, quick, pool)
+    kept.write_text(json.dumps([[t.file, t.name, t.seconds, sorted(t.places)] for t in tests]))
+    return tests
+
+
+def groups(tests):
+    """Tests that run in one process each, the cheapest first: Catch2's in shares that grow, a file's methods."""
+    shares, sum_of_share, limit = [[]], 0.0, 0.5
+    for test in sorted((t for t in tests if not t.file), key=lambda t: t.seconds):
+        if shares[-1] and sum_of_share + test.seconds > limit:
+            shares.append([])
+            sum_of_share, limit = 0.0, limit * 3
+        shares[-1].append(test)
+        sum_of_share += test.seconds
+    files = {}
+    for test in tests:
+        if test.file:
+            # Its quick methods before its slow ones.
+            files.setdefault((test.file, test.seconds > 2), []).append(test)
+    together = [share for share in shares if share] + list(files.values())
+    return sorted(together, key=lambda group: sum(t.seconds for t in group) + (0.3 if group[0].file else 0))
+
+
+class Runner:
+    """Runs groups of tests with a fault."""
+
+    def __init__(self, build, source):
+        self.build, self.source = build, source
+
+    def command(self, group, folder):
+        if group[0].file:
+            names = [test.name for test in group]
+            return [sys.executable, str(self.source / group[0].file), '--failfast', *names]
+        names = pathlib.Path(folder) / 'names'
+        names.write_text(''.join(f'{escaped(test.name)}\n' for test in group))
+        return [str(self.build / 'caustics_tests'), '--abort', '--input-file', str(names)]
+
+    def failing(self, group, fault):
+        """The name of the test that fails, or None."""
+        limit = 60 + 10 * sum(test.seconds for test in group)
+        environment = {'CAUSTICS_FAULT': fault, 'CAUSTICS_PROGRAM': str(self.build / 'caustics')}
+        with tempfile.TemporaryDirectory() as folder:
+            status, output = run(self.command(group, folder), environment, folder, min(limit, LONGEST))
+        if status is None:
+            return 'does not end'
+        if status in (0, SKIPPED):
+            return None
+        if not group[0].file:
+            return next(iter(re.findall(r'^-{70,}\n(.*)\n-{70,}', output, re.M)), group[0].name)
+        found = re.findall(r'^(?:FAIL|ERROR): (\w+) \((?:__main__\.)?(\w+)', output, re.M)
+        return '.'.join(reversed(found[0])).replace('.setUpClass', '') if found else group[0].name
+
+    def notices(self, group, fault):
+        """The test that fails with the fault and not without; a busy machine makes some fail by themselves."""
+        name = self.failing(group, fault)
+        if name is None or not group[0].file or name == 'does not end':
+            return name
+        again = [test for test in group if test.name == name or test.name.startswith(name + '.')] or group
+        return name if self.failing(again, '') is None else None
+
+
+def escaped(name):
+    """As Catch2 reads a name in a file."""
+    return '"' + re.sub(r'([\\"\[\],])', r'\\\1', name) + '"'
