@@ -48,7 +48,7 @@ def binary(source):
                 yield ('boundary', *span, f'{a} {BOUNDARIES[sign]} {b}')
         elif sign in ('&&', '||'):
             yield ('logic', *span, f'({a}) {"||" if sign == "&&" else "&&"} ({b})')
-            yield ('condition left out', *span, a)
+            yield ('condition left out', *span, f'static_cast<bool>({a})' if source.language == 'cpp' else a)
         elif sign in ARITHMETIC and not has_text(source, left, right):
             yield ('arithmetic', *span, f'{a} {ARITHMETIC[sign]} {b}')
             yield ('operand left out', *span, a)
