@@ -275,6 +275,19 @@ TEST_CASE("Hidden nodes and their children are left out") {
   Gltf gltf = triangle();
   gltf.node += R"(,"extensions":{"KHR_node_visibility":{"visible":false}})";
   CHECK(load(gltf).meshes.empty());
+  // Two nodes, of which the second stands in the first.
+  const auto shown = [](const std::string& of_parent, const std::string& of_child) {
+    Gltf family = triangle();
+    family.node = R"("name":"parent","mesh":0,"children":[1])" + of_parent + R"(},{"name":"child","mesh":0)" + of_child;
+    std::string names;
+    for (const Mesh& mesh : load(family).meshes) names += mesh.name + " ";
+    return names;
+  };
+  const std::string hidden = R"(,"extensions":{"KHR_node_visibility":{"visible":false}})";
+  CHECK(shown("", "") == "parent child ");
+  CHECK(shown(hidden, "").empty());
+  CHECK(shown("", hidden) == "parent ");
+  CHECK(shown(hidden, R"(,"extensions":{"KHR_node_visibility":{"visible":true}})").empty());
 }
 
 TEST_CASE("Loading twice gives the same bits") {
