@@ -418,6 +418,33 @@ TEST_CASE("view_surfaces: a pixel sees more of a texture where the surface leans
   CHECK(stripes_seen(1.5f, leaning, view).x == Approx(0.5 * 0.625 + 0.5 * 0.5));
 }
 
+TEST_CASE("view_surfaces: an oblong texture's coarser levels are found along its longer side") {
+  // Along the longer side texels 0, 1, 2, ... 7: level 2 has their halves' means, 1.5 and 5.5, level 3 that of all, 3.5.
+  // Four and eight texels a pixel; the pixel (2, 4) looks at a quarter of the picture across, and up.
+  for (const bool is_wide : {true, false}) {
+    Image ramp(Format::RGBA16F, is_wide ? 8 : 2, is_wide ? 2 : 8);
+    for (int y = 0; y < ramp.height(); ++y)
+      for (int x = 0; x < ramp.width(); ++x)
+        for (int c = 0; c < 4; ++c) ramp.at(x, y, c) = static_cast<float>(is_wide ? x : y);
+    std::vector<Image> bound(10);
+    bound[0] = ramp;
+    bound[5] = coarser_levels(ramp);
+    Material material = plain();
+    material.base_color = glm::vec4(1.0f);
+    TextureUse& use = material.base_color_texture;
+    use.image = 0;
+    use.levels = mip_level_count(ramp.width(), ramp.height());
+    const auto seen = [&](float scale) {
+      use.uv_transform[0][0] = use.uv_transform[1][1] = scale;
+      return see(kSquare, material, bound)["view_albedo"].at(2, 4, 0);
+    };
+    INFO((is_wide ? "wide" : "high"));
+    CHECK(seen(4.0f) == 1.5f);
+    CHECK(seen(8.0f) == 3.5f);
+    CHECK(seen(1000.0f) == 3.5f);
+  }
+}
+
 TEST_CASE("view_surfaces: a clamped texture's coarser levels keep their borders too") {
   // Columns 0, 0, 1, 1, of which the next level has 0, 1. Two texels a pixel: that level, at 0.125 of it,
   // where it repeats a quarter of the way from the border to the other one.

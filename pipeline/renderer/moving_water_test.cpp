@@ -69,6 +69,33 @@ TEST_CASE("water: plops fall at regular intervals where splitmix64 says") {
   CHECK_FALSE(calm.waters[0].plop_in_step(28));
 }
 
+TEST_CASE("water: plops keep to an oblong sheet, each a radius within its own sides") {
+  // Seed 8 and plop 0 as above; 2 m along x, 0.8 m along z.
+  Scene scene;
+  scene.materials = {glass(1.33f)};
+  scene.meshes = {floor(1.0, 0.5, 0)};
+  Mesh& sheet = scene.meshes[0];
+  for (Vertex& vertex : sheet.vertices) vertex.position.z *= 0.4f;
+  sheet.lower.z *= 0.4f;
+  sheet.upper.z *= 0.4f;
+  REQUIRE(add_water(scene, 0, {1.0, 0.0, 0.0}, lively(40)) == "");
+  const Water& water = scene.waters[0];
+  CHECK(water.columns == 40);
+  CHECK(water.rows == 16);
+  CHECK(water.plop(0).centre.x == Approx(0.2 + 1.6 * 0.266645678882962));
+  CHECK(water.plop(0).centre.y == Approx(0.2 + 0.4 * 0.023982512803259803));
+  glm::dvec2 lower(1e9), upper(-1e9);
+  for (int n = 0; n < 200; ++n) {
+    lower = glm::min(lower, water.plop(n).centre);
+    upper = glm::max(upper, water.plop(n).centre);
+  }
+  // All over what is a radius away from the sides: 200 of them leave out less than a tenth at each.
+  CHECK(lower.x == Approx(0.2).margin(0.16));
+  CHECK(upper.x == Approx(1.8).margin(0.16));
+  CHECK(lower.y == Approx(0.2).margin(0.04));
+  CHECK(upper.y == Approx(0.6).margin(0.04));
+}
+
 TEST_CASE("water: a moment has the same state whatever was computed before") {
   const Scene scene = pool_scene(0.5, lively(48));
   const auto device = make_software_device({.threads = 1});

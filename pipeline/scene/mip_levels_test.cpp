@@ -55,6 +55,26 @@ TEST_CASE("mip levels: the last is one texel, the mean of the picture, whatever 
   CHECK(mip_level_count(16384, 3) == 15);
 }
 
+TEST_CASE("mip levels: of an oblong picture each texel is the mean of the rectangle below it") {
+  for (const auto& [width, height] : {std::pair{16, 2}, {2, 16}, {8, 4}, {1, 8}}) {
+    const Image image = counted(width, height), levels = coarser_levels(image);
+    int above = 0;  // of the levels from the second on, which stand beside the first
+    for (int level = 1; level < mip_level_count(width, height); ++level) {
+      const int wide = std::max(1, width >> level), high = std::max(1, height >> level);
+      for (int y = 0; y < high; ++y)
+        for (int x = 0; x < wide; ++x) {
+          double mean = 0.0;
+          for (int j = y * height / high; j < (y + 1) * height / high; ++j)
+            for (int i = x * width / wide; i < (x + 1) * width / wide; ++i)
+              mean += static_cast<double>(image.at(i, j, 2)) * wide * high / (width * height);
+          INFO(width << "x" << height << ", level " << level << ", texel " << x << ", " << y);
+          CHECK(levels.at(x + (level > 1 ? std::max(1, width / 2) : 0), above + y, 2) == Approx(mean));
+        }
+      if (level > 1) above += high;
+    }
+  }
+}
+
 TEST_CASE("mip levels: half floats stay half floats") {
   Image image(Format::RGBA16F, 2, 1);
   image.at(0, 0, 0) = stored_value(Format::RGBA16F, 1.0f / 3.0f);

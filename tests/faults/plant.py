@@ -27,10 +27,13 @@ WIRING = {
     'app/inspect/page.cpp': ('{"@SCRIPT@", kPageScript}', '{"@SCRIPT@", fault_script() + kPageScript}'),
     'tests/inspect/page_file.py': ("""'(() => {\\n"use strict";\\n' +""",
                                    """__import__("fault_script").text() + '(() => {\\n"use strict";\\n' +"""),
+    # Where Catch2 shows all that a listener needs.
+    'tests/support/catch_main.cpp': ('namespace {\nint skipped = 0;',
+                                     '#include "tests/support/reach_listener.hpp"\nnamespace {\nint skipped = 0;'),
 }
 # Files of the copy alone.
 ADDED = {'pipeline/gpu/fault.hpp': 'fault.hpp', 'pipeline/gpu/fault.cpp': 'fault.cpp',
-         'tests/faults/reach_test.cpp': 'reach.cpp', 'tests/inspect/fault_script.py': 'fault_script.py',
+         'tests/support/reach_listener.hpp': 'reach.cpp', 'tests/inspect/fault_script.py': 'fault_script.py',
          'tests/program/fault_script.py': 'fault_script.py'}
 
 

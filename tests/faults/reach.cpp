@@ -1,4 +1,4 @@
-// Put into the planted copy of the sources (plant.py): writes which places each test case reached, and the seconds that
+// Put into the planted copy's main of Catch2's tests (plant.py): writes which places each test case reached, and the seconds that
 // it took, a line each, to the file that the variable CAUSTICS_REACH_LOG names.
 #include <chrono>
 #include <cstdio>
