@@ -54,6 +54,12 @@ def files_of_tests(source, quick):
     return [file for file in files if file.name not in LEFT_OUT and not (quick and file.name in SLOW_FILES)]
 
 
+def interpreter(file):
+    """Of the page's tests the system's, which has Debian's selenium, as in tests/inspect/room.cmake."""
+    system = '/usr/bin/python3'
+    return system if 'tests/inspect' in str(file) and os.path.exists(system) else sys.executable
+
+
 def lines_of(log):
     for line in log.read_text(errors='replace').splitlines():
         name, seconds, passed, places = line.split('\t')
@@ -70,7 +76,7 @@ def find(build, source, quick, pool):
         answers.append(('', log, pool.submit(run, command, {**program, 'CAUSTICS_REACH_LOG': str(log)}, scratch, 4000)))
         for file in files_of_tests(source, quick):
             log = scratch / file.name
-            command = [sys.executable, str(pathlib.Path(__file__).with_name('reach_of.py')), str(file), str(log)]
+            command = [interpreter(file), str(pathlib.Path(__file__).with_name('reach_of.py')), str(file), str(log)]
             answers.append((str(file.relative_to(source)), log, pool.submit(run, command, program, scratch, 4000)))
         for file, log, answer in answers:
             status, output = answer.result()
@@ -122,7 +128,8 @@ class Runner:
     def command(self, group, folder):
         if group[0].file:
             names = [test.name for test in group]
-            return [sys.executable, str(self.source / group[0].file), '--failfast', *names]
+            file = self.source / group[0].file
+            return [interpreter(file), str(file), '--failfast', *names]
         names = pathlib.Path(folder) / 'names'
         names.write_text(''.join(f'{escaped(test.name)}\n' for test in group))
         return [str(self.build / 'caustics_tests'), '--abort', '--input-file', str(names)]
