@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/backend.hpp"
+#include "pipeline/gpu/process_memory.hpp"
 #include "pipeline/gpu/run_files.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -22,12 +23,18 @@ struct FrameRequest {
       given;  // the names of those that were given one by one, not by --preview or --preset
   BackendRequest backend;
   RunFiles files;  // that the run reads and writes; the scene's own are added as it is loaded
+  std::optional<std::uint64_t> memory{};  // --memory, bytes
+
+  MemoryBudget budget() const { return memory_budget(memory); }
 };
 
 // -r, --camera, --grid and so on, and -D; they write into `request`, which must outlive the parser.
 // `several`, `thread_counts`: see add_backend_options.
 void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backend>* several = nullptr,
                        std::vector<int>* thread_counts = nullptr);
+
+// --memory alone.
+void add_memory_option(Parser& parser, FrameRequest& request);
 
 // --animation and --time alone.
 void add_moment_options(Parser& parser, FrameRequest& request);

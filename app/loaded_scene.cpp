@@ -56,6 +56,7 @@ void sample_area_lights(Scene& scene, int count) {
 AnimatedScene load(const FrameRequest& request) {
   LoadOptions options;
   options.animation = request.animation;
+  options.memory = request.budget();
   if (!is_standard_input(request.scene)) return load_animated(request.scene, options);
   options.content = standard_input(options.max_bytes);
   return load_animated("standard input", options);
@@ -72,7 +73,7 @@ LoadedScene::LoadedScene(const FrameRequest& request)
   RunFiles run = request.files;
   for (const std::filesystem::path& file : animation_.files()) run.reads(file, "a file of the scene");
   scene_ = animation_.take();
-  if (request.environment) scene_.environment = load_environment(*request.environment);
+  if (request.environment) scene_.environment = load_environment(*request.environment, {.memory = request.budget()});
   complete();
   stop_if_interrupted();
   if (moves()) {

@@ -56,6 +56,7 @@ void add_effort(Parser& parser, ReferenceRequest& request) {
                 [&](const std::string& value) { request.error = parse_percent("--error", value, kErrors); });
   parser.flag("--resume", request.resume, "go on from FILE.state, which every run leaves beside its output");
   add_threads_option(parser, request.trace.threads);
+  add_memory_option(parser, request.frame);
 }
 
 }  // namespace

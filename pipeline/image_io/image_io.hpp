@@ -19,7 +19,8 @@ namespace caustics {
 struct Pixels {
   int width = 0, height = 0, channels = 0;
   double largest = 255;                 // what stands for 1: 255 or 65535
-  std::vector<std::uint16_t> integers;  // PNG, JPEG and WebP
+  std::vector<std::uint8_t> bytes;      // PNG, JPEG and WebP of 8 bits,
+  std::vector<std::uint16_t> integers;  // and of 16
   std::vector<float> floats;            // HDR and EXR
 };
 
@@ -27,8 +28,8 @@ struct ImageToDecode {
   std::span<const std::uint8_t> bytes;
   std::string format;   // of OpenImageIO: "jpeg", "webp", "hdr", "openexr"
   bool floats = false;  // else integers
-  // Why an image of this width and height is refused, asked before memory is taken for it; empty: it is not.
-  std::function<std::string(std::int64_t width, std::int64_t height)> refusal;
+  // Why an image of this size is refused, asked before memory is taken for it; empty: it is not.
+  std::function<std::string(std::int64_t width, std::int64_t height, int channels)> refusal;
 };
 
 // One channel of a file. Row 0 is the top.

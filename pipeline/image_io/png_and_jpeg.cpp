@@ -82,20 +82,17 @@ std::string decode_png(std::span<const std::uint8_t> bytes, Pixels& pixels) {
   const auto width = png_get_image_width(reader.png, reader.info);
   const auto height = png_get_image_height(reader.png, reader.info);
   const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
-  std::vector<std::uint8_t> stored(row_bytes * height);
+  const bool wide = png_get_bit_depth(reader.png, reader.info) == 16;
+  if (wide) pixels.integers.resize(row_bytes * height / 2);
+  if (!wide) pixels.bytes.resize(row_bytes * height);
+  auto* stored = wide ? reinterpret_cast<png_bytep>(pixels.integers.data()) : pixels.bytes.data();
   std::vector<png_bytep> rows(height);
-  for (std::size_t y = 0; y < height; ++y) rows[y] = stored.data() + y * row_bytes;
+  for (std::size_t y = 0; y < height; ++y) rows[y] = stored + y * row_bytes;
   if (!reader.read_rows(rows.data())) return cannot(reader.problem);
   pixels.width = static_cast<int>(width);
   pixels.height = static_cast<int>(height);
   pixels.channels = png_get_channels(reader.png, reader.info);
-  if (png_get_bit_depth(reader.png, reader.info) == 16) {
-    pixels.largest = 65535;
-    pixels.integers.resize(stored.size() / 2);
-    std::copy(stored.begin(), stored.end(), reinterpret_cast<std::uint8_t*>(pixels.integers.data()));
-  } else {
-    pixels.integers.assign(stored.begin(), stored.end());
-  }
+  pixels.largest = wide ? 65535 : 255;
   return "";
 }
 
@@ -109,18 +106,17 @@ std::string decode_jpeg(std::span<const std::uint8_t> bytes, Pixels& pixels) {
   const Turbo turbo(tjInitDecompress());
   JpegHeader header;
   if (!read_header(turbo, bytes, header)) return cannot(tjGetErrorStr2(turbo.get()));
+  if (header.width < 1 || header.height < 1) return cannot("it ends in its head");
   pixels.width = header.width;
   pixels.height = header.height;
   pixels.channels = header.colors == TJCS_GRAY ? 1 : 3;
-  std::vector<std::uint8_t> stored(static_cast<std::size_t>(header.width) *
-                                   static_cast<std::size_t>(header.height) *
-                                   static_cast<std::size_t>(pixels.channels));
+  pixels.bytes.resize(static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) *
+                      static_cast<std::size_t>(pixels.channels));
   const int format = pixels.channels == 1 ? TJPF_GRAY : TJPF_RGB;
-  if (tjDecompress2(turbo.get(), bytes.data(), bytes.size(), stored.data(), header.width, 0, header.height,
+  if (tjDecompress2(turbo.get(), bytes.data(), bytes.size(), pixels.bytes.data(), header.width, 0, header.height,
                     format, TJFLAG_ACCURATEDCT) != 0 &&
       tjGetErrorCode(turbo.get()) == TJERR_FATAL)
     return cannot(tjGetErrorStr2(turbo.get()));
-  pixels.integers.assign(stored.begin(), stored.end());
   return "";
 }
 

@@ -71,7 +71,7 @@ Bytes jpeg_of(const std::vector<std::string>& channels) {
 
 Pixels by_openimageio(const Bytes& bytes, const char* format) {
   Pixels pixels;
-  REQUIRE(image_io().decode({bytes, format, false, [](auto, auto) { return ""; }}, pixels) == "");
+  REQUIRE(image_io().decode({bytes, format, false, [](auto, auto, int) { return ""; }}, pixels) == "");
   return pixels;
 }
 
@@ -80,6 +80,7 @@ void check_same(const Pixels& a, const Pixels& b) {
   CHECK(a.height == b.height);
   CHECK(a.channels == b.channels);
   CHECK(a.largest == b.largest);
+  CHECK(a.bytes == b.bytes);
   CHECK(a.integers == b.integers);
 }
 

@@ -53,7 +53,7 @@ bool unfiltered(const Bytes& stored, Pixels& pixels) {
   for (std::size_t y = 0; y < height; ++y) {
     if (stored[y * (row + 1)] != 0) return false;
     const auto begin = stored.begin() + static_cast<std::ptrdiff_t>(y * (row + 1) + 1);
-    pixels.integers.insert(pixels.integers.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
+    pixels.bytes.insert(pixels.bytes.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
   }
   return true;
 }
@@ -66,7 +66,7 @@ int channels_of(int colour_type) {
 }  // namespace
 
 bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side, std::uint64_t max_pixels,
-                  Pixels& pixels, std::string& problem) {
+                  Pixels& pixels, std::string& problem, const std::function<void(std::uint64_t bytes)>&) {
   const ImageHeader header = sniff_image(bytes);
   problem = "cannot be decoded: this build reads uncompressed PNG files of 8 bits only";
   if (kind != ImageKind::Png || header.kind != kind || !header.problem.empty()) return false;

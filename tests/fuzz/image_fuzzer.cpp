@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto count = static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height);
   if (pixels.width > kMostSide || pixels.height > kMostSide || count > kMostPixels)
     fuzz::finding("a picture is larger than its limit");
-  if (pixels.integers.size() != count * static_cast<std::uint64_t>(pixels.channels))
+  if (pixels.integers.size() + pixels.bytes.size() != count * static_cast<std::uint64_t>(pixels.channels))
     fuzz::finding("a picture has another number of texels than its size says");
   return 0;
 }

@@ -26,20 +26,18 @@ bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, bool floa
     return input.read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT16, pixels.integers.data());
   }
   // Read as the bytes they are, so that no conversion of the library touches them.
-  std::vector<std::uint8_t> bytes(count);
-  const bool good = input.read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, bytes.data());
-  pixels.integers.assign(bytes.begin(), bytes.end());
-  return good;
+  pixels.bytes.resize(count);
+  return input.read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, pixels.bytes.data());
 }
 
 // OpenImageIO's WebP reader multiplies by alpha whatever it is asked for: undone, to the bits that are left.
 void divide_by_alpha(Pixels& pixels) {
   const auto channels = static_cast<std::size_t>(pixels.channels);
-  for (std::size_t texel = 0; texel + channels <= pixels.integers.size(); texel += channels) {
-    const unsigned alpha = pixels.integers[texel + channels - 1];
+  for (std::size_t texel = 0; texel + channels <= pixels.bytes.size(); texel += channels) {
+    const unsigned alpha = pixels.bytes[texel + channels - 1];
     for (std::size_t c = 0; alpha > 0 && c + 1 < channels; ++c) {
-      const unsigned divided = (pixels.integers[texel + c] * 255u + alpha / 2) / alpha;
-      pixels.integers[texel + c] = static_cast<std::uint16_t>(std::min(divided, 255u));
+      const unsigned divided = (pixels.bytes[texel + c] * 255u + alpha / 2) / alpha;
+      pixels.bytes[texel + c] = static_cast<std::uint8_t>(std::min(divided, 255u));
     }
   }
 }
@@ -57,10 +55,11 @@ std::string decode(const ImageToDecode& image, Pixels& pixels) {
   if (!input->open("memory." + image.format, spec, config)) {
     return "cannot be decoded: " + reason(input->geterror());
   }
-  if (std::string refusal = image.refusal(spec.width, spec.height); !refusal.empty()) return refusal;
   if (spec.nchannels < 1 || spec.nchannels > 64 || spec.depth > 1) {
     return "has " + std::to_string(spec.nchannels) + " channels";
   }
+  std::string refusal = image.refusal(spec.width, spec.height, spec.nchannels);
+  if (!refusal.empty()) return refusal;
   if (!read_pixels(*input, spec, image.floats, pixels))
     return "cannot be decoded: " + reason(input->geterror());
   const bool multiplied = image.format == "webp" && spec.alpha_channel >= 0 &&

@@ -1,6 +1,7 @@
 #include "pipeline/scene/gltf/context.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/text.hpp"
@@ -9,6 +10,13 @@ namespace caustics::gltf {
 
 namespace {
 constexpr std::size_t kMostNotes = 300;
+
+// What the budget leaves beside what the process has taken already; without a budget no limit.
+std::uint64_t memory_left(const LoadOptions& options) {
+  if (!options.memory) return std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t taken = resident_memory().now;
+  return options.memory->bytes > taken ? options.memory->bytes - taken : 0;
+}
 }
 
 std::string printable(const std::string& text, std::size_t longest) {
@@ -23,7 +31,7 @@ std::string printable(const std::string& text, std::size_t longest) {
 }
 
 Context::Context(const std::filesystem::path& path, const LoadOptions& options)
-    : path_(path), options_(options), bytes_left_(options.max_bytes) {}
+    : path_(path), options_(options), bytes_left_(options.max_bytes), memory_left_(memory_left(options)) {}
 
 void Context::fail(const std::string& where, const std::string& what, const std::string& advice) const {
   std::string line = printable(path_.string(), 400) + ": ";
@@ -47,6 +55,21 @@ void Context::spend_bytes(std::uint64_t bytes, const std::string& where) {
          "split the scene or shrink its textures");
   }
   bytes_left_ -= bytes;
+  take_memory(bytes, "bytes");
+}
+
+void Context::need_memory(std::uint64_t bytes, const std::string& what) const {
+  if (bytes <= memory_left_) return;
+  const auto text = [](std::uint64_t size) { return bytes_text(static_cast<double>(size)); };
+  throw Error(ExitCode::WrongUsage, printable(path_.string(), 400) + ": its " + what + " need " + text(bytes) +
+                                        " of memory, of which " + text(memory_left_) +
+                                        " are left of the " + text(options_.memory->bytes) + " " +
+                                        options_.memory->whose + "; make them smaller, or raise --memory");
+}
+
+void Context::take_memory(std::uint64_t bytes, const std::string& what) {
+  need_memory(bytes, what);
+  memory_left_ -= bytes;
 }
 
 }  // namespace caustics::gltf

@@ -26,15 +26,21 @@ class Context {
   void note(const std::string& sentence);
   std::vector<std::string>& notes() { return notes_; }
 
-  // Takes `bytes` out of the budget of max_bytes; fails when it is used up.
+  // Takes `bytes` out of max_bytes and of the memory; fails when either is used up.
   void spend_bytes(std::uint64_t bytes, const std::string& where);
-  std::uint64_t bytes_left() const { return bytes_left_; }
+
+  // Throws Error(WrongUsage) where the scene's `what`, such as "images", take more bytes than LoadOptions::memory
+  // leaves beside what the process and the file have taken. To be called before they are taken.
+  void need_memory(std::uint64_t bytes, const std::string& what) const;
+  // The same for what stays: the next has so much less.
+  void take_memory(std::uint64_t bytes, const std::string& what);
 
  private:
   std::filesystem::path path_;
   LoadOptions options_;
   std::vector<std::string> notes_;
   std::uint64_t bytes_left_;
+  std::uint64_t memory_left_;  // bytes
 };
 
 // one_line of a text from a file, which is shortened in the middle.

@@ -56,7 +56,10 @@ Environment load_environment(const std::filesystem::path& path, const LoadOption
   Pixels pixels;
   std::string problem;
   if (!gltf::decode_image(bytes, header.kind, options.max_image_side, options.max_image_pixels, pixels,
-                          problem)) {
+                          problem, [&](std::uint64_t texels) {
+                            // The environment has four floats a texel, and no more than kMostColumns columns.
+                            context.need_memory(texels + texels / 3 * 4, "texels");
+                          })) {
     context.fail("", problem, "use another image");
   }
   Environment environment;

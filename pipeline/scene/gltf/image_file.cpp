@@ -37,8 +37,9 @@ std::string size_problem(std::int64_t width, std::int64_t height, int max_side, 
 }  // namespace
 
 bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side, std::uint64_t max_pixels,
-                  Pixels& pixels, std::string& problem) {
-  const ImageHeader header = sniff_image(bytes);
+                  Pixels& pixels, std::string& problem,
+                  const std::function<void(std::uint64_t bytes)>& before) {
+  ImageHeader header = sniff_image(bytes);
   problem = header.problem;
   if (header.kind != kind && problem.empty()) problem = "is of another format";
   if (problem.empty() && kind != ImageKind::Exr) {
@@ -48,6 +49,7 @@ bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_s
     problem = "is a JPEG of " + std::to_string(header.scans) + " scans";
   }
   if (!problem.empty()) return false;
+  if (before && kind != ImageKind::Exr) before(header.decoding_bytes());
   if (kind == ImageKind::Png) {
     problem = decode_png(bytes, pixels);
     return problem.empty();
@@ -59,8 +61,14 @@ bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_s
   const bool floats = kind == ImageKind::Hdr || kind == ImageKind::Exr;
   // The size is checked again: this is what will be allocated.
   problem = image_io().decode({bytes, format_name(kind), floats,
-                               [&](std::int64_t width, std::int64_t height) {
-                                 return size_problem(width, height, max_side, max_pixels);
+                               [&](std::int64_t width, std::int64_t height, int channels) {
+                                 std::string why = size_problem(width, height, max_side, max_pixels);
+                                 if (!why.empty()) return why;
+                                 header.width = static_cast<int>(width);
+                                 header.height = static_cast<int>(height);
+                                 header.channels = channels;
+                                 if (before) before(header.decoding_bytes());
+                                 return why;
                                }},
                               pixels);
   return problem.empty();

@@ -4,6 +4,7 @@
 // the size in the header has passed the limits.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -19,11 +20,20 @@ struct ImageHeader {
   int width = 0, height = 0;
   int scans = 0;        // JPEG: a progressive image may have many, each as costly as the image
   std::string problem;  // names other formats; empty when the image may be decoded
+  int channels = 4;     // at most: a palette may have transparency
+  int bits = 8;         // of a channel
+  std::uint64_t texels() const {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  }
+  // What decoding takes, in bytes, the decoded texels among it.
+  std::uint64_t decoding_bytes() const;
 };
 ImageHeader sniff_image(std::span<const std::uint8_t> bytes);
 
-// False with a message on failure. Sides and number of pixels above the limits are failures.
+// False with a message on failure. Sides and number of pixels above the limits are failures. `before` is called
+// with the bytes that decoding takes before they are taken; it may throw.
 bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side, std::uint64_t max_pixels,
-                  Pixels& pixels, std::string& problem);
+                  Pixels& pixels, std::string& problem,
+                  const std::function<void(std::uint64_t bytes)>& before = {});
 
 }  // namespace caustics::gltf

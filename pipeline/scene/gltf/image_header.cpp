@@ -31,6 +31,9 @@ ImageHeader png_header(Span bytes) {
   }
   header.width = big_endian(bytes, 16, 4);
   header.height = big_endian(bytes, 20, 4);
+  header.bits = bytes[24];
+  constexpr int kChannels[] = {1, 4, 3, 4, 2, 4, 4};  // by colour type; odd ones have a palette
+  header.channels = kChannels[std::min<std::size_t>(bytes[25], 6)];
   std::size_t at = 8;
   while (bytes.size() - at >= 12) {
     const auto length = static_cast<std::size_t>(big_endian(bytes, at, 4));
@@ -61,6 +64,7 @@ ImageHeader jpeg_header(Span bytes) {
     if (is_frame_marker(marker)) {
       header.height = big_endian(bytes, at + 5, 2);
       header.width = big_endian(bytes, at + 7, 2);
+      header.channels = std::clamp<int>(bytes[at + 9], 1, 4);
     }
     at += 2 + static_cast<std::size_t>(big_endian(bytes, at + 2, 2));
   }
@@ -126,6 +130,21 @@ ImageHeader hdr_header(Span bytes) {
 }
 
 }  // namespace
+
+std::uint64_t ImageHeader::decoding_bytes() const {
+  const std::uint64_t values = texels() * static_cast<std::uint64_t>(channels);
+  switch (kind) {
+    case ImageKind::Hdr:
+    case ImageKind::Exr:
+      return values * sizeof(float);
+    case ImageKind::Jpeg:  // a progressive one's coefficients lie in memory, two bytes each
+      return values * (scans > 1 ? 3 : 1);
+    case ImageKind::Webp:  // OpenImageIO decodes it whole and hands on a copy
+      return values * 2;
+    default:
+      return values * static_cast<std::uint64_t>(bits > 8 ? 2 : 1);
+  }
+}
 
 ImageHeader sniff_image(Span bytes) {
   if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return png_header(bytes);

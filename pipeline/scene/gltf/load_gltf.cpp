@@ -279,6 +279,26 @@ Document without_data(Document document) {
   return document;
 }
 
+// Bytes of geometry at their most, measured: a primitive in its place, in double precision, with what finds out
+// its holes and normals; and all meshes beside it.
+constexpr std::uint64_t kBytesOfVertex = 160, kBytesOfIndex = 40;
+
+std::uint64_t geometry_bytes(const gltf::Model& model, const gltf::Placements& placements) {
+  std::uint64_t bytes = 0;
+  const auto count = [&](int accessor) -> std::uint64_t {
+    return accessor < 0 ? 0 : model.accessors[static_cast<std::size_t>(accessor)].count;
+  };
+  for (const gltf::Placement& placement : placements.meshes) {
+    for (const gltf::Primitive& primitive : model.meshes[static_cast<std::size_t>(placement.index)].primitives) {
+      const auto positions = primitive.attributes.find("POSITION");
+      const std::uint64_t vertices = positions == primitive.attributes.end() ? 0 : count(positions->second);
+      const std::uint64_t indices = primitive.indices < 0 ? vertices : count(primitive.indices);
+      bytes += kBytesOfVertex * vertices + kBytesOfIndex * indices;
+    }
+  }
+  return bytes;
+}
+
 struct Loaded {
   Scene scene;
   std::shared_ptr<gltf::GltfMotion> motion;  // null: nothing moves
@@ -300,6 +320,7 @@ Loaded load(Context& context) {
   Scene& scene = loaded.scene;
   scene.file = context.path().string();
   gltf::Placements placements = gltf::place_nodes(context, document, model);
+  context.need_memory(geometry_bytes(model, placements), "meshes");
   gltf::Textures textures(context, document, model);
   const gltf::Materials materials = gltf::read_materials(context, document, used, textures);
   std::vector<gltf::Skin> skins = read_skins(context, document, model, placements);

@@ -10,9 +10,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "pipeline/gpu/process_memory.hpp"
 #include "pipeline/scene/animated_scene.hpp"
 
 namespace caustics {
@@ -39,7 +41,12 @@ struct LoadOptions {
   // to no other.
   std::shared_ptr<const std::vector<std::uint8_t>> content = nullptr;
   int max_image_side = 16384;                                 // pixels
-  std::uint64_t max_image_pixels = std::uint64_t{128} << 20;  // of all decoded images together
+  // Of all images together, each counted once for each way of reading it (colour, data, normals). Where they
+  // are more, the largest are halved, with a note, until they fit.
+  std::uint64_t max_image_pixels = std::uint64_t{128} << 20;
+  // What the process may take while it loads. What needs more is refused before it is taken, with
+  // Error(ExitCode::WrongUsage). None: nothing is.
+  std::optional<MemoryBudget> memory{};
 };
 
 // The scene at 0 s of its animation.

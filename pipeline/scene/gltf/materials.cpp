@@ -194,7 +194,7 @@ void Reader::read_volume() {
 
 TextureUse Reader::placed(const Cursor& info, int set, Reading reading) {
   if (!info.present()) return {};
-  if (Textures::uv_set(info) != set) {
+  if (Textures::uv_set(info) != set && !textures_.is_surveying()) {
     context_.note(info.path() + " uses TEXCOORD_" + std::to_string(Textures::uv_set(info)) +
                   ", other textures of the material TEXCOORD_" + std::to_string(set) + "; it is left out.");
     return {};
@@ -246,6 +246,13 @@ int Reader::read_textures() {
 Materials read_materials(Context& context, const Document& document, const Used& used, Textures& textures) {
   Materials materials;
   const Cursor all = document.root(context).member("materials");
+  const std::vector<std::string> notes = context.notes();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    int ignored = 0;
+    if (used.materials[i]) Reader(context, textures, all.element(i)).run(ignored);
+  }
+  textures.fit();
+  context.notes() = notes;  // the second reading makes them anew
   for (std::size_t i = 0; i < all.size(); ++i) {
     int set = 0;
     const Cursor material = all.element(i);

@@ -14,7 +14,8 @@ struct Materials {
   int fallback() const { return static_cast<int>(list.size()) - 1; }
 };
 
-// Unused ones are glTF's default material.
+// Unused materials become glTF's default. The images of the used ones are looked at before any is decoded
+// (Textures::fit).
 Materials read_materials(Context& context, const Document& document, const Used& used, Textures& textures);
 
 }  // namespace caustics::gltf

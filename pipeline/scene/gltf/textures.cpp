@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/gltf/resources.hpp"
 
@@ -34,26 +35,45 @@ std::vector<float> plain_table(double largest, Format format) {
   return table;
 }
 
+int halved(int side, int halvings) { return std::max(1, side >> halvings); }
+
 // Fine data keep every bit of 8 and 16 bits a channel: light that normals bend shows their steps, and
 // llvmpipe does not round what it reads of 8-bit textures to the nearest float.
-Image to_image(const Pixels& pixels, Reading reading) {
+//
+// `stored`: the texels of `pixels`, of 8 or of 16 bits. Each texel of the image is the mean of 2^halvings texels
+// along both sides; where these do not fill a last one, they are left out.
+template <class Integer>
+Image to_image(const Pixels& pixels, const std::vector<Integer>& stored, Reading reading, int halvings) {
   const Format format = reading == Reading::FineData ? Format::RGBA32F : Format::RGBA16F;
   const std::vector<float> plain = plain_table(pixels.largest, format);
   const std::vector<float> color = reading == Reading::Color ? color_table(pixels.largest) : plain;
-  Image image(format, pixels.width, pixels.height);
+  Image image(format, halved(pixels.width, halvings), halved(pixels.height, halvings));
+  const int across = std::min(1 << halvings, pixels.width), down = std::min(1 << halvings, pixels.height);
   const auto channels = static_cast<std::size_t>(pixels.channels);
   const auto width = static_cast<std::size_t>(pixels.width);
-  const std::size_t places[] = {source_channel(0, pixels.channels), source_channel(1, pixels.channels),
-                                source_channel(2, pixels.channels), source_channel(3, pixels.channels)};
+  const auto mean = [&](const std::vector<float>& table, const Integer* texel) {
+    if (halvings == 0) return table[*texel];
+    double sum = 0.0;
+    for (int row = 0; row < down; ++row)
+      for (int column = 0; column < across; ++column)
+        sum += static_cast<double>(
+            table[texel[(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)) * channels]]);
+    return stored_value(format, static_cast<float>(sum / (across * down)));
+  };
   float* out = image.values.data();
-  for (int y = pixels.height - 1; y >= 0; --y) {  // row 0 is the bottom one
-    const std::uint16_t* texel = pixels.integers.data() + static_cast<std::size_t>(y) * width * channels;
-    for (std::size_t x = 0; x < width; ++x, texel += channels) {
-      for (int c = 0; c < 3; ++c) *out++ = color[texel[places[c]]];
-      *out++ = has_alpha(pixels.channels) ? plain[texel[places[3]]] : 1;
+  for (int y = image.height() - 1; y >= 0; --y) {  // row 0 is the bottom one
+    const Integer* texel = stored.data() + static_cast<std::size_t>(y * down) * width * channels;
+    for (int x = 0; x < image.width(); ++x, texel += static_cast<std::size_t>(across) * channels) {
+      for (int c = 0; c < 3; ++c) *out++ = mean(color, texel + source_channel(c, pixels.channels));
+      *out++ = has_alpha(pixels.channels) ? mean(plain, texel + source_channel(3, pixels.channels)) : 1;
     }
   }
   return image;
+}
+
+Image to_image(const Pixels& pixels, Reading reading, int halvings) {
+  return pixels.bytes.empty() ? to_image(pixels, pixels.integers, reading, halvings)
+                              : to_image(pixels, pixels.bytes, reading, halvings);
 }
 
 // By channel; -1 for an alpha that the image does not have.
@@ -61,10 +81,14 @@ std::array<double, 4> means_of(const Pixels& pixels) {
   const auto channels = static_cast<std::size_t>(pixels.channels);
   // Sums of integers: exact, so the order does not matter.
   std::array<std::uint64_t, 4> sums{};
-  for (std::size_t i = 0; i < pixels.integers.size(); i += channels)
-    for (std::size_t c = 0; c < channels; ++c) sums[c] += pixels.integers[i + c];
+  const auto add = [&](const auto& stored) {
+    for (std::size_t i = 0; i < stored.size(); i += channels)
+      for (std::size_t c = 0; c < channels; ++c) sums[c] += stored[i + c];
+  };
+  add(pixels.bytes);
+  add(pixels.integers);
   std::array<double, 4> means{-1, -1, -1, -1};
-  const double texels = static_cast<double>(pixels.integers.size()) / static_cast<double>(channels);
+  const double texels = static_cast<double>(pixels.width) * static_cast<double>(pixels.height);
   for (int c = 0; c < 3 + has_alpha(pixels.channels); ++c)
     means[static_cast<std::size_t>(c)] =
         static_cast<double>(sums[source_channel(c, pixels.channels)]) / (pixels.largest * texels);
@@ -121,8 +145,11 @@ std::optional<int> Textures::image_index(const Cursor& info) {
   const Cursor webp = texture.member("extensions").member("EXT_texture_webp").member("source");
   const Cursor image = webp.present() ? webp : texture.member("source");
   const auto source = image.optional_index("images", root_.member("images").size());
-  if (!source) context_.note(texture.path() + " has no PNG, JPEG or WebP image and is left out.");
-  return source;
+  if (!source) {
+    context_.note(texture.path() + " has no PNG, JPEG or WebP image and is left out.");
+    return std::nullopt;
+  }
+  return firsts_[static_cast<std::size_t>(*source)];
 }
 
 // How the texture's sampler reads it; `info` stands on one that image_index has accepted.
@@ -138,63 +165,140 @@ void Textures::read_sampler(const Cursor& info, TextureUse& use) const {
   use.nearest = how.member("magFilter").integer(0, 65535, 9729) == 9728;
 }
 
-Bytes Textures::image_bytes(const Cursor& image) {
-  const Cursor view = image.member("bufferView");
-  if (!view.present()) return read_uri(context_, image.member("uri"));
-  const BufferView& v =
-      model_.views[static_cast<std::size_t>(view.index("bufferViews", model_.views.size()))];
-  if (v.length == 0) view.fail("has no bytes", kExportAgain);  // used images have checked views
-  const auto begin = model_.buffers[v.buffer].begin() + static_cast<std::ptrdiff_t>(v.offset);
-  return Bytes(begin, begin + static_cast<std::ptrdiff_t>(v.length));
-}
-
-bool Textures::decode(int index, Pixels& pixels) {
-  const Cursor image = root_.member("images").element(static_cast<std::size_t>(index));
-  std::string problem;
+Textures::Source::Source(Context& context, const Cursor& image, const Model& model) {
   try {
-    const Bytes bytes = image_bytes(image);
-    const ImageHeader header = sniff_image(bytes);
+    const Cursor view = image.member("bufferView");
+    if (view.present()) {
+      const BufferView& v =
+          model.views[static_cast<std::size_t>(view.index("bufferViews", model.views.size()))];
+      if (v.length == 0) view.fail("has no bytes", kExportAgain);  // used images have checked views
+      bytes = {model.buffers[v.buffer].data() + v.offset, v.length};
+    } else {
+      file = read_uri(context, image.member("uri"));
+      bytes = file;
+    }
+    header = sniff_image(bytes);
     problem = header.problem;
-    if (header.kind == ImageKind::Hdr || header.kind == ImageKind::Exr) {
-      problem = "is no PNG, JPEG or WebP";
-    }
-    if (problem.empty() &&
-        decode_image(bytes, header.kind, context_.options().max_image_side, pixels_left_, pixels, problem)) {
-      pixels_left_ -= static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height);
-      return true;
-    }
-    problem = image.path() + " " + problem;
+    if (header.kind == ImageKind::Hdr || header.kind == ImageKind::Exr) problem = "is no PNG, JPEG or WebP";
+    if (!problem.empty()) problem = image.path() + " " + problem;
   } catch (const Error& error) {
-    problem = reason(context_, error);
+    if (error.code() != ExitCode::BadInput) throw;
+    problem = reason(context, error);
   }
-  context_.note(problem + "; textures that use it are left out.");
-  return false;
 }
 
-const Pixels* Textures::pixels_of(int index) {
-  if (decoded_ == index) return &pixels_;
-  decoded_.reset();
-  if (!decode(index, pixels_)) return nullptr;
-  decoded_ = index;
-  return &pixels_;
+std::uint64_t Textures::Source::texels_kept() const {
+  const auto side = [&](int whole) { return static_cast<std::uint64_t>(halved(whole, halvings)); };
+  return problem.empty() ? readings.size() * side(header.width) * side(header.height) : 0;
+}
+
+// By image: the first one of the same bytes, which are decoded once. Those of data URIs are not compared.
+std::vector<int> Textures::first_alike(const Cursor& images) {
+  std::vector<int> firsts;
+  std::map<std::string, int> first_of;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Cursor view = images.element(i).member("bufferView"), uri = images.element(i).member("uri");
+    std::string place = "image " + std::to_string(i);
+    try {
+      if (view.present()) {
+        place = "view " + std::to_string(view.integer(0, std::int64_t{1} << 53));
+      } else if (const std::string text = uri.string(""); !text.starts_with("data:")) {
+        place = "file " + text;
+      }
+    } catch (const Error&) {  // what is no number or no text is named when the image is read
+    }
+    firsts.push_back(first_of.try_emplace(place, static_cast<int>(i)).first->second);
+  }
+  return firsts;
+}
+
+Textures::Source& Textures::source_of(int index) {
+  const auto found = sources_.find(index);
+  if (found != sources_.end()) return found->second;
+  const Cursor image = root_.member("images").element(static_cast<std::size_t>(index));
+  return sources_.try_emplace(index, context_, image, model_).first->second;
+}
+
+void Textures::fit() {
+  surveying_ = false;
+  const auto& options = context_.options();
+  const auto sum = [&] {
+    std::uint64_t texels = 0;
+    for (const auto& [index, source] : sources_) texels += source.texels_kept();
+    return texels;
+  };
+  for (auto& [index, source] : sources_) {
+    const ImageHeader& header = source.header;
+    const bool refused = header.width > options.max_image_side || header.height > options.max_image_side ||
+                         header.texels() > options.max_image_pixels;
+    if (refused) source.readings.clear();  // decode_image says so
+  }
+  while (sum() > options.max_image_pixels) {
+    const auto largest = std::max_element(sources_.begin(), sources_.end(), [](const auto& a, const auto& b) {
+      return a.second.texels_kept() < b.second.texels_kept();
+    });
+    ++largest->second.halvings;
+  }
+  std::uint64_t decoding = 0;
+  for (const auto& [index, source] : sources_)
+    if (source.problem.empty()) decoding = std::max(decoding, source.header.decoding_bytes());
+  // With the coarser levels, which are made when nothing is decoded any more.
+  const std::uint64_t texels = sum() * kTexelBytes;
+  context_.take_memory(std::max(texels + decoding, texels + texels / 8 * 3), "images");
+}
+
+bool Textures::decode(int index, Source& source) {
+  const auto& options = context_.options();
+  if (source.problem.empty()) {
+    Pixels pixels;
+    std::string problem;
+    if (decode_image(source.bytes, source.header.kind, options.max_image_side, options.max_image_pixels,
+                     pixels, problem)) {
+      source.means = means_of(pixels);
+      for (const Reading reading : source.readings)
+        source.ready[reading] = to_image(pixels, reading, source.halvings);
+      const auto size = [&](int halvings) {
+        return std::to_string(halved(pixels.width, halvings)) + "x" +
+               std::to_string(halved(pixels.height, halvings));
+      };
+      if (source.halvings > 0)
+        context_.note("images[" + std::to_string(index) + "] is used at " + size(source.halvings) +
+                      " instead of " + size(0) + ": the scene's images together have more than " +
+                      grouped(options.max_image_pixels) + " texels.");
+    } else {
+      source.problem = root_.member("images").element(static_cast<std::size_t>(index)).path() + " " + problem;
+    }
+  }
+  source.is_decoded = true;
+  source.file = {};
+  if (!source.problem.empty()) context_.note(source.problem + "; textures that use it are left out.");
+  return source.problem.empty();
 }
 
 TextureUse Textures::use(const Cursor& info, Reading reading) {
   TextureUse result;
   if (!info.present()) return result;
-  const auto source = image_index(info);
-  if (!source) return result;
+  const auto index = image_index(info);
+  if (!index) return result;
   result.uv_transform = uv_transform(info);
   read_sampler(info, result);
-  const auto key = std::make_pair(*source, reading);
+  Source& source = source_of(*index);
+  if (surveying_) {
+    source.readings.insert(reading);
+    return result;
+  }
+  const auto key = std::make_pair(*index, reading);
   const auto known = loaded_.find(key);
   if (known != loaded_.end()) {
     result.image = known->second;
     return result;
   }
-  if (const Pixels* pixels = pixels_of(*source)) {
+  if (!source.is_decoded) decode(*index, source);
+  const auto ready = source.ready.find(reading);
+  if (ready != source.ready.end()) {
     result.image = static_cast<int>(images_.size());
-    images_.push_back(to_image(*pixels, reading));
+    images_.push_back(std::move(ready->second));
+    source.ready.erase(ready);
   }
   loaded_[key] = result.image;
   return result;
@@ -215,15 +319,12 @@ std::pair<float, float> Textures::alpha_range(int image) {
 
 std::optional<double> Textures::mean(const Cursor& info, int channel) {
   if (!info.present()) return std::nullopt;
-  const auto source = image_index(info);
-  if (!source) return std::nullopt;
-  auto known = means_.find(*source);
-  if (known == means_.end()) {
-    std::array<double, 4> means{-1, -1, -1, -1};
-    if (const Pixels* pixels = pixels_of(*source)) means = means_of(*pixels);
-    known = means_.emplace(*source, means).first;
-  }
-  const double value = known->second[static_cast<std::size_t>(channel)];
+  const auto index = image_index(info);
+  if (!index) return std::nullopt;
+  Source& source = source_of(*index);
+  if (surveying_) return std::nullopt;
+  if (!source.is_decoded) decode(*index, source);
+  const double value = source.means[static_cast<std::size_t>(channel)];
   return value < 0 ? std::nullopt : std::optional<double>(value);
 }
 

@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+"""The memory that `plan` says a picture takes, against what `render` took at its peak, over scenes that are made
+here: many lights, meshes, triangles, texels, samples, cells, pixels, branches, layers. The first scenes are a test;
+`memory_test.py --table` prints a row for each of them all. And what needs more than is there is refused, before it
+is taken."""
+
+import json
+import math
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+import glb
+from program import PROGRAM, SMALL, ProgramTest, main
+
+MB = 1 << 20
+# Of the peak; libraries take some 20 MB more or less by how they were built and loaded.
+SHARE, LIBRARIES = 0.15, 10e6
+
+
+def png(side, height=None, bits=8, channels=3):
+    """A picture of noise-like rows; a decoder cannot know that they are all alike."""
+    height = height or side
+    values = bytes((i * 73 + 41) % 256 for i in range(side * channels * bits // 8))
+    packer = zlib.compressobj(1)
+    data = b"".join([packer.compress(b"\0" + values) for _ in range(height)] + [packer.flush()])
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    kind = {1: 0, 2: 4, 3: 2, 4: 6}[channels]
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, height, bits, kind, 0, 0, 0)) +
+            chunk(b"IDAT", data) + chunk(b"IEND", b""))
+
+
+def with_lights(count):
+    """A glass ball under so many lamps around it."""
+    document, blob = glb.unpack(glb.scene())
+    nodes = document["nodes"]
+    nodes[2] = {"name": "lamps", "children": []}
+    document["extensions"]["KHR_lights_punctual"]["lights"] = [
+        {"name": "lamp", "type": "point", "intensity": 100}]
+    for i in range(count):
+        turn = 2.4 * i
+        away = 1 + 2 * (i + 1) / count
+        nodes[2]["children"].append(len(nodes))
+        nodes.append({"translation": [away * math.cos(turn), 3.0, away * math.sin(turn)],
+                      "extensions": {"KHR_lights_punctual": {"light": 0}}})
+    return glb.pack(document, blob)
+
+
+def with_meshes(count):
+    """A glass ball amid so many small opaque ones."""
+    document, blob = glb.unpack(glb.scene())
+    small = dict(document["meshes"][0]["primitives"][0], material=1)
+    document["meshes"].append({"primitives": [small]})
+    for i in range(count):
+        document["scenes"][0]["nodes"].append(len(document["nodes"]))
+        document["nodes"].append({"mesh": 2, "scale": [0.1] * 3,
+                                  "translation": [i % 20 * 0.2 - 2, 0, i // 20 % 20 * 0.2 - 2]})
+    return glb.pack(document, blob)
+
+
+def with_textures(side, count=1, bits=8):
+    """A floor of a colour texture, and of a normal and a metallic-roughness texture too, of noise."""
+    document, blob = glb.unpack(glb.scene())
+    document["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": 32})
+    blob += struct.pack("<8f", 0, 0, 1, 0, 1, 1, 0, 1)
+    document["accessors"].append({"bufferView": len(document["bufferViews"]) - 1, "componentType": 5126,
+                                  "count": 4, "type": "VEC2"})
+    document["meshes"][1]["primitives"][0]["attributes"]["TEXCOORD_0"] = len(document["accessors"]) - 1
+    document["images"], document["textures"] = [], []
+    for i in range(count):
+        data = png(side, bits=bits)
+        data += b"\0" * (-len(data) % 4)
+        document["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": len(data)})
+        blob += data
+        document["images"].append({"bufferView": len(document["bufferViews"]) - 1, "mimeType": "image/png"})
+        document["textures"].append({"source": i})
+    floor = document["materials"][1]
+    floor["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+    if count > 1:
+        floor["normalTexture"] = {"index": 1}
+    if count > 2:
+        floor["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {"index": 2}
+    document["buffers"][0]["byteLength"] = len(blob)
+    return glb.pack(document, blob)
+
+
+def with_triangles(rings):
+    """A ball of 4 rings^2 triangles."""
+    return glb.scene(caster=glb.sphere(rings, 2 * rings))
+
+
+def dispersive():
+    material = glb.glass(thicknessFactor=1)
+    material["extensions"]["KHR_materials_dispersion"] = {"dispersion": 1}
+    document, blob = glb.unpack(glb.scene(material))
+    document["extensionsUsed"].append("KHR_materials_dispersion")
+    return glb.pack(document, blob)
+
+
+def environment(folder, width=2048):
+    """A Radiance image without compression, grey, of so many columns."""
+    path = folder / f"sky{width}.hdr"
+    with open(path, "wb") as file:
+        file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (width // 2, width))
+        file.write(bytes([128, 128, 128, 128]) * (width * width // 2))
+    return path
+
+
+# Name, scene, options. The first few are the test's.
+CASES = [
+    ("1 light, small", lambda: with_lights(1), SMALL),
+    ("10 lights, small", lambda: with_lights(10), SMALL),
+    ("a picture's default", glb.scene, []),
+    ("textures, 2048", lambda: with_textures(2048, 3), SMALL),
+    ("200 thousand triangles", lambda: with_triangles(220), SMALL),
+    ("grid and map of 1024", glb.scene, ["-r", "320x180", "--grid", 1024, "--map", 1024]),
+    ("--dump", glb.scene, [*SMALL, "--dump", "dumped"]),
+    ("40 lights, small", lambda: with_lights(40), SMALL),
+    ("10 lights", lambda: with_lights(10), ["-r", "640x360"]),
+    ("100 lights, small", lambda: with_lights(100), SMALL),
+    ("1000 meshes", lambda: with_meshes(1000), SMALL),
+    ("10000 meshes", lambda: with_meshes(10000), SMALL),
+    ("a million triangles", lambda: with_triangles(500), SMALL),
+    ("texture of 8192", lambda: with_textures(8192), SMALL),
+    ("texture of 4096, 16 bits", lambda: with_textures(4096, 2, bits=16), SMALL),
+    ("samples of 16", glb.scene, ["-r", "640x360", "-D", "samples=16"]),
+    ("samples of a light, 16", lambda: with_lights(1), [*SMALL, "-D", "light.samples=16"]),
+    ("map of 4096", glb.scene, ["-r", "640x360", "--map", 4096]),
+    ("grid of 4096", glb.scene, ["-r", "640x360", "--grid", 4096, "--map", 512]),
+    ("picture of 4096x2160", glb.scene, ["-r", "4096x2160"]),
+    ("EXR of all layers", glb.scene, ["-r", "1280x720", "-o", "a.exr", "--aov",
+                                      "beauty,caustic,direct,position,normal,depth"]),
+    ("16 wavelengths", dispersive, ["-r", "640x360", "--wavelengths", 16]),
+    ("environment of 4096", glb.scene, [*SMALL, "--environment", "sky4096.hdr"]),
+    ("--dump of a default", glb.scene, ["--dump", "dumped"]),
+    ("--stats", lambda: with_lights(10), [*SMALL, "--stats", "stats.json"]),
+]
+TESTED = 7
+ONLY_RENDER = {"-o": 2, "--dump": 2, "--stats": 2, "--aov": 2}
+
+
+def for_plan(options):
+    """The options of render that plan has too."""
+    kept = list(options)
+    for option, count in ONLY_RENDER.items():
+        if option in kept:
+            at = kept.index(option)
+            del kept[at:at + count]
+    return kept
+
+
+def peak(folder, *arguments, **options):
+    """Of one run of the program: bytes, exit code and seconds of processor time."""
+    process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=folder, stderr=subprocess.DEVNULL,
+                               stdout=subprocess.DEVNULL, **options)
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return used.ru_maxrss * 1024, process.returncode, used.ru_utime + used.ru_stime
+
+
+def said_and_taken(folder, case):
+    """Bytes: what plan says of render, what render took, and what plan itself did."""
+    name, make, options = case
+    (folder / "scene.glb").write_bytes(make())
+    if "sky4096.hdr" in options:
+        environment(folder, 4096)
+    plan = subprocess.run([PROGRAM, "plan", "scene.glb", "--json", *map(str, for_plan(options))], cwd=folder,
+                          capture_output=True, check=True)
+    said = json.loads(plan.stdout)["memory"]["bytes"]
+    beside = [] if any("samples=" in str(o) for o in options) else ["-D", "samples=1"]
+    output = [] if "-o" in options else ["-o", "a.png"]
+    taken, code, _ = peak(folder, "render", "scene.glb", *options, *beside, *output, "-t", 2)
+    if code != 0:
+        raise RuntimeError(f"{name}: render exits with {code}")
+    return said, taken
+
+
+def table(names):
+    print(f"{'scene':32} {'said, MB':>9} {'taken, MB':>9} {'off':>7}")
+    for case in CASES:
+        if names and not any(name in case[0] for name in names):
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            said, taken = said_and_taken(pathlib.Path(folder), case)
+        print(f"{case[0]:32} {said / MB:9.1f} {taken / MB:9.1f} {said / taken - 1:+7.1%}", flush=True)
+
+
+if __name__ == "__main__":
+    if "--table" in sys.argv:
+        table(sys.argv[sys.argv.index("--table") + 1:])
+    else:
+        main()
