@@ -109,7 +109,7 @@ std::vector<BenchedPass> passes_of(const RenderedFrame& frame, const std::vector
   std::vector<BenchedPass> passes;
   for (const PlannedPass& pass : frame.plan().passes) {
     const bool left_out = counts[passes.size()].left_out;
-    passes.push_back({pass.label, pass.definition.name, pass.definition.count_samples,
+    passes.push_back({pass.label, pass.definition->name, pass.definition->count_samples,
                       bytes_bound(frame.prepare(pass), frame.device(), left_out), 0});
   }
   return passes;

@@ -4,7 +4,6 @@
 #include "app/frame_memory.hpp"
 #include "app/frame_options.hpp"
 #include "app/loaded_scene.hpp"
-#include "app/shell/interrupt.hpp"
 #include "passes/registry.hpp"
 #include "raster/software_device.hpp"
 
@@ -26,7 +25,6 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<Loaded
                    .seconds = request.seconds.value_or(0.0),
                    .without = without,
                    .pilot = pilot_device_.get(),
-                   .breath = stop_if_interrupted,
                    .accept = [this](const PlannedFrame& frame) {
                      check_memory(memory_needed(frame.plan, loaded_->scene(), frame.settings),
                                   "-r, --grid, --map or -D shadow");
@@ -45,11 +43,6 @@ void RenderedFrame::move_to(double seconds) {
   renderer_->show_waters(seconds);
 }
 
-std::vector<PassReport> RenderedFrame::run(const AfterPass& after) {
-  return renderer_->run(
-      [&](const PlannedPass& pass, const PassResult& result, std::size_t done, std::size_t total) {
-        return (!after || after(pass, result, done, total)) && interruption() == ExitCode::Done;
-      });
-}
+std::vector<PassReport> RenderedFrame::run(const AfterPass& after) { return renderer_->run(after); }
 
 }  // namespace caustics::app

@@ -25,7 +25,7 @@ class RenderedFrame {
   RenderedFrame& operator=(const RenderedFrame&) = delete;
   ~RenderedFrame();
 
-  // Stops after a pass when `after` says so, or on an interruption.
+  // Stops after a pass when `after` says so.
   std::vector<PassReport> run(const AfterPass& after = {});
   // The scene at that moment of its animation, ready to run; the device and what is on it are kept. The
   // images are those of a frame made for that moment alone.

@@ -51,7 +51,7 @@ std::uint64_t tree_bytes(const Scene& scene) {
 
 // The largest of the pass's draws and those that are sorted into tiles with it, beside textures.
 std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const Settings& settings) {
-  const auto points = [&](std::uint64_t count) { return draw_bytes(pass.definition, 0, count); };
+  const auto points = [&](std::uint64_t count) { return draw_bytes(*pass.definition, 0, count); };
   const auto grid = static_cast<std::uint64_t>(settings.grid);
   const auto beams = static_cast<std::uint64_t>(beams_a_side(settings));
   switch (pass_registry()[static_cast<std::size_t>(pass.pass)].draws) {
@@ -63,7 +63,7 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const S
     case DrawSet::GridColumns:
       return points(grid);
     case DrawSet::Beams:
-      return draw_bytes(pass.definition, 0, 2 * beams * beams);
+      return draw_bytes(*pass.definition, 0, 2 * beams * beams);
     case DrawSet::Receivers:
     case DrawSet::Casters:
     case DrawSet::SolidCasters:
@@ -73,7 +73,7 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const Scene& scene, const S
   }
   std::uint64_t largest = 0, all = 0;
   for (const Mesh& mesh : scene.meshes) {
-    const std::uint64_t draw = draw_bytes(pass.definition, mesh.vertices.size(), mesh.indices.size() / 3);
+    const std::uint64_t draw = draw_bytes(*pass.definition, mesh.vertices.size(), mesh.indices.size() / 3);
     largest = std::max(largest, draw);
     all += draw;
   }

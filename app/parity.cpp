@@ -10,7 +10,6 @@
 #include "app/parity_dump.hpp"
 #include "app/parity_report.hpp"
 #include "app/sample_scenes.hpp"
-#include "app/shell/interrupt.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/setting_options.hpp"
 #include "app/shell/terminal.hpp"
@@ -80,7 +79,7 @@ class ParityCommand {
         [&](const PlannedPass& pass, const PassResult&, std::size_t done, std::size_t of) {
           progress_.show(frame.scene().file + ": pass " + std::to_string(done) + " of " + std::to_string(of) +
                          ": " + pass.label);
-          return interruption() == ExitCode::Done;
+          return true;
         });
     return {.scene = scene,
             .reference = frame.device().description(),

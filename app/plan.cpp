@@ -7,7 +7,6 @@
 #include "app/frame_options.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/plan_report.hpp"
-#include "app/shell/interrupt.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
@@ -51,7 +50,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
   const std::unique_ptr<Device> pilot = make_pilot_device(request.backend);
   const PlannedFrame frame =
       plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot, goal_with_ledgers({"picture"}),
-                 &loaded->camera(), stop_if_interrupted);
+                 &loaded->camera());
   std::optional<RenderedFrame> coarse;
   LedgerReader reader;
   if (frame.effects.caustics.active) {

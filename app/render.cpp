@@ -173,7 +173,7 @@ PlanGoal goal_of(const RenderRequest& request) {
 
 std::set<std::string> shaders_of(const FramePlan& plan) {
   std::set<std::string> names;
-  for (const PlannedPass& pass : plan.passes) names.emplace(pass.definition.shader->name);
+  for (const PlannedPass& pass : plan.passes) names.emplace(pass.definition->shader->name);
   return names;
 }
 

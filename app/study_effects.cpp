@@ -4,7 +4,6 @@
 
 #include "app/frame.hpp"
 #include "app/loaded_scene.hpp"
-#include "app/shell/interrupt.hpp"
 #include "passes/registry.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/material_optics.hpp"
@@ -98,7 +97,7 @@ std::vector<std::string> omissions_for(const FrameRequest& request) {
   const std::unique_ptr<LoadedScene> loaded = load_scene(request);
   const std::unique_ptr<Device> pilot = make_pilot_device(request.backend);
   const Effects effects = plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot,
-                                     {{"aov_caustic"}}, &loaded->camera(), stop_if_interrupted)
+                                     {{"aov_caustic"}}, &loaded->camera())
                               .effects;
   if (!effects.caustics.active)
     throw Error(ExitCode::WrongUsage, "--effects: there is no caustic; 'caustics plan' says why");

@@ -14,6 +14,7 @@
 #endif
 
 #include "pipeline/gpu/happens_before.hpp"
+#include "pipeline/gpu/interrupt.hpp"
 
 namespace caustics::raster {
 
@@ -60,7 +61,10 @@ void Workers::run(int count, const std::function<void(int)>& task) const {
   const auto work = [&](int) {
     happens_after(&start);
     const FlushDenormals mode;
-    for (int i = next++; i < count; i = next++) task(i);
+    for (int i = next++; i < count; i = next++) {
+      stop_if_interrupted();
+      task(i);
+    }
     happens_before(&end);
   };
   const int threads = std::min(threads_, count);
@@ -81,7 +85,10 @@ Workers::Workers(int) {}
 
 void Workers::run(int count, const std::function<void(int)>& task) const {
   const FlushDenormals mode;
-  for (int i = 0; i < count; ++i) task(i);
+  for (int i = 0; i < count; ++i) {
+    stop_if_interrupted();
+    task(i);
+  }
 }
 
 #endif

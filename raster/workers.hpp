@@ -26,6 +26,7 @@ class Workers {
   ~Workers();
   int threads() const { return threads_; }
   // Calls task(0) .. task(count - 1), in any order, on the threads, denormals flushed.
+  // Throws what a task throws, and an interruption (pipeline/gpu/interrupt.hpp).
   void run(int count, const std::function<void(int)>& task) const;
 
  private:

@@ -39,7 +39,7 @@ FragmentTable fragment_table(const RenderedFrame& frame, const PlannedPass& pass
     table.outcome.push_back(static_cast<std::uint8_t>(f.outcome));
     if (pass.depth >= 0) table.depth.push_back(f.depth);
     for (std::size_t i = 0; i < table.values.size(); ++i) {
-      const int channels = channel_count(pass.definition.writes[i].format);
+      const int channels = channel_count(pass.definition->writes[i].format);
       if (wanted[i])
         table.values[i].insert(table.values[i].end(), f.given[i].begin(), f.given[i].begin() + channels);
     }

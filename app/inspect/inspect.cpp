@@ -12,7 +12,6 @@
 #include "app/json.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/shell/atomic_file.hpp"
-#include "app/shell/interrupt.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/setting_options.hpp"

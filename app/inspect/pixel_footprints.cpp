@@ -63,7 +63,7 @@ class FootprintSink final : public TraceSink {
 
 ImageShape shape_of(const RenderedFrame& frame, const PlannedPass& pass, const char* name) {
   for (std::size_t i = 0; i < pass.reads.size(); ++i) {
-    if (pass.definition.reads[i].name != name || pass.reads[i] < 0) continue;
+    if (pass.definition->reads[i].name != name || pass.reads[i] < 0) continue;
     const PlannedTexture& map = frame.plan().textures[static_cast<std::size_t>(pass.reads[i])];
     return {map.format, map.width, map.height};
   }

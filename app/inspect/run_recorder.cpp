@@ -122,8 +122,8 @@ std::vector<int> RunRecorder::add_attachments(const PlannedPass& pass, std::size
     list.push_back(attachment(pass, pass_index, planned, name, meaning, frame_.read(texture)));
   };
   for (std::size_t i = 0; i < pass.writes.size(); ++i)
-    take(pass.writes[i], pass.definition.writes[i].name, pass.definition.writes[i].meaning);
-  if (pass.depth >= 0) take(pass.depth, pass.definition.depth->name, pass.definition.depth->meaning);
+    take(pass.writes[i], pass.definition->writes[i].name, pass.definition->writes[i].meaning);
+  if (pass.depth >= 0) take(pass.depth, pass.definition->depth->name, pass.definition->depth->meaning);
   return numbers;
 }
 
@@ -144,14 +144,14 @@ Json RunRecorder::pass_record(const PlannedPass& pass, const PassResult& result,
   }
   Json record = counters_json(PassReport{pass.label, result});
   record["label"] = pass.label;
-  record["name"] = pass.definition.name;
-  record["purpose"] = pass.definition.purpose;
+  record["name"] = pass.definition->name;
+  record["purpose"] = pass.definition->purpose;
   record["reason"] = pass.reason;
   record["light"] = pass.light < 0 ? Json() : Json(pass.light);
   record["reads"] = reads;
   record["writes"] = writes;
-  record["state"] = state_json(pass.definition);
-  record["uniforms"] = uniforms_json(pass.definition, prepared);
+  record["state"] = state_json(*pass.definition);
+  record["uniforms"] = uniforms_json(*pass.definition, prepared);
   record["draws"] = draws;
   return record;
 }
@@ -272,7 +272,7 @@ void RunRecorder::fill_history(const PlannedPass& pass, const std::vector<int>& 
   for (std::size_t i = 0; i < table.values.size(); ++i) {
     if (!wanted[i]) continue;
     const std::string id = std::to_string(attachments[i]);
-    const ColorWrite& write = pass.definition.writes[i];
+    const ColorWrite& write = pass.definition->writes[i];
     history["values"][id] = stored(table.values[i]);
     const bool kept = i < before_.colors.size() && !before_.colors[i].values.empty();
     history["before"][id] = kept

@@ -111,7 +111,7 @@ struct Ways {
 int on_lattice(int i, int grid) { return (2 * i + 1) * grid / (2 * kLattice); }
 
 bool is_on_the_way(const RenderedFrame& frame, const PlannedPass& pass) {
-  const bool lands = !pass.definition.writes.empty() && pass.definition.writes.front().name == kLanding;
+  const bool lands = !pass.definition->writes.empty() && pass.definition->writes.front().name == kLanding;
   return pass.light >= 0 && (pass.surface > 0 || lands) && is_first_sample(frame.scene(), pass.light) &&
          pass.drawn_for->receivers == ReceiverLayer::Nearest;
 }

@@ -9,7 +9,7 @@ void for_each_attachment(const RenderedFrame& frame, const PlannedPass& pass,
     const Image image = frame.read(index);
     use({frame.plan().textures[static_cast<std::size_t>(index)], index, image, meaning, clear});
   };
-  const PassDefinition& definition = pass.definition;
+  const PassDefinition& definition = *pass.definition;
   for (std::size_t i = 0; i < pass.writes.size(); ++i)
     show(pass.writes[i], definition.writes[i].meaning, definition.writes[i].clear);
   if (definition.depth) {

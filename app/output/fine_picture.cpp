@@ -13,7 +13,7 @@ namespace {
 const PlannedPass& pass_that_draws_the_picture(const RenderedFrame& frame) {
   const auto& passes = frame.plan().passes;
   const auto found = std::find_if(passes.begin(), passes.end(), [](const PlannedPass& pass) {
-    const auto& writes = pass.definition.writes;
+    const auto& writes = pass.definition->writes;
     return std::any_of(writes.begin(), writes.end(),
                        [](const ColorWrite& write) { return write.name == "picture"; });
   });
@@ -25,7 +25,7 @@ const PlannedPass& pass_that_draws_the_picture(const RenderedFrame& frame) {
 
 Image fine_picture(const RenderedFrame& frame) {
   const PlannedPass& pass = pass_that_draws_the_picture(frame);
-  PassDefinition definition = pass.definition;
+  PassDefinition definition = *pass.definition;
   for (ColorWrite& write : definition.writes) write.format = Format::RGBA32F;
   Device& device = frame.device();
   const OwnedTexture target(device, device.create_texture(Format::RGBA32F, pass.width, pass.height));

@@ -51,7 +51,7 @@ std::string texture_name(const RenderedFrame& frame, int texture) {
 Json reads_json(const RenderedFrame& frame, const PlannedPass& pass, const DumpedFiles& files) {
   Json list = Json::array();
   for (std::size_t i = 0; i < pass.reads.size(); ++i) {
-    const TextureRead& read = pass.definition.reads[i];
+    const TextureRead& read = pass.definition->reads[i];
     Json json = {{"name", read.name}, {"meaning", read.meaning}};
     if (read.of_material) {
       json["of_material"] = true;
@@ -74,7 +74,7 @@ Json begin_json(const PlannedPass& pass, std::size_t attachment, int texture, co
 
 Json writes_json(const RenderedFrame& frame, const PlannedPass& pass, const DumpedFiles& files) {
   Json list = Json::array();
-  const PassDefinition& definition = pass.definition;
+  const PassDefinition& definition = *pass.definition;
   for (std::size_t i = 0; i < pass.writes.size(); ++i) {
     if (pass.writes[i] < 0) continue;
     const ColorWrite& write = definition.writes[i];
@@ -150,18 +150,18 @@ Json draw_json(const Scene& scene, const MeshNumbers& numbers, const PassDefinit
 
 Json pass_json(const RenderedFrame& frame, const PlannedPass& pass, const DumpedFiles& files) {
   Json json = {{"pass", pass.label},
-               {"purpose", pass.definition.purpose},
-               {"shader", pass.definition.shader->name},
+               {"purpose", pass.definition->purpose},
+               {"shader", pass.definition->shader->name},
                {"width", pass.width},
                {"height", pass.height},
-               {"state", state_json(pass.definition)},
+               {"state", state_json(*pass.definition)},
                {"reads", reads_json(frame, pass, files)},
                {"writes", writes_json(frame, pass, files)},
-               {"uniforms", declared_json(pass.definition)},
+               {"uniforms", declared_json(*pass.definition)},
                {"draws", Json::array()}};
   const MeshNumbers numbers = mesh_numbers(frame);
   for (const Draw& draw : frame.prepare(pass).draws)
-    json["draws"].push_back(draw_json(frame.scene(), numbers, pass.definition, draw, files));
+    json["draws"].push_back(draw_json(frame.scene(), numbers, *pass.definition, draw, files));
   return json;
 }
 

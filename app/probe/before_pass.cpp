@@ -20,7 +20,7 @@ std::vector<Image> colors_before(const RenderedFrame& frame, const PlannedPass& 
   std::vector<Image> colors = targets_before(frame, pass).colors;
   for (std::size_t i = 0; i < colors.size(); ++i) {
     if (!colors[i].values.empty()) continue;
-    const ColorWrite& write = pass.definition.writes[i];
+    const ColorWrite& write = pass.definition->writes[i];
     colors[i] = Image(write.format, pass.width, pass.height);
     const auto channels = static_cast<std::size_t>(colors[i].channels());
     for (std::size_t v = 0; v < colors[i].values.size(); ++v)

@@ -15,7 +15,7 @@ namespace {
 
 // Which texture of the plan a pass reads under this name; none where it has nothing there.
 int read_as(const PlannedPass& pass, const std::string& name) {
-  const std::vector<TextureRead>& reads = pass.definition.reads;
+  const std::vector<TextureRead>& reads = pass.definition->reads;
   for (std::size_t i = 0; i < reads.size(); ++i)
     if (reads[i].name == name) return pass.reads[i];
   return PlannedPass::kNothing;
@@ -113,7 +113,7 @@ class Gatherer {
 
   void take(const PlannedPass& pass, std::size_t write, const TexelRectangle& around) {
     const int texture = pass.writes[write];
-    const Format format = pass.definition.writes[write].format;
+    const Format format = pass.definition->writes[write].format;
     const bool cells = pass_registry()[static_cast<std::size_t>(pass.pass)].draws == DrawSet::GridCells;
     const auto columns = static_cast<std::uint32_t>(frame_.settings().grid - (cells ? 1 : 0));
     std::map<std::uint32_t, double> by_primitive;
@@ -151,7 +151,7 @@ std::array<float, 3> color_of(const std::vector<NamedValues>& values, const std:
 }  // namespace
 
 bool shades_picture(const PlannedPass& pass) {
-  return pass.definition.name == "light_shading" && pass.drawn_for->camera == CameraView::Picture;
+  return pass.definition->name == "light_shading" && pass.drawn_for->camera == CameraView::Picture;
 }
 
 std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& light_shading,

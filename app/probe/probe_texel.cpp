@@ -82,7 +82,7 @@ ProbedPass::Outputs ProbedPass::shade(std::span<const Place> places, TraceSink& 
 }
 
 ProbedTexel ProbedPass::at(int x, int y) const {
-  const PassDefinition& definition = pass_.definition;
+  const PassDefinition& definition = *pass_.definition;
   ProbedTexel probed;
   for (std::size_t i = 0; i < inputs_.size(); ++i)
     if (inputs_[i].width() == pass_.width && inputs_[i].height() == pass_.height)

@@ -30,7 +30,7 @@ bool same_bits(const TexelValue& a, const TexelValue& b) {
 void read_stored(const RenderedFrame& frame, TexelHistory& history) {
   const PlannedPass& pass = *history.pass;
   for (std::size_t i = 0; i < pass.writes.size(); ++i) {
-    const ColorWrite& write = pass.definition.writes[i];
+    const ColorWrite& write = pass.definition->writes[i];
     const TexelValue last = history.fragments.empty() ? history.before[i] : history.fragments.back().after[i];
     TexelValue stored = last;
     if (pass.writes[i] >= 0) {
@@ -46,7 +46,7 @@ void read_stored(const RenderedFrame& frame, TexelHistory& history) {
 void name_primitives(const RenderedFrame& frame, TexelHistory& history) {
   const DrawSet draws = pass_registry()[static_cast<std::size_t>(history.pass->pass)].draws;
   const auto grid = static_cast<std::uint32_t>(frame.settings().grid);
-  history.kind = history.pass->definition.topology == Topology::Triangles ? "triangle" : "primitive";
+  history.kind = history.pass->definition->topology == Topology::Triangles ? "triangle" : "primitive";
   if (draws == DrawSet::GridCells) history.kind = "cell", history.columns = grid - 1;
   if (draws == DrawSet::GridVertices) history.kind = "vertex", history.columns = grid;
 }
@@ -71,7 +71,7 @@ void take_history(const RenderedFrame& frame, const TargetsBefore& before, const
     history.meshes.push_back(mesh ? mesh->name : std::string());
   }
   for (std::size_t i = 0; i < pass.writes.size(); ++i) {
-    const ColorWrite& write = pass.definition.writes[i];
+    const ColorWrite& write = pass.definition->writes[i];
     const bool kept = i < before.colors.size() && !before.colors[i].values.empty();
     history.attachments.push_back(write.name);
     history.channels.push_back(channel_count(write.format));

@@ -19,8 +19,8 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const VertexRequest&
   const std::vector<int> samples = samples_of(frame.scene(), request.light);
   const int light = samples[static_cast<std::size_t>(request.sample)];
   for (const PlannedPass& pass : frame.plan().passes) {
-    if (pass.light == light && !pass.definition.writes.empty() &&
-        pass.definition.writes.front().name == kLanding)
+    if (pass.light == light && !pass.definition->writes.empty() &&
+        pass.definition->writes.front().name == kLanding)
       return pass;
   }
   throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
@@ -29,7 +29,7 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const VertexRequest&
 
 // Does light of the grid vertex come to this surface?
 bool comes_to(const RenderedFrame& frame, const PlannedPass& pass, int x, int y) {
-  if (pass.definition.reads.front().name != "path_start") return true;
+  if (pass.definition->reads.front().name != "path_start") return true;
   return frame.read(pass.reads.front()).at(x, y, 3) != 0.0f;
 }
 

@@ -10,8 +10,6 @@ namespace caustics::app {
 
 namespace {
 
-volatile std::sig_atomic_t received = 0;
-
 // Paths in plain memory, because a signal handler may call little more than unlink and _exit.
 struct Temporary {
   volatile std::sig_atomic_t used = 0;
@@ -20,10 +18,7 @@ struct Temporary {
 std::array<Temporary, 16> temporaries;
 
 extern "C" void on_signal(int signal) {
-  if (received == 0) {
-    received = signal;
-    return;
-  }
+  if (interruption() == ExitCode::Done) return ask_to_stop(static_cast<ExitCode>(128 + signal));
   for (const Temporary& temporary : temporaries) {
     if (temporary.used) unlink(temporary.path);
   }
@@ -47,15 +42,6 @@ void watch_for_interruption() {
   // instead.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-}
-
-ExitCode interruption() {
-  if (received == 0) return ExitCode::Done;
-  return received == SIGTERM ? ExitCode::Terminated : ExitCode::Interrupted;
-}
-
-void stop_if_interrupted() {
-  if (received != 0) throw Error(interruption(), "interrupted");
 }
 
 void register_temporary(const std::string& path) {

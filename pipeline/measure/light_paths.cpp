@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics {
@@ -170,6 +171,7 @@ LightPaths::LightPaths(const Scene& scene, const Effects& effects)
 }
 
 int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landings, glm::dvec3* astray) const {
+  stop_if_interrupted();
   const auto first = casters_.nearest(light.origin, light.direction, {}, light.emitter);
   if (!first) return -1;
   Draws draws(light.key);

@@ -8,7 +8,7 @@
 
 #include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/surface_role.hpp"
-#include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/plan/light_order.hpp"
 #include "pipeline/plan/needed_passes.hpp"
 #include "pipeline/plan/sample_passes.hpp"
@@ -31,6 +31,10 @@ std::string_view why_left_out(const PlannedPass& pass) {
 }
 
 int FramePlan::find(std::string_view name) const {
+  if (!by_name.empty()) {
+    const auto found = by_name.find(name);
+    return found == by_name.end() ? -1 : found->second;
+  }
   for (std::size_t i = 0; i < textures.size(); ++i)
     if (textures[i].name == name) return static_cast<int>(i);
   return -1;
@@ -95,7 +99,9 @@ std::string with_label(std::string_view name, std::string_view label) {
 class Planner {
  public:
   Planner(const Scene& scene, const Effects& effects, const Settings& settings, const Registry& registry)
-      : scene_(scene), effects_(effects), settings_(settings), registry_(registry) {
+      : scene_(scene), effects_(effects), settings_(settings), registry_(registry), throws_(scene.lights.size()) {
+    for (const Expectation& e : effects.expectations)
+      if (e.expected) throws_[static_cast<std::size_t>(e.light)] = true;
     add_external(kCasterMaterials);
     for (int i = 0; i < static_cast<int>(registry.size()); ++i)
       if (pass_of(i).has_layers()) last_with_layers_ = i;
@@ -130,6 +136,14 @@ class Planner {
   int find(const std::string& name) const {
     const auto found = index_.find(name);
     return found == index_.end() ? -1 : found->second;
+  }
+
+  // One for all instances of a kind: thousands of lights have thousands of instances.
+  const std::shared_ptr<const PassDefinition>& shared_definition(const Pass& pass, const DrawnFor& drawn_for) {
+    std::shared_ptr<const PassDefinition>& shared = definitions_[{&pass, &drawn_for}];
+    if (!shared)
+      shared = std::make_shared<const PassDefinition>(definition_of(pass, effects_, drawn_for));
+    return shared;
   }
 
   const Pass& pass_of(int index) const { return registry_[static_cast<std::size_t>(index)]; }
@@ -244,9 +258,10 @@ class Planner {
   }
 
   bool light_needs(const Pass& pass, const DrawnFor& drawn_for, int light) const {
-    if (!has_effect(effects_, light)) return false;
-    if (drawn_for.lights && !drawn_for.lights(effects_.lights[static_cast<std::size_t>(light)])) return false;
-    return !pass.only_lights_with_caustics || throws_caustic(effects_, light);
+    const auto index = static_cast<std::size_t>(light);
+    if (!throws_[index] && !effects_.lights[index].lights_nothing.empty()) return false;
+    if (drawn_for.lights && !drawn_for.lights(effects_.lights[index])) return false;
+    return !pass.only_lights_with_caustics || throws_[index];
   }
 
   // The first light's reason.
@@ -268,12 +283,13 @@ class Planner {
   }
 
   void add(int index, const DrawnFor& drawn_for, Owner user) {
+    stop_if_interrupted();
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
     const TargetSize size = size_of(pass, drawn_for, user);
     PlannedPass planned{
         .pass = index,
         .drawn_for = &drawn_for,
-        .definition = definition_of(pass, effects_, drawn_for),
+        .definition = shared_definition(pass, drawn_for),
         .light = user.light,
         .branch = user.branch,
         .surface = user.surface,
@@ -291,7 +307,7 @@ class Planner {
     std::size_t written = 0;
     for (const Write& write : pass.writes) {
       if (write.only_with && !write.only_with(effects_)) continue;
-      const Format format = planned.definition.writes[written++].format;
+      const Format format = planned.definition->writes[written++].format;
       if (!called_for(write.needed_with)) {
         planned.writes.push_back(PlannedPass::kNothing);
         planned.keep.push_back(false);
@@ -326,9 +342,9 @@ class Planner {
   void decide_by_layer(PlannedPass& planned) {
     for (std::size_t r = 0; r < planned.reads.size(); ++r)
       if (const auto found = counted_in_.find(planned.reads[r]);
-          found != counted_in_.end() && planned.definition.reads[r].discards_where_zero)
+          found != counted_in_.end() && planned.definition->reads[r].discards_where_zero)
         planned.only_if = found->second;
-    if (!planned.definition.count_samples) return;
+    if (!planned.definition->count_samples) return;
     planned.counts_into = ++queries_;
     for (const int texture : planned.writes)
       if (texture >= 0) counted_in_.try_emplace(texture, queries_);
@@ -357,17 +373,17 @@ class Planner {
     const std::string reason(pass.reason);
     PlannedPass planned{.pass = index,
                         .drawn_for = &drawn_for,
-                        .definition = definition_of(pass, effects_, drawn_for),
+                        .definition = shared_definition(pass, drawn_for),
                         .water = static_cast<int>(number),
                         .label = std::string(pass.name) + "[" +
                                  (water.name.empty() ? std::to_string(number) : water.name) + "]",
                         .reason = reason,
                         .width = water.columns,
                         .height = water.rows};
-    for (const TextureRead& read : planned.definition.reads) {
+    for (const TextureRead& read : planned.definition->reads) {
       planned.reads.push_back(add_texture({.name = water_texture(read.name, number), .external = true}));
     }
-    for (const ColorWrite& write : planned.definition.writes) {
+    for (const ColorWrite& write : planned.definition->writes) {
       plan_.before.push_back({planned.label,
                               reason + ": a step every " + rounded_text(1e3 * water.step) + " ms",
                               {water_texture(write.name, number), write.format, water.columns, water.rows}});
@@ -472,6 +488,8 @@ class Planner {
   const Settings& settings_;
   const Registry& registry_;
   FramePlan plan_;
+  std::map<std::pair<const Pass*, const DrawnFor*>, std::shared_ptr<const PassDefinition>> definitions_;
+  std::vector<bool> throws_;           // by light: a caustic
   int last_with_layers_ = -1;         // in the registry
   std::map<std::string, int> index_;  // of the plan's textures, by name
   // Queries that earlier passes count into: of a light's casters, of a branch's first rays, of the rays that
@@ -482,14 +500,22 @@ class Planner {
 };
 
 // A light's maps are needed until the last sample is drawn, or else, light by light, what all samples have
-// seen of the lights before: the bits are the same.
+// seen of the lights before: the bits are the same. Without samples both orders are one.
 FramePlan in_least_memory(FramePlan plan) {
-  FramePlan by_light = plan;
+  const bool samples = std::any_of(plan.passes.begin(), plan.passes.end(),
+                                   [](const PlannedPass& pass) { return pass.sample > 0; });
+  FramePlan by_light;
+  if (samples) by_light = plan;
   order_by_light(plan, SampleOrder::SampleBySample);
   share_memory(plan);
-  order_by_light(by_light, SampleOrder::LightByLight);
-  share_memory(by_light);
-  return by_light.bytes() < plan.bytes() ? by_light : plan;
+  if (samples) {
+    order_by_light(by_light, SampleOrder::LightByLight);
+    share_memory(by_light);
+    if (by_light.bytes() < plan.bytes()) plan = std::move(by_light);
+  }
+  for (std::size_t i = 0; i < plan.textures.size(); ++i)
+    plan.by_name.emplace(plan.textures[i].name, static_cast<int>(i));
+  return plan;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The plan of a frame: which passes run, in which order, on which textures, and why. Data only.
 #pragma once
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,7 +39,7 @@ struct PlannedPass {
 
   int pass = 0;                         // index into the registry
   const DrawnFor* drawn_for = nullptr;  // of the registry's pass
-  PassDefinition definition;            // what a device runs
+  std::shared_ptr<const PassDefinition> definition;  // what a device runs; instances share it
   int light = -1;                       // index into Scene::lights, -1 for a pass of the frame
   int branch = -1;  // index into Effects::branches, -1 for a pass of the frame or of a light
   int water = -1;   // index into Scene::waters, -1 for all other passes
@@ -83,6 +85,7 @@ struct FramePlan {
   std::vector<PlannedSteps> before;  // in turn, before `passes`
   std::vector<PlannedPass> passes;
   std::vector<SkippedPass> skipped;
+  std::map<std::string, int, std::less<>> by_name{};  // the textures; of a plan in the making empty
   // Index of a texture by its full name, or -1.
   int find(std::string_view name) const;
   // Bytes of the memory of all textures that passes write.

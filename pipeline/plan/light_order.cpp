@@ -1,8 +1,11 @@
 #include "pipeline/plan/light_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
+
+#include "pipeline/gpu/interrupt.hpp"
 
 namespace caustics {
 
@@ -11,10 +14,8 @@ namespace {
 // How a pass uses a texture. An addition comes to the same before and after another light's.
 enum class Use : std::uint8_t { Read, Addition, Write };
 
-struct Access {
-  int light = -1, phase = 0;
-  Use use = Use::Read;
-};
+// The latest phase in which each light's passes, or the frame's (-1), have used a texture, by how.
+using Accesses = std::array<std::map<int, int>, 3>;
 
 // Passes are sorted by phase; in a phase those of the frame come first, then light by light.
 class Phases {
@@ -23,6 +24,7 @@ class Phases {
 
   // The phase of the plan's next pass.
   int of(const PlannedPass& pass) {
+    stop_if_interrupted();
     if (order_ == SampleOrder::SampleBySample && pass.sample > sample_) {
       sample_ = pass.sample;
       first_of_sample_ = latest_ + 1;
@@ -31,10 +33,11 @@ class Phases {
     // A light's passes keep their order among each other.
     if (pass.light >= 0) phase = std::max(phase, light_phases_[pass.light]);
     for_each_use(pass, [&](std::size_t texture, Use use) {
-      for (const Access& before : accesses_[texture]) phase = std::max(phase, earliest(before, pass, use));
+      phase = std::max(phase, earliest(accesses_[texture], pass, use));
     });
     for_each_use(pass, [&](std::size_t texture, Use use) {
-      accesses_[texture].push_back({pass.light, phase, use});
+      int& latest = accesses_[texture][static_cast<std::size_t>(use)][pass.light];
+      latest = std::max(latest, phase);
     });
     if (pass.light >= 0) light_phases_[pass.light] = phase;
     latest_ = std::max(latest_, phase);
@@ -42,12 +45,20 @@ class Phases {
   }
 
  private:
-  static int earliest(const Access& before, const PlannedPass& pass, Use use) {
-    if (before.use == Use::Read && use == Use::Read) return 0;
-    const bool in_turn = pass.light >= 0 && before.light <= pass.light;
-    if (before.light < 0 || in_turn) return before.phase;
-    const bool additions = before.use == Use::Addition && use == Use::Addition;
-    return pass.light >= 0 && additions ? 0 : before.phase + 1;
+  static int earliest(const Accesses& accesses, const PlannedPass& pass, Use use) {
+    int phase = 0;
+    for (const Use before : {Use::Read, Use::Addition, Use::Write}) {
+      if (before == Use::Read && use == Use::Read) continue;
+      const bool additions = before == Use::Addition && use == Use::Addition;
+      for (const auto& [light, latest] : accesses[static_cast<std::size_t>(before)]) {
+        const bool in_turn = light < 0 || (pass.light >= 0 && light <= pass.light);
+        if (in_turn)
+          phase = std::max(phase, latest);
+        else if (pass.light < 0 || !additions)
+          phase = std::max(phase, latest + 1);
+      }
+    }
+    return phase;
   }
 
   static void for_each_use(const PlannedPass& pass, const auto& visit) {
@@ -55,7 +66,7 @@ class Phases {
       if (texture >= 0) visit(static_cast<std::size_t>(texture), Use::Read);
     for (std::size_t a = 0; a < pass.writes.size(); ++a) {
       if (pass.writes[a] < 0) continue;
-      const bool adds = pass.keep[a] && pass.definition.writes[a].blend == kAccumulate;
+      const bool adds = pass.keep[a] && pass.definition->writes[a].blend == kAccumulate;
       visit(static_cast<std::size_t>(pass.writes[a]), adds ? Use::Addition : Use::Write);
     }
     if (pass.depth >= 0) visit(static_cast<std::size_t>(pass.depth), Use::Write);
@@ -63,7 +74,7 @@ class Phases {
 
   SampleOrder order_;
   int latest_ = 0, sample_ = 0, first_of_sample_ = 0;  // phases, and the sample that passes are of
-  std::vector<std::vector<Access>> accesses_;          // by texture
+  std::vector<Accesses> accesses_;                     // by texture
   std::map<int, int> light_phases_;                    // by light: of its latest pass
 };
 

@@ -17,8 +17,10 @@ PlannedPass pass(const std::string& label, int light, std::vector<int> reads, st
   planned.reads = std::move(reads);
   planned.writes = std::move(writes);
   planned.keep.assign(planned.writes.size(), adds);
-  planned.definition.writes.resize(planned.writes.size());
-  for (ColorWrite& write : planned.definition.writes) write.blend = kAccumulate;
+  PassDefinition definition;
+  definition.writes.resize(planned.writes.size());
+  for (ColorWrite& write : definition.writes) write.blend = kAccumulate;
+  planned.definition = std::make_shared<const PassDefinition>(std::move(definition));
   return planned;
 }
 

@@ -1,7 +1,6 @@
 #include "pipeline/plan/needed_passes.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace caustics {
 
@@ -14,10 +13,10 @@ bool is_named(const std::string& full_name, const std::vector<std::string>& name
 }
 
 // Is the attachment that the read is for among those needed?
-bool is_towards_needed(const PlannedPass& pass, const TextureRead& read, const std::set<int>& needed) {
+bool is_towards_needed(const PlannedPass& pass, const TextureRead& read, const std::vector<bool>& needed) {
   if (read.only_towards.empty()) return true;
   for (std::size_t i = 0; i < pass.writes.size(); ++i)
-    if (pass.definition.writes[i].name == read.only_towards) return needed.count(pass.writes[i]) > 0;
+    if (pass.definition->writes[i].name == read.only_towards) return pass.writes[i] >= 0 && needed[static_cast<std::size_t>(pass.writes[i])];
   return true;
 }
 
@@ -25,11 +24,12 @@ bool is_towards_needed(const PlannedPass& pass, const TextureRead& read, const s
 // contents that it keeps, are needed from then on. Its other reads and attachments become nothing.
 class BackwardWalk {
  public:
-  BackwardWalk(FramePlan& plan, const PlanGoal& goal) : plan_(plan), goal_(goal) {
-    for (std::size_t i = 0; i < plan.textures.size(); ++i)
-      if (is_named(plan.textures[i].name, goal.textures)) needed_.insert(static_cast<int>(i));
-    for (PlannedTexture& texture : plan.textures)
-      texture.kept = is_named(texture.name, goal.textures) || is_named(texture.name, goal.beside);
+  BackwardWalk(FramePlan& plan, const PlanGoal& goal) : plan_(plan) {
+    for (PlannedTexture& texture : plan.textures) {
+      needed_.push_back(is_named(texture.name, goal.textures));
+      beside_.push_back(is_named(texture.name, goal.beside));
+      texture.kept = needed_.back() || beside_.back();
+    }
   }
 
   // By pass: why it does not stay; empty where it stays.
@@ -41,20 +41,21 @@ class BackwardWalk {
   }
 
  private:
-  bool is_needed(int texture) const { return needed_.count(texture) > 0; }
+  bool is_needed(int texture) const { return texture >= 0 && needed_[static_cast<std::size_t>(texture)]; }
+  void set_needed(int texture, bool needed) {
+    if (texture >= 0) needed_[static_cast<std::size_t>(texture)] = needed;
+  }
 
   bool visit(PlannedPass& pass) {
     if (!is_needed(pass.depth) &&
         std::none_of(pass.writes.begin(), pass.writes.end(), [&](int texture) { return is_needed(texture); }))
       return false;
     for (std::size_t r = 0; r < pass.reads.size(); ++r)
-      if (!is_towards_needed(pass, pass.definition.reads[r], needed_)) pass.reads[r] = PlannedPass::kNothing;
+      if (!is_towards_needed(pass, pass.definition->reads[r], needed_)) pass.reads[r] = PlannedPass::kNothing;
     for (std::size_t a = 0; a < pass.writes.size(); ++a) write(pass.writes[a], pass.keep[a]);
     // What the depth test meets decides what is drawn into the others.
-    if (pass.depth >= 0 && pass.keep.back()) needed_.insert(pass.depth);
-    if (pass.depth >= 0 && !pass.keep.back()) needed_.erase(pass.depth);
-    for (const int texture : pass.reads)
-      if (texture >= 0) needed_.insert(texture);
+    if (pass.depth >= 0) set_needed(pass.depth, pass.keep.back());
+    for (const int texture : pass.reads) set_needed(texture, true);
     return true;
   }
 
@@ -73,19 +74,14 @@ class BackwardWalk {
 
   void write(int& texture, bool keeps) {
     if (texture < 0) return;
-    const std::string& name = plan_.textures[static_cast<std::size_t>(texture)].name;
-    if (!is_needed(texture) && !is_named(name, goal_.beside)) {
+    if (is_needed(texture) || beside_[static_cast<std::size_t>(texture)])
+      set_needed(texture, keeps);
+    else
       texture = PlannedPass::kNothing;
-    } else if (keeps) {
-      needed_.insert(texture);
-    } else {
-      needed_.erase(texture);
-    }
   }
 
   FramePlan& plan_;
-  const PlanGoal& goal_;
-  std::set<int> needed_;
+  std::vector<bool> needed_, beside_;  // by texture: what the goal names beside
 };
 
 }  // namespace

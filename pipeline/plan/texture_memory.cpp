@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/gpu/interrupt.hpp"
+
 namespace caustics {
 
 namespace {
@@ -42,6 +44,7 @@ class Memory {
   // Memory of its kind whose last texture no pass uses from this one on, or new memory.
   void take(int index, int pass) {
     if (index < 0) return;
+    stop_if_interrupted();
     PlannedTexture& texture = plan_.textures[static_cast<std::size_t>(index)];
     if (texture.external || texture.memory >= 0) return;
     const auto fits = [&](std::size_t m) {

@@ -17,7 +17,7 @@ namespace {
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
 // moving water hold whatever the waves do, so that maps and shadows do not crawl.
 PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& registry, LightPilot& pilot,
-                     const View* camera, const PlanGoal& goal, const Breath& breath,
+                     const View* camera, const PlanGoal& goal,
                      Effect Effects::*without = nullptr) {
   PlannedFrame frame;
   std::optional<View> seen;
@@ -33,7 +33,7 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
       shares = pilot.further_shares(frame.effects, settings);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);
     frame.views = frame.effects.water_waves.active
-                      ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry, breath)
+                      ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry)
                       : pilot.fit(frame.effects, frame.settings, surveys);
   };
   const bool chooses = camera && chooses_sides(scene, asked);
@@ -60,11 +60,11 @@ std::optional<View> camera_view(const Scene& scene, const Camera* camera, const 
 }  // namespace
 
 PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
-                        const PlanGoal& goal, const Camera* camera, const Breath& breath) {
+                        const PlanGoal& goal, const Camera* camera) {
   const SceneOnDevice on_device(scene, effects_of(scene, settings), device);
   LightPilot pilot(on_device, registry);
   const std::optional<View> view = camera_view(scene, camera, settings);
-  return planned(scene, settings, registry, pilot, view ? &*view : nullptr, goal, breath);
+  return planned(scene, settings, registry, pilot, view ? &*view : nullptr, goal);
 }
 
 FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
@@ -91,13 +91,11 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
 FrameRenderer::~FrameRenderer() = default;
 
 void FrameRenderer::judge_and_plan() {
-  if (options_.breath) options_.breath();
   const std::optional<View> camera = camera_view(scene_, options_.camera, *asked_);
   frame_ = planned(scene_, *asked_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
-                   options_.breath, options_.without);
+                   options_.without);
   done_ = 0;
   inputs_.camera = camera.value_or(View{});
-  if (options_.breath) options_.breath();
 }
 
 void FrameRenderer::make_targets() {
@@ -121,7 +119,7 @@ void FrameRenderer::show_waters(double seconds) {
   if (!water_ || shown_ == seconds) return;
   const bool with_state = std::any_of(frame_.plan.passes.begin(), frame_.plan.passes.end(),
                                       [](const PlannedPass& pass) { return pass.water >= 0; });
-  water_report_ = water_->show(seconds, with_state, options_.breath);
+  water_report_ = water_->show(seconds, with_state);
   on_device_->renew_waters(with_state);
   shown_ = seconds;
 }

@@ -23,7 +23,7 @@ struct PlannedFrame {
 // What a FrameRenderer would do, without doing it. `pilot`: the software device, on which the lights' views
 // are fitted. `camera`: null: the scene's first. Leaves waters at rest.
 PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& registry, Device& pilot,
-                        const PlanGoal& goal = {}, const Camera* camera = nullptr, const Breath& breath = {});
+                        const PlanGoal& goal = {}, const Camera* camera = nullptr);
 
 struct FrameOptions {
   PlanGoal goal{};                  // the images that are wanted; empty: all that the effects call for
@@ -34,7 +34,6 @@ struct FrameOptions {
   // The device on which the lights' views are fitted where `device` is not the software device, so that every
   // device draws the same frames; null: the same device.
   Device* pilot = nullptr;
-  Breath breath{};  // called between steps; may throw to stop
   // Sees the plan before its textures are made, and may refuse it by throwing.
   std::function<void(const PlannedFrame&)> accept{};
 };

@@ -35,13 +35,13 @@ MovingWater::MovingWater(Scene& scene, Device& device, const Registry& registry)
     waters_.push_back(std::make_unique<Moving>(water, mesh_of(water), device, water_pass(registry)));
 }
 
-WaterReport MovingWater::show(double seconds, bool with_state, const Breath& breath) {
+WaterReport MovingWater::show(double seconds, bool with_state) {
   WaterReport reports;
   for (std::size_t i = 0; i < waters_.size(); ++i) {
     Water& water = scene_.waters[i];
     WaterSimulation& simulation = waters_[i]->simulation;
     const PassResult earlier = simulation.work();
-    simulation.advance_to(seconds, breath);
+    simulation.advance_to(seconds);
     const double lead = static_cast<double>(simulation.steps()) * water.step - water.since_rest(seconds);
     waters_[i]->surface.displace(simulation.state(), lead, mesh_of(water));
     water.last_step = simulation.steps() - 1;
@@ -63,8 +63,7 @@ void MovingWater::show_level(double share) {
 }
 
 std::vector<LightViews> fit_moving_views(Scene& scene, Device& device, const Effects& effects,
-                                         const Settings& settings, const Registry& registry,
-                                         const Breath& breath) {
+                                         const Settings& settings, const Registry& registry) {
   MovingWater moving(scene, device, registry);
   std::vector<LightViews> views;
   Settings uncascaded = settings;
@@ -82,7 +81,7 @@ std::vector<LightViews> fit_moving_views(Scene& scene, Device& device, const Eff
   double interval = 0.0;
   for (const Water& water : scene.waters) interval = std::max(interval, water.settings.interval);
   for (const double moment : kMoments) {
-    moving.show(moment * interval, false, breath);
+    moving.show(moment * interval, false);
     look();
   }
   return views;

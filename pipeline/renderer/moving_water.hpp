@@ -24,8 +24,8 @@ class MovingWater {
 
   // Moves the scene's water meshes to a moment, seconds; and, where asked for, sets Water::before, for a
   // plan that has the last step as a pass. What devices hold of the scene is not touched: see
-  // SceneOnDevice::renew_waters. `breath` is called while steps are made, and may throw.
-  WaterReport show(double seconds, bool with_state, const Breath& breath = {});
+  // SceneOnDevice::renew_waters.
+  WaterReport show(double seconds, bool with_state);
   // Moves all waters, flat as at rest, up by this share of their highest waves.
   void show_level(double share);
 
@@ -48,7 +48,6 @@ class MovingWater {
 // with the water flat at the top and at the bottom of its bounds, and with the waves of three moments after
 // the first plops. `device` as for fit_light_views. Leaves the water at rest.
 std::vector<LightViews> fit_moving_views(Scene& scene, Device& device, const Effects& effects,
-                                         const Settings& settings, const Registry& registry,
-                                         const Breath& breath = {});
+                                         const Settings& settings, const Registry& registry);
 
 }  // namespace caustics

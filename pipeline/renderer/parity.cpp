@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "pipeline/gpu/device.hpp"
-#include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/interrupt.hpp"
 
 namespace caustics {
 
@@ -28,9 +28,9 @@ class Comparison {
     const PassRun tested_run = prepare_pass(plan_, planned, registry_, tested_, fed_targets_, inputs_);
     const PassRun reference_run =
         prepare_pass(plan_, planned, registry_, reference_, reference_targets_, inputs_);
-    out.counts.push_back({planned.label, planned.definition.count_samples,
+    out.counts.push_back({planned.label, planned.definition->count_samples,
                           reference_.device().run(reference_run), tested_.device().run(tested_run)});
-    const PassDefinition& definition = planned.definition;
+    const PassDefinition& definition = *planned.definition;
     for (std::size_t i = 0; i < planned.writes.size(); ++i)
       if (planned.writes[i] != PlannedPass::kNothing)
         compare(planned, planned.writes[i], definition.writes[i].clear, watch, out);
@@ -86,6 +86,7 @@ FrameParity compare_devices(const FramePlan& plan, const Registry& registry, con
   Comparison comparison(plan, registry, reference, tested, inputs);
   const std::size_t total = 2 * plan.passes.size();
   for (const PlannedPass& planned : plan.passes) {
+    stop_if_interrupted();
     comparison.run(planned, watch, out);
     if (after && !after(planned, out.counts.back().tested, out.counts.size(), total))
       throw Error(ExitCode::Interrupted, "interrupted after pass '" + planned.label + "'");

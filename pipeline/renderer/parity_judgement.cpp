@@ -93,7 +93,7 @@ std::size_t JudgedFrame::differing_values() const {
 }
 
 ImageKind kind_of(const PlannedPass& planned, const Registry& registry, int write) {
-  const PassDefinition& definition = planned.definition;
+  const PassDefinition& definition = *planned.definition;
   const ColorWrite* color = write < 0 ? nullptr : &definition.writes[static_cast<std::size_t>(write)];
   if (color && color->format == Format::RGBA8) return ImageKind::Picture;
   if (registry[static_cast<std::size_t>(planned.pass)].draws == DrawSet::FullScreen)

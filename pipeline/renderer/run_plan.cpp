@@ -1,7 +1,7 @@
 #include "pipeline/renderer/run_plan.hpp"
 
 #include "pipeline/gpu/device.hpp"
-#include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/scene/cube_view.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "pipeline/views/sub_pixel.hpp"
@@ -63,7 +63,7 @@ class PassRunner {
 
   PassRun prepare(const PlannedPass& planned) const {
     const Pass& pass = registry_[static_cast<std::size_t>(planned.pass)];
-    PassRun run{.definition = &planned.definition, .keep = planned.keep};
+    PassRun run{.definition = planned.definition.get(), .keep = planned.keep};
     for (const int texture : planned.writes)
       run.colors.push_back(texture == PlannedPass::kNothing ? TextureId::None : targets_[texture]);
     if (planned.depth >= 0) run.depth = targets_[planned.depth];
@@ -192,7 +192,7 @@ class PassRunner {
             int vertex_count) const {
     Draw result{.mesh = mesh, .vertex_count = vertex_count, .uniforms = pass.uniforms(context)};
     for (std::size_t i = 0; i < planned.reads.size(); ++i)
-      result.textures.push_back(bound(planned.reads[i], planned.definition.reads[i].name, context.material));
+      result.textures.push_back(bound(planned.reads[i], planned.definition->reads[i].name, context.material));
     return result;
   }
 
@@ -243,6 +243,7 @@ std::vector<PassReport> run_plan(const FramePlan& plan, const Registry& registry
   const PassRunner runner(plan, registry, scene, targets, inputs);
   std::vector<PassReport> reports;
   for (const PlannedPass& planned : plan.passes) {
+    stop_if_interrupted();
     const PassResult result = scene.device().run(runner.prepare(planned));
     reports.push_back({planned.label, result});
     if (after && !after(planned, result, reports.size(), plan.passes.size()))

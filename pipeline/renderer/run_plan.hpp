@@ -41,7 +41,8 @@ struct PassReport {
   PassResult result;
 };
 
-// Called after each pass; returning false stops the frame (Error Interrupted is thrown by run_plan).
+// Called after each pass; returning false stops the frame (Error Interrupted is thrown by run_plan, as where
+// work is asked to stop: pipeline/gpu/interrupt.hpp).
 using AfterPass =
     std::function<bool(const PlannedPass&, const PassResult&, std::size_t done, std::size_t total)>;
 

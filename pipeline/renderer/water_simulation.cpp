@@ -1,13 +1,9 @@
 #include "pipeline/renderer/water_simulation.hpp"
 
 #include "pipeline/gpu/device.hpp"
-#include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/interrupt.hpp"
 
 namespace caustics {
-
-namespace {
-constexpr std::int64_t kStepsABreath = 256;
-}
 
 const Pass& water_pass(const Registry& registry) {
   for (const Pass& pass : registry)
@@ -48,11 +44,11 @@ void WaterSimulation::make_step() {
   work_.processor_milliseconds += result.processor_milliseconds;
 }
 
-void WaterSimulation::advance_to(double seconds, const Breath& breath) {
+void WaterSimulation::advance_to(double seconds) {
   const std::int64_t wanted = water_.steps_until(seconds);
   if (wanted < steps_) rest();
   while (steps_ < wanted) {
-    if (breath && steps_ % kStepsABreath == 0) breath();
+    stop_if_interrupted();
     make_step();
   }
 }

@@ -1,16 +1,12 @@
 // The waves of one water surface, computed on a device: two textures of heights that take turns.
 #pragma once
 #include <array>
-#include <functional>
 
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
-
-// Called now and then while steps are made; may throw to stop.
-using Breath = std::function<void()>;
 
 // The pass that makes a water's steps (Each::Water). Throws Error (InternalError) where the registry has
 // none.
@@ -27,7 +23,7 @@ class WaterSimulation {
 
   // Makes the steps up to the first that reaches this moment of the scene; from rest again where the moment
   // lies before what was reached.
-  void advance_to(double seconds, const Breath& breath = {});
+  void advance_to(double seconds);
   // Makes one step. Its counters are added to `work`.
   void make_step();
 

@@ -10,6 +10,7 @@
 #endif
 
 #include "pipeline/gpu/happens_before.hpp"
+#include "pipeline/gpu/interrupt.hpp"
 
 namespace caustics {
 
@@ -17,7 +18,10 @@ namespace {
 
 void one_by_one(int pieces, const std::function<void(int)>& work) {
   const PlainFloats plain;
-  for (int piece = 0; piece < pieces; ++piece) work(piece);
+  for (int piece = 0; piece < pieces; ++piece) {
+    stop_if_interrupted();
+    work(piece);
+  }
 }
 
 }  // namespace
@@ -31,6 +35,7 @@ void in_pieces(int pieces, int threads, const std::function<void(int)>& work) {
     oneapi::tbb::parallel_for(
         0, pieces,
         [&](int piece) {
+          stop_if_interrupted();
           happens_after(&started);
           {
             const PlainFloats plain;

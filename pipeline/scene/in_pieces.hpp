@@ -24,7 +24,8 @@ class PlainFloats {
 };
 
 // Calls work(0) .. work(pieces - 1), each once, in any order, on at most `threads` threads (0: one a core,
-// and no more than a software device that lives was given). What work throws is thrown here.
+// and no more than a software device that lives was given). What work throws is thrown here; so is
+// an interruption, before the next piece (pipeline/gpu/interrupt.hpp).
 void in_pieces(int pieces, int threads, const std::function<void(int)>& work);
 
 // Likewise work(first, end) for all of 0 .. count - 1, a run of some thousands at a time.

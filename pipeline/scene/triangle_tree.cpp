@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/in_pieces.hpp"
 
@@ -155,6 +156,7 @@ struct TriangleTree::Builder {
 
   // Where the right half begins. Both keep their order.
   static Items divide(Items begin, Items end, int depth, const Box& middles) {
+    stop_if_interrupted();
     const Items half = begin + (end - begin) / 2;
     if (depth >= kDeepestSplit) return half;
     const Split split = best_split(begin, end, middles);

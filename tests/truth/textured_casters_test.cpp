@@ -227,7 +227,7 @@ TEST_CASE("textured casters: a scene without textures on casters runs the plain 
     std::string all;
     const FramePlan plan = make_plan(s, effects_of(s, settings), settings, pass_registry());
     for (const PlannedPass& pass : plan.passes)
-      all += pass.label + " by " + std::string(pass.definition.shader->name) + " ";
+      all += pass.label + " by " + std::string(pass.definition->shader->name) + " ";
     for (const PlannedTexture& texture : plan.textures) all += texture.name + " ";
     return all;
   };
