@@ -26,6 +26,7 @@
 #include "passes/occluder_depth/occluder_depth.hpp"
 #include "passes/pane_light/pane_light.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
+#include "passes/shadow_bounds/shadow_bounds.hpp"
 #include "passes/shadow_map/shadow_map.hpp"
 #include "passes/tone_map/tone_map.hpp"
 #include "passes/view_medium/view_medium.hpp"
@@ -75,6 +76,7 @@ Registry registered() {
       view_panes_pass(),
       // And the air before it.
       view_medium_pass(),
+      shadow_bounds_pass(),
       light_haze_pass(),
       light_shafts_pass(),
       haze_pass(),

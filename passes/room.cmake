@@ -41,6 +41,7 @@ caustics_add_shader(caustics_passes light_shading_in_medium TEXT passes/light_sh
 caustics_add_shader(caustics_passes beams TEXT passes/beams/beams.glsl)
 caustics_add_shader(caustics_passes view_range TEXT passes/view_range/view_range.glsl)
 caustics_add_shader(caustics_passes view_medium TEXT passes/view_medium/view_medium.glsl)
+caustics_add_shader(caustics_passes shadow_bounds TEXT passes/shadow_bounds/shadow_bounds.glsl)
 caustics_add_shader(caustics_passes light_haze TEXT passes/light_haze/light_haze.glsl)
 caustics_add_shader(caustics_passes light_shafts TEXT passes/light_shafts/light_shafts.glsl)
 caustics_add_shader(caustics_passes haze TEXT passes/haze/haze.glsl)

@@ -1,5 +1,5 @@
-// What the medium scatters towards the camera of one light's direct light: a sum of steps along the camera's
-// ray.
+// What the medium scatters towards the camera of one light's direct light: a sum of stretches of the camera's
+// ray, which are the shorter the more the light's maps change along them. light_haze.md explains.
 #include "passes/shared/camera_rays.glsl"
 #include "passes/shared/light_cone.glsl"
 #include "passes/shared/light.glsl"
@@ -11,6 +11,9 @@ TEXTURE(0, view_range)
 TEXTURE(1, shadow_depth)
 TEXTURE(2, caster_position)
 TEXTURE(3, pane_transmittance)
+TEXTURE(4, shadow_bounds)
+TEXTURE(5, caster_bounds)
+TEXTURE(6, pane_bounds)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -27,6 +30,8 @@ OUTPUT(0, Vec4, haze)
 #include "passes/shared/medium_optics.glsl"
 #include "passes/shared/light_way.glsl"
 #include "passes/shared/view_range.glsl"
+#include "passes/light_haze/light_reach.glsl"
+#include "passes/light_haze/lit_stretch.glsl"
 
 // A point on the camera's ray.
 struct RayPoint {
@@ -52,38 +57,15 @@ Float mean_between(Float t0, Float t1, Float e0, Float e1) {
   return sel(small, e0 * series, (e0 - e1) / sel(small, Float(1.0f), rise));
 }
 
-Vec3 mean_transmittance(IN(RayPoint) from, IN(RayPoint) to) {
+// Between two points, of light whose middle lies at a share of the way.
+Vec3 mean_transmittance(IN(RayPoint) from, IN(RayPoint) to, Float middle) {
   Vec3 x = Vec3(u.medium.extinction);
   Vec3 mean = Vec3(mean_between(from.way * x.x, to.way * x.x, from.left.x, to.left.x));
   if (u.medium.is_grey == 0) {
     mean.y = mean_between(from.way * x.y, to.way * x.y, from.left.y, to.left.y);
     mean.z = mean_between(from.way * x.z, to.way * x.z, from.left.z, to.left.z);
   }
-  return mean;
-}
-
-// What reaches a point of a light without distance: 0 in the shadow of opaque surfaces and behind casters,
-// whose light goes other ways; what panes leave, elsewhere.
-Vec3 visibility(Vec3 p) {
-  Vec3 q = view_coordinates(u.shadow_view, p);
-  Vec3 seen = Vec3(1.0f);
-  if (u.has_panes != 0) {
-    Vec2 uv = view_uv(u.pane_view, q);
-    seen = sel(inside_unit(uv.x, uv.y), Vec3(fetch_bilinear(pane_transmittance, uv.x, uv.y)), seen);
-  }
-  if (u.has_shadow_map != 0) {
-    Vec2 uv = view_uv(u.shadow_view, q);
-    Bool blocked = inside_unit(uv.x, uv.y) && fetch_nearest(shadow_depth, uv.x, uv.y).x < q.z;
-    seen = sel(blocked, Vec3(0.0f), seen);
-  }
-  if (u.has_caustic != 0) {
-    Vec2 uv = view_uv(u.caster_view, q);
-    Vec4 caster = fetch_nearest(caster_position, uv.x, uv.y);
-    Float caster_z = view_coordinates(u.caster_view, Vec3(caster)).z;
-    Bool blocked = inside_unit(uv.x, uv.y) && is_covered(caster) && caster_z < q.z;
-    seen = sel(blocked, Vec3(0.0f), seen);
-  }
-  return seen;
+  return mean + (to.left - from.left) * (middle - 0.5f);
 }
 
 // The integral of 1 / r^2 along a piece of the ray, exactly: the angle under which the light sees it, over
@@ -101,30 +83,83 @@ Float distance_from_light(IN(Ray) ray, IN(ViewRange) range) {
 }
 
 // What a light with a position sends to a piece of the ray and the phase function turns towards the camera,
-// times the piece's length.
-Float weight_between(IN(Ray) ray, Vec3 from, Vec3 to, Float miss, Float length) {
-  Vec3 path = (from + to) * 0.5f - Vec3(u.light.position);
+// times the piece's length. `middle`: where most of that lies, 0..1.
+Float weight_between(IN(Ray) ray, Vec3 from, Vec3 to, Float miss, Float middle) {
+  Vec3 path = from * (1.0f - middle) + to * middle - Vec3(u.light.position);
   Vec3 travel = normalize_or(path, Vec3(u.light.cone.axis));
-  return inverse_square(from, to, miss, length) * light_falloff(u.light, travel, dot3(path, path)) *
+  return inverse_square(from, to, miss, dot3(to - from, ray.direction)) *
+         light_falloff(u.light, travel, dot3(path, path)) *
          phase_function(u.medium, -dot3(travel, ray.direction));
 }
+
+// A ray may divide its steps so often, and as often again for each step that it has gone.
+#define SPLITS_AT_ONCE 64.0f
 
 void main() {
   ViewRange range = fetch_view_range(view_range);
   Ray ray = camera_ray(u.camera);
-  Float stride = (range.exit - range.entry) / float(u.steps);
-  Float weight = stride * phase_function(u.medium, -dot3(Vec3(u.light.direction), ray.direction));
   Float miss = Float(0.0f);
-  if (u.light.has_position != 0) miss = distance_from_light(ray, range);
+  Vec2 reached = Vec2(range.entry, range.exit);
+  if (u.light.has_position != 0) {
+    miss = distance_from_light(ray, range);
+    reached = reached_by_light(reached, ray);
+  }
+  float steps = float(u.steps);
+  Float stride = max_of(reached.y - reached.x, 0.0f) / steps;
+  Float toward = phase_function(u.medium, -dot3(Vec3(u.light.direction), ray.direction));
+  Vec3 q_start = view_coordinates(u.shadow_view, point_along(ray, reached.x));
+  Vec3 q_step = transform_vector(u.shadow_view.from_scene, ray.direction) * stride;
+  Float beyond_entry = reached.x - range.entry;
 
   Vec3 sum = Vec3(0.0f);
-  RayPoint here = point_on(ray, range.entry, Float(0.0f));
-  for (int k = 1; k <= u.steps; k++) {
-    RayPoint next = point_on(ray, range.entry, stride * float(k));
-    if (u.light.has_position != 0) weight = weight_between(ray, here.position, next.position, miss, stride);
-    Vec3 middle = (here.position + next.position) * 0.5f;
-    sum = sum + visibility(middle) * mean_transmittance(here, next) * weight;
-    here = next;
+  RayPoint here = point_on(ray, range.entry, beyond_entry);
+  Bool here_stands = Bool(true);  // at the stretch's start
+  float largest = 1.0f;
+  // Without a position all but the way through the medium is integrated exactly.
+  if (u.light.has_position == 0) largest = 4.0f;
+  Float at = sel(stride > 0.0f, Float(0.0f), Float(steps));  // in steps
+  Float size = Float(largest);
+  Float splits = Float(0.0f);
+  for (int i = 0; any_lane(at < steps); i++) {
+    Float end = min_of(at + size, Float(steps));
+    Stretch s = stretch_between(q_start + q_step * at, q_start + q_step * end);
+    Verdict v = verdict_on(s);
+    Bool uneven = !v.dark && !v.even;
+    Bool split = uneven && v.texels > MOST_PARTS && size > 0.0005f && splits < at + SPLITS_AT_ONCE;
+    Bool lit = at < steps && !split && !v.dark;
+    if (any_lane(lit)) {
+      if (any_lane(lit && !here_stands)) {
+        RayPoint start = point_on(ray, range.entry, beyond_entry + stride * at);
+        here.position = sel(here_stands, here.position, start.position);
+        here.way = sel(here_stands, here.way, start.way);
+        here.left = sel(here_stands, here.left, start.left);
+      }
+      RayPoint next = point_on(ray, range.entry, beyond_entry + stride * end);
+      Lit seen;
+      seen.share = pane_tint((s.from + s.to) * 0.5f);
+      seen.middle = Float(0.5f);
+      if (any_lane(lit && uneven)) {
+        Lit parts = lit_parts(s, v.texels);
+        seen.share = sel(uneven, parts.share, seen.share);
+        seen.middle = sel(uneven, parts.middle, seen.middle);
+      }
+      Float weight = toward * (stride * (end - at));
+      if (u.light.has_position != 0) {
+        weight = weight_between(ray, here.position, next.position, miss, seen.middle);
+      }
+      sum = sum + sel(lit, seen.share * mean_transmittance(here, next, seen.middle) * weight, Vec3(0.0f));
+      here.position = sel(lit, next.position, here.position);
+      here.way = sel(lit, next.way, here.way);
+      here.left = sel(lit, next.left, here.left);
+    }
+    here_stands = (here_stands && split) || lit;
+    at = sel(split, at, end);
+    size = sel(split, size * 0.5f, size);
+    for (int k = 0; k < 2; k++) {
+      Bool whole = floor(at / (size * 2.0f)) * (size * 2.0f) == at;
+      size = sel(!split && whole && size < largest, size * 2.0f, size);
+    }
+    splits = sel(split, splits + 1.0f, splits);
   }
   haze = Vec4(Vec3(u.light.intensity) * Vec3(u.medium.scattering) * sum, Float(0.0f));
 }

@@ -20,16 +20,16 @@ TEST_CASE("light_haze: light from above, seen from above, is scattered as the in
   const Settings settings;
   const Pass pass = light_haze_pass();
   const PassImages out =
-      run_pass(definition_of(pass),
-               {.uniforms = pass.uniforms({.scene = &scene,
-                                           .settings = &settings,
-                                           .effects = &effects,
-                                           .views = &views,
-                                           .camera = &view,
-                                           .light = &scene.lights[0],
-                                           .width = 1,
-                                           .height = 1}),
-                .textures = {filled(1, 1, {10.0f, 6.0f, 10.0f, 0.0f}), Image{}, Image{}, Image{}}});
+      run_pass(definition_of(pass), {.uniforms = pass.uniforms({.scene = &scene,
+                                                                .settings = &settings,
+                                                                .effects = &effects,
+                                                                .views = &views,
+                                                                .camera = &view,
+                                                                .light = &scene.lights[0],
+                                                                .width = 1,
+                                                                .height = 1}),
+                                     .textures = {filled(1, 1, {10.0f, 6.0f, 10.0f, 0.0f}), Image{}, Image{},
+                                                  Image{}, Image{}, Image{}, Image{}}});
   const double integral = (1.0 - std::exp(-2.0 * kHaze * kHeight)) / (2.0 * kHaze);
   const double expected = 2.0 * 0.1 / (4.0 * 3.14159265358979) * integral;
   for (int c = 0; c < 3; ++c) CHECK(out["haze"].at(0, 0, c) == Approx(expected).epsilon(1e-5));
