@@ -29,7 +29,9 @@ constexpr std::pair<ExitCode, const char*> kExitCodes[] = {
      "of "
      "paper does not hold"},
     {ExitCode::WrongUsage,
-     "wrong usage: unknown word, value out of range, sizes or scene beyond this machine's memory"},
+     "wrong usage: unknown word, value out of range, outputs that clash, sizes or scene beyond this "
+     "machine's "
+     "memory"},
     {ExitCode::BadInput, "input unreadable or unsupported"},
     {ExitCode::CannotWrite, "an output cannot be written"},
     {ExitCode::BackendUnavailable,

@@ -68,10 +68,9 @@ bool parse_reference(const Arguments& arguments, ReferenceRequest& request) {
   std::string scene;
   parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Output");
-  parser.option(
-      "-o,--output", "FILE.exr",
-      {"where the layers go; - is standard output", ".exr", "SCENE.reference.exr in the current folder"},
-      [&](const std::string& file) { request.output = file; });
+  parser.option("-o,--output", "FILE.exr",
+                {"where the layers go", ".exr, -", "SCENE.reference.exr in the current folder"},
+                [&](const std::string& file) { request.output = file; });
   parser.option("--aov", "LIST", {"layers, listed below, with commas between", "", "all"},
                 [&](const std::string& list) { request.layers = parse_reference_layers(list); });
   parser.option("--stats", "F.json", {"rays, time, error and the flux ledger", "", "none"},

@@ -51,8 +51,7 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
   std::string scene;
   parser.positional("SCENE", kSceneMeaning, scene);
   parser.group("Page");
-  parser.option("-o,--output", "FILE.html",
-                {"the page; - is standard output", ".html", "SCENE.html in the current folder"},
+  parser.option("-o,--output", "FILE.html", {"the page", ".html, -", "SCENE.html in the current folder"},
                 [&](const std::string& value) { request.output = value; });
   parser.repeated(
       "--against", "WHAT",

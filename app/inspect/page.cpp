@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/json.hpp"
+#include "app/output/stats.hpp"
 #include "lab/study/html.hpp"
 
 namespace caustics::app {
@@ -14,7 +15,7 @@ namespace {
 // In a script element "</script" and "<!--" would end it or change what follows; in JSON every < may be
 // written as an escape.
 std::string inside_script(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json_text(json, -1);
   std::string safe;
   safe.reserve(text.size());
   for (const char c : text) {

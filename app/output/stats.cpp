@@ -120,15 +120,19 @@ std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>
 
 // Characters that one_line would not show as they are can stand in strings alone, where JSON has escapes of
 // its own.
-std::string json_text(const Json& document) {
-  const std::string text = document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string json_text(const Json& document, int indent) {
+  const std::string text = document.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const auto byte = static_cast<unsigned char>(text[at]);
+    if (byte < 0x7F) {
+      result += text[at++];
+      continue;
+    }
     const std::size_t bytes = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;  // of UTF-8
     const std::string character = text.substr(at, bytes);
     at += bytes;
-    if (byte < 0x7F || one_line(character) == character) {
+    if (one_line(character) == character) {
       result += character;
     } else {
       const std::string quoted = Json(character).dump(-1, ' ', true);

@@ -33,7 +33,8 @@ std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>
                        const std::vector<LightLedger>& ledgers, const Timing& timing,
                        const FrameStats& frames);
 
-// A JSON document with a line break at its end; invalid UTF-8 from file names is replaced.
-std::string json_text(const nlohmann::ordered_json& document);
+// A JSON document with a line break at its end. Invalid UTF-8 from file names is replaced; characters that
+// one_line would not show as they are stand there as escapes. `indent`: -1 for one line.
+std::string json_text(const nlohmann::ordered_json& document, int indent = 2);
 
 }  // namespace caustics::app

@@ -8,6 +8,7 @@
 
 #include "app/shell/terminal.hpp"
 #include "pipeline/settings/nearest.hpp"
+#include "pipeline/settings/setting.hpp"
 
 namespace caustics::app {
 
@@ -18,7 +19,7 @@ HelpPage* wanted_page = nullptr;
 
 // As people write it: 1e6, not 1e+06.
 std::string plain(double value) {
-  const std::string text = significant(value, 6);
+  const std::string text = number_text(value);
   const std::size_t e = text.find('e');
   return e == std::string::npos ? text
                                 : text.substr(0, e + 1) + std::to_string(std::stoi(text.substr(e + 1)));
