@@ -11,23 +11,11 @@
 namespace caustics::app {
 
 namespace {
-constexpr char kViewPosition[] = "view_position";
 // The statement is of means over squares of so many pixels a side.
 constexpr double kJudgedPixels = 4.0;
 // Followed through the scene for each light.
 constexpr int kRays = 8192;
 }  // namespace
-
-std::vector<std::string> ledger_textures() {
-  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kLandingFootprint, kCascadeMap,
-                                    kViewPosition};
-  for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar,
-                           kCellFlux, kCausticMap}) {
-    textures.emplace_back(name);
-    textures.push_back(far_texture(name));
-  }
-  return textures;
-}
 
 PlanGoal goal_with_ledgers(std::vector<std::string> images) {
   PlanGoal goal{.textures = std::move(images), .beside = ledger_textures(), .light_by_light = true};

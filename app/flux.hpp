@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/frame.hpp"
+#include "pipeline/measure/landing_images.hpp"
 #include "pipeline/measure/model_error.hpp"
 #include "pipeline/measure/outcome.hpp"
 
@@ -23,8 +24,6 @@ struct LightLedger {
   double leaves() const;
 };
 
-// The textures that ledgers are made from; goals that want them are for a LedgerReader.
-std::vector<std::string> ledger_textures();
 // These images, and what can be told of the light on the way to them.
 PlanGoal goal_with_ledgers(std::vector<std::string> images);
 

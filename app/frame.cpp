@@ -1,10 +1,10 @@
 #include "app/frame.hpp"
 
 #include "app/backend.hpp"
-#include "app/frame_memory.hpp"
 #include "app/frame_options.hpp"
 #include "app/loaded_scene.hpp"
 #include "passes/registry.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::app {
@@ -13,8 +13,23 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
   return make_software_device({.threads = backend.threads});
 }
 
+MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame,
+                             std::uint64_t outputs) {
+  MemoryJudgement judged;
+  judged.needed = memory_needed({.plan = frame.plan,
+                                 .registry = pass_registry(),
+                                 .scene = scene,
+                                 .settings = frame.settings,
+                                 .device = {draw_bytes, kMostKeptOfDraws},
+                                 .taken = frame.taken,
+                                 .outputs = outputs});
+  judged.budget = request.budget();
+  judged.refusal = memory_refusal(judged.needed, judged.budget, "-r, --grid, --map or -D shadow");
+  return judged;
+}
+
 RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<LoadedScene> loaded,
-                             const PlanGoal& goal, Effect Effects::*without)
+                             const PlanGoal& goal, Effect Effects::*without, std::uint64_t outputs)
     : loaded_(std::move(loaded)), device_(make_device(request.backend)) {
   if (request.backend.backend != Backend::Software) pilot_device_ = make_pilot_device(request.backend);
   renderer_ = std::make_unique<FrameRenderer>(
@@ -25,10 +40,11 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<Loaded
                    .seconds = request.seconds.value_or(0.0),
                    .without = without,
                    .pilot = pilot_device_.get(),
-                   .accept = [this](const PlannedFrame& frame) {
-                     check_memory(memory_needed(frame.plan, loaded_->scene(), frame.settings),
-                                  "-r, --grid, --map or -D shadow");
-                   }});
+                   .accept =
+                       [this, request, outputs](const PlannedFrame& frame) {
+                         memory_ = judge_memory(request, loaded_->scene(), frame, outputs);
+                         if (!memory_.refusal.empty()) throw Error(ExitCode::WrongUsage, memory_.refusal);
+                       }});
 }
 
 RenderedFrame::~RenderedFrame() = default;

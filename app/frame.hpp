@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "pipeline/measure/frame_memory.hpp"
 #include "pipeline/renderer/frame_renderer.hpp"
 
 namespace caustics::app {
@@ -13,14 +14,25 @@ struct FrameRequest;
 // The views of every light are fitted on it, whatever device draws.
 std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend);
 
+// Whether a planned frame fits into the memory: `plan` says it, RenderedFrame acts on it.
+struct MemoryJudgement {
+  std::uint64_t needed = 0;  // bytes
+  MemoryBudget budget;
+  std::string refusal;  // empty: it fits
+};
+// `outputs`: FrameCost::outputs.
+MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame,
+                             std::uint64_t outputs = 0);
+
 // A frame on the device, ready to run; one after the other where the scene moves. Everything it refers
 // to it owns.
 class RenderedFrame {
  public:
   // `loaded`: may serve several frames one after the other, of requests that differ neither in what is loaded
   // nor in camera and exposure. `without`: FrameOptions::without.
+  // `outputs`: FrameCost::outputs.
   RenderedFrame(const FrameRequest& request, std::shared_ptr<LoadedScene> loaded, const PlanGoal& goal,
-                Effect Effects::*without = nullptr);
+                Effect Effects::*without = nullptr, std::uint64_t outputs = 0);
   RenderedFrame(const RenderedFrame&) = delete;
   RenderedFrame& operator=(const RenderedFrame&) = delete;
   ~RenderedFrame();
@@ -49,10 +61,12 @@ class RenderedFrame {
   const FrameInputs& inputs() const { return renderer_->inputs(); }
   const SceneOnDevice& on_device() const { return renderer_->on_device(); }
   Device& device() const { return *device_; }
+  const MemoryJudgement& memory() const { return memory_; }
 
  private:
   std::shared_ptr<LoadedScene> loaded_;
   std::unique_ptr<Device> device_, pilot_device_;
+  MemoryJudgement memory_;
   std::unique_ptr<FrameRenderer> renderer_;
 };
 

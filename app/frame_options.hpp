@@ -39,6 +39,9 @@ void add_memory_option(Parser& parser, FrameRequest& request);
 // --animation and --time alone.
 void add_moment_options(Parser& parser, FrameRequest& request);
 
+// Samples a pixel of pictures to look at, where nothing is said.
+inline constexpr int kShownSamples = 4;
+
 // The help's words for SCENE.
 inline constexpr char kSceneMeaning[] = "a glTF 2.0 file, .gltf or .glb; - reads one from standard input";
 inline bool is_standard_input(const std::filesystem::path& scene) { return scene == "-"; }

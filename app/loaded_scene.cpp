@@ -73,7 +73,11 @@ LoadedScene::LoadedScene(const FrameRequest& request)
   RunFiles run = request.files;
   for (const std::filesystem::path& file : animation_.files()) run.reads(file, "a file of the scene");
   scene_ = animation_.take();
-  if (request.environment) scene_.environment = load_environment(*request.environment, {.memory = request.budget()});
+  if (request.environment) {
+    LoadOptions options;
+    options.memory = request.budget();
+    scene_.environment = load_environment(*request.environment, options);
+  }
   complete();
   stop_if_interrupted();
   if (moves()) {

@@ -6,6 +6,7 @@
 
 #include "app/frame_options.hpp"
 #include "app/loaded_scene.hpp"
+#include "app/output/outputs.hpp"
 #include "app/plan_report.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
@@ -23,6 +24,19 @@ FrameRequest coarse_request(FrameRequest request) {
   request.settings.shadow = std::min(request.settings.shadow, 512);
   request.backend = {};
   return request;
+}
+
+// As `render` judges the PNG picture that it draws for these options: with its samples of each pixel.
+MemoryJudgement judge_picture(const FrameRequest& request, const Scene& scene, const PlannedFrame& planned) {
+  const OutputRequest picture{.files = {"picture.png"}, .layers = {}};
+  PlannedFrame frame{planned.settings, planned.effects, {}, {}, planned.taken};
+  if (frame.settings.samples == 0) frame.settings.samples = kShownSamples;
+  const std::uint64_t before = resident_memory().now;
+  frame.plan = make_plan(scene, frame.effects, frame.settings, pass_registry(), goal_with_ledgers({"picture"}));
+  // It takes the place of the plan that stands for one sample.
+  const std::uint64_t after = resident_memory().now;
+  frame.taken.now += after > before ? after - before : 0;
+  return judge_memory(request, scene, frame, writing_bytes(picture, frame.settings, false));
 }
 
 }  // namespace
@@ -51,6 +65,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
   const PlannedFrame frame =
       plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot, goal_with_ledgers({"picture"}),
                  &loaded->camera());
+  const MemoryJudgement memory = judge_picture(request, loaded->scene(), frame);
   std::optional<RenderedFrame> coarse;
   LedgerReader reader;
   if (frame.effects.caustics.active) {
@@ -62,6 +77,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
                           frame.effects,
                           frame.settings,
                           frame.plan,
+                          memory,
                           idle_settings(request.given, shown->scene(), frame.settings, frame.effects),
                           reader.ledgers()};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));

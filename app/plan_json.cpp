@@ -1,5 +1,4 @@
 #include "app/expectations.hpp"
-#include "app/frame_memory.hpp"
 #include "app/json.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/output/light_groups.hpp"
@@ -132,7 +131,9 @@ std::string plan_json(const PlanReport& report) {
                    {"passes", passes_json(report)},
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
-                   {"memory_bytes", memory_needed(report.plan, scene, report.settings)},
+                   {"memory_bytes", report.memory.needed},
+                   {"memory_budget_bytes", report.memory.budget.bytes},
+                   {"refused", report.memory.refusal.empty() ? Json() : Json(report.memory.refusal)},
                    {"notes", report.notes()}};
   if (report.loaded.moves()) {
     document["animation"] = {{"seconds", report.loaded.duration()},

@@ -12,6 +12,7 @@ struct PlanReport {
   const Effects& effects;
   const Settings& settings;
   const FramePlan& plan;
+  MemoryJudgement memory;            // of a PNG picture
   std::vector<std::string> idle;     // idle_settings
   std::vector<LightLedger> ledgers;  // of a coarse run; empty where nothing throws a caustic
 

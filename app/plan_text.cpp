@@ -58,6 +58,7 @@ class TextReport {
     passes();
     skipped();
     notes();
+    memory();
     return text_;
   }
 
@@ -289,6 +290,14 @@ class TextReport {
     if (notes.empty()) return;
     heading("notes");
     for (const std::string& note : notes) text_ += "  " + one_line(note) + "\n";
+  }
+
+  void memory() {
+    heading("memory");
+    const MemoryJudgement& judged = report_.memory;
+    text_ += "  a PNG picture takes " + bytes_text(static_cast<double>(judged.needed)) + " of the " +
+             bytes_text(static_cast<double>(judged.budget.bytes)) + " " + one_line(judged.budget.whose) + "\n";
+    if (!judged.refusal.empty()) text_ += "  render would refuse it: " + one_line(judged.refusal) + "\n";
   }
 
   const PlanReport& report_;

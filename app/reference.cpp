@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/frame_memory.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/reference_layers.hpp"
 #include "app/reference_options.hpp"
@@ -14,6 +13,8 @@
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "lab/reference/tracer/state_file.hpp"
+#include "pipeline/gpu/error.hpp"
+#include "pipeline/measure/frame_memory.hpp"
 
 namespace caustics::app {
 
@@ -50,9 +51,11 @@ class ReferenceRun {
     effects_ = effects_of(loaded_->scene(), request_.frame.settings);
     request_.trace.exact = exact_shapes(loaded_->scene(), request_.exact);
     progress_.show("what the camera sees");
-    check_memory(static_cast<std::uint64_t>(request_.trace.width) *
-                     static_cast<std::uint64_t>(request_.trace.height) * kBytesPerPixel,
-                 "-r");
+    const std::uint64_t needed = resident_memory().now + static_cast<std::uint64_t>(request_.trace.width) *
+                                                             static_cast<std::uint64_t>(request_.trace.height) *
+                                                             kBytesPerPixel;
+    if (const std::string refusal = memory_refusal(needed, request_.frame.budget(), "-r"); !refusal.empty())
+      throw Error(ExitCode::WrongUsage, refusal);
     tracer_ = std::make_unique<tracer::Tracer>(loaded_->scene(), effects_, loaded_->camera(), request_.trace);
     stop_if_interrupted();
     text_ = tracer::request_text(loaded_->scene(), effects_, loaded_->camera(), request_.trace);

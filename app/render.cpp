@@ -37,7 +37,6 @@ constexpr char kRenderExamples[] =
     "  caustics render moving.glb --frames 0..99 --fps 25 -o frame.%04d.png --resume\n"
     "  caustics render moving.glb -o film.mp4\n";
 
-constexpr int kShownSamples = 4;                      // a pixel, of pictures to look at
 constexpr Limits<double> kTargetError{0.001, 100.0};  // percent
 
 struct RenderRequest {
@@ -331,7 +330,8 @@ class Renderer {
     if (!loaded->moves() && loaded->scene().waters.empty()) say_that_nothing_moves();
     timing_.load = total_.milliseconds();
     progress_.show("finding where the light goes");
-    frame_.emplace(request_.frame, std::move(loaded), goal_of(request_));
+    frame_.emplace(request_.frame, std::move(loaded), goal_of(request_), nullptr,
+                   writing_bytes(request_.outputs, request_.frame.settings, !request_.dump.empty()));
     timing_.prepare = total_.milliseconds() - timing_.load;
     if (!request_.dump.empty()) dump_.emplace(request_.dump, request_.pictures);
     const Settings& size = request_.frame.settings;

@@ -218,4 +218,30 @@ bool wants_ledgers(const OutputRequest& request) {
   return std::find(request.layers.begin(), request.layers.end(), "error") != request.layers.end();
 }
 
+std::uint64_t writing_bytes(const OutputRequest& request, const Settings& settings, bool dumped) {
+  const auto square = [](std::uint64_t side) { return side * side; };
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
+  std::uint64_t most = 0;
+  bool by_library = dumped;
+  for (const std::filesystem::path& file : request.files) {
+    const PictureFormat* format = format_of(file);
+    if (!format) continue;  // a film's rows go to another program
+    by_library = by_library || format->encoding != Encoding::Png;
+    if (format->encoding == Encoding::Exr) {
+      // Each layer as it is read back, 16 bytes a pixel; compressed, hardly anything comes to that.
+      most = std::max(most, 16 * pixels * layers_of(request).size());
+    } else {
+      most = std::max(most, (format->encoding == Encoding::Png ? 6 : 32) * pixels);  // bytes, or floats, twice
+    }
+  }
+  if (dumped) {
+    const std::uint64_t texels = std::max({pixels, square(static_cast<std::uint64_t>(settings.map)),
+                                           square(static_cast<std::uint64_t>(settings.grid)),
+                                           square(static_cast<std::uint64_t>(settings.shadow))});
+    most = std::max(most, 2 * 16 * texels);
+  }
+  return most + (by_library && !is_image_io_loaded() ? kImageIoBytes : 0);
+}
+
 }  // namespace caustics::app

@@ -38,4 +38,8 @@ void write_outputs(const OutputRequest& request, const RenderedFrame& frame,
                    const std::vector<LightLedger>& ledgers);
 bool wants_ledgers(const OutputRequest& request);
 
+// What writing the files takes beside the textures that they are made from, in bytes (FrameCost::outputs).
+// `dumped`: every attachment is written too.
+std::uint64_t writing_bytes(const OutputRequest& request, const Settings& settings, bool dumped);
+
 }  // namespace caustics::app

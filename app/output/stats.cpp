@@ -107,6 +107,7 @@ std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>
                      {"write", timing.write},
                      {"total", timing.total}}},
                    {"texture_bytes", frame.plan().bytes()},
+                   {"memory_bytes", {{"stated", frame.memory().needed}, {"peak", resident_memory().peak}}},
                    {"frames", frames_json(frames, frame.device().made())}};
   document["passes"] = Json::array();
   for (const PassReport& report : reports) document["passes"].push_back(counters_json(report));

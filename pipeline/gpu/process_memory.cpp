@@ -1,5 +1,9 @@
 #include "pipeline/gpu/process_memory.hpp"
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
@@ -166,6 +170,12 @@ MemoryBudget memory_budget(const std::optional<std::uint64_t>& stated, const fs:
   if (stated) return {*stated, "of --memory"};
   const MemoryLimit limit = memory_limit(root);
   return {limit.bytes / 4 * 3, "that " + limit.whose + " can spare"};
+}
+
+void return_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 ResidentMemory resident_memory(const fs::path& root) {

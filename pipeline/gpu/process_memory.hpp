@@ -40,4 +40,8 @@ struct ResidentMemory {
 };
 ResidentMemory resident_memory(const std::filesystem::path& root = "/");
 
+// Gives what the heap keeps of freed memory back to the system, so that resident memory is what is in use. Takes
+// milliseconds; does nothing where the C library is not glibc.
+void return_freed_memory();
+
 }  // namespace caustics

@@ -24,6 +24,8 @@ std::vector<fs::path> module_paths() {
   return paths;
 }
 
+bool is_loaded = false;
+
 const ImageIo& load() {
   std::string why = "it is not installed";
   for (const fs::path& path : module_paths()) {
@@ -32,7 +34,10 @@ const ImageIo& load() {
     // Never closed: OpenImageIO's threads and tables live until the process ends.
     void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* functions = module ? dlsym(module, kImageIoFunctions) : nullptr;
-    if (functions) return reinterpret_cast<const ImageIo& (*)()>(functions)();
+    if (functions) {
+      is_loaded = true;
+      return reinterpret_cast<const ImageIo& (*)()>(functions)();
+    }
     if (const char* reason = dlerror()) why = reason;
   }
   throw Error(ExitCode::BackendUnavailable,
@@ -40,6 +45,8 @@ const ImageIo& load() {
 }
 
 }  // namespace
+
+bool is_image_io_loaded() { return is_loaded; }
 
 const ImageIo& image_io() {
   static const ImageIo& loaded = load();

@@ -98,4 +98,15 @@ std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branch
   return result;
 }
 
+std::vector<std::string> ledger_textures() {
+  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kLandingFootprint, kCascadeMap,
+                                    kViewPosition};
+  for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar,
+                           kCellFlux, kCausticMap}) {
+    textures.emplace_back(name);
+    textures.push_back(far_texture(name));
+  }
+  return textures;
+}
+
 }  // namespace caustics

@@ -42,6 +42,10 @@ std::vector<BranchImages> branch_images(int light, const std::vector<Branch>& br
 std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branches, const HasTexture& has,
                                     const ReadTexture& read);
 
+// The names of the textures that a light's ledger, its outcomes and its error are made from.
+std::vector<std::string> ledger_textures();
+inline constexpr char kViewPosition[] = "view_position";
+
 // The share of a grid vertex's flux that is splatted by itself: what no cell around it has taken. 1 where
 // landings are not joined to cells: `cell_flux` without values.
 double share_of_points(const ImageView& cell_flux, int x, int y);

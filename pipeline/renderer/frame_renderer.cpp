@@ -50,6 +50,11 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
   return frame;
 }
 
+void measure_memory(PlannedFrame& frame) {
+  return_freed_memory();
+  frame.taken = resident_memory();
+}
+
 // Nothing where there is no camera.
 std::optional<View> camera_view(const Scene& scene, const Camera* camera, const Settings& settings) {
   if (!camera && !scene.cameras.empty()) camera = &scene.cameras.front();
@@ -64,7 +69,9 @@ PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& 
   const SceneOnDevice on_device(scene, effects_of(scene, settings), device);
   LightPilot pilot(on_device, registry);
   const std::optional<View> view = camera_view(scene, camera, settings);
-  return planned(scene, settings, registry, pilot, view ? &*view : nullptr, goal);
+  PlannedFrame frame = planned(scene, settings, registry, pilot, view ? &*view : nullptr, goal);
+  measure_memory(frame);
+  return frame;
 }
 
 FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Registry& registry, Device& device,
@@ -100,7 +107,10 @@ void FrameRenderer::judge_and_plan() {
 
 void FrameRenderer::make_targets() {
   targets_.reset();
-  if (options_.accept) options_.accept(frame_);
+  if (options_.accept) {
+    measure_memory(frame_);
+    options_.accept(frame_);
+  }
   targets_ = std::make_unique<FrameTargets>(frame_.plan, device_);
 }
 

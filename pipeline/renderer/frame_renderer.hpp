@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "pipeline/gpu/process_memory.hpp"
 #include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/renderer/moving_water.hpp"
 #include "pipeline/renderer/run_plan.hpp"
@@ -18,6 +19,7 @@ struct PlannedFrame {
   Effects effects;
   std::vector<LightViews> views;  // by Scene::lights
   FramePlan plan;
+  ResidentMemory taken;  // by the process, when the frame was planned
 };
 
 // What a FrameRenderer would do, without doing it. `pilot`: the software device, on which the lights' views

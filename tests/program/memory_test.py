@@ -141,7 +141,6 @@ CASES = [
     ("16 wavelengths", dispersive, ["-r", "640x360", "--wavelengths", 16]),
     ("environment of 4096", glb.scene, [*SMALL, "--environment", "sky4096.hdr"]),
     ("--dump of a default", glb.scene, ["--dump", "dumped"]),
-    ("--stats", lambda: with_lights(10), [*SMALL, "--stats", "stats.json"]),
 ]
 TESTED = 7
 ONLY_RENDER = {"-o": 2, "--dump": 2, "--stats": 2, "--aov": 2}
@@ -166,31 +165,97 @@ def peak(folder, *arguments, **options):
     return used.ru_maxrss * 1024, process.returncode, used.ru_utime + used.ru_stime
 
 
+def write_scene(folder, case):
+    """In a process of its own: a program begins with as much memory at its peak as what has begun it."""
+    child = os.fork()
+    if child == 0:
+        (folder / "scene.glb").write_bytes(case[1]())
+        if "sky4096.hdr" in case[2]:
+            environment(folder, 4096)
+        os._exit(0)
+    if os.waitpid(child, 0)[1] != 0:
+        raise RuntimeError(f"{case[0]}: no scene")
+
+
 def said_and_taken(folder, case):
-    """Bytes: what plan says of render, what render took, and what plan itself did."""
-    name, make, options = case
-    (folder / "scene.glb").write_bytes(make())
-    if "sky4096.hdr" in options:
-        environment(folder, 4096)
+    """Bytes: what plan says of a PNG picture, what render states with its outputs, and what it took."""
+    name, _, options = case
+    write_scene(folder, case)
+    one_sample = [] if any("samples=" in str(o) for o in options) else ["-D", "samples=1"]
+    options = [*options, *one_sample, *(["-o", "a.png"] if "-o" not in options else [])]
     plan = subprocess.run([PROGRAM, "plan", "scene.glb", "--json", *map(str, for_plan(options))], cwd=folder,
                           capture_output=True, check=True)
-    said = json.loads(plan.stdout)["memory"]["bytes"]
-    beside = [] if any("samples=" in str(o) for o in options) else ["-D", "samples=1"]
-    output = [] if "-o" in options else ["-o", "a.png"]
-    taken, code, _ = peak(folder, "render", "scene.glb", *options, *beside, *output, "-t", 2)
+    planned = json.loads(plan.stdout)["memory_bytes"]
+    taken, code, _ = peak(folder, "render", "scene.glb", "--stats", "stats.json", *options, "-t", 2)
     if code != 0:
         raise RuntimeError(f"{name}: render exits with {code}")
-    return said, taken
+    stated = json.loads((folder / "stats.json").read_text())["memory_bytes"]
+    return planned, stated["stated"], taken
 
 
 def table(names):
-    print(f"{'scene':32} {'said, MB':>9} {'taken, MB':>9} {'off':>7}")
+    print(f"{'scene':32} {'plan, MB':>9} {'stated':>9} {'taken':>9} {'off':>7}")
     for case in CASES:
         if names and not any(name in case[0] for name in names):
             continue
         with tempfile.TemporaryDirectory() as folder:
-            said, taken = said_and_taken(pathlib.Path(folder), case)
-        print(f"{case[0]:32} {said / MB:9.1f} {taken / MB:9.1f} {said / taken - 1:+7.1%}", flush=True)
+            planned, stated, taken = said_and_taken(pathlib.Path(folder), case)
+        print(f"{case[0]:32} {planned / MB:9.1f} {stated / MB:9.1f} {taken / MB:9.1f} {stated / taken - 1:+7.1%}",
+              flush=True)
+
+
+def only_a_head(width, height, bits):
+    """A PNG that announces its size and holds no texel."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, bits, 6, 0, 0, 0)) +
+            chunk(b"IDAT", b"") + chunk(b"IEND", b""))
+
+
+class Memory(ProgramTest):
+    def test_what_is_stated_is_taken(self):
+        for case in CASES[:TESTED]:
+            with self.subTest(case[0]), tempfile.TemporaryDirectory() as folder:
+                planned, stated, taken = said_and_taken(pathlib.Path(folder), case)
+                near = max(SHARE * taken, LIBRARIES)
+                self.assertAlmostEqual(stated, taken, delta=near)
+                if "--dump" not in case[2]:
+                    self.assertAlmostEqual(planned, taken, delta=near)
+
+    def test_plan_says_that_render_would_refuse(self):
+        sizes = ["ball.glb", "-r", "4096x4096", "--memory", 500]
+        line = self.fails(2, "render", *sizes, "-o", "a.png", saying="500.0 MiB of --memory; lower -r")
+        plan = json.loads(self.succeeds("plan", *sizes, "--json").stdout)
+        self.assertGreater(plan["memory_bytes"], plan["memory_budget_bytes"])
+        self.assertEqual(plan["memory_budget_bytes"], 500 * MB)
+        self.assertEqual(plan["refused"].split("memory", 1)[1], line.split("memory", 1)[1])
+        self.assertIn("render would refuse it: these sizes need", self.succeeds("plan", *sizes).stdout)
+        self.assertIsNone(json.loads(self.succeeds("plan", "ball.glb", *SMALL, "--json").stdout)["refused"])
+
+    def test_images_are_refused_by_their_heads(self):
+        head = only_a_head(16384, 8192, 16)
+        document, blob = glb.unpack(with_textures(4, 3))
+        for image in document["images"]:
+            image.pop("bufferView")
+            image["uri"] = "bomb.png"
+        document["materials"][1]["emissiveTexture"] = document["materials"][1]["occlusionTexture"] = {"index": 0}
+        (self.folder / "bomb.png").write_bytes(head)
+        (self.folder / "bomb.glb").write_bytes(glb.pack(document, blob))
+        for command in ("plan", "render"):
+            self.fails(2, command, "bomb.glb", "--memory", 1000, saying="its images need")
+        taken, code, _ = peak(self.folder, "plan", "bomb.glb", "--memory", 1000)
+        self.assertEqual(code, 2)
+        self.assertLess(taken, 100e6)
+
+    def test_meshes_are_refused_before_they_are_made(self):
+        (self.folder / "fine.glb").write_bytes(with_triangles(220))
+        self.fails(2, "plan", "fine.glb", "--memory", 40, saying="its meshes need")
+
+    def test_the_limit_of_the_process_counts(self):
+        import resource
+        self.fails(2, "render", "ball.glb", "-r", "4096x4096", "-t", 1, saying="that ulimit -d can spare",
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_DATA, (600 * MB, 600 * MB)))
 
 
 if __name__ == "__main__":

@@ -400,3 +400,37 @@ TEST_CASE("A texture that cannot be read is left out with a note") {
   bomb += std::string("\x08\x06\0\0\0\0\0\0\0\0\0\0\0IEND\xae\x42\x60\x82", 21);
   CHECK(contains(note_of("data:image/png;base64," + base64(bomb)), "larger than 16384"));
 }
+
+TEST_CASE("Images of too many texels together are halved, to means of light") {
+  const std::string text = textured(kBase + R"(,"normalTexture":{"index":0})",
+                                    std::string("data:image/png;base64,") + kPng);
+  const Scene whole = load_text(text);
+  LoadOptions options;
+  options.max_image_pixels = 4;  // the image is 2 x 2, and read in two ways
+  const Scene halved = load_text(text, options);
+  CHECK(has_note(halved, "images[0] is used at 1x1 instead of 2x2"));
+  REQUIRE(halved.images.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Image& four = whole.images.at(i);
+    REQUIRE(halved.images[i].values.size() == 4);
+    for (int c = 0; c < 4; ++c) {
+      const float sum = four.at(0, 0, c) + four.at(1, 0, c) + four.at(0, 1, c) + four.at(1, 1, c);
+      CHECK(halved.images[i].at(0, 0, c) == Approx(sum / 4).margin(5e-4));
+    }
+  }
+  options.max_image_pixels = 8;
+  CHECK(load_text(text, options).images.at(0).width() == 2);
+}
+
+TEST_CASE("What needs more memory than is left is wrong usage, not a bad file") {
+  LoadOptions options;
+  options.memory = MemoryBudget{1, "of --memory"};
+  try {
+    load_text(textured(kBase, std::string("data:image/png;base64,") + kPng), options);
+    FAIL("nothing is refused");
+  } catch (const Error& error) {
+    CHECK(error.code() == ExitCode::WrongUsage);
+    CHECK(contains(error.what(), "scene.gltf: its bytes need"));
+    CHECK(contains(error.what(), "of --memory; make them smaller, or raise --memory"));
+  }
+}

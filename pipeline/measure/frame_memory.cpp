@@ -1,0 +1,114 @@
+#include "pipeline/measure/frame_memory.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "pipeline/gpu/text.hpp"
+#include "pipeline/measure/landing_images.hpp"
+#include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/scene/scene.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+namespace {
+
+// The device and images hold floats whatever the format.
+template <class TextureOrMemory>
+std::uint64_t float_bytes(const TextureOrMemory& texture) {
+  return static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height) *
+         static_cast<std::uint64_t>(channel_count(texture.format)) * sizeof(float);
+}
+
+// The trees of casters and receivers, through which rays for the model's error are followed.
+std::uint64_t tree_bytes(const Scene& scene) {
+  std::uint64_t indices = 0;
+  for (const Mesh& mesh : scene.meshes) indices += mesh.indices.size();
+  return TriangleTree::building_bytes(indices / 3);
+}
+
+// The largest of the pass's draws and those that are sorted into tiles with it, beside textures.
+std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
+  const auto points = [&](std::uint64_t count) { return cost.device.draw(*pass.definition, 0, count); };
+  const auto grid = static_cast<std::uint64_t>(cost.settings.grid);
+  const auto beams = static_cast<std::uint64_t>(beams_a_side(cost.settings));
+  switch (cost.registry[static_cast<std::size_t>(pass.pass)].draws) {
+    case DrawSet::FullScreen:
+      return 0;
+    case DrawSet::GridVertices:
+    case DrawSet::GridCells:
+      return points(grid * grid);
+    case DrawSet::GridColumns:
+      return points(grid);
+    case DrawSet::Beams:
+      return points(2 * beams * beams);
+    case DrawSet::Receivers:
+    case DrawSet::Casters:
+    case DrawSet::SolidCasters:
+    case DrawSet::ThinPanes:
+    case DrawSet::LightTinters:
+      break;
+  }
+  // Triangles between the pixels' middles are dropped before they take memory: a surface and its back leave no
+  // more than these.
+  const std::uint64_t seen = std::uint64_t{4} * static_cast<std::uint64_t>(pass.width) *
+                             static_cast<std::uint64_t>(pass.height);
+  std::uint64_t largest = 0, all = 0;
+  for (const Mesh& mesh : cost.scene.meshes) {
+    const std::uint64_t draw = cost.device.draw(*pass.definition, mesh.vertices.size(), std::min<std::uint64_t>(mesh.indices.size() / 3, seen));
+    largest = std::max(largest, draw);
+    all += draw;
+  }
+  return std::min<std::uint64_t>(all, largest + cost.device.kept);
+}
+
+// The ledger of a light that a pass ends takes, beside its textures, which are looked at where they lie: its
+// landings merged, where the farthest receivers are searched; and the error estimate's planes of one double a
+// texel for each map that shading looks up: its own, what is coarser (a quarter), and their difference.
+std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
+  static const std::vector<std::string> looked_at = ledger_textures();
+  std::uint64_t images = 0, quarter_planes = 0, texels = 0;
+  for (const PlannedTexture& texture : plan.textures) {
+    const std::string name = texture.name.substr(0, texture.name.find('['));
+    if (texture.light != light || !texture.kept_for_light ||
+        std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end())
+      continue;
+    if (name.ends_with(".far") && name != far_texture(kCausticMap)) images += float_bytes(texture);
+    if (name == kCausticMap || name == kCascadeMap) quarter_planes += 9;
+    if (name == kCausticMap)
+      texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
+  }
+  return images + quarter_planes * texels / 4 * sizeof(double);
+}
+
+}  // namespace
+
+std::uint64_t memory_needed(const FrameCost& cost) {
+  const FramePlan& plan = cost.plan;
+  std::uint64_t held = cost.taken.now, most = std::max(held, cost.taken.peak), drawing = 0;
+  std::vector<bool> drawn_into(plan.memory.size());
+  for (const PlannedPass& pass : plan.passes) {
+    for (const int index : pass.attachments()) {
+      // A texture takes no memory before the first pass that draws into it.
+      const auto memory = static_cast<std::size_t>(plan.textures[static_cast<std::size_t>(index)].memory);
+      if (memory >= plan.memory.size() || drawn_into[memory]) continue;
+      held += float_bytes(plan.memory[memory]);
+      drawn_into[memory] = true;
+    }
+    const std::uint64_t draw = drawing_bytes(pass, cost);
+    most = std::max(most, held + draw);
+    drawing = std::max(drawing, std::min<std::uint64_t>(draw, cost.device.kept));
+    if (pass.ends_light) most = std::max(most, held + drawing + ledger_bytes(plan, pass.light));
+  }
+  return std::max({most, held + drawing + cost.outputs, held + drawing + tree_bytes(cost.scene)});
+}
+
+std::string memory_refusal(std::uint64_t needed, const MemoryBudget& budget, const std::string& lower) {
+  if (needed <= budget.bytes) return "";
+  return "these sizes need " + bytes_text(static_cast<double>(needed)) + " of memory, more than the " +
+         bytes_text(static_cast<double>(budget.bytes)) + " " + budget.whose + "; lower " + lower +
+         ", or raise --memory";
+}
+
+}  // namespace caustics
