@@ -3,6 +3,7 @@
 
 Needs Debian's chromium, chromium-driver and python3-selenium; skipped where they are missing. SHOTS=DIR keeps
 screenshots."""
+import json
 import os
 import pathlib
 import subprocess
@@ -17,6 +18,7 @@ from program import PROGRAM, SMALL, main  # noqa: E402
 from recording_parts import bare_recording  # noqa: E402
 from tiny_recording import HEIGHT, WIDTH, tiny_recording  # noqa: E402
 import glb  # noqa: E402
+import numbers_test  # noqa: E402
 
 try:
     from selenium import webdriver
@@ -338,6 +340,16 @@ class InspectPage(BrowserTest):
         self.wait_text(".answer", "Pixel (5, 5)")
 
 
+def luminance(flux):
+    """Rec. 709's."""
+    return 0.2126 * flux[0] + 0.7152 * flux[1] + 0.0722 * flux[2]
+
+
+def number_near(value, digits=4):
+    """As the page writes numbers between 1e-4 and 1e4."""
+    return f"{float(f'{value:.{digits}g}'):.10g}"
+
+
 class WrittenPage(BrowserTest):
     """What `caustics inspect` writes of a glass ball, alone and beside a run of one iteration."""
 
@@ -352,6 +364,34 @@ class WrittenPage(BrowserTest):
                 cwd=folder,
                 check=True,
             )
+        (folder / "two.glb").write_bytes(numbers_test.scene_of_two_lights())
+        cls.two = folder / "two.html"
+        subprocess.run([PROGRAM, "inspect", "two.glb", *SMALL, "-o", cls.two, "-q"], cwd=folder, check=True)
+        subprocess.run(
+            [PROGRAM, "two.glb", *SMALL, "-o", "two.png", "--stats", "two.json", "-q"], cwd=folder, check=True
+        )
+        cls.stats = json.loads((folder / "two.json").read_text())
+
+    def test_each_light_has_its_own_ledger_with_the_numbers_of_the_statistics(self):
+        self.open("panel=ledger", self.two)
+        self.wait_text("main", "Where the light of lamp goes")
+        heads, boxes, tables = self.browser.execute_script(
+            "const texts = (selector, of = document) => [...of.querySelectorAll(selector)].map(e => e.textContent);"
+            "return [texts('.ledger-panel h2'), texts('.ledger-box'), [...document.querySelectorAll("
+            "'.ledger-panel table')].map(t => [...t.querySelectorAll('tbody tr')].map(r => texts('td', r)))]"
+        )
+        self.assertEqual(heads, ["Where the light of sun goes", "Where the light of lamp goes"])
+        for box, rows, light in zip(boxes, tables, self.stats["lights"]):
+            flux = {name.replace("_", " "): values for name, values in light["flux"].items()}
+            entered = number_near(luminance(flux["entered"]))
+            self.assertIn(f"{entered} {light['flux']['unit']}", box)
+            said = {row[0]: row[1:5] for row in rows}
+            for name in ("entered", "fresnel", "absorbed", "total reflection", "missed"):
+                share, *channels = said[name]
+                self.assertEqual(channels, [number_near(value, 5) for value in flux[name]], name)
+                shown = float(share.replace("\u00a0", " ").removeprefix("< ").split(" ")[0]) / 100
+                true = luminance(flux[name]) / luminance(flux["entered"])
+                self.assertAlmostEqual(shown, true, delta=max(0.005 * true, 1e-4), msg=name)
 
     def test_a_bright_pixel_names_its_cells_in_three_clicks(self):
         self.wait_text(".answer", "Why is this pixel bright?")
