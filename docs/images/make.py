@@ -99,6 +99,7 @@ PASSES = {  # pass: (dump, the instances shown)
     'occluder_depth': ('lens', ['occluder_depth[sun]']),
     'pane_light': ('panes', ['pane_light[sun]']),
     'receiver_map': ('step', ['receiver_map[sun]', 'receiver_map[sun].far']),
+    'shadow_bounds': ('hazy_panes', ['shadow_bounds[sun]']),
     'shadow_map': ('step', ['shadow_map[sun]']),
     'tone_map': ('step', ['tone_map']),
     'view_medium': ('lens', ['view_medium']),

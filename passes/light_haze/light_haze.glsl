@@ -92,8 +92,13 @@ Float weight_between(IN(Ray) ray, Vec3 from, Vec3 to, Float miss, Float middle) 
          phase_function(u.medium, -dot3(travel, ray.direction));
 }
 
-// A ray may divide its steps so often, and as often again for each step that it has gone.
-#define SPLITS_AT_ONCE 64.0f
+// Where a ray meets more edges than these budgets allow, it is divided less finely. It may be halved so often,
+// and once more for each two steps that it has gone.
+#define SPLITS_AT_ONCE 48.0f
+// A stretch that is not halved has at most so many parts, a ray so many at once and a few more for each step.
+#define MOST_PARTS 16.0f
+#define PARTS_AT_ONCE 256.0f
+#define PARTS_A_STEP 4.0f
 
 void main() {
   ViewRange range = fetch_view_range(view_range);
@@ -120,12 +125,13 @@ void main() {
   Float at = sel(stride > 0.0f, Float(0.0f), Float(steps));  // in steps
   Float size = Float(largest);
   Float splits = Float(0.0f);
+  Float parts = Float(0.0f);
   for (int i = 0; any_lane(at < steps); i++) {
     Float end = min_of(at + size, Float(steps));
     Stretch s = stretch_between(q_start + q_step * at, q_start + q_step * end);
     Verdict v = verdict_on(s);
     Bool uneven = !v.dark && !v.even;
-    Bool split = uneven && v.texels > MOST_PARTS && size > 0.0005f && splits < at + SPLITS_AT_ONCE;
+    Bool split = uneven && v.texels > MOST_TEXELS && size > 0.0005f && splits < at * 0.5f + SPLITS_AT_ONCE;
     Bool lit = at < steps && !split && !v.dark;
     if (any_lane(lit)) {
       if (any_lane(lit && !here_stands)) {
@@ -138,10 +144,15 @@ void main() {
       Lit seen;
       seen.share = pane_tint((s.from + s.to) * 0.5f);
       seen.middle = Float(0.5f);
-      if (any_lane(lit && uneven)) {
-        Lit parts = lit_parts(s, v.texels);
-        seen.share = sel(uneven, parts.share, seen.share);
-        seen.middle = sel(uneven, parts.middle, seen.middle);
+      Bool divided = lit && uneven;
+      if (any_lane(divided)) {
+        Float left = max_of(PARTS_AT_ONCE + PARTS_A_STEP * at - parts, PARTS_A_STEP * (end - at));
+        Float most = clamp_to(floor(left), 1.0f, MOST_PARTS);
+        Float now = sel(divided, clamp_to(floor(v.texels) + 1.0f, 1.0f, most), Float(1.0f));
+        Lit found = lit_parts(s, v.tinted, now);
+        seen.share = sel(divided, found.share, seen.share);
+        seen.middle = sel(divided, found.middle, seen.middle);
+        parts = sel(divided, parts + now, parts);
       }
       Float weight = toward * (stride * (end - at));
       if (u.light.has_position != 0) {

@@ -68,10 +68,15 @@ Bounds bounds_along(Texture blocks, IN(View) view, IN(Stretch) s, float outside)
     Int x = floor_to_int(a.x + piece.x * float(i));
     Int y = floor_to_int(a.y + piece.y * float(i));
     Bounds next = wider(found, fetch_clamped(blocks, x, y));
-    // Between two blocks that meet at a corner the stretch touches a third.
-    if (any_lane(counts && x != column && y != row)) {
-      next = wider(next, fetch_clamped(blocks, x, row));
-      next = wider(next, fetch_clamped(blocks, column, y));
+    Bool corner = counts && x != column && y != row;
+    if (any_lane(corner)) {
+      // Between two blocks that meet at a corner the piece goes through the one whose border it crosses first.
+      Float to_x = abs(Float(max_of(x, column)) - (a.x + piece.x * float(i - 1))) * abs(piece.y);
+      Float to_y = abs(Float(max_of(y, row)) - (a.y + piece.y * float(i - 1))) * abs(piece.x);
+      Bool x_first = to_x < to_y;
+      Bounds third = wider(next, fetch_clamped(blocks, sel(x_first, x, column), sel(x_first, row, y)));
+      next.lower = sel(corner, third.lower, next.lower);
+      next.upper = sel(corner, third.upper, next.upper);
     }
     found.lower = sel(counts, next.lower, found.lower);
     found.upper = sel(counts, next.upper, found.upper);
@@ -88,6 +93,7 @@ Bounds bounds_along(Texture blocks, IN(View) view, IN(Stretch) s, float outside)
 struct Verdict {
   Bool dark;     // nothing of it is lit
   Bool even;     // all of it is lit alike
+  Bool tinted;   // panes leave more of the light here than there
   Float texels;  // else: over so many of a map's texels it goes
 };
 
@@ -108,6 +114,7 @@ Verdict verdict_on(IN(Stretch) s) {
   Verdict v;
   v.dark = Bool(false);
   v.even = Bool(true);
+  v.tinted = Bool(false);
   v.texels = Float(0.0f);
   Vec2 depths = Vec2(min_of(s.from.z, s.to.z), max_of(s.from.z, s.to.z));
   if (u.has_shadow_map != 0) {
@@ -118,10 +125,10 @@ Verdict verdict_on(IN(Stretch) s) {
   }
   if (u.has_panes != 0 && any_lane(!v.dark)) {
     Bounds tint = bounds_along(pane_bounds, u.pane_view, s, 0.0f);
-    Bool uneven = tint.upper - tint.lower > EVEN_TINT;
-    v.even = v.even && !uneven;
+    v.tinted = tint.upper - tint.lower > EVEN_TINT;
+    v.even = v.even && !v.tinted;
     v.texels =
-        sel(uneven, max_of(v.texels, tint.extent * float(texture_width(pane_transmittance))), v.texels);
+        sel(v.tinted, max_of(v.texels, tint.extent * float(texture_width(pane_transmittance))), v.texels);
   }
   return v;
 }
@@ -162,12 +169,14 @@ struct Lit {
   Float middle;
 };
 
-// Along a part of a stretch before one texel the depth changes evenly, and passes the surface's at one point.
-#define MOST_PARTS 16.0f
+// A stretch over more texels is divided.
+#define MOST_TEXELS 12.0f
 
-Lit lit_parts(IN(Stretch) s, Float texels) {
-  Float parts = clamp_to(floor(texels) + 1.0f, 1.0f, MOST_PARTS);
+// By so many equal parts. Before one texel the depth changes evenly, and passes the
+// surface's at one point.
+Lit lit_parts(IN(Stretch) s, Bool tinted, Float parts) {
   Vec3 part = (s.to - s.from) / parts;
+  Vec3 even_tint = pane_tint((s.from + s.to) * 0.5f);
   Vec3 sum = Vec3(0.0f);
   Float lit = Float(0.0f);
   Float moment = Float(0.0f);
@@ -180,7 +189,10 @@ Lit lit_parts(IN(Stretch) s, Float texels) {
     Float share =
         sel(moves, clamp_to(passed, 0.0f, 1.0f), sel(surface < middle.z, Float(0.0f), Float(1.0f)));
     share = sel(parts > float(i), share, Float(0.0f));
-    sum = sum + pane_tint(middle) * share;
+    Vec3 tint = even_tint;
+    Bool differs = tinted && share > 0.0f;
+    if (any_lane(differs)) tint = sel(differs, pane_tint(middle), tint);
+    sum = sum + tint * share;
     lit = lit + share;
     moment = moment + share * (float(i) + sel(part.z < 0.0f, 1.0f - share * 0.5f, share * 0.5f));
   }

