@@ -41,12 +41,13 @@ double Shots::residual(const std::string& name) const {
   return worst;
 }
 
-double Shots::milliseconds(const std::string& name, const std::vector<std::string>& passes) const {
+double Shots::milliseconds(const std::string& name, const std::vector<std::string>& passes,
+                           const char* clock) const {
   double sum = 0.0;
   for (const auto& pass : stats(name).at("passes")) {
     const std::string label = pass.at("pass");
     if (std::find(passes.begin(), passes.end(), label.substr(0, label.find('['))) != passes.end())
-      sum += pass.at("milliseconds").get<double>();
+      sum += pass.at(clock).get<double>();
   }
   return sum;
 }

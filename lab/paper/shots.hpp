@@ -57,8 +57,10 @@ class Shots {
   double share(const std::string& name, const std::string& account, int light = 0) const;
   double flux(const std::string& name, const std::string& account, int channel, int light = 0) const;
   double residual(const std::string& name) const;  // the largest of the lights
-  // What these passes took together, whatever light they ran for.
-  double milliseconds(const std::string& name, const std::vector<std::string>& passes) const;
+  // What these passes took together, whatever light they ran for; or "processor_milliseconds", on which other
+  // programs that run at the time weigh less.
+  double milliseconds(const std::string& name, const std::vector<std::string>& passes,
+                      const char* clock = "milliseconds") const;
   // What a pass' occlusion query counted, whatever light it ran for.
   double samples_passed(const std::string& name, const std::string& pass) const;
   // Sum of |a - b| over the sum of b, of all channels of a layer.

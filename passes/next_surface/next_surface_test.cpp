@@ -108,24 +108,23 @@ TEST_CASE("next_surface: rays from anywhere through the middle of a fan and its 
 
 TEST_CASE("next_surface: glass that touches a floor is met before the floor") {
   // The floor lies 1/128 m above the glass, half as much as counts as touching: 2 - 1/128 m off, and counted
-  // as 2 + 1/128. At 3/128 m it is met first, and counted as 2 - 3/128 + 1/64.
+  // as 2 + 1/128. At 3/128 m it is counted as 2 - 3/128 + 1/64 and met first, where it is: 2 - 3/128 m off.
   CHECK(touching_hit(1.0f + 1.0f / 128.0f, 1.0f, {.start = kAbove}) == glm::vec4(0.5f, 0.25f, 2.0f, 1.0f));
   CHECK(touching_hit(1.0f + 3.0f / 128.0f, 1.0f, {.start = kAbove}) ==
-        glm::vec4(0.5f, 0.25f, 2.0f - 1.0f / 128.0f, 2.0f));
+        glm::vec4(0.5f, 0.25f, 2.0f - 3.0f / 128.0f, 2.0f));
 }
 
 TEST_CASE("next_surface: light that starts a little behind a floor's front still meets it, not its back") {
-  // From 1/128 m below: counted as -1/128 + 1/64. From 1/32 m below the floor is behind the ray.
+  // From 1/128 m below: counted as -1/128 + 1/64, so it is met where the light starts. From 1/32 m below the
+  // floor is behind the ray.
   const auto below = [](float metres, float way) {
     return AimedRay{.start = {1.0f, 1.0f - metres, 2.0f}, .direction = {0.0f, way, 0.0f}};
   };
-  CHECK(touching_hit(1.0f, -9.0f, below(1.0f / 128.0f, -1.0f)) ==
-        glm::vec4(0.5f, 0.25f, 1.0f / 128.0f, 2.0f));
+  CHECK(touching_hit(1.0f, -9.0f, below(1.0f / 128.0f, -1.0f)) == glm::vec4(0.5f, 0.25f, 0.0f, 2.0f));
   CHECK(touching_hit(1.0f, -9.0f, below(1.0f / 32.0f, -1.0f)).w == 1.0f);
-  // Upwards its back counts from 1/64 m on.
+  // Upwards its back is met from 1/64 m on.
   CHECK(touching_hit(1.0f, -9.0f, below(1.0f / 128.0f, 1.0f)).w == 0.0f);
-  CHECK(touching_hit(1.0f, -9.0f, below(1.0f / 32.0f, 1.0f)) ==
-        glm::vec4(0.5f, 0.25f, 1.0f / 32.0f + 1.0f / 64.0f, 2.0f));
+  CHECK(touching_hit(1.0f, -9.0f, below(1.0f / 32.0f, 1.0f)) == glm::vec4(0.5f, 0.25f, 1.0f / 32.0f, 2.0f));
 }
 
 namespace {

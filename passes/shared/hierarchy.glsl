@@ -15,7 +15,7 @@ struct WalkingRay {
 
 struct NearestTriangle {
   Float counted;   // metres to where it counts as met
-  Float distance;  // and to itself; to a receiver as it counts
+  Float distance;  // and to itself
   Float number;    // -1: none
   Float weight1;   // of the triangle's second corner,
   Float weight2;   // and of its third
@@ -128,9 +128,8 @@ void meet_triangle(IN(WalkingRay) walking, Int place, Bool wanted, INOUT(Nearest
   Float counted = counted_distance(at);
   Bool nearer = counted < nearest.counted || (counted == nearest.counted && number < nearest.number);
   Bool met = wanted && inside && !edge_on && number != walking.own && is_ahead(walking, at) && nearer;
-  Float distance = max_of(sel(at.receiver, counted, at.distance), 0.0f);
   nearest.counted = sel(met, counted, nearest.counted);
-  nearest.distance = sel(met, distance, nearest.distance);
+  nearest.distance = sel(met, max_of(at.distance, 0.0f), nearest.distance);
   nearest.number = sel(met, number, nearest.number);
   nearest.weight1 = sel(met, u1 * inverse, nearest.weight1);
   nearest.weight2 = sel(met, u2 * inverse, nearest.weight2);

@@ -5,6 +5,7 @@ import pathlib
 import shutil
 import subprocess
 
+import doc_figures
 import glb
 from program import PROGRAM, ProgramTest, main
 
@@ -21,6 +22,17 @@ class Paper(ProgramTest):
         self.assertTrue(rows[0]["commands"][0].startswith("caustics render scenes/glass_sphere.glb"))
         self.assertTrue((self.folder / "out/paper_weights.png").exists())
         self.assertIn("| 21 |", (self.folder / "out/paper.md").read_text())
+
+    def test_rays_through_a_slab_land_where_the_page_says(self):
+        self.succeeds("paper", "-o", "out", "--row", "3", "--row", "35")
+        rows = json.loads((self.folder / "out/paper.json").read_text())["rows"]
+        self.assertEqual([(r["row"], r["holds"]) for r in rows], [("3", True), ("35", True)])
+        self.assertEqual(doc_figures.unprinted(doc_figures.PAGE.read_text(), rows), [])
+
+    def test_a_figure_that_is_not_printed_is_named(self):
+        page = "| 3 | rays | within 3e-7 m; 12 %, 1.20 |\n"
+        found = {"row": "3", "thing": "", "expected": "", "found": "3.4e-7 m, 12.4 %, 1.23"}
+        self.assertEqual(len(doc_figures.unprinted(page, [found])), 1)  # 1.23 is not 1.20
 
     def test_a_row_that_does_not_hold_is_the_answer_no(self):
         # Beside a copy of the program lies a sample scene whose sphere is too small.
