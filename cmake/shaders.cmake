@@ -8,6 +8,10 @@ set(CAUSTICS_EXACT_FLAGS -ffp-contract=off -fno-math-errno -fno-fast-math)
 set(CAUSTICS_KERNEL_OPTIMISATION $<$<CONFIG:Release>:$<IF:$<BOOL:${CAUSTICS_QUICK_BUILD}>,-O2,-O3>>)
 set(CAUSTICS_FLAGS_scalar ${CAUSTICS_KERNEL_OPTIMISATION})
 set(CAUSTICS_FLAGS_plain4 ${CAUSTICS_KERNEL_OPTIMISATION})
+if(EMSCRIPTEN)
+  # Its calls within reach of a handler go through JavaScript, which cannot pass vectors on.
+  list(APPEND CAUSTICS_FLAGS_plain4 -fno-exceptions)
+endif()
 set(CAUSTICS_FLAGS_sse41 ${CAUSTICS_KERNEL_OPTIMISATION} -msse4.1)
 set(CAUSTICS_FLAGS_avx2 ${CAUSTICS_KERNEL_OPTIMISATION} -mavx2 -mfma)
 set(CAUSTICS_FLAGS_avx512 ${CAUSTICS_KERNEL_OPTIMISATION} -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl

@@ -36,7 +36,8 @@ void require_same_names(const PassDefinition& definition, const Listed& listed,
 void require_left_out_to_be_unseen(const PassDefinition& definition, const ShaderInterface& interface) {
   const auto adds = [](const ColorWrite& write) { return write.blend == kAccumulate; };
   const bool seen = definition.topology != Topology::Rectangles || definition.depth ||
-                    definition.count_samples || !std::ranges::all_of(definition.writes, adds);
+                    definition.count_samples ||
+                    !std::all_of(definition.writes.begin(), definition.writes.end(), adds);
   if (seen) refuse(definition, "leaves out zeros that are not added; unset `zero_outside_quad`");
   if (*definition.zero_outside_quad < 0 || *definition.zero_outside_quad + 8 > interface.varying_components())
     refuse(definition, "has no eight varying components from `zero_outside_quad` on");

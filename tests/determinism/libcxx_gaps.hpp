@@ -1,5 +1,6 @@
-// Included before every source where the C++ library is Emscripten's libc++ 13: what it lacks of C++20. The
-// conversions of numbers serve options and messages; no scene and no image passes through them.
+// Included before every source that Emscripten compiles: what its libc++ lacks of C++20, version 13 most of
+// it, later ones less. The conversions of numbers serve options and messages; no scene and no image passes
+// through them.
 #pragma once
 #include <bit>
 #include <charconv>
@@ -19,7 +20,6 @@ constexpr To bit_cast(const From& from) {
 }
 #endif
 
-// Of what from_chars takes, plain decimal numbers.
 #if !defined(__cpp_lib_smart_ptr_for_overwrite)
 template <class Array>
 unique_ptr<Array> make_unique_for_overwrite(size_t count) {
@@ -27,6 +27,8 @@ unique_ptr<Array> make_unique_for_overwrite(size_t count) {
 }
 #endif
 
+#if _LIBCPP_VERSION < 200000
+// Of what from_chars takes, plain decimal numbers.
 template <class Real, class = enable_if_t<is_floating_point_v<Real>>>
 from_chars_result from_chars(const char* first, const char* last, Real& value) {
   const string text(first, last);
@@ -40,7 +42,9 @@ from_chars_result from_chars(const char* first, const char* last, Real& value) {
   value = read;
   return {first + (end - text.c_str()), errc{}};
 }
+#endif
 
+#if _LIBCPP_VERSION < 14000
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int digits) {
   const int length = snprintf(first, static_cast<size_t>(last - first), "%.*g", digits, value);
   return {first + length, errc{}};
@@ -55,5 +59,6 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
   }
   return result;
 }
+#endif
 
 }  // namespace std

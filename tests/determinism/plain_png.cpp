@@ -50,6 +50,7 @@ bool unfiltered(const Bytes& stored, Pixels& pixels) {
   const std::size_t row = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.channels);
   const auto height = static_cast<std::size_t>(pixels.height);
   if (stored.size() != height * (row + 1)) return false;
+  pixels.integers.clear();  // those of the picture before this one
   for (std::size_t y = 0; y < height; ++y) {
     if (stored[y * (row + 1)] != 0) return false;
     const auto begin = stored.begin() + static_cast<std::ptrdiff_t>(y * (row + 1) + 1);
