@@ -41,10 +41,10 @@ struct TexelRectangle {
   int x = 0, y = 0, width = 1, height = 1;
 };
 
-// Of one texel fragments come in the order drawn; texels come tile by tile within each draw. What the device
-// leaves out because it changes nothing (PassDefinition::zero_outside_quad) does not come. Textures that the
-// pass reads must be as they were when it ran. Throws Error (InternalError) for a device that is not the
-// software device.
+// Of one texel fragments come in the order drawn; texels come tile by tile within each draw. Of a pass that
+// lets the device leave out zeros (PassDefinition::zero_outside_quad) no fragment comes that gives zeros
+// alone: which of them are shaded depends on the rectangle. Textures that the pass reads must be as they were
+// when it ran. Throws Error (InternalError) for a device that is not the software device.
 using FragmentVisitor = std::function<void(const FragmentOnTexel&)>;
 void replay_fragments(const Device& software, const PassRun& run, const TargetsBefore& before,
                       const TexelRectangle& where, const FragmentVisitor& visit);

@@ -75,6 +75,13 @@ TexelValue value_in(Format format, const float* texel) {
   return value;
 }
 
+bool gives_nothing(const FragmentOnTexel& fragment, const std::vector<ColorWrite>& writes) {
+  for (std::size_t i = 0; i < writes.size(); ++i)
+    for (int c = 0; c < channel_count(writes[i].format); ++c)
+      if (fragment.given[i][static_cast<std::size_t>(c)] != 0.0f) return false;
+  return true;
+}
+
 }  // namespace
 
 class TexelReplay::Texels {
@@ -104,6 +111,7 @@ class TexelReplay::Texels {
       for (std::size_t i = 0; i < colors_.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c)
           fragment.given[i][c] = stored_value(work.definition->writes[i].format, shaded_.given[i][pixel][c]);
+      if (work.definition->zero_outside_quad && gives_nothing(fragment, work.definition->writes)) continue;
       fragment.depth = depth_.empty() ? 0.0f : tile_.depth[pixel];
       merge(work, chunk, fragment);
       if (shaded_.discarded[pixel]) fragment.outcome = FragmentOutcome::Discarded;

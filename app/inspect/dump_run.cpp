@@ -69,8 +69,7 @@ std::size_t pass_in(Json& run, const Json& beside, const std::string& label) {
 
 }  // namespace
 
-Json dump_run(const std::filesystem::path& folder, const Json& beside, const RecordingLimits& limits,
-              Blobs& blobs) {
+Json dump_run(const std::filesystem::path& folder, const Json& beside, Blobs& blobs) {
   Json run = beside;
   run["device"] = "a dump";
   for (const char* list : {"passes", "attachments", "histories", "lights", "meshes", "sweeps", "left_out"})
@@ -99,8 +98,7 @@ Json dump_run(const std::filesystem::path& folder, const Json& beside, const Rec
     attachment["sha256"] = sha256(image);
     attachment["left_out"] = Json();
     const bool equal = known && (*known)["sha256"] == attachment["sha256"];
-    if (!equal)
-      attachment["data"] = limits.exact ? blobs.add_floats(image.values) : blobs.add_halves(image.values);
+    if (!equal) attachment["data"] = blobs.add_floats(image.values, image.channels());
     run["passes"][pass]["writes"].push_back(attachment["id"]);
     run["attachments"].push_back(std::move(attachment));
   }

@@ -4,13 +4,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/inspect/blobs.hpp"
-#include "app/inspect/run_recorder.hpp"
 
 namespace caustics::app {
 
 // Attachments of the same pass and name as in `beside`, a run of the page, mean what they mean there. Throws
 // Error (BadInput) where the folder is no dump or an image cannot be read.
 nlohmann::ordered_json dump_run(const std::filesystem::path& folder, const nlohmann::ordered_json& beside,
-                                const RecordingLimits& limits, Blobs& blobs);
+                                Blobs& blobs);
 
 }  // namespace caustics::app

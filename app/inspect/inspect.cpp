@@ -59,7 +59,6 @@ bool parse(const Arguments& arguments, InspectRequest& request) {
        "together), or a folder of --dump, of this or another renderer",
        "gl|KEY=VALUE|DIR", "none"},
       [&](const std::string& value) { request.against.push_back(value); });
-  parser.flag("--exact", request.limits.exact, "values as 32-bit floats instead of half: twice as large");
   parser.flag("-q,--quiet", request.quiet, "say nothing but errors");
   add_frame_options(parser, request.frame);
   if (!parser.parse(arguments)) return false;
@@ -142,7 +141,7 @@ Json other_run(const InspectRequest& request, const Json& first, Progress& progr
     return record(name, other, load_scene(other), request.limits, progress, blobs);
   }
   progress.show("reading the dump");
-  Json run = dump_run(request.against.front(), first, request.limits, blobs);
+  Json run = dump_run(request.against.front(), first, blobs);
   run["name"] = name;
   return run;
 }

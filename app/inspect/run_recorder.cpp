@@ -5,7 +5,7 @@
 
 #include "app/inspect/channel_meanings.hpp"
 #include "app/inspect/fragment_table.hpp"
-#include "app/inspect/pixel_footprints.hpp"
+#include "app/inspect/pixel_table.hpp"
 #include "app/inspect/record_parts.hpp"
 #include "app/json.hpp"
 #include "app/output/attachment_kind.hpp"
@@ -82,10 +82,6 @@ RunRecorder::RunRecorder(const std::string& name, RenderedFrame& frame, const Re
 RunRecorder::~RunRecorder() = default;
 
 void RunRecorder::leave_out(const std::string& sentence) { (*run_)["left_out"].push_back(sentence); }
-
-Json RunRecorder::stored(std::span<const float> values) {
-  return limits_.exact ? blobs_.add_floats(values) : blobs_.add_halves(values);
-}
 
 void RunRecorder::draw(const AfterPass& after) {
   frame_.run([&](const PlannedPass& pass, const PassResult& result, std::size_t done, std::size_t total) {
@@ -202,9 +198,9 @@ Json RunRecorder::attachment(const PlannedPass& pass, std::size_t pass_index, co
     leave_out(pass.label + " " + label + ": " + left_out.get<std::string>());
   } else {
     if (!known)
-      known = std::make_unique<Json>(kind == AttachmentKind::Display && !limits_.exact
+      known = std::make_unique<Json>(kind == AttachmentKind::Display && image.shape.format == Format::RGBA8
                                          ? blobs_.add(std::span<const std::uint8_t>(display_bytes(image)))
-                                         : stored(image.values));
+                                         : blobs_.add_floats(image.values, image.channels()));
     data = *known;
   }
   return {{"id", (*run_)["attachments"].size()},
@@ -268,30 +264,34 @@ void RunRecorder::fill_history(const PlannedPass& pass, const std::vector<int>& 
   history["draw"] = blobs_.add(std::span<const std::uint16_t>(table.draw));
   history["primitive"] = blobs_.add(std::span<const std::uint32_t>(table.primitive));
   history["outcome"] = blobs_.add(std::span<const std::uint8_t>(table.outcome));
-  if (pass.depth >= 0) history["depth"] = stored(table.depth);
+  if (pass.depth >= 0) history["depth"] = blobs_.add_floats(table.depth);
   for (std::size_t i = 0; i < table.values.size(); ++i) {
     if (!wanted[i]) continue;
     const std::string id = std::to_string(attachments[i]);
     const ColorWrite& write = pass.definition->writes[i];
-    history["values"][id] = stored(table.values[i]);
+    const int channels = channel_count(write.format);
+    history["values"][id] = blobs_.add_floats(table.values[i], channels);
     const bool kept = i < before_.colors.size() && !before_.colors[i].values.empty();
-    history["before"][id] = kept
-                                ? stored(before_.colors[i].values)
-                                : Json(std::vector<float>(write.clear.begin(),
-                                                          write.clear.begin() + channel_count(write.format)));
+    history["before"][id] =
+        kept ? blobs_.add_floats(before_.colors[i].values, channels)
+             : Json(std::vector<float>(write.clear.begin(), write.clear.begin() + channels));
   }
 }
 
 void RunRecorder::add_pixels(const PlannedPass& pass) {
-  const PixelFootprints footprints = pixel_footprints(frame_, pass);
-  if (std::all_of(footprints.map.begin(), footprints.map.end(),
-                  [](std::uint8_t map) { return map == PixelFootprints::kNone; }))
-    return;
+  const PixelTable table = pixel_table(frame_, pass);
+  const auto irradiance = [&](const std::vector<float>& values) {
+    return values.empty() ? Json() : blobs_.add_floats(values, 4);
+  };
   pixels_[pass.light] =
-      std::make_unique<Json>(Json{{"width", footprints.width},
-                                  {"height", footprints.height},
-                                  {"map", blobs_.add(std::span<const std::uint8_t>(footprints.map))},
-                                  {"rectangle", blobs_.add_floats(footprints.rectangle)}});
+      std::make_unique<Json>(Json{{"width", table.width},
+                                  {"height", table.height},
+                                  {"start", blobs_.add(std::span<const std::uint32_t>(table.start))},
+                                  {"samples", blobs_.add(std::span<const std::uint8_t>(table.samples))},
+                                  {"map", blobs_.add(std::span<const std::uint8_t>(table.map))},
+                                  {"fetches", blobs_.add_floats(table.fetches, 4)},
+                                  {"direct", irradiance(table.direct)},
+                                  {"caustic", irradiance(table.caustic)}});
 }
 
 Json RunRecorder::lights() {
@@ -335,7 +335,7 @@ Json RunRecorder::branches_of(int number) {
   return list;
 }
 
-// In the order of kFootprintMaps.
+// In the order of kCausticMaps.
 Json RunRecorder::maps_of(int number) {
   Json maps = Json::array();
   for (const char* map : {"caustic_map", kCascadeMap, "caustic_map.far"}) {

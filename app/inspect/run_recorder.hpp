@@ -14,7 +14,6 @@
 namespace caustics::app {
 
 struct RecordingLimits {
-  bool exact = false;                            // 32-bit floats instead of half
   std::size_t texels = std::size_t{1} << 20;     // of an attachment; larger ones are left out
   std::size_t fragments = std::size_t{2} << 20;  // of a pass whose history is kept
   std::size_t triangles = 200'000;               // of all meshes that sections show
@@ -59,7 +58,6 @@ class RunRecorder {
   Json branches_of(int number);
   Json maps_of(int number);
   Json meshes();
-  Json stored(std::span<const float> values);
   void leave_out(const std::string& sentence);
 
   RenderedFrame& frame_;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "app/probe/before_pass.hpp"
 #include "passes/registry.hpp"
@@ -21,43 +23,16 @@ int read_as(const PlannedPass& pass, const std::string& name) {
   return PlannedPass::kNothing;
 }
 
-// Weights of texels by the bilinear fetches of all samples of a pixel.
-class Weights {
- public:
-  explicit Weights(const RenderedFrame& frame) : plan_(frame.plan()) {}
-
-  // As fetch_bilinear (pipeline/shader/functions.glsl): texels around a point, those beyond the edges
-  // clamped.
-  void add(int texture, double u, double v, double weight) {
-    const PlannedTexture& map = plan_.textures[static_cast<std::size_t>(texture)];
-    const double x = u * map.width - 0.5, y = v * map.height - 0.5;
-    const double left = std::floor(x), below = std::floor(y);
-    for (int dy = 0; dy < 2; ++dy)
-      for (int dx = 0; dx < 2; ++dx) {
-        const double part =
-            (dx ? x - left : 1.0 - (x - left)) * (dy ? y - below : 1.0 - (y - below)) * weight;
-        if (part == 0.0) continue;
-        const int column = std::clamp(static_cast<int>(left) + dx, 0, map.width - 1);
-        const int row = std::clamp(static_cast<int>(below) + dy, 0, map.height - 1);
-        by_texel_[{texture, row, column}] += part;
-      }
-  }
-
-  std::vector<MapTexel> texels(double samples) const {
-    std::vector<MapTexel> result;
-    for (const auto& [place, weight] : by_texel_)
-      result.push_back({std::get<0>(place), std::get<2>(place), std::get<1>(place), weight / samples});
-    return result;
-  }
-
- private:
-  const FramePlan& plan_;
-  std::map<std::tuple<int, int, int>, double> by_texel_;  // texture, row, column
-};
-
 double sum_of(const TexelValue& value, int channels) {
   return std::accumulate(value.begin(), value.begin() + std::min(channels, 3), 0.0);
 }
+
+// What a fragment on a texel is of a pixel's light.
+struct PartOfLight {
+  std::uint32_t primitive;
+  int x, y;
+  double light;
+};
 
 // What the primitives of the passes that draw into maps put on the texels of one light's pixel.
 class Gatherer {
@@ -111,18 +86,29 @@ class Gatherer {
     return 0.0;
   }
 
+  // A primitive's light is summed up row by row, so that the sum is that of the page of `inspect`.
+  static std::map<std::uint32_t, double> sums_of(std::vector<PartOfLight>& parts) {
+    std::stable_sort(parts.begin(), parts.end(), [](const PartOfLight& a, const PartOfLight& b) {
+      return std::tie(a.primitive, a.y, a.x) < std::tie(b.primitive, b.y, b.x);
+    });
+    std::map<std::uint32_t, double> sums;
+    for (const PartOfLight& part : parts) sums[part.primitive] += part.light;
+    return sums;
+  }
+
   void take(const PlannedPass& pass, std::size_t write, const TexelRectangle& around) {
     const int texture = pass.writes[write];
     const Format format = pass.definition->writes[write].format;
     const bool cells = pass_registry()[static_cast<std::size_t>(pass.pass)].draws == DrawSet::GridCells;
     const auto columns = static_cast<std::uint32_t>(frame_.settings().grid - (cells ? 1 : 0));
-    std::map<std::uint32_t, double> by_primitive;
+    std::vector<PartOfLight> parts;
     replay_fragments(frame_.device(), frame_.prepare(pass), {}, around, [&](const FragmentOnTexel& fragment) {
+      if (fragment.outcome != FragmentOutcome::Passed) return;
       const double light =
           weight_at(texture, fragment.x, fragment.y) * sum_of(fragment.given[write], channel_count(format));
-      if (light != 0.0) by_primitive[fragment.primitive] += light;
+      if (light != 0.0) parts.push_back({fragment.primitive, fragment.x, fragment.y, light});
     });
-    for (const auto& [primitive, light] : by_primitive)
+    for (const auto& [primitive, light] : sums_of(parts))
       light_.contributions.push_back({pass.label, cells ? "cell" : "vertex",
                                       static_cast<int>(primitive % columns),
                                       static_cast<int>(primitive / columns), light});
@@ -154,31 +140,65 @@ bool shades_picture(const PlannedPass& pass) {
   return pass.definition->name == "light_shading" && pass.drawn_for->camera == CameraView::Picture;
 }
 
-std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& light_shading,
-                                 const ProbedTexel& pixel) {
-  Weights weights(frame);
-  std::vector<std::array<double, 3>> at;  // u, v and share of the fetches that the next irradiance comes from
-  std::string map = "caustic_map";
-  double per_flux = 0.0, samples = 0.0;
-  for (const NamedValues& traced : pixel.trace) {
-    const std::array<double, 3> values = {traced.values[0], traced.values[1], traced.values[2]};
-    if (traced.name == "irradiance_of_flux") {
-      per_flux = values[0];
-    } else if (traced.name == "irradiance") {
-      const int texture = read_as(light_shading, map);
-      if (values != std::array<double, 3>{} && texture >= 0)
-        for (const auto& [u, v, share] : at) weights.add(texture, u, v, share * per_flux);
-      if (map != "far_caustic_map") samples += 1.0;
-      at.clear();
-      map = "caustic_map";
-    } else if (traced.name.ends_with("map_at")) {
-      const std::string fetched = traced.name.substr(0, traced.name.size() - 3);
-      if (fetched != map) at.clear();  // the cascade takes the whole map's place
-      map = fetched;
-      at.push_back(values);
-    }
+void FetchReader::read(std::string_view label, const float* values) {
+  if (label == "irradiance_of_flux") {
+    per_flux_ = values[0];
+  } else if (label == "irradiance") {
+    if (values[0] != 0.0f || values[1] != 0.0f || values[2] != 0.0f)
+      for (MapFetch& fetch : at_) {
+        fetch.per_flux = per_flux_;
+        found_.fetches.push_back(fetch);
+      }
+    if (map_ != 2) ++found_.samples;
+    at_.clear();
+    map_ = 0;
+  } else if (label.ends_with("map_at")) {
+    const std::string_view name = label.substr(0, label.size() - 3);
+    const int map = static_cast<int>(std::find(std::begin(kCausticMaps), std::end(kCausticMaps), name) -
+                                     std::begin(kCausticMaps));
+    if (map != map_) at_.clear();  // the cascade takes the whole map's place
+    map_ = map;
+    at_.push_back({.map = map, .u = values[0], .v = values[1], .share = values[2]});
   }
-  return weights.texels(std::max(samples, 1.0));
+}
+
+PixelFetches FetchReader::take() {
+  at_.clear();
+  map_ = 0;
+  return std::exchange(found_, {});
+}
+
+// As fetch_bilinear (pipeline/shader/functions.glsl): texels around a point, those beyond the edges clamped.
+std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& light_shading,
+                                 const PixelFetches& pixel) {
+  std::map<std::tuple<int, int, int>, double> by_texel;  // map, row, column
+  std::array<int, std::size(kCausticMaps)> textures{};
+  for (std::size_t i = 0; i < textures.size(); ++i) textures[i] = read_as(light_shading, kCausticMaps[i]);
+  for (const MapFetch& fetch : pixel.fetches) {
+    const int texture = textures[static_cast<std::size_t>(fetch.map)];
+    if (texture < 0) continue;
+    const PlannedTexture& map = frame.plan().textures[static_cast<std::size_t>(texture)];
+    const double weight = static_cast<double>(fetch.share) * static_cast<double>(fetch.per_flux);
+    const double x = static_cast<double>(fetch.u) * map.width - 0.5;
+    const double y = static_cast<double>(fetch.v) * map.height - 0.5;
+    const double left = std::floor(x), below = std::floor(y);
+    for (int dy = 0; dy < 2; ++dy)
+      for (int dx = 0; dx < 2; ++dx) {
+        const double part =
+            (dx ? x - left : 1.0 - (x - left)) * (dy ? y - below : 1.0 - (y - below)) * weight;
+        if (part == 0.0) continue;
+        const int column = std::clamp(static_cast<int>(left) + dx, 0, map.width - 1);
+        const int row = std::clamp(static_cast<int>(below) + dy, 0, map.height - 1);
+        by_texel[{fetch.map, row, column}] += part;
+      }
+  }
+  const double samples = std::max(pixel.samples, 1);
+  std::vector<MapTexel> texels;
+  for (const auto& [place, weight] : by_texel) {
+    const auto [map, row, column] = place;
+    texels.push_back({map, textures[static_cast<std::size_t>(map)], column, row, weight / samples});
+  }
+  return texels;
 }
 
 std::vector<std::vector<LightOnPixel>> light_on_pixels(RenderedFrame& frame,
@@ -190,10 +210,12 @@ std::vector<std::vector<LightOnPixel>> light_on_pixels(RenderedFrame& frame,
       const ProbedPass probe(frame, pass, std::move(before));
       for (std::size_t i = 0; i < pixels.size(); ++i) {
         const ProbedTexel pixel = probe.at(pixels[i].first, pixels[i].second);
+        FetchReader reader;
+        for (const NamedValues& traced : pixel.trace) reader.read(traced.name, traced.values.data());
         lights[i].push_back({.light = pass.light,
                              .direct = color_of(pixel.given, "direct"),
                              .caustic = color_of(pixel.given, "caustic"),
-                             .texels = map_texels(frame, pass, pixel),
+                             .texels = map_texels(frame, pass, reader.take()),
                              .agrees = pixel.agrees});
       }
     }

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/frame.hpp"
@@ -11,8 +12,38 @@
 
 namespace caustics::app {
 
+// The caustic maps among what light_shading reads, by their numbers: the whole map, the cascade, the map of
+// the farthest receivers.
+inline constexpr const char* kCausticMaps[] = {"caustic_map", "cascade_map", "far_caustic_map"};
+
+// A bilinear look-up of a caustic map that gave a pixel light.
+struct MapFetch {
+  int map = 0;               // of kCausticMaps
+  float u = 0.0f, v = 0.0f;  // where in the map, 0..1
+  float share = 0.0f;        // of what is found there, that counts
+  float per_flux = 0.0f;     // irradiance that each unit of it gives, 1 / m2 or 1 / sr
+};
+struct PixelFetches {
+  std::vector<MapFetch> fetches{};
+  int samples = 0;  // of the pixel, whose mean it is; those without light too
+};
+
+// Puts them together from what light_shading's text hands out of a pixel, in order.
+class FetchReader {
+ public:
+  void read(std::string_view label, const float* values);
+  PixelFetches take();  // and begins with the next pixel
+
+ private:
+  PixelFetches found_;
+  std::vector<MapFetch> at_;  // those that the next irradiance comes from
+  int map_ = 0;
+  float per_flux_ = 0.0f;
+};
+
 // A texel of a caustic map that a pixel reads.
 struct MapTexel {
+  int map = 0;          // of kCausticMaps
   int texture = 0;      // index into FramePlan::textures
   int x = 0, y = 0;     // from the left and the bottom
   double weight = 0.0;  // irradiance that the pixel has of each unit of the texel's flux, 1 / m2 or 1 / sr
@@ -29,16 +60,17 @@ struct Contribution {
 struct LightOnPixel {
   int light = 0;                              // index into Scene::lights
   std::array<float, 3> direct{}, caustic{};   // lux, as light_shading gives them
-  std::vector<MapTexel> texels{};             // those that count; by map, rows, columns
+  std::vector<MapTexel> texels{};             // those that count; by map, row, column
   std::vector<Contribution> contributions{};  // largest first
   double explained = 0.0;                     // what the texels' light is of `caustic`: 1 but for rounding
   double accounted = 0.0;  // what the contributions' light is of the texels': 1 but for rounding
   bool agrees = true;      // recomputed and rendered are the same bits
 };
 
-// From the values that light_shading's text hands out for one pixel.
+// The texels around all fetches of a pixel, by map, row and column. The page of `inspect` has these steps a
+// second time, in the same arithmetic: texelsOfFetches of light_links.js.
 std::vector<MapTexel> map_texels(const RenderedFrame& frame, const PlannedPass& light_shading,
-                                 const ProbedTexel& pixel);
+                                 const PixelFetches& pixel);
 
 // Is this the pass that gives the picture one light's light?
 bool shades_picture(const PlannedPass& pass);

@@ -9,7 +9,7 @@ import struct
 import zlib
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "app" / "inspect" / "page"
-CODES = {"u8": "B", "u16": "H", "u32": "I", "f16": "e", "f32": "f"}
+CODES = {"u8": "B", "u16": "H", "u32": "I", "f32": "f"}
 
 
 class Blobs:

@@ -84,12 +84,12 @@ class RunMaker:
         )
         return number
 
-    def write(self, texture, kind, size, values, channels, meaning, codes=None, left_out=None, exact=False):
+    def write(self, texture, kind, size, values, channels, meaning, codes=None, left_out=None):
         number = len(self.run["passes"]) - 1
         identity = len(self.run["attachments"])
         data = None
         if values is not None:
-            data = self.blobs.add("u8" if kind == "display" else "f32" if exact else "f16", values)
+            data = self.blobs.add("u8" if kind == "display" else "f32", values)
         self.run["attachments"].append(
             {
                 "id": identity,
@@ -128,8 +128,8 @@ class RunMaker:
                 "draw": self.blobs.add("u16", [e[0] for e in flat]),
                 "primitive": self.blobs.add("u32", [e[1] for e in flat]),
                 "outcome": self.blobs.add("u8", [e[2] for e in flat]),
-                "depth": self.blobs.add("f16", [e[3] for e in flat]) if draws else None,
-                "values": {str(attachment): self.blobs.add("f16", [v for e in flat for v in e[4]])},
+                "depth": self.blobs.add("f32", [e[3] for e in flat]) if draws else None,
+                "values": {str(attachment): self.blobs.add("f32", [v for e in flat for v in e[4]])},
                 "before": {str(attachment): before},
                 "vertices_of": vertices_of,
                 "cascade": False,
@@ -138,6 +138,25 @@ class RunMaker:
         )
         assert len(flat) == 0 or len(flat[0][4]) == channels
         return len(self.run["histories"]) - 1
+
+
+def pixel_table(blobs, size, looks, direct, caustic):
+    """What a light gives to each pixel. `looks`: by pixel [(u, v)] of the look-ups in map 0 that give it
+    light, each worth one unit of irradiance for each unit of flux."""
+    starts = [0]
+    for pixel in looks:
+        starts.append(starts[-1] + len(pixel))
+    all_looks = [look for pixel in looks for look in pixel]
+    return {
+        "width": size[0],
+        "height": size[1],
+        "start": blobs.add("u32", starts),
+        "samples": blobs.add("u8", [1] * len(looks)),
+        "map": blobs.add("u8", [0] * len(all_looks)),
+        "fetches": blobs.add("f32", [v for u, w in all_looks for v in (u, w, 1, 1)]),
+        "direct": blobs.add("f32", direct),
+        "caustic": blobs.add("f32", caustic),
+    }
 
 
 def bare_recording():

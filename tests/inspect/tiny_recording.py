@@ -4,8 +4,8 @@ hand, so that every share can be computed in the head:
   lamp's map (8 x 8):  cell (1, 1) gave 6 to texel (2, 2), cell (2, 1) gave 3 to (3, 2),
   cell (4, 5) gave 1 to (3, 3)
                        and 2 to (5, 5)
-  pixel (2, 2) reads texels 2..4 x 2..4: 10 in all, of that 60 %, 30 %, 10 %
-  pixel (3, 2) reads 3.5..4.5 x 2..3: 1.5, all from cell (2, 1)
+  pixel (2, 2) reads texels 2..4 x 2..4, a quarter of each: 10 in all, of that 60 %, 30 %, 10 %
+  pixel (3, 2) reads half of texels (3, 2) and (4, 2): 1.5, all from cell (2, 1)
 
 Run B differs from run A first in landing[sun], texel (10, 12), by 0.25.
 """
@@ -13,9 +13,9 @@ import math
 
 import ball_of_glass as ball
 from page_file import Blobs
-from recording_parts import COVERED, LUX, STATUS, XYZ, RunMaker
+from recording_parts import COVERED, LUX, STATUS, XYZ, RunMaker, pixel_table
 from tiny_picture import HEIGHT, WIDTH, floor_of_pixel, pixels, sees_ball
-from tiny_sun import MAP, SCRIPT, shadow_map, sun_grid, sun_map, sun_pixels, sun_shading
+from tiny_sun import MAP, SCRIPT, map_places, shadow_map, sun_grid, sun_map, sun_pixels, sun_shading
 
 LAMP_GRID = LAMP_MAP = 8
 
@@ -110,19 +110,23 @@ def lamp_light(maker):
     }
 
 
-def lamp_pixels(maker):
-    chosen, rectangles = [], []
+def lamp_pixels(maker, direct, caustic):
+    """Pixel (2, 2) looks where four texels meet, (3, 2) between two, others at the middle of their own."""
+    places = {(2, 2): (3, 3), (3, 2): (4, 2.5)}
+    looks = []
     for x, y in pixels():
-        inside = x < 8 and y < 8
-        box = {(2, 2): [2, 2, 4, 4], (3, 2): [3.5, 2, 4.5, 3]}.get((x, y), [x, y, x + 1, y + 1])
-        chosen.append(0 if inside else 255)
-        rectangles += box if inside else [0, 0, 0, 0]
-    return {
-        "width": WIDTH,
-        "height": HEIGHT,
-        "map": maker.blobs.add("u8", chosen),
-        "rectangle": maker.blobs.add("f16", rectangles),
-    }
+        u, v = places.get((x, y), (x + 0.5, y + 0.5))
+        looks.append([(u / LAMP_MAP, v / LAMP_MAP)] if x < LAMP_MAP and y < LAMP_MAP else [])
+    return pixel_table(maker.blobs, (WIDTH, HEIGHT), looks, direct, caustic)
+
+
+def lamp_irradiance():
+    """(direct, caustic) of every pixel, four channels each."""
+    direct, caustic = [0] * (4 * WIDTH * HEIGHT), [0] * (4 * WIDTH * HEIGHT)
+    for x, y, lux in ((2, 2, 200), (3, 2, 60), (3, 3, 20), (5, 5, 40), (7, 7, 95)):
+        at = 4 * (y * WIDTH + x)
+        direct[at : at + 3], caustic[at : at + 3] = [64] * 3, [lux] * 3
+    return direct, caustic
 
 
 def write_irradiance(maker, direct, caustic):
@@ -293,11 +297,12 @@ def make_run(name, blobs, wrong=False):
     shadow_map(maker)
     ways, branch = sun_grid(maker, wrong)
     sums, mapped = sun_map(maker, ways)
-    read, chosen, rectangles = sun_pixels(maker)
-    direct, caustic = sun_shading(maker, sums, chosen, rectangles)
+    places = map_places()
+    direct, caustic = sun_shading(maker, sums, places)
     if wrong:
         caustic[4 * (30 * WIDTH + 60)] += 512
     write_irradiance(maker, direct, caustic)
+    read = sun_pixels(maker, places, direct, caustic)
     lamp = lamp_light(maker)
     maker.add_pass(
         "light_shading[lamp]",
@@ -307,10 +312,8 @@ def make_run(name, blobs, wrong=False):
         state={"blend": "add"},
         milliseconds=2.2,
     )
-    for x, y, lux in ((2, 2, 200), (3, 2, 60), (3, 3, 20), (5, 5, 40), (7, 7, 95)):
-        at = 4 * (y * WIDTH + x)
-        caustic[at : at + 3] = [lux] * 3
-        direct[at : at + 3] = [direct[at + c] + 64 for c in range(3)]
+    of_lamp = lamp_irradiance()
+    direct, caustic = ([a + b for a, b in zip(sun, lamp)] for sun, lamp in zip((direct, caustic), of_lamp))
     write_irradiance(maker, direct, caustic)
     screen = finish_picture(maker, direct, caustic, "")
     sun = {
@@ -345,7 +348,7 @@ def make_run(name, blobs, wrong=False):
             "ledger": None,
             "estimated_error": None,
             "grid": LAMP_GRID,
-            "pixels": lamp_pixels(maker),
+            "pixels": lamp_pixels(maker, *of_lamp),
             "paths": None,
             **lamp,
         },

@@ -2,7 +2,7 @@
 import math
 
 import ball_of_glass as ball
-from recording_parts import COVERED, FLUX, STATUS, XYZ
+from recording_parts import COVERED, FLUX, STATUS, XYZ, pixel_table
 from tiny_picture import HEIGHT, LEFT, LOW, PIXEL, WIDTH, floor_of_pixel, in_shadow, pixels, sees_ball
 
 MAP, MAP_LEFT, MAP_LOW, MAP_TEXEL = 64, 0.0, -0.64, 0.02
@@ -178,28 +178,24 @@ def sun_map(maker, ways):
     return sums, {"attachment": identity, "histories": [history]}
 
 
-def sun_pixels(maker):
-    chosen, rectangles = [], []
+def map_places():
+    """By pixel: its corners in texels of the map, or None where it reads nothing there."""
+    places = []
     for x, y in pixels():
         left = (LEFT + x * PIXEL - MAP_LEFT) / MAP_TEXEL
         low = (LOW + y * PIXEL - MAP_LOW) / MAP_TEXEL
         side = PIXEL / MAP_TEXEL
         inside = left >= 0 and low >= 0 and left + side <= MAP and low + side <= MAP and not sees_ball(x, y)
-        chosen.append(0 if inside else 255)
-        rectangles += [left, low, left + side, low + side] if inside else [0, 0, 0, 0]
-    return (
-        {
-            "width": WIDTH,
-            "height": HEIGHT,
-            "map": maker.blobs.add("u8", chosen),
-            "rectangle": maker.blobs.add("f16", rectangles),
-        },
-        chosen,
-        rectangles,
-    )
+        places.append((left, low, left + side, low + side) if inside else None)
+    return places
 
 
-def sun_shading(maker, sums, chosen, rectangles):
+def sun_pixels(maker, places, direct, caustic):
+    looks = [[((p[0] + p[2]) / 2 / MAP, (p[1] + p[3]) / 2 / MAP)] if p else [] for p in places]
+    return pixel_table(maker.blobs, (WIDTH, HEIGHT), looks, direct, caustic)
+
+
+def sun_shading(maker, sums, places):
     maker.add_pass(
         "light_shading[sun]",
         "What one light gives to the surfaces that the camera sees",
@@ -212,8 +208,8 @@ def sun_shading(maker, sums, chosen, rectangles):
     for number, (x, y) in enumerate(pixels()):
         shaded = in_shadow(*floor_of_pixel(x, y)) or sees_ball(x, y)
         direct += [0 if shaded else 43000 * k for k in (1, 0.97, 0.9)] + [0]
-        x0, y0, x1, y1 = (round(v) for v in rectangles[4 * number : 4 * number + 4])
+        x0, y0, x1, y1 = (round(v) for v in places[number] or (0, 0, 0, 0))
         flux = sum(sums[row * MAP + column] for row in range(y0, y1) for column in range(x0, x1))
-        lux = 50000 * flux / PIXEL**2 if chosen[number] == 0 else 0
+        lux = 50000 * flux / PIXEL**2 if places[number] else 0
         caustic += [min(60000, lux * k) for k in (1, 0.97, 0.9)] + [0]
     return direct, caustic

@@ -8,7 +8,7 @@ class Blobs {
     this.bytes = 0;
   }
 
-  // The values of an Array of the recording, or null where the page does not hold it. Half floats come as floats.
+  // The values of an Array of the recording, or null where the page does not hold it.
   async get(array) {
     if (!array) return null;
     const key = array.blob;
@@ -37,7 +37,7 @@ class Blobs {
 async function decodeArray(array) {
   const element = document.getElementById(`blob-${array.blob}`);
   if (!element) throw new Error(`the page lacks blob ${array.blob}`);
-  return typedValues(await inflate(element.textContent), array.type);
+  return typedValues(await inflate(element.textContent), array);
 }
 
 async function inflate(text) {
@@ -55,15 +55,39 @@ function bytesOfBase64(text) {
 }
 
 // The bytes of a value lie in planes, lowest first: bytes alike lie side by side, which packs better.
-function typedValues(bytes, type) {
+function typedValues(bytes, {type, channels, beside}) {
+  const words = () => {
+    const joined = new Uint32Array(joinPlanes(bytes, 4).buffer);
+    return channels ? summedUp(joined, channels, beside) : joined;
+  };
   switch (type) {
     case "u8": return bytes;
-    case "f16": return floatsOfHalves(bytes);
     case "u16": return new Uint16Array(joinPlanes(bytes, 2).buffer);
-    case "u32": return new Uint32Array(joinPlanes(bytes, 4).buffer);
-    case "f32": return new Float32Array(joinPlanes(bytes, 4).buffer);
+    case "u32": return words();
+    case "f32": return new Float32Array(words().buffer);
     default: throw new Error(`unknown array type ${type}`);
   }
+}
+
+// Of words that lie channel after channel, each as the difference from the texel before it (blobs.cpp), what
+// they were; "beside": the second and third channel are less the first one's difference, too. All modulo 2^32.
+function summedUp(coded, channels, beside) {
+  const words = new Uint32Array(coded.length);
+  const texels = coded.length / channels;
+  for (let c = 0; c < channels; c++) {
+    const more = beside && (c === 1 || c === 2);
+    let word = 0, first = 0;
+    for (let i = 0, at = c, from = c * texels; i < texels; i++, at += channels, from++) {
+      const folded = coded[from];
+      word = (word + ((folded >>> 1) ^ -(folded & 1))) | 0;
+      if (more) {
+        word = (word + words[at - c] - first) | 0;
+        first = words[at - c];
+      }
+      words[at] = word;
+    }
+  }
+  return words;
 }
 
 function joinPlanes(bytes, size) {
@@ -73,28 +97,4 @@ function joinPlanes(bytes, size) {
     for (let i = 0, from = plane * count, to = plane; i < count; i++, from++, to += size) joined[to] = bytes[from];
   }
   return joined;
-}
-
-function floatsOfHalves(bytes) {
-  const halves = halfTable();
-  const count = bytes.length >> 1;
-  const floats = new Float32Array(count);
-  for (let i = 0; i < count; i++) floats[i] = halves[bytes[i] | (bytes[count + i] << 8)];
-  return floats;
-}
-
-let halves = null;
-
-// All 65536 half floats: 1 bit sign, 5 bits exponent, 10 bits fraction (IEEE 754 binary16).
-function halfTable() {
-  if (halves) return halves;
-  halves = new Float32Array(65536);
-  for (let bits = 0; bits < 65536; bits++) {
-    const exponent = (bits >> 10) & 31;
-    const fraction = bits & 1023;
-    let size = exponent === 31 ? (fraction ? NaN : Infinity) : 2 ** (exponent - 15) * (1 + fraction / 1024);
-    if (exponent === 0) size = fraction * 2 ** -24;
-    halves[bits] = bits & 32768 ? -size : size;
-  }
-  return halves;
 }

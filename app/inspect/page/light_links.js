@@ -26,50 +26,66 @@ class LightLinks {
     return this.histories(map).map((history) => history.left_out).filter(Boolean);
   }
 
-  // The texels of a map that a pixel reads, each with the share of it that lies in the pixel's rectangle.
-  // Null where the pixel reads none.
-  async texelsOfPixel(x, y) {
+  // What the page holds of the pixels of the picture (app/inspect/pixel_table.hpp); null where it holds nothing.
+  async pixelTable() {
     const {pixels} = this.light;
-    const [maps, rectangles] = await Promise.all([pixels?.map, pixels?.rectangle].map((a) => this.run.blobs.get(a)));
-    if (!maps || !rectangles || x >= pixels.width || y >= pixels.height) return null;
-    const pixel = y * pixels.width + x;
-    const attachment = this.mapAttachment(maps[pixel]);
-    if (maps[pixel] === 255 || !attachment) return null;
-    const rectangle = Array.from(rectangles.subarray(4 * pixel, 4 * pixel + 4));
-    return {map: maps[pixel], rectangle, texels: texelsUnder(rectangle, attachment.width, attachment.height)};
+    if (!pixels) return null;
+    const [start, samples, map, fetches] = await Promise.all(
+      [pixels.start, pixels.samples, pixels.map, pixels.fetches].map((array) => this.run.blobs.get(array)));
+    const sizes = (this.light.maps ?? []).map((_, number) => this.mapAttachment(number));
+    return start && samples && map && fetches ? {...pixels, start, samples, map, fetches, sizes} : null;
   }
 
-  // All that put light into these texels of a map, the largest first, with their shares of it.
-  async givers(map, texels) {
+  // The texels of the caustic maps that a pixel reads, [{map, x, y, weight}], as `probe --pixel` has them. Null
+  // where that is not in the page.
+  async texelsOfPixel(x, y) {
+    const table = await this.pixelTable();
+    if (!table || x >= table.width || y >= table.height) return null;
+    return texelsOfFetches(table, y * table.width + x);
+  }
+
+  // All histories of the light's maps in the order in which their passes ran: [{map, history}].
+  allHistories() {
+    return (this.light.maps ?? []).flatMap((_, map) => this.histories(map).map((history) => ({map, history})))
+      .sort((a, b) => a.history.pass - b.history.pass);
+  }
+
+  // All that put light into these texels, the largest first, with their shares of it. Sums are taken in the
+  // order of `probe --pixel` (app/probe/pixel_light.cpp), so that they are its sums.
+  async givers(texels) {
+    const list = [];
+    for (const {map, history} of this.allHistories()) {
+      const here = texels.filter((texel) => texel.map === map);
+      const fluxes = here.length ? await this.fluxes(history, map) : null;
+      if (fluxes) list.push(...this.giversIn(history, here, fluxes));
+    }
+    const total = list.reduce((sum, giver) => sum + giver.flux, 0);
+    for (const giver of list) giver.share = total > 0 ? giver.flux / total : 0;
+    return {total, list: list.sort((a, b) => b.share - a.share)};
+  }
+
+  // Those of one pass, by their numbers.
+  giversIn(history, texels, {start, primitive, outcome, fluxAt}) {
     const found = new Map();
-    let total = 0;
-    for (const history of this.histories(map)) {
-      const fluxes = await this.fluxes(history, map);
-      if (!fluxes) continue;
-      const {start, primitive, outcome, fluxAt} = fluxes;
-      for (const {x, y, weight} of texels) {
-        const texel = y * history.width + x;
-        for (let i = start[texel]; i < start[texel + 1]; i++) {
-          if (outcome?.[i]) continue;
-          const flux = weight * fluxAt(i);
-          if (flux === 0) continue;
-          total += flux;
-          const key = `${history.pass}:${primitive[i]}`;
-          if (!found.has(key)) found.set(key, this.giver(history, primitive[i]));
-          found.get(key).flux += flux;
-        }
+    for (const {x, y, weight} of texels) {
+      const texel = y * history.width + x;
+      for (let i = start[texel]; i < start[texel + 1]; i++) {
+        if (outcome?.[i]) continue;
+        const flux = weight * fluxAt(i);
+        if (flux === 0) continue;
+        if (!found.has(primitive[i])) found.set(primitive[i], this.giver(history, primitive[i]));
+        found.get(primitive[i]).flux += flux;
       }
     }
-    const list = [...found.values()].sort((a, b) => b.flux - a.flux);
-    for (const giver of list) giver.share = giver.flux / total;
-    return {total, list};
+    return [...found.values()].sort((a, b) => a.primitive - b.primitive);
   }
 
   giver(history, primitive) {
     return {history, primitive, flux: 0, vertex: verticesOf(history, primitive, this.light.grid)};
   }
 
-  // A history's arrays, with a function that says the flux of an event.
+  // A history's arrays, with functions that say the flux of an event: of all colours together, as shares count
+  // it, and its brightness.
   async fluxes(history, map) {
     const texture = this.mapAttachment(map)?.texture;
     const ids = Object.keys(history.values ?? {});
@@ -78,7 +94,8 @@ class LightLinks {
       [history.start, history.primitive, history.outcome, history.values?.[id]].map((a) => this.run.blobs.get(a)));
     if (!start || !primitive || !values) return null;
     const channels = Math.round(values.length / Math.max(primitive.length, 1)) || 1;
-    return {start, primitive, outcome, fluxAt: (i) => brightness(values, i * channels, channels)};
+    return {start, primitive, outcome, fluxAt: (i) => sumOfColors(values, i * channels, channels),
+      brightnessAt: (i) => brightness(values, i * channels, channels)};
   }
 
   // The texels that a vertex's or cell's light went to: [{map, x, y, flux}], the brightest first.
@@ -104,20 +121,20 @@ class LightLinks {
       .map(([a, b]) => b * (grid - 1) + a));
   }
 
-  // The pixels that read one of these texels, [{x, y, share}]: share of the texels' flux that lies in a pixel's
-  // rectangle, the largest first.
+  // The pixels that read one of these texels, [{x, y, share}]: share is the light that they have of it, the most
+  // first.
   async pixelsOf(texels) {
-    const {pixels} = this.light;
-    const [maps, rectangles] = await Promise.all([pixels?.map, pixels?.rectangle].map((a) => this.run.blobs.get(a)));
-    if (!maps || !rectangles) return null;
-    const byMap = new Map();
-    for (const texel of texels) byMap.set(texel.map, [...byMap.get(texel.map) ?? [], texel]);
+    const table = await this.pixelTable();
+    if (!table) return null;
+    const flux = table.sizes.map((size) => size ? new Float64Array(size.width * size.height) : null);
+    for (const texel of texels) {
+      if (flux[texel.map]) flux[texel.map][texel.y * table.sizes[texel.map].width + texel.x] += texel.flux;
+    }
     const found = [];
-    for (let pixel = 0; pixel < maps.length; pixel++) {
-      const wanted = byMap.get(maps[pixel]);
-      if (!wanted) continue;
-      const share = shareInside(wanted, rectangles, 4 * pixel);
-      if (share > 0) found.push({x: pixel % pixels.width, y: Math.floor(pixel / pixels.width), share});
+    for (let pixel = 0; pixel < table.width * table.height; pixel++) {
+      let share = 0;
+      eachTexel(table, pixel, (map, x, y, part) => { share += flux[map][y * table.sizes[map].width + x] * part; });
+      if (share > 0) found.push({x: pixel % table.width, y: Math.floor(pixel / table.width), share});
     }
     return found.sort((a, b) => b.share - a.share);
   }
@@ -183,43 +200,54 @@ class LightLinks {
 // Statuses whose light is drawn into the map: landed, and stopped but drawn.
 const kDrawn = new Set([1, 8]);
 
-// Texel i spans i to i + 1. A rectangle without extent reads the texel that it lies in.
-function texelsUnder([x0, y0, x1, y1], width, height) {
-  const texels = [];
-  const [right, top] = [Math.max(Math.ceil(x1), Math.floor(x0) + 1), Math.max(Math.ceil(y1), Math.floor(y0) + 1)];
-  for (let y = Math.max(0, Math.floor(y0)); y < Math.min(top, height); y++) {
-    for (let x = Math.max(0, Math.floor(x0)); x < Math.min(right, width); x++) {
-      const weight = overlap(x, x0, x1) * overlap(y, y0, y1);
-      if (weight > 0) texels.push({x, y, weight});
+// What a texel gives to all colours together.
+function sumOfColors(values, at, channels) {
+  let sum = 0;
+  for (let c = 0; c < Math.min(channels, 3); c++) sum += values[at + c];
+  return sum;
+}
+
+// The texels around each look-up of a pixel with their part of it, those beyond the edges clamped:
+// `map_texels` of app/probe/pixel_light.cpp, step by step in the same arithmetic.
+function eachTexel({start, map, fetches, sizes}, pixel, visit) {
+  for (let i = start[pixel]; i < start[pixel + 1]; i++) {
+    const size = sizes[map[i]];
+    if (!size) continue;
+    const weight = fetches[4 * i + 2] * fetches[4 * i + 3];
+    const [x, y] = [fetches[4 * i] * size.width - 0.5, fetches[4 * i + 1] * size.height - 0.5];
+    const [left, below] = [Math.floor(x), Math.floor(y)];
+    for (let dy = 0; dy < 2; dy++) {
+      for (let dx = 0; dx < 2; dx++) {
+        const part = (dx ? x - left : 1 - (x - left)) * (dy ? y - below : 1 - (y - below)) * weight;
+        if (part === 0) continue;
+        visit(map[i], clamp(left + dx, 0, size.width - 1), clamp(below + dy, 0, size.height - 1), part);
+      }
     }
   }
-  return texels;
 }
 
-function overlap(texel, from, to) {
-  return to > from ? Math.min(to, texel + 1) - Math.max(from, texel) : 1;
+// By map, row and column.
+function texelsOfFetches(table, pixel) {
+  const found = new Map();
+  eachTexel(table, pixel, (map, x, y, part) => {
+    const key = `${map}:${y}:${x}`;
+    if (!found.has(key)) found.set(key, {map, x, y, weight: 0});
+    found.get(key).weight += part;
+  });
+  const samples = Math.max(table.samples[pixel], 1);
+  return [...found.values()].map((texel) => ({...texel, weight: texel.weight / samples}))
+    .sort((a, b) => a.map - b.map || a.y - b.y || a.x - b.x);
 }
 
-function collectTexels(found, map, history, wanted, {start, primitive, outcome, fluxAt}) {
+function collectTexels(found, map, history, wanted, {start, primitive, outcome, brightnessAt}) {
   const byTexel = new Map();
   let texel = 0;
   for (let event = 0; event < primitive.length; event++) {
     if (!wanted.has(primitive[event]) || outcome?.[event]) continue;
     while (start[texel + 1] <= event) texel++;
-    byTexel.set(texel, (byTexel.get(texel) ?? 0) + fluxAt(event));
+    byTexel.set(texel, (byTexel.get(texel) ?? 0) + brightnessAt(event));
   }
   for (const [at, flux] of byTexel) {
     if (flux > 0) found.push({map, x: at % history.width, y: Math.floor(at / history.width), flux});
   }
-}
-
-function shareInside(texels, rectangles, at) {
-  const [x0, y0, x1, y1] = [rectangles[at], rectangles[at + 1], rectangles[at + 2], rectangles[at + 3]];
-  let inside = 0;
-  for (const {x, y, flux} of texels) {
-    const across = Math.max(0, Math.min(x1, x + 1) - Math.max(x0, x));
-    const up = Math.max(0, Math.min(y1, y + 1) - Math.max(y0, y));
-    inside += flux * across * up;
-  }
-  return inside;
 }

@@ -7,58 +7,51 @@ class LightWords {
     this.page = page;
   }
 
-  // What light `index` gives to a pixel: {direct, caustic} in lux, null where the page does not hold it.
+  // What light `index` gives to a pixel: {direct, caustic}, three colours in lux each, as `probe --pixel` prints
+  // them; null where the page does not hold it.
   async irradiance(run, index, x, y) {
+    const {pixels} = run.lights[index];
     const found = {};
-    for (const texture of ["direct", "caustic"]) found[texture] = await this.addedBy(run, index, texture, x, y);
+    for (const name of ["direct", "caustic"]) {
+      const values = await run.blobs.get(pixels?.[name]);
+      const at = 4 * (y * pixels?.width + x);
+      found[name] = values && x < pixels.width && y < pixels.height ? Array.from(values.subarray(at, at + 3)) : null;
+    }
     return found;
-  }
-
-  // All lights add to one texture: a light's part is what its pass left there less what was there before.
-  async addedBy(run, index, texture, x, y) {
-    const after = run.attachments.findLast((one) => one.texture === texture && run.passes[one.pass]?.light === index);
-    const here = await this.brightnessAt(run, after, x, y);
-    if (here === null) return null;
-    const before = run.attachmentBefore(after.pass, texture);
-    return Math.max(0, here - (await this.brightnessAt(run, before, x, y) ?? 0));
-  }
-
-  async brightnessAt(run, attachment, x, y) {
-    const values = await run.values(attachment);
-    if (!values || x >= attachment.width || y >= attachment.height) return null;
-    const channels = channelsOf(attachment);
-    return brightness(values, (y * attachment.width + x) * channels, channels);
   }
 
   // What the camera gets from a pixel, where the page holds it.
   async radianceParagraph(run, x, y) {
     const beauty = run.attachments.findLast((one) => one.texture === "beauty");
-    const radiance = await this.brightnessAt(run, beauty, x, y);
-    return radiance === null ? null : paragraph(`It sends ${formatWithUnit(radiance, "nit")} to the camera.`);
+    const values = await run.values(beauty);
+    if (!values || x >= beauty.width || y >= beauty.height) return null;
+    const at = (y * beauty.width + x) * channelsOf(beauty);
+    return paragraph("It sends ", formatColor(values.subarray(at, at + 3), "nit"), " to the camera.");
   }
 
   irradianceParagraph(lights, run, chosen) {
-    const lux = (value) => value === null ? "not kept" : formatWithUnit(value, "lux");
+    const lux = (color) => color ? formatColor(color, "lux") : "not kept";
     return make("ul", {class: "lights"}, lights.map(({direct, caustic}, index) => {
       const {name} = run.lights[index];
-      return make("li", {}, make("strong", {}, name), `: direct light ${lux(direct)}, caustic ${lux(caustic)} `,
+      return make("li", {}, make("strong", {}, name), ": direct light ", lux(direct), ", caustic ", lux(caustic), " ",
         index !== chosen && run.lights.length > 1 ? linkTo("look into it", () => this.page.set({light: index})) : null);
     }));
   }
 
   // "12 texels, 31 cells; the largest gives 8 %", and the list of the largest.
-  async giversOf(links, map, {list}, texelCount) {
+  async giversOf(links, maps, {list}, texelCount) {
+    const missing = maps.flatMap((map) => links.leftOut(map));
     if (!list.length) {
-      const missing = links.leftOut(map);
       const more = missing.length > 1 ? `; likewise ${plural(missing.length - 1, "more pass", "more passes")}` : "";
       return [missing.length ? paragraph("Which cells gave this light is not in this page: ", missing[0], more, ".") :
         paragraph("No cell of the grid puts light there.")];
     }
-    const unknown = links.leftOut(map).length;
-    const noun = list[0].history.vertices_of === "vertex" ? "vertex" : "cell";
-    const many = noun === "cell" ? "cells" : "vertices";
+    const unknown = missing.length;
+    const kinds = new Set(list.map((giver) => giver.history.vertices_of));
+    const many = kinds.size > 1 ? "cells and vertices" : kinds.has("vertex") ? "vertices" : "cells";
+    const noun = kinds.has("vertex") ? "vertex" : "cell";
     const table = make("div", {});
-    await this.fillGivers(table, links, map, list, kGiversAtFirst);
+    await this.fillGivers(table, links, list, kGiversAtFirst);
     return [
       paragraph(`${plural(list.length, noun, many)} of the grid gave light to ` +
         (texelCount === 1 ? "this texel" : `these ${texelCount} texels`) +
@@ -67,24 +60,24 @@ class LightWords {
       table];
   }
 
-  async fillGivers(element, links, map, list, count) {
+  async fillGivers(element, links, list, count) {
     const rows = [];
     for (const giver of list.slice(0, count)) rows.push(await this.giverRow(links, giver));
     element.replaceChildren(
       table(["share", "from", "enters at, m", "lands at, m"], rows, {class: "givers"}),
       list.length > count ? linkTo(`Show ${list.length > 200 ? "200 of" : "all"} ${wholeNumber(list.length)}`,
-        () => this.fillGivers(element, links, map, list, 200)) : "");
+        () => this.fillGivers(element, links, list, 200)) : "");
   }
 
   async giverRow(links, giver) {
-    const share = formatShare(giver.share);
+    const share = exactly([giver.share], formatShare(giver.share));
     if (!giver.vertex) return [share, this.giverLink(giver), "–", "–"];
     const branch = links.branchOf(giver.history);
     const kind = giver.history.vertices_of;
     const entry = await this.pointOf(links, [branch?.entry], kind, giver.vertex);
     const landing = await this.pointOf(links, branch?.landing ?? [], kind, giver.vertex);
     return [share, this.giverLink(giver, `by ${links.run.passes[giver.history.pass]?.label}`),
-      formatPoint(entry), formatPoint(landing)];
+      pointOrNone(entry), pointOrNone(landing)];
   }
 
   giverLink(giver, title = null) {
@@ -110,8 +103,8 @@ class LightWords {
         lines.push(paragraph(`${name}No caster lies under this vertex: its light goes straight on.`));
         continue;
       }
-      lines.push(paragraph(name, way.entry ? `Its light enters at ${formatPoint(way.entry.at)} m. ` : "",
-        way.landing ? landingText(way.landing) : ""));
+      const entry = way.entry ? ["Its light enters at ", exactly(way.entry.at, formatPoint(way.entry.at)), " m. "] : "";
+      lines.push(paragraph(name, entry, way.landing ? landingText(way.landing) : ""));
     }
     return lines.length ? lines : [paragraph("Where its light enters and lands is not in this page.")];
   }
@@ -125,7 +118,11 @@ class LightWords {
   }
 }
 
+function pointOrNone(point) {
+  return point ? exactly(point, formatPoint(point)) : formatPoint(null);
+}
+
 function landingText(landing) {
   if (!kDrawn.has(landing.w)) return `It does not reach the map: ${landing.name ?? "status " + landing.w}.`;
-  return `It lands at ${formatPoint(landing.at)} m.`;
+  return ["It lands at ", exactly(landing.at, formatPoint(landing.at)), " m."];
 }

@@ -45,6 +45,18 @@ function formatMilliseconds(value) {
   return `${value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2)} ms`;
 }
 
+// A number, or several, as a text, with all its digits for those who ask: `probe` prints the same ones.
+function exactly(values, text = formatValues(values)) {
+  const digits = Array.from(values, String).join(" ");
+  return make("data", {value: digits, title: digits}, text);
+}
+
+// The first three channels are colours: one number where they are alike.
+function formatColor(color, unit) {
+  const alike = color[0] === color[1] && color[0] === color[2];
+  return exactly(color, `${alike ? formatNumber(color[0]) : formatPoint(color)} ${unit}`);
+}
+
 // Relative luminance of linear Rec. 709 colours; of textures with fewer channels the first one.
 function brightness(values, at, channels) {
   if (channels < 3) return values[at];

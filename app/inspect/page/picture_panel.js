@@ -53,7 +53,8 @@ class PicturePanel {
     if (state.pick?.[0] !== "pixel") return best;
     for (let index = 0; index < run.lights.length; index++) {
       const {caustic} = await this.words.irradiance(run, index, state.pick[1], state.pick[2]);
-      if (caustic > most) [best, most] = [index, caustic];
+      const here = caustic ? brightness(caustic, 0, 3) : 0;
+      if (here > most) [best, most] = [index, here];
     }
     return best;
   }
@@ -101,16 +102,21 @@ class PicturePanel {
     const lights = [];
     for (let index = 0; index < run.lights.length; index++) lights.push(await this.words.irradiance(run, index, x, y));
     const head = [make("h3", {}, `Pixel (${x}, ${y})`), await this.words.radianceParagraph(run, x, y), this.words.irradianceParagraph(lights, run, this.lightIndex)];
-    const found = await this.links.texelsOfPixel(x, y);
-    if (!found) return {map: 0, pixels: [{x, y}], texels: [], vertices: [], words: [...head, this.noTexels()]};
-    const {map, texels, rectangle} = found;
-    const givers = await this.links.givers(map, texels);
-    const name = this.links.mapAttachment(map).label;
+    const texels = await this.links.texelsOfPixel(x, y);
+    if (!texels?.length) return {map: 0, pixels: [{x, y}], texels: [], vertices: [], words: [...head, this.noTexels()]};
+    const givers = await this.links.givers(texels);
+    const maps = [...new Set(texels.map((texel) => texel.map))];
+    const read = maps.map((map) => texels.filter((texel) => texel.map === map));
     const words = [...head,
-      paragraph(`From ${this.links.light.name}, the pixel reads ${plural(texels.length, "texel")} of `,
-        linkTo(name, () => this.page.set({pick: ["texel", texels[0].x, texels[0].y], map})), "."),
-      ...await this.words.giversOf(this.links, map, givers, texels.length)];
-    return {map, pixels: [{x, y}], texels, rectangle, vertices: givers.list.map(asMark), words};
+      paragraph(`From ${this.links.light.name}, the pixel reads `, read.map((some, index) => [index ? " and " : "",
+        plural(some.length, "texel"), " of ", this.mapLink(maps[index], some[0])]), "."),
+      ...await this.words.giversOf(this.links, maps, givers, texels.length)];
+    return {map: maps[0], pixels: [{x, y}], texels: read[0], rectangle: around(read[0]),
+      vertices: givers.list.map(asMark), words};
+  }
+
+  mapLink(map, {x, y}) {
+    return linkTo(this.links.mapAttachment(map).label, () => this.page.set({pick: ["texel", x, y], map}));
   }
 
   noTexels() {
@@ -122,12 +128,12 @@ class PicturePanel {
   async followTexel(x, y) {
     const map = clamp(this.page.state.map ?? 0, 0, Math.max(0, (this.links.light.maps?.length ?? 1) - 1));
     const texels = [{x, y, map, weight: 1, flux: 1}];
-    const givers = await this.links.givers(map, texels);
+    const givers = await this.links.givers(texels);
     const pixels = await this.links.pixelsOf(texels);
     const attachment = this.links.mapAttachment(map);
     const words = [make("h3", {}, `Texel (${x}, ${y}) of ${attachment?.label ?? "the caustic map"}`),
       this.mapChoice(map), this.pixelsParagraph(pixels),
-      this.historyLink(attachment, x, y), ...await this.words.giversOf(this.links, map, givers, 1)];
+      this.historyLink(attachment, x, y), ...await this.words.giversOf(this.links, [map], givers, 1)];
     return {map, pixels: pixels ?? [], texels, vertices: givers.list.map(asMark), words};
   }
 
@@ -227,6 +233,12 @@ function byReason(lines) {
     found.set(why, [...found.get(why) ?? [], name]);
   }
   return [...found];
+}
+
+// The rectangle around texels.
+function around(texels) {
+  const [columns, rows] = [texels.map(({x}) => x), texels.map(({y}) => y)];
+  return [Math.min(...columns), Math.min(...rows), Math.max(...columns) + 1, Math.max(...rows) + 1];
 }
 
 // All are filled; the first, or a rectangle around them, has an outline, so that it is found.

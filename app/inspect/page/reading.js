@@ -4,6 +4,7 @@
 function readingOf(attachment, values, x, y) {
   const channels = Math.round(values.length / (attachment.width * attachment.height));
   const at = (y * attachment.width + x) * channels;
+  const texel = texelValues(values, at, channels);
   const parts = [];
   for (let c = 0; c < channels;) {
     const {meaning, unit} = attachment.channels?.[c] ?? {meaning: channelName(attachment, c), unit: ""};
@@ -11,10 +12,16 @@ function readingOf(attachment, values, x, y) {
     while (end < channels && !attachment.codes?.[c] && attachment.channels?.[end]?.meaning === meaning &&
       attachment.channels[end].unit === unit) end++;
     parts.push({meaning: meaning || channelName(attachment, c),
-      text: groupText(attachment, values.subarray(at + c, at + end), c, unit)});
+      text: groupText(attachment, texel.slice(c, end), c, unit)});
     c = end;
   }
   return parts;
+}
+
+// Bytes stand for the 256 values from 0 to 1 that a screen's texture holds.
+function texelValues(values, at, channels) {
+  const texel = Array.from(values.subarray(at, at + channels));
+  return values instanceof Uint8Array ? texel.map((byte) => Math.fround(byte / 255)) : texel;
 }
 
 function groupText(attachment, values, channel, unit) {

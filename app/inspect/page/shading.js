@@ -114,7 +114,6 @@ class Shading {
   displayPainter() {
     const {values, channels} = this;
     const [green, blue] = channels >= 3 ? [1, 2] : [0, 0];
-    // An exact page has them as the pass wrote them, 0 to 1.
     const whole = values instanceof Uint8Array ? 1 : 255;
     const part = (at) => clamp(Math.round(values[at] * whole), 0, 255);
     return (i) => packed(part(i * channels), part(i * channels + green), part(i * channels + blue));

@@ -2,8 +2,15 @@
 
 const kOutcomes = ["passed", "failed: discarded by the shader", "failed: behind (depth test)"];
 
-// How what the shader gave meets what was there, by channel.
-const kBlends = {add: (held, gave) => held + gave, multiply: (held, gave) => held * gave, min: Math.min, max: Math.max};
+// How what the shader gave meets what was there, by channel: in single precision, denormals flushed to 0, as the
+// device blends.
+const kBlends = {add: (held, gave) => stored(held + gave), multiply: (held, gave) => stored(held * gave),
+  min: Math.min, max: Math.max};
+
+function stored(value) {
+  const single = Math.fround(value);
+  return Math.abs(single) < 2 ** -126 ? 0 * Math.sign(single) : single;
+}
 
 // An attachment's value after each event of a texel. `events`: [{outcome, gave: [numbers]}].
 // A fragment that passed is blended with what was there; without a blend it takes its place.
@@ -123,9 +130,9 @@ class TexelHistory {
 
   attachmentTable(run, history, events, one, count) {
     const rows = events.slice(0, count).map((event, i) => [
-      String(i + 1), this.primitive(run, history, event), formatValues(one.given[i]),
-      formatValues(one.steps[i].before), formatValues(one.steps[i].after),
-      ...history.depth ? [formatNumber(event.depth)] : [],
+      String(i + 1), this.primitive(run, history, event), exactly(one.given[i]),
+      exactly(one.steps[i].before), exactly(one.steps[i].after),
+      ...history.depth ? [exactly([event.depth], formatNumber(event.depth))] : [],
       make("span", {class: event.outcome === 0 ? "passed" : "failed"}, kOutcomes[event.outcome] ?? "?")]);
     const header = ["#", "drawn", "gave", "before", "after", ...history.depth ? ["depth"] : [], "outcome"];
     const box = make("div", {class: "history-table"},

@@ -32,8 +32,8 @@ function paragraph(...children) {
 
 // A table with a header row. Numbers are cells of the class "number".
 function table(header, rows, attributes = {}) {
-  const cell = (content) =>
-    make("td", {class: typeof content === "string" && /^[-−+]?[\d.]/.test(content) ? "number" : null}, content);
+  const isNumber = (content) => /^[-−+]?[\d.]/.test(content?.nodeName === "DATA" ? content.textContent : content);
+  const cell = (content) => make("td", {class: isNumber(content) ? "number" : null}, content);
   return make("table", attributes,
     make("thead", {}, make("tr", {}, header.map((text) => make("th", {scope: "col"}, text)))),
     make("tbody", {}, rows.map((row) => make("tr", {}, row.map(cell)))));
