@@ -6,7 +6,6 @@
 #include "app/shell/interrupt.hpp"
 #include "app/shell/standard_input.hpp"
 #include "app/shell/terminal.hpp"
-#include "pipeline/renderer/light_pilot.hpp"
 #include "pipeline/renderer/stage.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
@@ -80,11 +79,7 @@ LoadedScene::LoadedScene(const FrameRequest& request)
   }
   complete();
   stop_if_interrupted();
-  if (moves()) {
-    move_to(request.seconds.value_or(0.0));
-  } else {
-    choose_camera();
-  }
+  move_to(request.seconds.value_or(0.0));
 }
 
 void LoadedScene::add_what_shines() {
@@ -111,7 +106,9 @@ void LoadedScene::complete() {
   if (completed.cameras) added_cameras_ = scene_.cameras;
   added_ = completed.added;
   notes_ = scene_.notes;
-  exposure_ = exposure_of(scene_, settings_);
+  choose_camera();
+  exposure_ =
+      exposure_of(scene_, settings_, view_of(camera_, settings_.width, settings_.height, bounds_of(scene_)));
 }
 
 // An image that is much brighter or dimmer than the lights hides their caustics, or stays dark itself.

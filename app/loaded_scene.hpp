@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "pipeline/renderer/exposure.hpp"
 #include "pipeline/scene/animated_scene.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -23,7 +24,7 @@ class LoadedScene {
   const Scene& scene() const { return scene_; }
   Scene& scene() { return scene_; }  // for its waters to move
   const Camera& camera() const { return camera_; }
-  float exposure() const { return exposure_; }
+  const Exposure& exposure() const { return exposure_; }
 
   // AnimatedScene::files; none of them is an output of the request.
   const std::vector<std::filesystem::path>& files() const { return animation_.files(); }
@@ -51,7 +52,7 @@ class LoadedScene {
   std::vector<Light> added_lights_, added_sources_;
   std::vector<Camera> added_cameras_;
   std::vector<std::string> added_, notes_;
-  float exposure_ = 1.0f;
+  Exposure exposure_;
   Camera camera_;
 };
 

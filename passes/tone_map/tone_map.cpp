@@ -21,6 +21,11 @@ int is_linear(const PassContext& context) {
   return context.settings && context.settings->tone_map == ToneMap::Linear ? 1 : 0;
 }
 
+std140::ToneMap tone_map_uniforms(const PassContext& context) {
+  const bool is_film = !context.settings || context.settings->tone_map == ToneMap::Film;
+  return {.exposure = context.exposure, .contrast = is_film ? context.contrast : 1.0f};
+}
+
 }  // namespace
 
 Pass tone_map_pass() {
@@ -32,8 +37,7 @@ Pass tone_map_pass() {
       .writes = {{.name = "picture",
                   .format = Format::RGBA8,
                   .meaning = "rgb: sRGB-encoded display values; a: 1"}},
-      .shaders = {{&tone_map_shader,
-                   block_of<[](const PassContext& c) { return std140::ToneMap{.exposure = c.exposure}; }>}},
+      .shaders = {{&tone_map_shader, block_of<tone_map_uniforms>}},
       .choices = {{"is_linear", is_linear}},
   };
 }

@@ -13,11 +13,13 @@ using namespace caustics::test;
 namespace {
 
 // Display levels, 0 to 255, of one pixel of this radiance.
-glm::ivec4 shown(const glm::vec4& radiance, float exposure = 1.0f, const Settings& settings = {}) {
+glm::ivec4 shown(const glm::vec4& radiance, float exposure = 1.0f, const Settings& settings = {},
+                 float contrast = 1.0f) {
   const Pass pass = tone_map_pass();
-  const Image picture =
-      run_pass(definition_of(pass), {.uniforms = pass.uniforms({.settings = &settings, .exposure = exposure}),
-                                     .textures = {filled(1, 1, radiance)}})["picture"];
+  const Image picture = run_pass(
+      definition_of(pass),
+      {.uniforms = pass.uniforms({.settings = &settings, .exposure = exposure, .contrast = contrast}),
+       .textures = {filled(1, 1, radiance)}})["picture"];
   return glm::ivec4(glm::round(texel(picture, 0, 0) * 255.0f));
 }
 
@@ -42,6 +44,20 @@ TEST_CASE("tone_map: below 0.08 the offset grows with the value") {
 TEST_CASE("tone_map: the exposure is a factor on the radiance") {
   CHECK(shown(glm::vec4(0.25f), 2.0f) == shown(glm::vec4(0.5f)));
   CHECK(shown(glm::vec4(5000.0f), 1e-4f) == shown(glm::vec4(0.5f)));
+}
+
+TEST_CASE("tone_map: contrast is a power about 0.26 that keeps a colour's channels in proportion") {
+  CHECK(shown(glm::vec4(0.26f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.26f)));
+  // 0.13 at the contrast 2: 0.13^2 / 0.26 = 0.065; 0.39: 0.585.
+  CHECK(shown(glm::vec4(0.13f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.065f)));
+  CHECK(shown(glm::vec4(0.39f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.585f)));
+  CHECK(shown({0.39f, 0.195f, 0.0f, 1.0f}, 1.0f, {}, 2.0f) == shown({0.585f, 0.2925f, 0.0f, 1.0f}));
+  CHECK(shown(glm::vec4(0.0f), 1.0f, {}, 1.6f) == glm::ivec4(0, 0, 0, 255));
+  for (const ToneMap plain : {ToneMap::Neutral, ToneMap::Linear}) {
+    Settings settings;
+    settings.tone_map = plain;
+    CHECK(shown(glm::vec4(0.39f), 1.0f, settings, 2.0f) == shown(glm::vec4(0.39f), 1.0f, settings));
+  }
 }
 
 TEST_CASE("tone_map: the shoulder presses what is brighter towards white") {

@@ -1,2 +1,3 @@
 float exposure;  // factor from nit to display white
+float contrast;  // power by which brightness over a mid grey grows, >= 1
 CHOICE(is_linear)  // what is brighter than display white is cut off

@@ -23,8 +23,6 @@ glm::dvec3 color_at(const ImageView& image, int x, int y) {
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
-double luminance(const glm::dvec3& c) { return exact::dot(c, {0.2126, 0.7152, 0.0722}); }
-
 // Square metres of a surface in one pixel.
 double pixel_area(const View& camera, const glm::dvec3& p, const glm::dvec3& n, double pixels) {
   const glm::dvec3 way = camera.perspective ? p - camera.origin : camera.forward;
@@ -121,13 +119,13 @@ SeenCaustic see_caustic(const LitSurfaces& surfaces, const View& camera, double 
       Block& block = blocks.of_pixel(x, y);
       if (hides(surfaces.caster, camera, *p, x, y)) {
         seen.through += flux;
-        block.behind += luminance(light);
+        block.behind += exact::luminance(light);
         continue;
       }
       seen.beside += flux;
       block.pixels += 1.0;
-      block.caustic += luminance(light);
-      if (!surfaces.direct.values.empty()) block.direct += luminance(color_at(surfaces.direct, x, y));
+      block.caustic += exact::luminance(light);
+      if (!surfaces.direct.values.empty()) block.direct += exact::luminance(color_at(surfaces.direct, x, y));
     }
   if (seen.beside + seen.through > 0.0) blocks.tell(seen, ambient);
   return seen;

@@ -157,6 +157,7 @@ struct PassContext {
   int width = 0, height = 0;            // of the pass's targets
   int face = 4;                         // of a cube view: the face that is drawn
   float exposure = 1.0f;                // factor from nit to display white
+  float contrast = 1.0f;                // Exposure::contrast
   const DrawnFor* drawn_for = nullptr;  // null: the plain instance
 
   bool farthest() const { return drawn_for && drawn_for->receivers == ReceiverLayer::Farthest; }

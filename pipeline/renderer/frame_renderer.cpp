@@ -88,7 +88,9 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
   inputs_.settings = &frame_.settings;
   inputs_.effects = &frame_.effects;
   inputs_.views = &frame_.views;
-  inputs_.exposure = options_.exposure.value_or(exposure_of(scene_, *asked_));
+  inputs_.exposure = options_.exposure
+                         ? *options_.exposure
+                         : exposure_of(scene_, *asked_, camera_view(scene_, options_.camera, *asked_));
   judge_and_plan();
   if (effects.water_waves.active) water_ = std::make_unique<MovingWater>(scene_, device_, registry_);
   make_targets();

@@ -28,10 +28,10 @@ PlannedFrame plan_frame(Scene& scene, const Settings& settings, const Registry& 
                         const PlanGoal& goal = {}, const Camera* camera = nullptr);
 
 struct FrameOptions {
-  PlanGoal goal{};                  // the images that are wanted; empty: all that the effects call for
-  const Camera* camera = nullptr;   // null: the scene's first; a scene without cameras has no picture
-  std::optional<float> exposure{};  // factor from nit to display white; none: the scene's own (exposure_of)
-  double seconds = 0.0;             // the moment that the scene's waters are shown at
+  PlanGoal goal{};                     // the images that are wanted; empty: all that the effects call for
+  const Camera* camera = nullptr;      // null: the scene's first; a scene without cameras has no picture
+  std::optional<Exposure> exposure{};  // none: the scene's own, as the camera shows it (exposure_of)
+  double seconds = 0.0;                // the moment that the scene's waters are shown at
   Effect Effects::*without = nullptr;  // left out although the scene calls for it
   // The device on which the lights' views are fitted where `device` is not the software device, so that every
   // device draws the same frames; null: the same device.

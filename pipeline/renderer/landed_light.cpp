@@ -38,9 +38,16 @@ std::vector<Landed> LandedLight::find(int step) {
     const double away = casters.perspective ? exact::length(middle - light.position) : 1.0;
     const double side = static_cast<double>(kPilotRaysASide) / step;
     const double area = casters.window_area() * away * away / (side * side);
+    const auto samples = std::count_if(scene_.lights.begin(), scene_.lights.end(), [&](const Light& other) {
+      return light.source >= 0 && other.source == light.source;
+    });
+    const glm::dvec3 sent =
+        glm::dvec3(light.color) * (static_cast<double>(light.intensity) * area / (away * away) *
+                                   static_cast<double>(std::max<std::ptrdiff_t>(samples, 1)));
     for (const LightLanding& landing : landings) {
       const double flux = largest(landing.flux);
-      landed.push_back({landing.position, flux / std::max(all, 1e-300), flux * area, landing.mesh});
+      landed.push_back({landing.position, flux / std::max(all, 1e-300), flux * area,
+                        exact::luminance(landing.flux * sent), landing.mesh});
     }
   }
   return landed;

@@ -14,6 +14,7 @@ struct Landed {
   glm::dvec3 position{0.0};
   double share = 0.0;  // of its light's
   double area = 0.0;   // that its ray has without casters, times what is left of its flux, square metres
+  double lumen = 0.0;  // by luminance, of all samples of its light together
   int mesh = -1;
 };
 

@@ -233,24 +233,4 @@ std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effect
   return LightPilot(scene, registry).fit(effects, settings);
 }
 
-float exposure_of(const Scene& scene, const Settings& settings) {
-  const glm::vec3 horizon = scene.environment.horizon;
-  const double sky = exact::kPi * static_cast<double>(std::max({horizon.x, horizon.y, horizon.z}));
-  const double level = light_level(scene);
-  const double white =
-      (scene.environment.image ? level + upward_irradiance(scene.environment) : std::max(level, sky)) /
-      exact::kPi;
-  double exposure = white > 0.0 ? 0.45 / white : 1.0;
-  const double ev = settings.exposure ? static_cast<double>(*settings.exposure) : 0.0;
-  // 2^ev by whole steps and a series for the rest.
-  double whole = std::floor(ev);
-  const double rest = (ev - whole) * 0.69314718055994530942;
-  double power = 1.0;
-  for (int n = 16; n >= 1; --n) power = 1.0 + power * rest / n;
-  for (; whole > 0.5; whole -= 1.0) power *= 2.0;
-  for (; whole < -0.5; whole += 1.0) power *= 0.5;
-  exposure *= power;
-  return static_cast<float>(std::clamp(exposure, 1e-30, 1e30));
-}
-
 }  // namespace caustics

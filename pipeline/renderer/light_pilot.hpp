@@ -1,4 +1,4 @@
-// Where the maps of a light look, and how bright a picture is made.
+// Where the maps of a light look.
 #pragma once
 #include <memory>
 #include <vector>
@@ -40,11 +40,5 @@ class LightPilot {
 // The same for a scene that stands still.
 std::vector<LightViews> fit_light_views(const SceneOnDevice& scene, const Effects& effects,
                                         const Settings& settings, const Registry& registry);
-
-// The factor from nit to display white: `settings.exposure` EV above or below the automatic one,
-// under which a white diffuse surface in the light that reaches the scene (light_level, and what an
-// environment image gives a surface that faces up) shows at 0.45 of display white (linear), so that caustics
-// have room above.
-float exposure_of(const Scene& scene, const Settings& settings);
 
 }  // namespace caustics

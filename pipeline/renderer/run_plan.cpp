@@ -122,7 +122,8 @@ class PassRunner {
         .surroundings = &seen.surroundings,
         .width = planned.width,
         .height = planned.height,
-        .exposure = inputs_.exposure,
+        .exposure = inputs_.exposure.factor,
+        .contrast = inputs_.exposure.contrast,
         .drawn_for = planned.drawn_for};
     context.surface = planned.surface;
     context.first_receiver = scene_.first_receiver();

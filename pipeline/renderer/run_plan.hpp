@@ -6,6 +6,7 @@
 
 #include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/renderer/exposure.hpp"
 #include "pipeline/renderer/scene_on_device.hpp"
 
 namespace caustics {
@@ -33,7 +34,7 @@ struct FrameInputs {
   const Effects* effects = nullptr;
   const std::vector<LightViews>* views = nullptr;  // by Scene::lights
   View camera;
-  float exposure = 1.0f;
+  Exposure exposure{};
 };
 
 struct PassReport {

@@ -14,6 +14,7 @@
 #include "pipeline/renderer/sun_side.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/surroundings.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "pipeline/views/framing.hpp"
 
@@ -23,14 +24,12 @@ namespace {
 
 // What is there catches enough of the light if it is this share of what a ground beside it would see landing.
 constexpr double kCaught = 0.5;
-// What stands by the casters belongs to the picture: no wider than they, and no farther from their middle,
-// than so many of their widths; or no wider than they themselves where it catches more than so much of their
-// light.
-constexpr double kWidestCompany = 6.0, kWidestCatcher = 1.5, kCatches = 0.1;
 // What of the landed light the camera shows: the brightest first until this share of it, and nothing that is
 // less bright than this share of the light's own irradiance; within so many of the casters' radii.
 constexpr double kShownLight = 0.9, kLeastBright = 0.2, kShownReach = 3.5;
-constexpr double kCellsARadius = 8.0;  // in which brightness is told
+constexpr double kCellsARadius = 8.0;   // in which brightness is told
+constexpr double kLeastHeight = 0.035;  // the sine of 2 degrees, above which a sun lights a floor
+constexpr double kMostRoll = 0.5;       // the sine by which a camera may lean to its side above a ground
 constexpr Bearing kView{37.0f, 34.0f};
 constexpr double kFov = 0.6;  // radians
 
@@ -81,7 +80,7 @@ std::vector<glm::dvec3> bright_part(const std::vector<Landed>& landed, const glm
 class Stage {
  public:
   Stage(Scene& scene, const Settings& settings)
-      : scene_(scene), settings_(settings), subject_(subject_of(scene)) {
+      : scene_(scene), settings_(settings), around_(surroundings_of(scene)), subject_(around_.thing) {
     if (subject_.empty()) {
       subject_.add(glm::dvec3(-0.5));
       subject_.add(glm::dvec3(0.5));
@@ -93,15 +92,14 @@ class Stage {
     completed_ = {.lights = scene_.lights.empty() || settings_.sun,
                   .cameras = scene_.cameras.empty() || settings_.view};
     const std::optional<double> height = ground_height();
-    const bool tries = settings_.ground.wish == Ground::Wish::Auto && has_receiver(scene_);
-    // A camera of its own shows the scene as its author wants it, on the floor or without.
-    stands_ = !completed_.cameras || has_floor(scene_);
+    const bool tries = settings_.ground.wish == Ground::Wish::Auto && around_.has_floor;
     if (height) add_ground(scene_, subject_, *height);
     LandedLight light(scene_, settings_);
     if (completed_.lights) place_sun(light);
     if ((height && tries) || completed_.cameras) landed_ = light.find();
     if (height) keep_ground(*height, tries);
     if (completed_.cameras) place_camera();
+    note_low_sun();
     if (add_sky(scene_))
       say("the light of a studio",
           "No environment image was given: a neutral studio lights the scene with 30 % of what its lights "
@@ -115,6 +113,17 @@ class Stage {
   void say(const std::string& what, const std::string& why) {
     completed_.added.push_back(what);
     scene_.notes.push_back(why);
+  }
+
+  // Light that comes level or from below reaches no floor, and neither do its caustics.
+  void note_low_sun() {
+    double highest = -1.0;
+    for (const Light& light : scene_.lights)
+      highest = std::max(highest, light.type == LightType::Directional ? -light.direction.y : 1.0);
+    if (scene_.lights.empty() || highest >= kLeastHeight) return;
+    scene_.notes.push_back(std::string("The sun ") +
+                           (highest > -kLeastHeight ? "stands on the horizon" : "shines from below") +
+                           ": it lights no floor and throws no caustics there; --sun 217,60 raises it.");
   }
 
   // From the scene to where the camera stands, along the ground: a unit vector.
@@ -153,14 +162,17 @@ class Stage {
     const Bounds all = bounds_of(scene_);
     // A hair below, so that a flat underside does not lie in the ground.
     const double height = (all.empty() ? subject_ : all).lower.y - 1e-4 * widest(subject_);
-    const bool hides = settings_.ground.wish == Ground::Wish::Auto &&
-                       std::any_of(scene_.cameras.begin(), scene_.cameras.end(),
-                                   [&](const Camera& camera) { return !(camera.position.y > height); });
-    if (hides && !completed_.cameras) return {};
+    // It would hide the scene from a camera below, and stand upright before one that is rolled.
+    const auto is_strange = [&](const Camera& camera) {
+      return !(camera.position.y > height) || std::fabs(camera.right.y) > kMostRoll;
+    };
+    const bool unfit = settings_.ground.wish == Ground::Wish::Auto &&
+                       std::any_of(scene_.cameras.begin(), scene_.cameras.end(), is_strange);
+    if (unfit && !completed_.cameras) return {};
     return height;
   }
 
-  // Unless it is only tried, and the scene itself catches the casters' light.
+  // Unless the scene has a floor, which catches the casters' light.
   void keep_ground(double height, bool tries) {
     const double above = height + 1e-5 * widest(subject_);
     double all = 0.0, caught = 0.0;
@@ -168,15 +180,13 @@ class Stage {
       all += each.share;
       if (each.position.y > above) caught += each.share;
     }
-    if (tries && (all > 0.0 ? caught >= kCaught * all : stands_)) return remove_ground(above);
-    std::string why = "as asked for";
-    if (tries && all > 0.0)
+    if (tries && caught >= kCaught * all) return remove_ground(above);
+    std::string why = "no floor reaches well beyond what is shown";
+    if (settings_.ground.wish != Ground::Wish::Auto)
+      why = "as asked for";
+    else if (tries)
       why = "the scene itself catches " + rounded_text(100.0 * caught / all, 2) +
             " % of the light that lands through its glass and off its mirrors";
-    else if (tries)
-      why = "the scene stands on nothing";
-    else if (settings_.ground.wish == Ground::Wish::Auto)
-      why = "nothing in the scene can show a caustic";
     say("a grey ground", "A grey ground was added: " + why + ".");
   }
 
@@ -188,35 +198,17 @@ class Stage {
                   landed_.end());
   }
 
-  // Does it belong to the picture: a caster, or what stands by and is no backdrop?
-  bool is_company(std::size_t mesh, double caught) const {
-    const Bounds bounds = bounds_of(scene_.meshes[mesh]);
-    const double most = (caught > kCatches ? kWidestCatcher : kWidestCompany) * widest(subject_);
-    return scene_.meshes[mesh].name != kGroundName && widest(bounds) <= most &&
-           exact::length(bounds.centre() - subject_.centre()) <= most;
-  }
-
-  std::vector<double> caught_by_mesh() const {
-    std::vector<double> caught(scene_.meshes.size());
-    double all = 0.0;
-    for (const Landed& each : landed_) {
-      caught[static_cast<std::size_t>(each.mesh)] += each.share;
-      all += each.share;
-    }
-    for (double& share : caught) share /= std::max(all, 1e-30);
-    return caught;
-  }
-
   void place_camera() {
-    const double radius = std::max(subject_.radius(), 1e-9);
+    const Bounds casters = subject_of(scene_);
+    const double radius = std::max(casters.radius(), 1e-9);
     std::vector<glm::dvec3> points =
-        bright_part(landed_, subject_.centre(), kShownReach * radius, radius / kCellsARadius);
-    const std::vector<double> caught = caught_by_mesh();
-    std::vector<glm::dvec3> company;
-    for (std::size_t mesh = 0; mesh < scene_.meshes.size(); ++mesh)
-      if (is_company(mesh, caught[mesh])) add_points(scene_.meshes[mesh], company);
-    for (const Light& light : scene_.lights) add_shadow(light, company, kShownReach * radius, points);
-    points.insert(points.end(), company.begin(), company.end());
+        bright_part(landed_, casters.centre(), kShownReach * radius, radius / kCellsARadius);
+    std::vector<glm::dvec3> shown;
+    for (std::size_t mesh = 0; mesh < around_.around.size(); ++mesh)
+      if (!around_.around[mesh]) add_points(scene_.meshes[mesh], shown);
+    for (const Light& light : scene_.lights)
+      add_shadow(light, shown, kShownReach * subject_.radius(), points);
+    points.insert(points.end(), shown.begin(), shown.end());
     const double fov = settings_.fov ? static_cast<double>(*settings_.fov) * exact::kPi / 180.0 : kFov;
     Camera camera =
         framing_camera(points, -toward(settings_.view.value_or(kView)), fov,
@@ -228,13 +220,13 @@ class Stage {
   }
 
   // That a sun throws onto an added ground, as far as caustics are shown.
-  void add_shadow(const Light& light, const std::vector<glm::dvec3>& company, double reach,
+  void add_shadow(const Light& light, const std::vector<glm::dvec3>& shown, double reach,
                   std::vector<glm::dvec3>& points) const {
     const auto ground = std::find_if(scene_.meshes.begin(), scene_.meshes.end(),
                                      [](const Mesh& mesh) { return mesh.name == kGroundName; });
     const double fall = -light.direction.y;
     if (light.type != LightType::Directional || ground == scene_.meshes.end() || !(fall > 0.1)) return;
-    for (const glm::dvec3& p : company) {
+    for (const glm::dvec3& p : shown) {
       const double height = p.y - static_cast<double>(ground->upper.y);
       const glm::dvec3 q = p + light.direction * (std::max(height, 0.0) / fall);
       if (exact::length(q - subject_.centre()) < reach) points.push_back(q);
@@ -260,8 +252,8 @@ class Stage {
 
   Scene& scene_;
   const Settings& settings_;
-  Bounds subject_;
-  bool stands_ = false;  // on a floor of its own, or needs none
+  Surroundings around_;
+  Bounds subject_;  // what is shown
   std::vector<Landed> landed_;
   Completed completed_;
 };

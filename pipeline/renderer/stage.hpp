@@ -24,14 +24,16 @@ struct Completed {
 // Adds in this order, and says:
 // - a sun where there is no light, or settings.sun asks for one in place of the scene's: as sun_side has it
 //   (sun_side.hpp), of as many lux as sun_lux (pipeline/scene/defaults.hpp) unless that is asked for;
-// - a ground under the lowest point (settings.ground), unless at least half of what of the casters' light
-//   would land with it lands on the scene itself, by a few thousand rays of each light. Where nothing throws
-//   caustics: under what stands on no floor, if the camera is added too. Never between the scene and a camera
-//   of its own below. It is twelve times as wide as the casters, and fades into the background;
-// - a camera where there is none, or settings.view asks for one: a three-quarter view from above of the
-//   casters, what stands by them, its shadow on an added ground, and all but the faintest of the caustics, as
-//   large as fits;
+// - a ground under the lowest point (settings.ground), unless the scene has a floor (surroundings.hpp) and at
+//   least half of what of the casters' light would land with the ground lands on the scene itself, by a few
+//   thousand rays of each light. Never between the scene and a camera of its own below, nor beside one that
+//   is rolled. It is twelve times as wide as what is shown, and fades into the background;
+// - a camera where there is none, or settings.view asks for one: a three-quarter view from above of all that
+// is
+//   no floor and no backdrop, its shadow on an added ground, and all but the faintest of the caustics nearby,
+//   as large as fits;
 // - a sky where there is no environment (pipeline/scene/defaults.hpp).
+// A sun that lights no floor is noted.
 // Throws Error, as effects_of does.
 Completed complete_scene(Scene& scene, const Settings& settings);
 

@@ -81,6 +81,56 @@ TEST_CASE("stage: the added camera shows the object and the focus of its light, 
   CHECK(focus.y < 1.0);
 }
 
+TEST_CASE("stage: the added camera shows all of every scene but its floor, at any shape of picture") {
+  struct Shape {
+    const char* name;
+    std::vector<Mesh> meshes;  // 0: opaque, 1: glass
+  };
+  std::vector<Shape> shapes = {
+      {"one ball", {sphere(glm::dvec3(0.0), 1.0, 1, 1)}},
+      {"a long rod", {box({-20, 0, -0.1}, {20, 0.2, 0.1}, 1)}},
+      {"a mast", {box({-0.1, 0, -0.1}, {0.1, 30, 0.1}, 1)}},
+      {"a rod away from the camera", {box({-0.1, 0, -25}, {0.1, 0.2, 25}, 1)}},
+      {"a tiny ball", {sphere(glm::dvec3(0.0), 1e-4, 1, 1)}},
+      {"a huge ball", {sphere(glm::dvec3(0.0), 1e5, 1, 1)}},
+      {"glass beside a large opaque thing", {sphere({-9, 1, 0}, 1.0, 1, 1), box({-5, 0, -5}, {5, 10, 5}, 0)}},
+      {"glass on a plinth", {sphere({0, 2, 0}, 1.0, 1, 1), box({-1.3, 0, -1.3}, {1.3, 1, 1.3}, 0)}},
+      {"hanging above a floor", {sphere({0, 9, 0}, 1.0, 1, 1), floor(30.0, 0.0, 0)}},
+      {"opaque, far off", {sphere({900, 0, 700}, 2.0, 1, 0), sphere({905, 0, 700}, 1.0, 1, 0)}},
+  };
+  std::vector<Mesh> parts;
+  for (int i = 0; i < 40; ++i)
+    parts.push_back(sphere({i % 8 * 3.0, i / 8 * 0.7, i % 5 * 4.0}, 0.3 + 0.02 * i, 0, i % 3 == 0 ? 1 : 0));
+  shapes.push_back({"many parts", std::move(parts)});
+  for (const Shape& shape : shapes)
+    for (const auto& [width, height] : {std::pair{640, 360}, {1600, 200}, {200, 900}}) {
+      INFO(shape.name << " at " << width << " x " << height);
+      Scene scene;
+      scene.materials = {diffuse(0.8f), glass(1.5f)};
+      scene.meshes = shape.meshes;
+      Settings settings;
+      settings.width = width;
+      settings.height = height;
+      complete_scene(scene, settings);
+      const Camera& camera = scene.cameras.at(0);
+      glm::dvec2 most(0.0);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t m = 0; m < shape.meshes.size(); ++m)
+        for (const Vertex& vertex : scene.meshes[m].vertices) {
+          const glm::dvec3 p(vertex.position);
+          nearest = std::min(nearest, glm::dot(p - camera.position, camera.forward));
+          if (scene.meshes[m].name == "floor") continue;
+          const glm::dvec2 shown =
+              glm::abs(shown_at(camera, p)) * glm::dvec2(16.0 / 9.0 * height / width, 1.0);
+          most = glm::max(most, shown);
+        }
+      CHECK(most.x < 1.0);
+      CHECK(most.y < 1.0);
+      CHECK(std::max(most.x, most.y) > 0.3);  // and not from afar
+      if (scene.meshes.back().name == kGroundName) CHECK(nearest > camera.near);
+    }
+}
+
 TEST_CASE("stage: the added camera shows the shadow on an added ground") {
   Scene scene = ball();
   Settings settings;
@@ -130,7 +180,7 @@ TEST_CASE("stage: a ground is laid where it is asked for, at a height of the fil
 }
 
 TEST_CASE("stage: opaque things that stand on nothing get a ground, those on a floor none") {
-  Scene flying = ball(), standing = ball({floor(2.0, -1.0, 0)});
+  Scene flying = ball(), standing = ball({floor(2.5, -1.0, 0)});
   for (Scene* scene : {&flying, &standing}) {
     scene->meshes.back().material = 0;
     complete_scene(*scene, {});
@@ -139,19 +189,46 @@ TEST_CASE("stage: opaque things that stand on nothing get a ground, those on a f
   CHECK_FALSE(ground_of(standing));
 }
 
-TEST_CASE(
-    "stage: no ground comes between the scene and its own camera below, nor under opaque things it shows") {
-  Scene below = ball({box({5.0, -1.0, -1.0}, {5.5, 1.0, 1.0}, 0)}), opaque = ball();
-  below.cameras = {camera_down(0.2, 1.0)};
-  Scene above = below;
-  below.cameras[0].position = {0.0, -4.0, 0.0};
-  above.cameras[0].position = {0.0, 4.0, 0.0};
-  opaque.cameras = above.cameras;
-  opaque.meshes.back().material = 0;
-  for (Scene* scene : {&below, &opaque, &above}) complete_scene(*scene, {});
+TEST_CASE("stage: a base, a plinth or a tray that catches all the light is no floor, its own camera or not") {
+  for (const double half : {1.0, 1.3, 1.9}) {
+    Scene scene = ball({box({-half, -1.4, -half}, {half, -1.0, half}, 0)});
+    scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
+    Scene shown = scene;
+    shown.cameras = {camera_down(4.0, 2.0)};
+    complete_scene(scene, {});
+    complete_scene(shown, {});
+    REQUIRE(ground_of(scene));
+    REQUIRE(ground_of(shown));
+    CHECK(ground_of(shown)->upper.y == Approx(-1.4).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("stage: no ground comes between the scene and its own camera below, nor beside a rolled one") {
+  Scene below = ball({box({5.0, -1.0, -1.0}, {5.5, 1.0, 1.0}, 0)}), above = below, rolled = below;
+  below.cameras = above.cameras = rolled.cameras = {camera_down(4.0, 1.0)};
+  below.cameras[0].position.y = -4.0;
+  rolled.cameras[0].right = {0.0, 1.0, 0.0};
+  rolled.cameras[0].forward = {0.0, 0.0, -1.0};
+  rolled.cameras[0].up = {-1.0, 0.0, 0.0};
+  for (Scene* scene : {&below, &above, &rolled}) complete_scene(*scene, {});
   CHECK_FALSE(ground_of(below));
-  CHECK_FALSE(ground_of(opaque));
+  CHECK_FALSE(ground_of(rolled));
   CHECK(ground_of(above));
+}
+
+TEST_CASE("stage: a sun that stands level or below is noted, one that lights a floor is not") {
+  const auto notes_of = [](const char* stands) {
+    Scene scene = ball({floor(4.0, -1.5, 0)});
+    Settings settings;
+    set_option(settings, "sun", stands);
+    complete_scene(scene, settings);
+    std::string notes;
+    for (const std::string& note : scene.notes) notes += note;
+    return notes;
+  };
+  CHECK(notes_of("0,0").find("The sun stands on the horizon") != std::string::npos);
+  CHECK(notes_of("30,-20").find("The sun shines from below") != std::string::npos);
+  CHECK(notes_of("0,3").find("The sun") == std::string::npos);
 }
 
 TEST_CASE("stage: a sun and a view that are asked for take the place of the scene's") {

@@ -30,29 +30,14 @@ int add_ground_material(Scene& scene, const glm::dvec3& centre, double width) {
 
 }  // namespace
 
-bool has_receiver(const Scene& scene) {
-  return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
-    return is_receiver(scene.materials[static_cast<std::size_t>(mesh.material)]);
-  });
-}
-
-bool has_floor(const Scene& scene) {
-  const Bounds all = bounds_of(scene);
-  if (all.empty()) return false;
-  const glm::dvec3 size = all.upper - all.lower;
-  const double low = all.lower.y + 0.1 * size.y;
-  double area = 0.0;
-  for (const Mesh& mesh : scene.meshes) {
-    if (!is_receiver(scene.materials[static_cast<std::size_t>(mesh.material)])) continue;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-      const auto corner = [&](std::size_t k) {
-        return glm::dvec3(mesh.vertices[mesh.indices[i + k]].position);
-      };
-      const glm::dvec3 a = corner(0), b = corner(1), c = corner(2);
-      if (std::max({a.y, b.y, c.y}) <= low) area += std::max(0.5 * exact::cross(b - a, c - a).y, 0.0);
-    }
+std::vector<int> opaque_receivers(const Scene& scene) {
+  std::vector<int> meshes;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Material& material = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
+    if (is_receiver(material) && material.alpha_mode != AlphaMode::Blend)
+      meshes.push_back(static_cast<int>(i));
   }
-  return area > 0.5 * size.x * size.z;
+  return meshes;
 }
 
 Bounds subject_of(const Scene& scene) {
@@ -141,8 +126,7 @@ double light_level(const Scene& scene) {
   const double nearest = subject.empty() ? 1.0 : std::max(subject.radius(), 1e-6);
   double level = 0;
   for (const Light& light : scene.lights) {
-    const double luminance = (0.2126 * light.color.x + 0.7152 * light.color.y) + 0.0722 * light.color.z;
-    double strength = luminance * light.intensity;
+    double strength = exact::luminance(light.color) * static_cast<double>(light.intensity);
     if (light.type != LightType::Directional) {
       const double distance = std::max(exact::length(light.position - centre), nearest);
       strength /= distance * distance;

@@ -8,12 +8,10 @@ namespace caustics {
 bool is_mirror(const Material& material);    // metallic >= 0.5 and roughness <= 0.2
 bool is_receiver(const Material& material);  // not transmissive, not a mirror
 
-bool has_receiver(const Scene& scene);
-// Does it stand on something: do receivers that face up, in its lowest tenth, reach over half of its width
-// and depth?
-bool has_floor(const Scene& scene);
+// Those that light neither goes through nor is mirrored by: indices into Scene::meshes.
+std::vector<int> opaque_receivers(const Scene& scene);
 
-// What a picture is about: the bounds of the meshes that are no receivers, else of all but an added ground.
+// Where the light matters: the bounds of the meshes that are no receivers, else of all but an added ground.
 Bounds subject_of(const Scene& scene);
 // The largest extent along an axis, metres; 1 where there is none.
 double widest(const Bounds& bounds);

@@ -86,7 +86,7 @@ std::array<glm::vec3, 9> environment_irradiance(const Image& environment, double
 namespace {
 
 double upward(const glm::dvec3& mean_radiance) {
-  return exact::kPi * std::max(exact::dot(mean_radiance, {0.2126, 0.7152, 0.0722}), 0.0);
+  return exact::kPi * std::max(exact::luminance(mean_radiance), 0.0);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ inline double dot(const glm::dvec3& a, const glm::dvec3& b) { return (a.x * b.x 
 inline glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+// Of linear sRGB (Rec. 709).
+inline double luminance(const glm::dvec3& color) { return dot(color, {0.2126, 0.7152, 0.0722}); }
 // Scaled by the largest component first, so that neither tiny nor huge vectors lose their length.
 double length(const glm::dvec3& v);
 // The unit vector along v, or `fallback` where v is zero or not finite.

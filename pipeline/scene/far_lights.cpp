@@ -15,6 +15,8 @@ double cosine_of(double angle) {
   return cosine;
 }
 
+}  // namespace
+
 // KHR_lights_punctual: 1 inside the inner cone, 0 outside the outer one, the square of a ramp of cosines
 // between.
 double cone_falloff(const Light& light, const glm::dvec3& direction) {
@@ -26,8 +28,6 @@ double cone_falloff(const Light& light, const glm::dvec3& direction) {
       std::clamp((exact::dot(direction, light.direction) - outer) / (inner - outer), 0.0, 1.0);
   return ramp * ramp;
 }
-
-}  // namespace
 
 void make_far_lights_parallel(Scene& scene) {
   const Bounds bounds = bounds_of(scene);

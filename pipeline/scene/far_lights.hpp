@@ -9,6 +9,9 @@ namespace caustics {
 // radius over the distance. Here both are 2^-12 of the scene's radius.
 inline constexpr double kFarLight = 4096.0;
 
+// What a light of candela sends in a direction (unit) over its intensity: 0 to 1.
+double cone_falloff(const Light& light, const glm::dvec3& direction);
+
 // Makes point and spot lights among Scene::lights that are farther than kFarLight directional, with the
 // illuminance that they give at the scene's middle, and says so in Scene::notes. Scene::sources, samples of
 // lights with a size, and lights whose range ends before the middle are left as they are.

@@ -16,16 +16,6 @@ constexpr double kBrighter = 0.25;  // of the light
 // Of all lamps together; of one at least and at most.
 constexpr std::size_t kRays = 4096, kLeastRays = 16, kMostRays = 256;
 
-std::vector<int> opaque_receivers(const Scene& scene) {
-  std::vector<int> meshes;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const Material& material = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
-    if (is_receiver(material) && material.alpha_mode != AlphaMode::Blend)
-      meshes.push_back(static_cast<int>(i));
-  }
-  return meshes;
-}
-
 // The k-th of `count` directions, spread evenly over all that the light shines to.
 glm::dvec3 direction_of(const Light& light, int k, int count) {
   double sine = 0.0, cosine = 0.0, least = -1.0;
@@ -43,7 +33,6 @@ struct Arrival {
 
 void follow(const Scene& scene, const Light& light, const TriangleTree& receivers, int rays,
             std::vector<Arrival>& arrivals) {
-  const double luminance = (0.2126 * light.color.x + 0.7152 * light.color.y) + 0.0722 * light.color.z;
   const auto samples = std::count_if(scene.lights.begin(), scene.lights.end(), [&](const Light& other) {
     return light.source >= 0 && other.source == light.source;
   });
@@ -51,7 +40,7 @@ void follow(const Scene& scene, const Light& light, const TriangleTree& receiver
     const glm::dvec3 direction = direction_of(light, k, rays);
     const auto hit = receivers.nearest(light.position, direction);
     if (!hit || !(hit->distance > 0.0)) continue;
-    const double sent = luminance * static_cast<double>(light.intensity) *
+    const double sent = exact::luminance(light.color) * static_cast<double>(light.intensity) *
                         (light.lambertian ? exact::dot(direction, light.direction) : 1.0);
     const double facing = exact::dot(plane_normal(scene, hit->id), direction);
     const double there = sent * std::max(facing, -facing) / (hit->distance * hit->distance);

@@ -32,7 +32,8 @@ constexpr Named<Weights> kWeights[] = {{"physical", Weights::Physical}, {"paper"
 constexpr Named<Interfaces> kInterfaces[] = {
     {"auto", Interfaces::Auto}, {"1", Interfaces::One}, {"2", Interfaces::Two}};
 constexpr Named<int> kSamples[] = {{"auto", 0}, {"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}};
-constexpr Named<ToneMap> kToneMaps[] = {{"neutral", ToneMap::Neutral}, {"linear", ToneMap::Linear}};
+constexpr Named<ToneMap> kToneMaps[] = {
+    {"film", ToneMap::Film}, {"neutral", ToneMap::Neutral}, {"linear", ToneMap::Linear}};
 constexpr Named<bool> kViews[] = {{"fitted", false}, {"shared", true}};
 constexpr Named<Cube> kCubes[] = {{"auto", Cube::Auto}, {"on", Cube::On}, {"off", Cube::Off}};
 constexpr Named<bool> kNoYes[] = {{"no", false}, {"yes", true}};
@@ -261,7 +262,9 @@ constexpr Setting kTable[] = {
     choice<&S::highlights, kAutoOff>("highlights", Part::Picture,
                                      "mirror images of lights, and in receivers of the environment"),
     choice<&S::tone_map, kToneMaps>(
-        "tone_map", Part::Picture, "bright light in PNG pictures: pressed (Khronos PBR Neutral), or cut off"),
+        "tone_map", Part::Picture,
+        "PNG pictures: with as much contrast as brings what glows to white, as neutral (Khronos PBR Neutral: "
+        "bright light is pressed), or cut off at white"),
     number<&S::environment_strength>("environment_strength", Part::Picture, {0, 1e6},
                                      "factor on the light from all around"),
     number<&S::environment_turn>("environment_turn", Part::Picture, {-360, 360, "degrees"},
@@ -269,15 +272,15 @@ constexpr Setting kTable[] = {
     text<&S::camera>("camera", Part::View, "a name or a number", "the first", "a camera of the scene"),
     staged<&S::view>(
         "view", Part::View, "auto|AZIMUTH,ELEVATION: -360..360, -90..90",
-        "shows the casters and their caustics whole, from there instead of the scene's camera: degrees "
+        "shows the scene and its caustics whole, from there instead of the scene's camera: degrees "
         "from +z towards +x, and above the horizon; auto: 37,34 where there is no camera"),
     number<&S::zoom>("zoom", Part::View, {0.01, 100}, "how much larger the camera shows what it looks at"),
     optional_number<&S::fov>("fov", Part::View, {1, 170, "degrees"},
                              "the camera's vertical angle of view; auto: its own, else 34"),
     staged<&S::ground>(
         "ground", Part::Light, "auto|on|off|HEIGHT",
-        "a grey ground below the scene, or at this height, metres; auto: where the scene itself "
-        "catches less than half of its caustics"),
+        "a grey ground below the scene, or at this height, metres; auto: where no floor reaches well "
+        "beyond what is shown, or the scene itself catches less than half of its caustics"),
     staged<&S::sun>("sun", Part::Light, "auto|AZIMUTH,ELEVATION[,LUX]: -360..360, -90..90, 0..1e9",
                     "a sun that stands there, in place of the scene's lights: degrees as for view; lux "
                     "unless said 10, or 3.3 times the environment's; auto: where there is no light"),

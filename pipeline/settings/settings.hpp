@@ -21,7 +21,7 @@ enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 enum class Thickness : std::uint8_t { Map, Wyman };
 enum class Cube : std::uint8_t { Auto, On, Off };
-enum class ToneMap : std::uint8_t { Neutral, Linear };
+enum class ToneMap : std::uint8_t { Film, Neutral, Linear };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
 // A side in grid vertices or texels: of so many, or chosen for what a picture shows
@@ -68,7 +68,7 @@ struct Settings {
   bool assume_solid = false;
   std::optional<float> exposure;  // none: automatic
   bool highlights = true;
-  ToneMap tone_map = ToneMap::Neutral;
+  ToneMap tone_map = ToneMap::Film;
   float environment_strength = 1.0f, environment_turn = 0.0f;
   std::string camera;  // empty: the first
   Ground ground;

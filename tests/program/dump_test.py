@@ -92,12 +92,14 @@ class Inputs(DumpTest):
     def test_a_pass_computed_from_its_inputs_gives_its_output(self):
         self.dump()
         tone_map = self.one_pass("tone_map")
-        exposure = tone_map["draws"][0]["uniforms"]["exposure"]
+        uniforms = tone_map["draws"][0]["uniforms"]
+        exposure, contrast = uniforms["exposure"], uniforms["contrast"]
         radiance = self.texels(tone_map["reads"][0]["file"])
         picture = self.texels(self.attachment("picture")["file"])
         checked = 0
         for red, green, blue, shown in zip(*(radiance[c] for c in "RGB"), picture["G"]):
             exposed = [exposure * value for value in (red, green, blue)]
+            exposed = [value * (max(exposed) / 0.26) ** (contrast - 1) for value in exposed]
             # The tone curve below its shoulder: all channels less the least one's toe.
             toe = min(exposed)
             offset = toe - 6.25 * toe * toe if toe < 0.08 else 0.04

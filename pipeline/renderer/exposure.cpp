@@ -1,0 +1,189 @@
+#include "pipeline/renderer/exposure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pipeline/renderer/landed_light.hpp"
+#include "pipeline/scene/defaults.hpp"
+#include "pipeline/scene/environment.hpp"
+#include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/far_lights.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
+#include "pipeline/settings/settings.hpp"
+
+namespace caustics {
+
+namespace {
+
+// Radiance over display white: what glows, and the floor: usually, at least and at most.
+constexpr double kWhite = 0.95, kFloor = 0.26, kDarkFloor = 0.14, kBrightFloor = 0.345;
+constexpr double kMostContrast = 1.6, kMostOverWhite = 8.0;
+constexpr double kGlows = 0.999;        // of the picture is darker than what glows
+constexpr double kCameraRays = 2304.0;  // of the camera, 64 x 36
+constexpr double kShadowRays = 131072;  // fewer of the camera where there are many lights
+constexpr double kOpenFloor = 0.7;      // albedo
+
+// Of a texture, about.
+glm::dvec3 mean_color(const Scene& scene, const TextureUse& use) {
+  if (!use.present()) return glm::dvec3(1.0);
+  const Image& image = scene.images[static_cast<std::size_t>(use.image)];
+  constexpr int kSteps = 16;  // a side
+  glm::dvec3 sum(0.0);
+  for (int j = 0; j < kSteps; ++j)
+    for (int i = 0; i < kSteps; ++i)
+      for (int c = 0; c < 3; ++c)
+        sum[c] += static_cast<double>(image.at((2 * i + 1) * image.width() / (2 * kSteps),
+                                               (2 * j + 1) * image.height() / (2 * kSteps), c));
+  return sum / static_cast<double>(kSteps * kSteps);
+}
+
+// What the picture shows of the receivers, cell by cell.
+class Sketch {
+ public:
+  Sketch(const Scene& scene, const View& camera, double aspect)
+      : scene_(scene), camera_(camera), receivers_(scene, opaque_receivers(scene)) {
+    const double rays = std::clamp(
+        kShadowRays / std::max<double>(1.0, static_cast<double>(scene.lights.size())), 16.0, kCameraRays);
+    columns_ = std::max(4, static_cast<int>(std::sqrt(rays * aspect)));
+    rows_ = std::max(4, static_cast<int>(rays / columns_));
+    for (const Material& material : scene.materials)
+      albedo_.push_back(
+          exact::luminance(glm::dvec3(material.base_color) * mean_color(scene, material.base_color_texture)));
+    ambient_ = upward_irradiance(scene.environment);
+    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    for (int y = 0; y < rows_; ++y)
+      for (int x = 0; x < columns_; ++x) look(x, y);
+  }
+
+  void add(const std::vector<Landed>& landed) {
+    std::vector<double> flux(cells_.size());
+    for (const Landed& each : landed)
+      if (const auto cell = seen_in(each.position)) flux[*cell] += each.lumen;
+    // The mean over three by three cells: a few rays a cell are noise.
+    for (int y = 0; y < rows_; ++y)
+      for (int x = 0; x < columns_; ++x) {
+        Cell& cell = cells_[index(x, y)];
+        double sum = 0.0;
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows_ - 1); ++j)
+          for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns_ - 1); ++i) sum += flux[index(i, j)];
+        if (cell.area > 0.0) cell.radiance += cell.albedo / exact::kPi * sum / (9.0 * cell.area);
+      }
+  }
+
+  // Of what was met, the share `part` from the darkest; of the whole picture if `whole`.
+  double percentile(double part, bool whole) const {
+    std::vector<double> values;
+    for (const Cell& cell : cells_)
+      if (whole || cell.area > 0.0) values.push_back(cell.radiance);
+    if (values.empty()) return 0.0;
+    const auto at = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
+    return values[at];
+  }
+
+ private:
+  struct Cell {
+    double radiance = 0.0, albedo = 0.0, area = 0.0;  // square metres of the surface; 0: none is met
+  };
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+  }
+
+  void look(int x, int y) {
+    const glm::dvec2 size = camera_.window_upper - camera_.window_lower;
+    const glm::dvec2 at = camera_.window_lower + size * glm::dvec2((x + 0.5) / columns_, (y + 0.5) / rows_);
+    const glm::dvec3 aside = camera_.right * at.x + camera_.up * at.y;
+    const glm::dvec3 origin = camera_.perspective ? camera_.origin : camera_.origin + aside;
+    const glm::dvec3 way =
+        camera_.perspective ? exact::normalise(camera_.forward + aside, camera_.forward) : camera_.forward;
+    const auto hit = receivers_.nearest(origin, way);
+    if (!hit) return;
+    const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(hit->id.mesh)];
+    const glm::dvec3 plane = plane_normal(scene_, hit->id), p = origin + way * hit->distance;
+    const double turned = exact::dot(plane, way), depth = exact::dot(p - camera_.origin, camera_.forward);
+    // A cell at the depth z is z^2 times as large as its window, and its surface more by its slant.
+    const double across = camera_.perspective ? depth * depth * exact::dot(way, camera_.forward) : 1.0;
+    Cell& cell = cells_[index(x, y)];
+    cell.albedo = albedo_[static_cast<std::size_t>(mesh.material)];
+    cell.area = size.x * size.y / (columns_ * rows_) * across / std::max(std::fabs(turned), 0.05);
+    const glm::dvec3 normal = turned > 0.0 ? -plane : plane;
+    cell.radiance = cell.albedo / exact::kPi * (ambient_ + direct(p, normal, hit->id));
+  }
+
+  double direct(const glm::dvec3& p, const glm::dvec3& normal, const TriangleId& own) const {
+    double sum = 0.0;
+    for (const Light& light : scene_.lights) {
+      const bool is_far = light.type == LightType::Directional;
+      const glm::dvec3 to = is_far ? -light.direction : light.position - p;
+      const double distance = exact::length(to), cosine = exact::dot(to, normal);
+      if (!(cosine > 0.0) || (!is_far && distance > static_cast<double>(light.range))) continue;
+      const auto before = receivers_.nearest(p, to, own, light.emitter);
+      if (before && (is_far || before->distance < 1.0)) continue;
+      const double falloff = is_far ? 1.0 : cone_falloff(light, -to / distance) / (distance * distance);
+      sum += exact::luminance(glm::dvec3(light.color)) * static_cast<double>(light.intensity) * falloff *
+             cosine / distance;
+    }
+    return sum;
+  }
+
+  std::optional<std::size_t> seen_in(const glm::dvec3& p) const {
+    const glm::dvec3 here = camera_.coordinates(p);
+    if (!(here.z > 0.0)) return {};
+    const glm::dvec2 at =
+        (camera_.window(here) - camera_.window_lower) / (camera_.window_upper - camera_.window_lower);
+    if (!(at.x >= 0.0 && at.x < 1.0 && at.y >= 0.0 && at.y < 1.0)) return {};
+    const glm::dvec3 to = camera_.perspective ? camera_.origin - p : camera_.forward * -here.z;
+    if (receivers_.nearest(p + to * 1e-4, to)) return {};
+    return index(static_cast<int>(at.x * columns_), static_cast<int>(at.y * rows_));
+  }
+
+  const Scene& scene_;
+  const View& camera_;
+  TriangleTree receivers_;
+  int columns_ = 0, rows_ = 0;
+  double ambient_ = 0.0;
+  std::vector<double> albedo_;  // by Scene::materials
+  std::vector<Cell> cells_;
+};
+
+// 2^ev by whole steps and a series for the rest.
+double power_of_two(double ev) {
+  double whole = std::floor(ev), power = 1.0;
+  const double rest = (ev - whole) * 0.69314718055994530942;
+  for (int n = 16; n >= 1; --n) power = 1.0 + power * rest / n;
+  for (; whole > 0.5; whole -= 1.0) power *= 2.0;
+  for (; whole < -0.5; whole += 1.0) power *= 0.5;
+  return power;
+}
+
+// x^y for x > 0.
+double raised(double x, double y) { return exact::exp(y * exact::log(x)); }
+
+}  // namespace
+
+Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera) {
+  double floor = 0.0, glow = 0.0;
+  if (camera && !scene.meshes.empty()) {
+    Sketch sketch(scene, *camera, static_cast<double>(settings.width) / settings.height);
+    sketch.add(LandedLight(scene, settings).find());
+    floor = sketch.percentile(0.5, false);
+    glow = sketch.percentile(kGlows, true);
+  }
+  if (!(floor > 0.0))
+    floor = kOpenFloor / exact::kPi * (light_level(scene) + upward_irradiance(scene.environment));
+  if (!(floor > 0.0)) floor = kFloor;
+  const double ratio = std::clamp(glow / floor, 1.0, 1e9);
+  const double contrast =
+      ratio > 1.001 ? std::clamp(exact::log(kWhite / kFloor) / exact::log(ratio), 1.0, kMostContrast)
+                    : kMostContrast;
+  const double shown = std::min(std::clamp(kWhite / raised(ratio, contrast), kDarkFloor, kBrightFloor),
+                                kMostOverWhite * kWhite / ratio);
+  const double factor = kFloor * raised(shown / kFloor, 1.0 / contrast) / floor *
+                        power_of_two(settings.exposure ? static_cast<double>(*settings.exposure) : 0.0);
+  return {.factor = static_cast<float>(std::clamp(factor, 1e-30, 1e30)),
+          .contrast = static_cast<float>(contrast)};
+}
+
+}  // namespace caustics

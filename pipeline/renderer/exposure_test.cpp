@@ -1,0 +1,85 @@
+// How bright a picture is made, by what it shows.
+#include "pipeline/renderer/exposure.hpp"
+
+#include <cmath>
+
+#include "pipeline/settings/settings.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/shapes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A floor of albedo 0.8 seen from straight above, under a vertical sun of pi lux: 0.8 nit.
+Scene lit_floor(float lux = 3.14159265f) {
+  Scene scene;
+  scene.materials = {diffuse(0.8f), glass(1.5f)};
+  scene.meshes = {floor(8.0, 0.0, 0)};
+  scene.lights = {sun({0.0, -1.0, 0.0}, lux)};
+  scene.cameras = {camera_down(0.5, 2.0)};
+  return scene;
+}
+
+Exposure exposure_for(const Scene& scene, const Settings& settings = {}) {
+  return exposure_of(scene, settings, view_of(scene.cameras.front(), 160, 90, bounds_of(scene)));
+}
+
+// What tone_map makes of a radiance before its shoulder: a power about 0.26.
+double shown(const Exposure& exposure, double radiance) {
+  const double exposed = radiance * static_cast<double>(exposure.factor);
+  return exposed * std::pow(exposed / 0.26, static_cast<double>(exposure.contrast) - 1.0);
+}
+
+}  // namespace
+
+TEST_CASE("exposure: an even floor is shown as a mid grey, whatever the light's strength") {
+  for (const float lux : {1e-6f, 3.14159265f, 1e6f}) {
+    const Exposure exposure = exposure_for(lit_floor(lux));
+    CHECK(shown(exposure, 0.8 * static_cast<double>(lux) / 3.14159265) == Approx(0.345).epsilon(1e-3));
+    CHECK(exposure.contrast == Approx(1.6));
+  }
+}
+
+TEST_CASE("exposure: a floor in shadow but for one bright part keeps it below eight times white") {
+  // A lid over all but a slit of 0.4 of 4 m: what glows is sunlit, the floor as dark as the environment
+  // leaves it.
+  Scene scene = lit_floor();
+  scene.environment.zenith = scene.environment.horizon = glm::vec3(1e-3f);
+  for (const double side : {-1.0, 1.0})
+    scene.meshes.push_back(box({side < 0 ? -8.0 : 0.2, 1.0, -8.0}, {side < 0 ? -0.2 : 8.0, 1.1, 8.0}, 0));
+  const Exposure exposure = exposure_for(scene);
+  CHECK(exposure.contrast == 1.0f);
+  CHECK(shown(exposure, 0.8) == Approx(8.0 * 0.95).epsilon(0.01));
+}
+
+TEST_CASE("exposure: what glass gathers on the floor is brought to white") {
+  Scene scene = lit_floor();
+  scene.meshes.push_back(sphere({0.0, 1.5, 0.0}, 0.8, 4, 1));
+  const Exposure exposure = exposure_for(scene);
+  // The floor beside is brighter than a dark grey and no brighter than a mid grey of 150 in 255.
+  CHECK(shown(exposure, 0.8) >= 0.139);
+  CHECK(shown(exposure, 0.8) <= 0.346);
+  // Light of the ball lands on some hundred times less than its own area: far brighter than white.
+  CHECK(shown(exposure, 8.0) > 0.95);
+  CHECK(shown(exposure, 0.8) < shown(exposure_for(lit_floor()), 0.8));
+}
+
+TEST_CASE("exposure: it asks neither for the grid nor for the picture's size, and adds EV") {
+  Scene scene = lit_floor();
+  scene.meshes.push_back(sphere({0.0, 1.5, 0.0}, 0.8, 3, 1));
+  Settings settings;
+  const Exposure exposure = exposure_for(scene);
+  settings.grid = 64;
+  CHECK(exposure_for(scene, settings).factor == exposure.factor);
+  settings.exposure = 1.5f;
+  CHECK(exposure_for(scene, settings).factor == Approx(exposure.factor * std::sqrt(8.0)));
+  CHECK(exposure_for(scene, settings).contrast == exposure.contrast);
+}
+
+TEST_CASE("exposure: a scene without light, and one without anything, have a finite one") {
+  Scene dark = lit_floor(0.0f);
+  CHECK(std::isfinite(exposure_for(dark).factor));
+  CHECK(exposure_of(Scene{}, {}, {}).factor > 0.0f);
+}
