@@ -37,7 +37,7 @@ void main() {
                       clamp_to(radiance.y * u.exposure, 0.0f, 1.0e6f),
                       clamp_to(radiance.z * u.exposure, 0.0f, 1.0e6f));
   // As film has it: brighter or darker than a mid grey by a power, the colour as it is.
-  float middle = 0.26f;
+  float middle = 0.33f;
   if (u.contrast > 1.0f) {
     Float peak = max_of(exposed.x, max_of(exposed.y, exposed.z));
     exposed = exposed * pow_of(peak / middle, Float(u.contrast - 1.0f));

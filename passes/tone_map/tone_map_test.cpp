@@ -46,17 +46,17 @@ TEST_CASE("tone_map: the exposure is a factor on the radiance") {
   CHECK(shown(glm::vec4(5000.0f), 1e-4f) == shown(glm::vec4(0.5f)));
 }
 
-TEST_CASE("tone_map: contrast is a power about 0.26 that keeps a colour's channels in proportion") {
-  CHECK(shown(glm::vec4(0.26f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.26f)));
-  // 0.13 at the contrast 2: 0.13^2 / 0.26 = 0.065; 0.39: 0.585.
-  CHECK(shown(glm::vec4(0.13f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.065f)));
-  CHECK(shown(glm::vec4(0.39f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.585f)));
-  CHECK(shown({0.39f, 0.195f, 0.0f, 1.0f}, 1.0f, {}, 2.0f) == shown({0.585f, 0.2925f, 0.0f, 1.0f}));
+TEST_CASE("tone_map: contrast is a power about 0.33 that keeps a colour's channels in proportion") {
+  CHECK(shown(glm::vec4(0.33f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.33f)));
+  // 0.165 at the contrast 2: 0.165^2 / 0.33 = 0.0825; 0.495: 0.7425.
+  CHECK(shown(glm::vec4(0.165f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.0825f)));
+  CHECK(shown(glm::vec4(0.495f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.7425f)));
+  CHECK(shown({0.495f, 0.33f, 0.0f, 1.0f}, 1.0f, {}, 2.0f) == shown({0.7425f, 0.495f, 0.0f, 1.0f}));
   CHECK(shown(glm::vec4(0.0f), 1.0f, {}, 1.6f) == glm::ivec4(0, 0, 0, 255));
   for (const ToneMap plain : {ToneMap::Neutral, ToneMap::Linear}) {
     Settings settings;
     settings.tone_map = plain;
-    CHECK(shown(glm::vec4(0.39f), 1.0f, settings, 2.0f) == shown(glm::vec4(0.39f), 1.0f, settings));
+    CHECK(shown(glm::vec4(0.495f), 1.0f, settings, 2.0f) == shown(glm::vec4(0.495f), 1.0f, settings));
   }
 }
 

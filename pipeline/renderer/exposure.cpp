@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "pipeline/renderer/landed_light.hpp"
@@ -16,10 +17,13 @@ namespace caustics {
 
 namespace {
 
-// Radiance over display white: what glows, and the floor: usually, at least and at most.
-constexpr double kWhite = 0.95, kFloor = 0.26, kDarkFloor = 0.14, kBrightFloor = 0.345;
-constexpr double kMostContrast = 1.6, kMostOverWhite = 8.0;
-constexpr double kGlows = 0.999;        // of the picture is darker than what glows
+// Radiance over display white: what glows, the floor, and what glows at most.
+constexpr double kWhite = 0.95, kFloor = 0.33, kMostGlow = 7.6;
+constexpr double kMostContrast = 1.6;
+constexpr double kGlows = 0.999;  // of the picture is darker than what glows
+// No more than a tenth of what the camera meets is so many times as bright as the floor: a white table around
+// a dark cloth.
+constexpr double kBright = 0.9, kMostBright = 2.2;
 constexpr double kCameraRays = 2304.0;  // of the camera, 64 x 36
 constexpr double kShadowRays = 131072;  // fewer of the camera where there are many lights
 constexpr double kOpenFloor = 0.7;      // albedo
@@ -41,34 +45,25 @@ glm::dvec3 mean_color(const Scene& scene, const TextureUse& use) {
 // What the picture shows of the receivers, cell by cell.
 class Sketch {
  public:
-  Sketch(const Scene& scene, const View& camera, double aspect)
-      : scene_(scene), camera_(camera), receivers_(scene, opaque_receivers(scene)) {
-    const double rays = std::clamp(
-        kShadowRays / std::max<double>(1.0, static_cast<double>(scene.lights.size())), 16.0, kCameraRays);
+  Sketch(const Scene& scene, const Settings& settings, const View& camera)
+      : scene_(scene),
+        camera_(camera),
+        receivers_(scene, opaque_receivers(scene)),
+        light_(scene, settings),
+        ambient_(upward_irradiance(scene.environment)) {
+    const double lights = std::max<double>(1.0, static_cast<double>(scene.lights.size()));
+    const double rays = std::clamp(kShadowRays / lights, 16.0, kCameraRays);
+    const double aspect = static_cast<double>(settings.width) / settings.height;
     columns_ = std::max(4, static_cast<int>(std::sqrt(rays * aspect)));
     rows_ = std::max(4, static_cast<int>(rays / columns_));
     for (const Material& material : scene.materials)
       albedo_.push_back(
           exact::luminance(glm::dvec3(material.base_color) * mean_color(scene, material.base_color_texture)));
-    ambient_ = upward_irradiance(scene.environment);
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    const std::vector<Landed> landed = light_.find();
     for (int y = 0; y < rows_; ++y)
       for (int x = 0; x < columns_; ++x) look(x, y);
-  }
-
-  void add(const std::vector<Landed>& landed) {
-    std::vector<double> flux(cells_.size());
-    for (const Landed& each : landed)
-      if (const auto cell = seen_in(each.position)) flux[*cell] += each.lumen;
-    // The mean over three by three cells: a few rays a cell are noise.
-    for (int y = 0; y < rows_; ++y)
-      for (int x = 0; x < columns_; ++x) {
-        Cell& cell = cells_[index(x, y)];
-        double sum = 0.0;
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows_ - 1); ++j)
-          for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns_ - 1); ++i) sum += flux[index(i, j)];
-        if (cell.area > 0.0) cell.radiance += cell.albedo / exact::kPi * sum / (9.0 * cell.area);
-      }
+    add(landed);
   }
 
   // Of what was met, the share `part` from the darkest; of the whole picture if `whole`.
@@ -91,6 +86,21 @@ class Sketch {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
   }
 
+  void add(const std::vector<Landed>& landed) {
+    std::vector<double> flux(cells_.size());
+    for (const Landed& each : landed)
+      if (const auto cell = seen_in(each.position)) flux[*cell] += each.lumen;
+    // The mean over three by three cells: a few rays a cell are noise.
+    for (int y = 0; y < rows_; ++y)
+      for (int x = 0; x < columns_; ++x) {
+        Cell& cell = cells_[index(x, y)];
+        double sum = 0.0;
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows_ - 1); ++j)
+          for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns_ - 1); ++i) sum += flux[index(i, j)];
+        if (cell.area > 0.0) cell.radiance += cell.albedo / exact::kPi * sum / (9.0 * cell.area);
+      }
+  }
+
   void look(int x, int y) {
     const glm::dvec2 size = camera_.window_upper - camera_.window_lower;
     const glm::dvec2 at = camera_.window_lower + size * glm::dvec2((x + 0.5) / columns_, (y + 0.5) / rows_);
@@ -99,17 +109,27 @@ class Sketch {
     const glm::dvec3 way =
         camera_.perspective ? exact::normalise(camera_.forward + aside, camera_.forward) : camera_.forward;
     const auto hit = receivers_.nearest(origin, way);
-    if (!hit) return;
+    Cell& cell = cells_[index(x, y)];
+    if (!hit) {
+      cell.radiance = behind();
+      return;
+    }
     const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(hit->id.mesh)];
     const glm::dvec3 plane = plane_normal(scene_, hit->id), p = origin + way * hit->distance;
     const double turned = exact::dot(plane, way), depth = exact::dot(p - camera_.origin, camera_.forward);
     // A cell at the depth z is z^2 times as large as its window, and its surface more by its slant.
     const double across = camera_.perspective ? depth * depth * exact::dot(way, camera_.forward) : 1.0;
-    Cell& cell = cells_[index(x, y)];
     cell.albedo = albedo_[static_cast<std::size_t>(mesh.material)];
     cell.area = size.x * size.y / (columns_ * rows_) * across / std::max(std::fabs(turned), 0.05);
     const glm::dvec3 normal = turned > 0.0 ? -plane : plane;
     cell.radiance = cell.albedo / exact::kPi * (ambient_ + direct(p, normal, hit->id));
+  }
+
+  // About what is seen where nothing is met.
+  double behind() const {
+    const Environment& sky = scene_.environment;
+    return sky.image ? ambient_ / exact::kPi
+                     : exact::luminance(glm::dvec3(sky.backdrop.value_or(sky.horizon)));
   }
 
   double direct(const glm::dvec3& p, const glm::dvec3& normal, const TriangleId& own) const {
@@ -121,6 +141,8 @@ class Sketch {
       if (!(cosine > 0.0) || (!is_far && distance > static_cast<double>(light.range))) continue;
       const auto before = receivers_.nearest(p, to, own, light.emitter);
       if (before && (is_far || before->distance < 1.0)) continue;
+      if (light_.casters_block(p, to / distance, is_far ? std::numeric_limits<double>::infinity() : distance))
+        continue;
       const double falloff = is_far ? 1.0 : cone_falloff(light, -to / distance) / (distance * distance);
       sum += exact::luminance(glm::dvec3(light.color)) * static_cast<double>(light.intensity) * falloff *
              cosine / distance;
@@ -142,8 +164,9 @@ class Sketch {
   const Scene& scene_;
   const View& camera_;
   TriangleTree receivers_;
+  LandedLight light_;
+  double ambient_;  // lux
   int columns_ = 0, rows_ = 0;
-  double ambient_ = 0.0;
   std::vector<double> albedo_;  // by Scene::materials
   std::vector<Cell> cells_;
 };
@@ -158,32 +181,24 @@ double power_of_two(double ev) {
   return power;
 }
 
-// x^y for x > 0.
-double raised(double x, double y) { return exact::exp(y * exact::log(x)); }
-
 }  // namespace
 
 Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera) {
   double floor = 0.0, glow = 0.0;
   if (camera && !scene.meshes.empty()) {
-    Sketch sketch(scene, *camera, static_cast<double>(settings.width) / settings.height);
-    sketch.add(LandedLight(scene, settings).find());
-    floor = sketch.percentile(0.5, false);
+    const Sketch sketch(scene, settings, *camera);
+    floor = std::max(sketch.percentile(0.5, false), sketch.percentile(kBright, true) / kMostBright);
     glow = sketch.percentile(kGlows, true);
   }
   if (!(floor > 0.0))
     floor = kOpenFloor / exact::kPi * (light_level(scene) + upward_irradiance(scene.environment));
   if (!(floor > 0.0)) floor = kFloor;
   const double ratio = std::clamp(glow / floor, 1.0, 1e9);
-  const double contrast =
-      ratio > 1.001 ? std::clamp(exact::log(kWhite / kFloor) / exact::log(ratio), 1.0, kMostContrast)
-                    : kMostContrast;
-  const double shown = std::min(std::clamp(kWhite / raised(ratio, contrast), kDarkFloor, kBrightFloor),
-                                kMostOverWhite * kWhite / ratio);
-  const double factor = kFloor * raised(shown / kFloor, 1.0 / contrast) / floor *
+  const double wanted = ratio > 1.001 ? exact::log(kWhite / kFloor) / exact::log(ratio) : kMostContrast;
+  const double factor = std::min(kFloor, kMostGlow / ratio) / floor *
                         power_of_two(settings.exposure ? static_cast<double>(*settings.exposure) : 0.0);
   return {.factor = static_cast<float>(std::clamp(factor, 1e-30, 1e30)),
-          .contrast = static_cast<float>(contrast)};
+          .contrast = static_cast<float>(std::clamp(wanted, 1.0, kMostContrast))};
 }
 
 }  // namespace caustics

@@ -15,10 +15,10 @@ struct Exposure {
 
 // By some two thousand rays of the camera, and by where the casters' light lands: the median of what they
 // meet, the floor as a rule, is shown as a mid grey, and the brightest thousandth of the picture, what glows,
-// as white. Where light glows too little for that, the contrast is higher, and then the floor brighter; where
-// it glows more, the floor is darker, but no less than a dark grey until what glows is eight times as bright
-// as white. Light that glass and mirrors show the camera is left out. `settings.exposure` adds EV. Where the
-// camera meets nothing, or there is none: as if it saw an open floor of light grey.
+// as white. Where light glows too little for that, the contrast is higher; where it glows over eight times as
+// bright as white, or a tenth of the picture would be white, the picture is darker. Light that glass and
+// mirrors show the camera is left out. `settings.exposure` adds EV. Where the camera meets nothing, or there
+// is none: as if it saw an open floor of light grey.
 Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera);
 
 }  // namespace caustics

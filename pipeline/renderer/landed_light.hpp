@@ -24,6 +24,11 @@ class LandedLight {
   LandedLight(const Scene& scene, const Settings& settings);
   // By any number of surfaces; by each ray, or each `step`th along each side of their square.
   std::vector<Landed> find(int step = 1);
+  // Does a caster stand on the way from p in this direction, up to that distance? None before find() was
+  // called.
+  bool casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const {
+    return paths_ && paths_->casters_block(p, direction, distance);
+  }
 
  private:
   const Scene& scene_;

@@ -22,9 +22,9 @@ double extent(const Bounds& bounds) {
   return std::max({size.x, size.y, size.z});
 }
 
-// On the outline of the thing's rectangle seen from above, made larger by kBeyond.
-glm::dvec3 place_beside(const Bounds& thing, int place) {
-  const double more = kBeyond * extent(thing);
+// On the outline of the thing's rectangle seen from above, made larger by so much of its extent.
+glm::dvec3 place_beside(const Bounds& thing, double beyond, int place) {
+  const double more = beyond * extent(thing);
   const glm::dvec3 half = 0.5 * (thing.upper - thing.lower) + glm::dvec3(more, 0.0, more);
   const double along = (place % 4 + 0.5) / 2.0 - 1.0;
   const glm::dvec2 sides[] = {{along, 1.0}, {1.0, along}, {along, -1.0}, {-1.0, along}};
@@ -32,11 +32,11 @@ glm::dvec3 place_beside(const Bounds& thing, int place) {
   return thing.centre() + glm::dvec3(side.x * half.x, 0.0, side.y * half.z);
 }
 
-bool is_floor(const Scene& scene, const TriangleTree& tree, const Bounds& thing) {
+bool is_floor(const Scene& scene, const TriangleTree& tree, const Bounds& thing, double beyond) {
   const glm::dvec3 middle = thing.centre();
   int found = 0;
   for (int place = 0; place < kPlacesBeside; ++place) {
-    glm::dvec3 way = place_beside(thing, place) - middle;
+    glm::dvec3 way = place_beside(thing, beyond, place) - middle;
     const auto wall = tree.nearest(middle, way);
     if (wall && wall->distance < 1.0) way = way * (0.9 * wall->distance);
     const auto below = tree.nearest(middle + way, {0.0, -1.0, 0.0});
@@ -80,10 +80,12 @@ bool lies_behind(const Bounds& mesh, const Bounds& thing) {
   return true;
 }
 
+double beyond_of(const Mesh& mesh) { return mesh.closed() ? kBeyond : 0.5 * kBeyond; }
+
 bool stands_around(const Scene& scene, int mesh, const Bounds& rest) {
   const Mesh& it = scene.meshes[static_cast<std::size_t>(mesh)];
   return (lies_behind(bounds_of(it), rest) && is_flat(it)) ||
-         is_floor(scene, TriangleTree(scene, {mesh}), rest);
+         is_floor(scene, TriangleTree(scene, {mesh}), rest, beyond_of(it));
 }
 
 std::vector<int> widest_receivers_first(const Scene& scene) {
@@ -101,12 +103,14 @@ std::vector<int> widest_receivers_first(const Scene& scene) {
 std::size_t count_around(const Scene& scene, const std::vector<int>& receivers,
                          const std::vector<Bounds>& rest) {
   for (std::size_t count = receivers.size(); count > 0; --count) {
-    if (rest[count].empty()) continue;
-    const auto narrowest = static_cast<std::size_t>(receivers[count - 1]);
-    if (extent(bounds_of(scene.meshes[narrowest])) < (1.0 + 2.0 * kBeyond) * extent(rest[count])) continue;
-    const auto around = [&](int mesh) { return stands_around(scene, mesh, rest[count]); };
-    if (std::all_of(receivers.begin(), receivers.begin() + static_cast<std::ptrdiff_t>(count), around))
-      return count;
+    const auto around = [&](int m) {
+      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
+      return extent(bounds_of(mesh)) >= (1.0 + 2.0 * beyond_of(mesh)) * extent(rest[count]) &&
+             stands_around(scene, m, rest[count]);
+    };
+    // The narrowest first, which fails soonest.
+    const auto end = receivers.rend(), begin = end - static_cast<std::ptrdiff_t>(count);
+    if (!rest[count].empty() && std::all_of(begin, end, around)) return count;
   }
   return 0;
 }
@@ -128,7 +132,7 @@ Surroundings surroundings_of(const Scene& scene) {
   Surroundings found{.around = std::vector<bool>(scene.meshes.size()), .thing = rest[count]};
   const std::vector<int> around(receivers.begin(), receivers.begin() + static_cast<std::ptrdiff_t>(count));
   for (const int m : around) found.around[static_cast<std::size_t>(m)] = true;
-  found.has_floor = !around.empty() && is_floor(scene, TriangleTree(scene, around), found.thing);
+  found.has_floor = !around.empty() && is_floor(scene, TriangleTree(scene, around), found.thing, kBeyond);
   return found;
 }
 

@@ -11,9 +11,10 @@ namespace caustics {
 // a tray is smaller.
 inline constexpr double kBeyond = 0.5;
 
-// A receiver stands around the rest of the scene if it is at least twice as wide as the rest and
+// A receiver stands around the rest of the scene if it is at least twice as wide as the rest, and
 // - flat, and the rest lies before, above or below it, as a wall or a floor has it; or
 // - a floor to it, whatever its shape: a room in one mesh, a table, a landscape.
+// An open sheet, such as a cloth, needs to be half as much wider and to reach half as far.
 struct Surroundings {
   std::vector<bool> around;  // by Scene::meshes
   Bounds thing;              // of all others
