@@ -77,6 +77,11 @@ TEST_CASE("surroundings: a room has its floor, in one mesh or in six, though its
     CHECK(one.has_floor);
     CHECK(one.thing.upper.x == 1.0);
   }
+  // In its corner: half of the places beside the ball lie behind a wall.
+  Mesh corner = joined(walls_of_a_room(3.0));
+  for (Vertex& vertex : corner.vertices) vertex.position += glm::vec3(1.8f, 0.0f, 1.8f);
+  finish(corner, 1.0f);
+  CHECK(around_ball({corner}).has_floor);
 }
 
 TEST_CASE("surroundings: a large opaque thing beside the glass is shown whole, a wall behind it is not") {
