@@ -23,7 +23,7 @@ constexpr double kMostContrast = 1.6;
 constexpr double kGlows = 0.999;  // of the picture is darker than what glows
 // No more than a tenth of what the camera meets is so many times as bright as the floor: a white table around
 // a dark cloth.
-constexpr double kBright = 0.9, kMostBright = 2.2;
+constexpr double kBright = 0.9, kMostBright = 1.4;
 constexpr double kCameraRays = 2304.0;  // of the camera, 64 x 36
 constexpr double kShadowRays = 131072;  // fewer of the camera where there are many lights
 constexpr double kOpenFloor = 0.7;      // albedo

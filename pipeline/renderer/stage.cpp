@@ -99,11 +99,11 @@ class Stage {
     if ((height && tries) || completed_.cameras) landed_ = light.find();
     if (height) keep_ground(*height, tries);
     if (completed_.cameras) place_camera();
-    note_low_sun();
     if (add_sky(scene_))
       say("the light of a studio",
           "No environment image was given: a neutral studio lights the scene with 30 % of what its lights "
           "give.");
+    note_low_sun();
     // Said before what the loader noted, of which there may be much.
     std::rotate(scene_.notes.begin(), scene_.notes.begin() + loaded, scene_.notes.end());
     return completed_;

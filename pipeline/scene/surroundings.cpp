@@ -38,7 +38,7 @@ bool is_floor(const Scene& scene, const TriangleTree& tree, const Bounds& thing,
   for (int place = 0; place < kPlacesBeside; ++place) {
     glm::dvec3 way = place_beside(thing, beyond, place) - middle;
     const auto wall = tree.nearest(middle, way);
-    if (wall && wall->distance < 1.0) way = way * (0.9 * wall->distance);
+    if (wall && wall->distance < 1.0) way = way * (0.5 * wall->distance);
     const auto below = tree.nearest(middle + way, {0.0, -1.0, 0.0});
     if (!below) continue;
     // The inside of a solid is no floor.
