@@ -5,9 +5,10 @@ rounded as the page has it.
     doc_figures.py PROGRAM paper DIR       docs/paper.md against DIR/paper.json of `caustics paper -o DIR`
     doc_figures.py PROGRAM pages [PASS]    what this pass's page, or each one, says of its experiment
 
-An experiment is an indented command under "**Experiment.**"; its figures stand in the text after it. They may
-also be those of the scene without the command's options, of the command with an `--option` that the text
-names, or "without" one. Ends with 1 and a line for each figure that is not printed."""
+An experiment is an indented command under "**Experiment.**"; of one that renders the percentages are looked
+for that stand in the text after it. They may also be those of the scene without the command's options, of the
+command with an `--option` that the text names, or "without" one. Ends with 1 and a line for each figure that
+is not printed."""
 import json
 import pathlib
 import re
@@ -79,7 +80,7 @@ def experiment_of(page):
     """(command, text) of a page of a pass; None where its experiment prints no figures."""
     after = page.partition("**Experiment.**")[2]
     found = re.search(r"^    \./caustics (.*)\n\n((?:(?!    ).+\n?)+)", after, re.M)
-    if not found or found[1].split()[0] not in ("render", "probe", "plan"):
+    if not found or not found[1].startswith("render"):
         return None
     return shlex.split(found[1]), " ".join(found[2].split())
 
@@ -94,9 +95,7 @@ def without(command, option):
 
 def commands_of(command, text):
     """What the text's figures may come from."""
-    runs = [command]
-    if command[0] == "render":
-        runs.append(command[:2])
+    runs = [command, command[:2]]
     for word, quoted in re.findall(r"(\w*) ?`(-[^`]*|\d+,\d+)`", text):
         option = shlex.split(quoted)
         if word == "without" and option[0] in command:
@@ -118,7 +117,7 @@ class Printed:
         key = tuple(command)
         if key not in self.known:
             with tempfile.TemporaryDirectory() as folder:
-                output = ["-o", folder + "/picture.png"] if command[0] == "render" else []
+                output = ["-o", folder + "/picture.png"]
                 run = subprocess.run(
                     [self.program, *command, *output], cwd=ROOT, text=True, capture_output=True
                 )
@@ -133,15 +132,16 @@ def unprinted_by_experiment(page, printed):
     if not experiment:
         return []
     command, text = experiment
-    said = numbers(text)
-    if not said:
-        return []
+    said = [figure for match in re.finditer(r"([\d.]+)(?: (?:to|and) ([\d.]+))? %", text)
+            for figure in match.groups() if figure]
     runs = commands_of(command, text)
-    # 83,000 and 83 000 are one number; a line of the probe may have more digits than a page.
-    values = [value for run in runs for value, _ in numbers(printed.of(run).replace("%", " %"), False)]
-    return [f"{page.relative_to(ROOT)}: {figure} is printed by none of "
-            + "; ".join("caustics " + shlex.join(run) for run in runs)
-            for value, figure in said if not any(rounds_to(each, value, figure) for each in values)]
+    for run in runs:
+        if said:
+            values = [value for value, _ in numbers(printed.of(run).replace("%", " %"), False)]
+            said = [figure for figure in said
+                    if not any(rounds_to(value, float(figure), figure) for value in values)]
+    return [f"{page.relative_to(ROOT)}: {figure} % is printed by none of "
+            + "; ".join("caustics " + shlex.join(run) for run in runs) for figure in said]
 
 
 def main(program, what, name="*"):
