@@ -3,6 +3,7 @@
 #include "app/output/light_groups.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/pixel_side.hpp"
 #include "pipeline/scene/in_pieces.hpp"
@@ -13,7 +14,7 @@ namespace caustics::app {
 namespace {
 // The statement is of means over squares of so many pixels a side.
 constexpr double kJudgedPixels = 4.0;
-// Followed through the scene for each light.
+// Followed through the scene for each light; fewer for one that adds little (LightEffects::divide).
 constexpr int kRays = 8192;
 }  // namespace
 
@@ -66,8 +67,10 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   const SampleMaps maps = maps_of(frame, light);
   const LightViews& views = frame.views()[static_cast<std::size_t>(light)];
   const std::vector<int> casters = casters_by_row(frame);
-  LedgerSum ledger_sum(views.caustic, frame.settings(), maps.map.width());
-  ErrorSum error_sum(views, frame.settings(), maps.map.width(), !maps.cascade.values.empty());
+  const LightSettings own(frame.settings(), frame.effects());
+  const Settings& settings = own[light];
+  LedgerSum ledger_sum(views.caustic, settings, maps.map.width());
+  ErrorSum error_sum(views, settings, maps.map.width(), !maps.cascade.values.empty());
   std::vector<BranchImages> judged;  // the model looks at all branches at once
   for (const Branch& branch : frame.effects().branches) {
     const auto has = [&](const std::string& name) { return frame.has(name); };
@@ -93,7 +96,10 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
                        .samples = static_cast<int>(samples_of(frame.scene(), sum.light).size())});
        },
        [&] { ledger = ledger_sum.with_maps(maps.map, maps.far_map); },
-       [&] { pixel = kJudgedPixels * pixel_side(maps.view_position, maps.map, views.caustic); }});
+       [&] {
+         pixel = kJudgedPixels * pixel_side(maps.view_position, maps.map, views.caustic,
+                                            frame.effects().lights[static_cast<std::size_t>(light)].divide);
+       }});
   add(sum.ledger, ledger, share);
   add(sum.error, error_sum.with_maps(maps.map, maps.cascade, ledger, pixel), share);
 }
@@ -128,12 +134,13 @@ LedgerReader::LedgerReader(LedgerReader&&) noexcept = default;
 LedgerReader& LedgerReader::operator=(LedgerReader&&) noexcept = default;
 LedgerReader::~LedgerReader() = default;
 
-ModelError* LedgerReader::model_of(const RenderedFrame& frame, int source) {
+ModelError* LedgerReader::model_of(const RenderedFrame& frame, int source, int divide) {
   if (!judge_) {
     if (!why_not_judged(frame).empty()) return nullptr;
     judge_ = std::make_unique<Judge>(frame);
   }
-  return &judge_->models.try_emplace(source, judge_->paths, judge_->blocks, kRays).first->second;
+  return &judge_->models.try_emplace(source, judge_->paths, judge_->blocks, kRays / (divide * divide))
+              .first->second;
 }
 
 void LedgerReader::look(const RenderedFrame& frame, const PlannedPass& pass) {
@@ -149,7 +156,9 @@ void LedgerReader::look(const RenderedFrame& frame, const PlannedPass& pass) {
       by_source_.try_emplace(light.source, LightLedger{.light = light.source, .ledger = {}}).first->second;
   // A sample's flux is relative to its own intensity.
   const double share = static_cast<double>(light.intensity) / static_cast<double>(source.intensity);
-  add_sample(frame, pass.light, share, sum, model_of(frame, light.source));
+  add_sample(
+      frame, pass.light, share, sum,
+      model_of(frame, light.source, frame.effects().lights[static_cast<std::size_t>(pass.light)].divide));
   milliseconds_ += watch.milliseconds();
 }
 

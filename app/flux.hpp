@@ -48,7 +48,7 @@ class LedgerReader {
 
  private:
   struct Judge;
-  ModelError* model_of(const RenderedFrame& frame, int source);
+  ModelError* model_of(const RenderedFrame& frame, int source, int divide);
 
   std::map<int, LightLedger> by_source_;
   std::unique_ptr<Judge> judge_;  // made at the first look

@@ -4,7 +4,10 @@
 #include "app/frame_options.hpp"
 #include "app/loaded_scene.hpp"
 #include "passes/registry.hpp"
+#include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
+#include "pipeline/scene/gltf/load_gltf.hpp"
 #include "raster/software_device.hpp"
 
 namespace caustics::app {
@@ -28,9 +31,21 @@ MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, co
   return judged;
 }
 
+void check_water_work(const Scene& scene, double seconds) {
+  const double most = LoadOptions{}.max_water_updates;
+  double updates = 0.0;
+  for (const Water& water : scene.waters)
+    updates += static_cast<double>(water.columns) * water.rows * (water.since_rest(seconds) / water.step);
+  if (updates <= most) return;
+  throw Error(ExitCode::WrongUsage, "until " + significant(seconds, 6) + " s the water's cells make " +
+                                        significant(updates, 2) + " steps, more than " +
+                                        significant(most, 2) + "; choose an earlier --time or --frames");
+}
+
 RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<LoadedScene> loaded,
                              const PlanGoal& goal, Effect Effects::*without, std::uint64_t outputs)
     : loaded_(std::move(loaded)), device_(make_device(request.backend)) {
+  check_water_work(loaded_->scene(), request.seconds.value_or(0.0));
   if (request.backend.backend != Backend::Software) pilot_device_ = make_pilot_device(request.backend);
   renderer_ = std::make_unique<FrameRenderer>(
       loaded_->scene(), request.settings, pass_registry(), *device_,
@@ -51,7 +66,10 @@ RenderedFrame::~RenderedFrame() = default;
 
 bool RenderedFrame::moves() const { return loaded_->moves() || renderer_->has_waters(); }
 
+int RenderedFrame::grid_of(int light) const { return LightSettings(settings(), effects())[light].grid; }
+
 void RenderedFrame::move_to(double seconds) {
+  check_water_work(scene(), seconds);
   if (loaded_->moves()) {
     loaded_->move_to(seconds);
     renderer_->moved(loaded_->moving_meshes(), &loaded_->camera());

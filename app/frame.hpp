@@ -24,6 +24,10 @@ struct MemoryJudgement {
 MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame,
                              std::uint64_t outputs = 0);
 
+// Throws Error (WrongUsage) where the scene's waters would have to make more steps from rest to this moment
+// than LoadOptions::max_water_updates allows before time 0.
+void check_water_work(const Scene& scene, double seconds);
+
 // A frame on the device, ready to run; one after the other where the scene moves. Everything it refers
 // to it owns.
 class RenderedFrame {
@@ -56,6 +60,8 @@ class RenderedFrame {
   const Scene& scene() const { return renderer_->scene(); }
   const Effects& effects() const { return renderer_->effects(); }
   const Settings& settings() const { return renderer_->settings(); }
+  // Grid vertices a side of a light (by Scene::lights).
+  int grid_of(int light) const;
   const FramePlan& plan() const { return renderer_->plan(); }
   const std::vector<LightViews>& views() const { return renderer_->views(); }
   const FrameInputs& inputs() const { return renderer_->inputs(); }

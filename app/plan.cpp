@@ -62,9 +62,8 @@ ExitCode run_plan_command(const Arguments& arguments) {
   const LoadedScene* shown = loaded.get();
   // What `render` runs for a PNG picture.
   const std::unique_ptr<Device> pilot = make_pilot_device(request.backend);
-  const PlannedFrame frame =
-      plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot, goal_with_ledgers({"picture"}),
-                 &loaded->camera());
+  const PlannedFrame frame = plan_frame(loaded->scene(), request.settings, pass_registry(), *pilot,
+                                        goal_with_ledgers({"picture"}), &loaded->camera());
   const MemoryJudgement memory = judge_picture(request, loaded->scene(), frame);
   std::optional<RenderedFrame> coarse;
   LedgerReader reader;

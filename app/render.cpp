@@ -329,6 +329,7 @@ class Renderer {
     }
     if (!loaded->moves() && loaded->scene().waters.empty()) say_that_nothing_moves();
     timing_.load = total_.milliseconds();
+    if (!todo_.empty() && request_.frames) check_water_work(loaded->scene(), request_.seconds(todo_.back()));
     progress_.show("finding where the light goes");
     frame_.emplace(request_.frame, std::move(loaded), goal_of(request_), nullptr,
                    writing_bytes(request_.outputs, request_.frame.settings, !request_.dump.empty()));

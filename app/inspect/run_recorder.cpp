@@ -366,7 +366,7 @@ Json RunRecorder::light(int number) {
   json["direction"] = light.type == LightType::Point ? Json() : Json(triple(light.direction));
   json["flux_unit"] = flux_unit(light);
   json["ledger"] = json["estimated_error"] = json["paths"] = Json();
-  json["grid"] = static_cast<int>(frame_.settings().grid);
+  json["grid"] = frame_.grid_of(number);
   json["branches"] = branches_of(number);
   json["maps"] = maps_of(number);
   json["pixels"] = pixels == pixels_.end() ? Json() : *pixels->second;

@@ -117,9 +117,10 @@ bool is_on_the_way(const RenderedFrame& frame, const PlannedPass& pass) {
 }
 
 std::map<int, Ways> ways_by(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded,
-                            int& grid) {
+                            std::map<int, int>& grids) {
   RenderedFrame frame(request, loaded, {{kLanding}});
-  grid = frame.settings().grid;
+  for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+    grids[light] = frame.grid_of(light);
   std::map<int, Ways> ways;
   frame.run([&](const PlannedPass& pass, const PassResult& result, std::size_t, std::size_t) {
     // Of light that parts, the way of the first branch.

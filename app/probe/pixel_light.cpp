@@ -100,7 +100,7 @@ class Gatherer {
     const int texture = pass.writes[write];
     const Format format = pass.definition->writes[write].format;
     const bool cells = pass_registry()[static_cast<std::size_t>(pass.pass)].draws == DrawSet::GridCells;
-    const auto columns = static_cast<std::uint32_t>(frame_.settings().grid - (cells ? 1 : 0));
+    const auto columns = static_cast<std::uint32_t>(frame_.grid_of(pass.light) - (cells ? 1 : 0));
     std::vector<PartOfLight> parts;
     replay_fragments(frame_.device(), frame_.prepare(pass), {}, around, [&](const FragmentOnTexel& fragment) {
       if (fragment.outcome != FragmentOutcome::Passed) return;

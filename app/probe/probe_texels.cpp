@@ -45,7 +45,7 @@ void read_stored(const RenderedFrame& frame, TexelHistory& history) {
 // What the pass's primitives are.
 void name_primitives(const RenderedFrame& frame, TexelHistory& history) {
   const DrawSet draws = pass_registry()[static_cast<std::size_t>(history.pass->pass)].draws;
-  const auto grid = static_cast<std::uint32_t>(frame.settings().grid);
+  const auto grid = static_cast<std::uint32_t>(frame.grid_of(history.pass->light));
   history.kind = history.pass->definition->topology == Topology::Triangles ? "triangle" : "primitive";
   if (draws == DrawSet::GridCells) history.kind = "cell", history.columns = grid - 1;
   if (draws == DrawSet::GridVertices) history.kind = "vertex", history.columns = grid;

@@ -52,7 +52,7 @@ void check_light(const Scene& scene, const VertexRequest& request) {
 std::vector<ProbedVertex> probe_vertices(RenderedFrame& frame, const VertexRequest& request) {
   std::vector<ProbedVertex> probed;
   for (const Pair& vertex : request.vertices) {
-    check_vertex(vertex, frame.settings().grid);
+    check_vertex(vertex, frame.grid_of(samples_of(frame.scene(), request.light).front()));
     probed.push_back({vertex.first, vertex.second, request.light});
   }
   const PlannedPass& landing = find_landing(frame, request);

@@ -5,6 +5,7 @@
 
 #include "app/flux.hpp"
 #include "app/json.hpp"
+#include "app/output/light_groups.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/texture_label.hpp"
 #include "pipeline/measure/ledger.hpp"
@@ -65,7 +66,7 @@ bool agrees(const ProbedVertex& vertex) {
 }
 
 void print(const RenderedFrame& frame, const ProbedVertex& vertex) {
-  const int grid = frame.settings().grid;
+  const int grid = frame.grid_of(samples_of(frame.scene(), vertex.source).front());
   std::printf("grid vertex %d,%d of light %s, grid %dx%d; metres, scene space\n", vertex.x, vertex.y,
               light_label(frame.scene(), vertex.source).c_str(), grid, grid);
   for (const auto& [label, texel] : vertex.passes) {

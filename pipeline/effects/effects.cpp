@@ -287,6 +287,7 @@ std::span<const NamedEffect> named_effects() {
       {"sub-pixels", &Effects::sub_pixels},
       {"paper weights", &Effects::paper_weights},
       {"rough glass", &Effects::rough_glass},
+      {"dim lights", &Effects::dim_lights},
   };
   return kNames;
 }
@@ -317,6 +318,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_hidden_receivers(settings, effects);
   add_sub_pixels(settings, effects);
   add_paper_weights(settings, effects);
+  effects.dim_lights = {false, "there are few lights"};
   effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
   add_camera(scene, camera, effects);
   return effects;

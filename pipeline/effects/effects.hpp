@@ -88,6 +88,7 @@ struct LightEffects {
   std::string lights_nothing;  // why its direct light falls on no receiver that the camera sees
   std::string all_around;      // why the light is drawn onto a cube
   std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
+  int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
 };
 
 // Of the light that lands through a caster: what share does not come through one surface or two, or off the
@@ -97,6 +98,12 @@ struct FurtherShare {
   int mesh = 0;
   double share = 0.0;     // 0..1
   double of_light = 0.0;  // how much of the light's landed flux comes through this caster, 0..1
+};
+
+// What a light adds to the light on the casters (pipeline/measure/light_shares.hpp).
+struct LightShare {
+  double share = 1.0;     // 0..1
+  bool left_out = false;  // one of the weakest, which throw no caustics
 };
 
 // Every effect is a member; named_effects() has their names for people. None depends on the order of the
@@ -148,6 +155,7 @@ struct Effects {
   Effect sub_pixels;        // several samples a pixel (Settings::samples)
   Effect paper_weights;     // every grid vertex has an equal part of the light (Weights::Paper)
   Effect rough_glass;       // a refractor whose microfacets spread the light
+  Effect dim_lights;        // of many lights, some that add little and are drawn coarsely or not at all
 };
 
 // Every effect with its name for people, in the order in which they are shown.

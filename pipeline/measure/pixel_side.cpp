@@ -76,9 +76,10 @@ std::vector<LitPixel> lit_pixels(const ImageView& view_position, const ImageView
 
 }  // namespace
 
-double pixel_side(const ImageView& view_position, const ImageView& caustic_map, const View& caustic) {
+double pixel_side(const ImageView& view_position, const ImageView& caustic_map, const View& caustic,
+                  int coarser) {
   const double pixels = static_cast<double>(view_position.width()) * view_position.height();
-  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels))));
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))) * coarser;
   const int first = step / 2, rows = std::max(0, (view_position.height() - first + step - 1) / step);
   std::vector<std::vector<LitPixel>> lit(static_cast<std::size_t>(rows));
   in_pieces(rows, 0, [&](int row) {

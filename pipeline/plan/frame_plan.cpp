@@ -6,9 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/gpu/interrupt.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/plan/light_order.hpp"
 #include "pipeline/plan/needed_passes.hpp"
 #include "pipeline/plan/sample_passes.hpp"
@@ -69,6 +71,9 @@ struct Owner {
   int surface = 0;  // of a pass: on the branch's way
 };
 
+// Those of some thousand lights; more would plan for minutes and draw for hours.
+constexpr std::size_t kMostPasses = 1'000'000;
+
 std::string named_reason(Effect Effects::*effect, const Effects& effects) {
   for (const NamedEffect& named : named_effects())
     if (named.effect == effect) return std::string(named.name) + ": " + (effects.*effect).reason;
@@ -99,7 +104,12 @@ std::string with_label(std::string_view name, std::string_view label) {
 class Planner {
  public:
   Planner(const Scene& scene, const Effects& effects, const Settings& settings, const Registry& registry)
-      : scene_(scene), effects_(effects), settings_(settings), registry_(registry), throws_(scene.lights.size()) {
+      : scene_(scene),
+        effects_(effects),
+        settings_(settings),
+        registry_(registry),
+        own_settings_(settings, effects),
+        throws_(scene.lights.size()) {
     for (const Expectation& e : effects.expectations)
       if (e.expected) throws_[static_cast<std::size_t>(e.light)] = true;
     add_external(kCasterMaterials);
@@ -139,10 +149,10 @@ class Planner {
   }
 
   // One for all instances of a kind: thousands of lights have thousands of instances.
-  const std::shared_ptr<const PassDefinition>& shared_definition(const Pass& pass, const DrawnFor& drawn_for) {
+  const std::shared_ptr<const PassDefinition>& shared_definition(const Pass& pass,
+                                                                 const DrawnFor& drawn_for) {
     std::shared_ptr<const PassDefinition>& shared = definitions_[{&pass, &drawn_for}];
-    if (!shared)
-      shared = std::make_shared<const PassDefinition>(definition_of(pass, effects_, drawn_for));
+    if (!shared) shared = std::make_shared<const PassDefinition>(definition_of(pass, effects_, drawn_for));
     return shared;
   }
 
@@ -278,12 +288,13 @@ class Planner {
     const LightEffects* light =
         user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
     return is_of_camera(pass, drawn_for) ? picture_size(settings_, drawn_for.camera)
-           : drawn_for.size              ? drawn_for.size(settings_, effects_, light)
-                                         : pass.size(settings_, effects_, light);
+           : drawn_for.size              ? drawn_for.size(own_settings_[user.light], effects_, light)
+                                         : pass.size(own_settings_[user.light], effects_, light);
   }
 
   void add(int index, const DrawnFor& drawn_for, Owner user) {
     stop_if_interrupted();
+    refuse_too_many();
     const Pass& pass = registry_[static_cast<std::size_t>(index)];
     const TargetSize size = size_of(pass, drawn_for, user);
     PlannedPass planned{
@@ -320,6 +331,16 @@ class Planner {
       planned.depth = target(planned, with_label(pass.depth->name, own), Format::Depth32F, owner);
     decide_by_query(pass, planned);
     plan_.passes.push_back(std::move(planned));
+  }
+
+  void refuse_too_many() const {
+    if (plan_.passes.size() < kMostPasses) return;
+    throw Error(
+        ExitCode::WrongUsage,
+        "the frame would be more than " + grouped(kMostPasses) + " passes, of " +
+            grouped(scene_.lights.size()) + " lights and samples of lights on " +
+            grouped(effects_.branches.size()) +
+            " ways each; lower --wavelengths, -D splits or -D light.samples, or raise -D light.least");
   }
 
   // The pass that counts how much of its casters a light reaches comes before those that follow that light;
@@ -489,7 +510,8 @@ class Planner {
   const Registry& registry_;
   FramePlan plan_;
   std::map<std::pair<const Pass*, const DrawnFor*>, std::shared_ptr<const PassDefinition>> definitions_;
-  std::vector<bool> throws_;           // by light: a caustic
+  const LightSettings own_settings_;
+  std::vector<bool> throws_;          // by light: a caustic
   int last_with_layers_ = -1;         // in the registry
   std::map<std::string, int> index_;  // of the plan's textures, by name
   // Queries that earlier passes count into: of a light's casters, of a branch's first rays, of the rays that

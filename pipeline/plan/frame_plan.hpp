@@ -37,10 +37,10 @@ struct PlannedPass {
   static constexpr int kNothing = -2;   // in `reads`: an optional texture this frame lacks; in `writes`: an
                                         // attachment that nobody needs
 
-  int pass = 0;                         // index into the registry
-  const DrawnFor* drawn_for = nullptr;  // of the registry's pass
+  int pass = 0;                                      // index into the registry
+  const DrawnFor* drawn_for = nullptr;               // of the registry's pass
   std::shared_ptr<const PassDefinition> definition;  // what a device runs; instances share it
-  int light = -1;                       // index into Scene::lights, -1 for a pass of the frame
+  int light = -1;                                    // index into Scene::lights, -1 for a pass of the frame
   int branch = -1;  // index into Effects::branches, -1 for a pass of the frame or of a light
   int water = -1;   // index into Scene::waters, -1 for all other passes
   int surface = 0;  // on a branch's way, counted from 1; 0 for passes that follow no light

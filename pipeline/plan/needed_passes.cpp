@@ -16,7 +16,8 @@ bool is_named(const std::string& full_name, const std::vector<std::string>& name
 bool is_towards_needed(const PlannedPass& pass, const TextureRead& read, const std::vector<bool>& needed) {
   if (read.only_towards.empty()) return true;
   for (std::size_t i = 0; i < pass.writes.size(); ++i)
-    if (pass.definition->writes[i].name == read.only_towards) return pass.writes[i] >= 0 && needed[static_cast<std::size_t>(pass.writes[i])];
+    if (pass.definition->writes[i].name == read.only_towards)
+      return pass.writes[i] >= 0 && needed[static_cast<std::size_t>(pass.writes[i])];
   return true;
 }
 

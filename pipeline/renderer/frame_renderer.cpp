@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "pipeline/effects/cascades.hpp"
+#include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/measure/light_shares.hpp"
 #include "pipeline/renderer/picture_sides.hpp"
 #include "pipeline/views/cascades.hpp"
 #include "pipeline/views/sub_pixel.hpp"
@@ -17,18 +19,20 @@ namespace {
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
 // moving water hold whatever the waves do, so that maps and shadows do not crawl.
 PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& registry, LightPilot& pilot,
-                     const View* camera, const PlanGoal& goal,
-                     Effect Effects::*without = nullptr) {
+                     const View* camera, const PlanGoal& goal, Effect Effects::*without = nullptr) {
   PlannedFrame frame;
   std::optional<View> seen;
   if (camera) seen = around_samples(*camera, samples_a_pixel(asked), asked.width, asked.height);
   std::vector<FurtherShare> shares;
+  std::optional<std::vector<LightShare>> of_lights;
   const auto fit = [&](const Settings& settings, std::vector<LandingSurvey>* surveys) {
     frame.settings = settings;
     frame.effects = effects_of(scene, settings, seen ? &*seen : nullptr);
     if (asked.grid.automatic && frame.effects.rough_glass.active)
       frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;
     if (without) frame.effects.*without = {false, "left out on request"};
+    if (!of_lights) of_lights = light_shares(scene, frame.effects, static_cast<double>(settings.least_light));
+    frame.effects = with_dim_lights(std::move(frame.effects), scene, settings, *of_lights);
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);

@@ -28,7 +28,9 @@ std::vector<Landed> LandedLight::find(int step) {
   even.grid = kPilotRaysASide;
   const glm::dvec3 middle = subject_of(scene_).centre();
   std::vector<LightLanding> landings;
-  for (const int number : lights_to_pilot(scene_, effects)) {
+  const std::vector<int> lights = lights_to_pilot(scene_, effects);
+  step = std::min(step * pilot_step(lights.size()), kPilotRaysASide / 4);
+  for (const int number : lights) {
     const Light& light = scene_.lights[static_cast<std::size_t>(number)];
     const View casters = widest_views(scene_, effects, even, number).caster;
     landings.clear();

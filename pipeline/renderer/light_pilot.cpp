@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "pipeline/effects/cascades.hpp"
+#include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/light_paths.hpp"
@@ -132,7 +133,7 @@ class LandingScout {
 
 namespace {
 
-void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster,
+void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster, int step,
                 std::vector<FurtherShare>& shares) {
   struct Landed {
     double all = 0.0, simple = 0.0;  // through two surfaces or one, or off the first
@@ -140,7 +141,7 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
   std::map<int, Landed> landed;
   double whole = 0.0;
   std::vector<LightLanding> landings;
-  for (const LightRay& ray : pilot_rays(light, caster)) {
+  for (const LightRay& ray : pilot_rays(light, caster, step)) {
     landings.clear();
     glm::dvec3 astray(0.0);
     const int mesh = paths.follow(ray, landings, &astray);
@@ -180,17 +181,19 @@ void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings
   for (int i = 0; i < static_cast<int>(views.size()); ++i) any |= fitted(i);
   if (!any) return;
   const double kernel_texels = splat_kernel(settings).radius + 2.0;
-  for (const double margin : {0.5, std::min(0.03 + 2.0 * kernel_texels / settings.map, kWidestMargin)})
+  const LightSettings own(settings, effects);
+  for (const bool is_last : {false, true})
     scout.run(views, [&](int i) {
       if (!fitted(i)) return;
       const auto light = static_cast<std::size_t>(i);
+      const double margin = is_last ? std::min(0.03 + 2.0 * kernel_texels / own[i].map, kWidestMargin) : 0.5;
       std::vector<WeightedPoint> points;
       LandingSurvey found;
       scout.show(i, [&](const Image& landing, const Image& flux) {
         add_landings(landing, flux, views[light].caustic, points);
         if (surveys) found.add(survey_landings(landing, flux, views[light].caustic));
       });
-      fit_to_landings(views[light], points, settings, margin, effects.receivers_are_one_plane);
+      fit_to_landings(views[light], points, own[i], margin, effects.receivers_are_one_plane);
       if (surveys) (*surveys)[light] = std::move(found);
     });
 }
@@ -199,8 +202,9 @@ std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& 
                                         std::vector<LandingSurvey>* surveys) {
   std::vector<LightViews> views;
   views.reserve(scene_.scene().lights.size());
+  const LightSettings own(settings, effects);
   for (int i = 0; i < static_cast<int>(scene_.scene().lights.size()); ++i)
-    views.push_back(widest_views(scene_.scene(), effects, settings, i));
+    views.push_back(widest_views(scene_.scene(), effects, own[i], i));
   if (surveys) surveys->assign(views.size(), {});
   if (!settings.shared_views) {
     fit_to_scouted(effects, settings, views, surveys);
@@ -219,11 +223,12 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
   std::vector<FurtherShare> shares;
   Settings coarse = settings;
   coarse.grid = kCoarseGrid;
-  for (const int i : lights_to_pilot(scene, effects)) {
+  const std::vector<int> lights = lights_to_pilot(scene, effects);
+  for (const int i : lights) {
     const auto index = static_cast<std::size_t>(i);
     const bool all_around = !effects.lights[index].all_around.empty();
     const View caster = widest_views(scene, effects, all_around ? settings : coarse, i).caster;
-    add_shares(paths, scene.lights[index], i, caster, shares);
+    add_shares(paths, scene.lights[index], i, caster, pilot_step(lights.size()), shares);
   }
   return shares;
 }

@@ -18,12 +18,22 @@ std::vector<LightRay> pilot_rays(const Light& light, const View& casters, int st
   return rays;
 }
 
+int pilot_step(std::size_t lights) {
+  std::size_t step = 1;
+  while (step < 8 && lights > 16 * step * step) step *= 2;
+  return static_cast<int>(step);
+}
+
 std::vector<int> lights_to_pilot(const Scene& scene, const Effects& effects) {
   std::vector<int> lights;
   std::set<int> sources;
+  std::vector<bool> throws(scene.lights.size());
+  for (const Expectation& e : effects.expectations)
+    if (e.expected) throws[static_cast<std::size_t>(e.light)] = true;
   for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
     const int source = scene.lights[static_cast<std::size_t>(i)].source;
-    if (throws_caustic(effects, i) && (source < 0 || sources.insert(source).second)) lights.push_back(i);
+    if (throws[static_cast<std::size_t>(i)] && (source < 0 || sources.insert(source).second))
+      lights.push_back(i);
   }
   return lights;
 }

@@ -1,5 +1,6 @@
 #include "pipeline/renderer/run_plan.hpp"
 
+#include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/scene/cube_view.hpp"
@@ -54,6 +55,7 @@ class PassRunner {
         scene_(scene),
         targets_(targets),
         inputs_(inputs),
+        settings_(*inputs.settings, *inputs.effects),
         cameras_{{.picture = inputs.camera, .surroundings = widened(inputs.camera, 3.0)}} {
     for (const SubPixel& by : sub_pixels(samples_a_pixel(*inputs.settings)))
       cameras_.push_back(
@@ -76,17 +78,17 @@ class PassRunner {
         break;
       case DrawSet::GridVertices:
         run.draws.push_back(
-            draw(pass, planned, context, MeshId::None, inputs_.settings->grid * inputs_.settings->grid));
+            draw(pass, planned, context, MeshId::None, context.settings->grid * context.settings->grid));
         break;
       case DrawSet::GridColumns:
-        run.draws.push_back(draw(pass, planned, context, MeshId::None, inputs_.settings->grid));
+        run.draws.push_back(draw(pass, planned, context, MeshId::None, context.settings->grid));
         break;
       case DrawSet::GridCells:
-        if (const int cells = inputs_.settings->grid - 1; cells > 0)
+        if (const int cells = context.settings->grid - 1; cells > 0)
           run.draws.push_back(draw(pass, planned, context, MeshId::None, cells * cells));
         break;
       case DrawSet::Beams: {
-        const int beams = beams_a_side(*inputs_.settings);
+        const int beams = beams_a_side(*context.settings);
         run.draws.push_back(draw(pass, planned, context, MeshId::None, 6 * beams * beams));
         break;
       }
@@ -116,7 +118,7 @@ class PassRunner {
     const Camera& seen = cameras_[static_cast<std::size_t>(planned.sample)];
     PassContext context{
         .scene = &scene_.scene(),
-        .settings = inputs_.settings,
+        .settings = &settings_[planned.light],
         .effects = inputs_.effects,
         .camera = planned.drawn_for->camera == CameraView::Picture ? &seen.picture : &seen.surroundings,
         .surroundings = &seen.surroundings,
@@ -228,6 +230,7 @@ class PassRunner {
   const SceneOnDevice& scene_;
   const FrameTargets& targets_;
   const FrameInputs& inputs_;
+  const LightSettings settings_;
   std::vector<Camera> cameras_;  // the pixels' middles, then by sample
 };
 

@@ -191,6 +191,12 @@ constexpr Setting kTable[] = {
     number<&S::light_samples>("light.samples", Part::Maps, {1, 256},
                               "points by which a light with a size is drawn; half as many ways "
                               "through rough glass"),
+    number<&S::least_light>("light.least", Part::Maps, {0, 1},
+                            "of more than 16 lights, the weakest that together give less than this share of "
+                            "the light on any caster throw no caustic"),
+    number<&S::full_light>("light.full", Part::Maps, {0, 1},
+                           "of more than 16 lights, those that give less than this share of the light on any "
+                           "caster have smaller grids and maps"),
     choice<&S::emissive_lights, kOffOn>("emissive.lights", Part::Light, "meshes that shine light the scene"),
     number<&S::shafts>("shafts", Part::Maps, {1, 1024},
                        "beams a side by which light shafts are drawn; no more than the grid has vertices"),

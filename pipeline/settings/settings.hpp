@@ -40,6 +40,7 @@ struct Settings {
   Side grid, map;
   int shadow = 2048;
   int light_samples = 16;
+  float least_light = 0.005f, full_light = 0.125f;
   bool emissive_lights = false;
   int shafts = 128;
   int medium_steps = 32;
