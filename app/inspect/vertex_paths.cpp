@@ -129,7 +129,7 @@ std::map<int, Ways> ways_by(const FrameRequest& request, const std::shared_ptr<L
     const ProbedPass probe(frame, pass);
     for (int j = 0; j < kLattice; ++j)
       for (int i = 0; i < kLattice; ++i) {
-        const ProbedTexel texel = probe.at(on_lattice(i, grid), on_lattice(j, grid));
+        const ProbedTexel texel = probe.at(on_lattice(i, grids[pass.light]), on_lattice(j, grids[pass.light]));
         if (texel.discarded) continue;
         const auto at = static_cast<std::size_t>(j) * kLattice + static_cast<std::size_t>(i);
         of_light.readers[at].read(texel);
@@ -145,13 +145,13 @@ std::map<int, Ways> ways_by(const FrameRequest& request, const std::shared_ptr<L
 
 std::map<int, Json> vertex_paths(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded) {
   std::map<int, Json> paths;
-  int grid = 0;
+  std::map<int, int> grids;  // by light
   FrameRequest with = request;
   with.backend.backend = Backend::Software;
   const auto by = [&](const char* estimator, int iterations) {
     set_option(with.settings, "estimator", estimator);
     set_option(with.settings, "iterations", std::to_string(iterations));
-    return ways_by(with, loaded, grid);
+    return ways_by(with, loaded, grids);
   };
   std::map<int, Ways> truth = by("secant", kConverged);
   for (const char* estimator : {"secant", "newton", "paper", "impostor"}) {
@@ -161,7 +161,7 @@ std::map<int, Json> vertex_paths(const FrameRequest& request, const std::shared_
         json = {{"vertices", Json::array()}, {"estimators", Json::object()}};
         for (int j = 0; j < kLattice; ++j)
           for (int i = 0; i < kLattice; ++i)
-            json["vertices"].push_back({on_lattice(i, grid), on_lattice(j, grid)});
+            json["vertices"].push_back({on_lattice(i, grids[light]), on_lattice(j, grids[light])});
       }
       Json& list = json["estimators"][estimator] = Json::array();
       for (std::size_t at = 0; at < ways.readers.size(); ++at)

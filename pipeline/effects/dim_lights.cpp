@@ -21,7 +21,7 @@ int divided_by(double share, double full) {
   return divide;
 }
 
-std::string percent(float share) { return rounded_text(100.0 * static_cast<double>(share), 2) + " %"; }
+std::string percent(float share) { return rounded_text(100.0 * static_cast<double>(share), 3) + " %"; }
 
 std::string counted(std::size_t lights) { return grouped(lights) + (lights == 1 ? " light" : " lights"); }
 
