@@ -40,7 +40,8 @@ constexpr std::pair<ExitCode, const char*> kExitCodes[] = {
     {ExitCode::TargetMissed,
      "the error or the time that was asked for was missed (render, reference); the picture is written"},
     {ExitCode::NumericFault,
-     "numeric fault: the picture would hold a NaN or an infinity; its pixel is named, no picture is written"},
+     "numeric fault: the picture would hold a NaN, an infinity, or more light than the scene's lights can "
+     "give; its pixel is named, no picture is written"},
     {ExitCode::InternalError, "internal error"},
     {ExitCode::Interrupted, "interrupted (SIGINT)"},
     {ExitCode::Terminated, "terminated (SIGTERM)"},

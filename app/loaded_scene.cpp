@@ -13,6 +13,7 @@
 #include "pipeline/scene/far_lights.hpp"
 #include "pipeline/scene/gltf/load_environment.hpp"
 #include "pipeline/scene/gltf/load_gltf.hpp"
+#include "pipeline/scene/lamp_meshes.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/settings/nearest.hpp"
 #include "pipeline/views/framing.hpp"
@@ -40,9 +41,12 @@ const Camera& camera_called(const Scene& scene, const std::string& wanted) {
 constexpr std::size_t kMostSamples = 4096;
 
 void sample_area_lights(Scene& scene, int count) {
-  const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(),
-                                   [](const Light& light) { return light.shape != LightShape::None; });
-  const std::size_t samples = static_cast<std::size_t>(sized) * static_cast<std::size_t>(count);
+  std::size_t sized = 0, samples = 0;
+  for (const Light& light : scene.lights) {
+    if (light.shape == LightShape::None) continue;
+    ++sized;
+    samples += static_cast<std::size_t>(light.samples > 0 ? light.samples : count);
+  }
   if (samples > kMostSamples) {
     throw Error(ExitCode::WrongUsage, std::to_string(sized) + " lights with a size would need " +
                                           grouped(samples) + " samples, more than " + grouped(kMostSamples) +
@@ -82,8 +86,27 @@ LoadedScene::LoadedScene(const FrameRequest& request)
   move_to(request.seconds.value_or(0.0));
 }
 
-void LoadedScene::add_what_shines() {
-  if (settings_.emissive_lights) add_emissive_lights(scene_);
+// Which meshes are lamps is judged once, as the scene stands at its beginning. A sun that is asked for stands
+// in the place of all other lights.
+Lamps LoadedScene::judge_what_shines() const {
+  if (settings_.sun || settings_.emissive_lights == EmissiveLights::Off) return {};
+  if (settings_.emissive_lights == EmissiveLights::Auto)
+    return choose_lamps(scene_, static_cast<double>(sun_lux(scene_.environment)), settings_.light_samples);
+  Lamps all{.instead_of_sun = true};
+  for (int i = 0; i < static_cast<int>(scene_.meshes.size()); ++i)
+    if (shines(scene_, scene_.meshes[static_cast<std::size_t>(i)]))
+      all.lights.push_back(light_of_mesh(scene_, i));
+  return all;
+}
+
+// The lights as they stand now: the scene's own, or what was added in their place, and the meshes that shine.
+void LoadedScene::light_up() {
+  if (!added_sources_.empty()) scene_.lights = added_sources_;
+  for (const Light& lamp : lamps_) {
+    Light light = light_of_mesh(scene_, lamp.emitter);
+    light.samples = lamp.samples;
+    scene_.lights.push_back(std::move(light));
+  }
   sample_area_lights(scene_, settings_.light_samples);
 }
 
@@ -94,15 +117,21 @@ void LoadedScene::complete() {
     mesh.upper = glm::vec3(swept_[i].upper);
     mesh.outline = outlines_[i];
   }
-  add_what_shines();
+  Lamps lamps = judge_what_shines();
+  scene_.dim_meshes = std::move(lamps.dim);
+  // Beside a sun that is yet to be added they come after it.
+  const bool after_sun = scene_.lights.empty() && !lamps.instead_of_sun;
+  if (!after_sun) lamps_ = lamps.lights;
+  light_up();
   const Completed completed = complete_scene(scene_, settings_);
+  if (completed.lights) added_sources_ = scene_.sources;
+  if (after_sun && !lamps.lights.empty()) {
+    lamps_ = std::move(lamps.lights);
+    light_up();
+  }
   adjust(scene_.environment, static_cast<double>(settings_.environment_strength),
          static_cast<double>(settings_.environment_turn));
   note_environment();
-  if (completed.lights) {
-    added_lights_ = scene_.lights;
-    added_sources_ = scene_.sources;
-  }
   if (completed.cameras) added_cameras_ = scene_.cameras;
   added_ = completed.added;
   notes_ = scene_.notes;
@@ -135,12 +164,7 @@ void LoadedScene::choose_camera() {
 void LoadedScene::move_to(double seconds) {
   if (!moves()) return;
   animation_.move_to(seconds, scene_);
-  if (added_lights_.empty()) {
-    add_what_shines();
-  } else {
-    scene_.lights = added_lights_;
-    scene_.sources = added_sources_;
-  }
+  light_up();
   if (!added_cameras_.empty()) scene_.cameras = added_cameras_;
   scene_.notes = notes_;
   choose_camera();

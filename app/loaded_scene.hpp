@@ -4,6 +4,7 @@
 
 #include "pipeline/renderer/exposure.hpp"
 #include "pipeline/scene/animated_scene.hpp"
+#include "pipeline/scene/lamp_meshes.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics::app {
@@ -37,7 +38,8 @@ class LoadedScene {
   void move_to(double seconds);
 
  private:
-  void add_what_shines();
+  Lamps judge_what_shines() const;
+  void light_up();
   void complete();
   void note_environment();
   void choose_camera();
@@ -49,8 +51,9 @@ class LoadedScene {
   std::vector<std::vector<glm::vec3>> outlines_;
   Scene scene_;
   // What completing the scene added, if anything; each moment starts without it.
-  std::vector<Light> added_lights_, added_sources_;
+  std::vector<Light> added_sources_;
   std::vector<Camera> added_cameras_;
+  std::vector<Light> lamps_;  // meshes that light the scene: which, and by how many samples
   std::vector<std::string> added_, notes_;
   Exposure exposure_;
   Camera camera_;

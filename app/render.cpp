@@ -1,6 +1,5 @@
 // caustics render: a scene to pictures.
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 
@@ -8,6 +7,7 @@
 #include "app/frame_options.hpp"
 #include "app/frame_range.hpp"
 #include "app/loaded_scene.hpp"
+#include "app/numeric_faults.hpp"
 #include "app/output/dump.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/outputs.hpp"
@@ -187,23 +187,6 @@ std::vector<double> shares_done(const FramePlan& plan) {
   return sums;
 }
 
-// A picture with a hole in it is not written: the fault is named instead.
-void refuse_non_finite(const RenderedFrame& frame, const std::string& texture, const std::string& which) {
-  const ImageView image = frame.look_at(texture);
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      for (int c = 0; c < image.channels(); ++c) {
-        if (std::isfinite(image.at(x, y, c))) continue;
-        throw Error(ExitCode::NumericFault, which + texture + " is " + significant(image.at(x, y, c), 3) +
-                                                " at pixel " + std::to_string(x) + "," +
-                                                std::to_string(image.height() - 1 - y) +
-                                                " from the top left, channel " + "RGBA"[c] +
-                                                "; no picture is written, --dump DIR shows every pass");
-      }
-    }
-  }
-}
-
 // The files of one frame.
 OutputRequest outputs_of(const RenderRequest& request, int frame) {
   OutputRequest outputs = request.outputs;
@@ -272,7 +255,7 @@ class Renderer {
         const std::string which = request_.several() ? "frame " + std::to_string(n) + ": " : "";
         const std::vector<std::string> checked =
             frame_->has("beauty") ? std::vector<std::string>{"beauty"} : textures_for(request_.outputs);
-        for (const std::string& texture : checked) refuse_non_finite(*frame_, texture, which);
+        for (const std::string& texture : checked) refuse_numeric_faults(*frame_, texture, which);
         write(n);
         ++done_;
       }

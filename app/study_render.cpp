@@ -4,6 +4,7 @@
 
 #include "app/frame_options.hpp"
 #include "app/loaded_scene.hpp"
+#include "app/numeric_faults.hpp"
 #include "app/shell/parser.hpp"
 #include "app/shell/terminal.hpp"
 #include "passes/registry.hpp"
@@ -21,13 +22,6 @@ std::set<std::string> labels_for(const RenderedFrame& frame, const PlanGoal& goa
        make_plan(frame.scene(), frame.effects(), frame.settings(), pass_registry(), goal).passes)
     labels.insert(pass.label);
   return labels;
-}
-
-void refuse_non_finite_caustic(const Image& caustic) {
-  if (const std::size_t count = count_non_finite(caustic); count > 0) {
-    throw Error(ExitCode::NumericFault,
-                "the layer caustic has " + grouped(count) + " values that are not finite");
-  }
 }
 
 std::uint64_t bytes_of(const RenderedFrame& frame) {
@@ -55,7 +49,7 @@ Rendered render_setting(FrameRequest request, int repeat, const std::function<vo
   say(repeat > 0 ? "warming up" : "rendering");
   frame.run();
   result.caustic = frame.read("aov_caustic");
-  refuse_non_finite_caustic(result.caustic);
+  refuse_numeric_faults(frame, "aov_caustic", "");
   if (repeat == 0) return result;
   study::Clock clock(labels_for(frame, {{"picture"}}),
                      labels_for(frame, {{kCausticMap, kCascadeMap, far_texture(kCausticMap)}}));

@@ -33,6 +33,12 @@ std::string added_line(const std::vector<std::string>& added) {
   return "added: " + (line.empty() ? "nothing" : line) + "\n";
 }
 
+// Of meshes that shine: which light the scene, and which do not and why. Nothing where none shines.
+std::string shining_line(const RenderedFrame& frame) {
+  const Effects& effects = frame.effects();
+  return effects.emission.active ? "shining: " + effects.emissive_lights.reason + "\n" : "";
+}
+
 // What throws the caustics: "'Dragon'", "its glass and mirrors".
 std::string thrown_by(const RenderedFrame& frame) {
   const std::vector<SurfaceRole>& surfaces = frame.effects().surfaces;
@@ -159,7 +165,8 @@ bool shows_none(const RenderedFrame& frame, const std::vector<LightLedger>& ledg
 
 std::string first_lines(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
                         const std::optional<SeenCaustic>& seen) {
-  return added_line(frame.loaded().added()) + caustic_line(frame, ledgers, seen) + error_line(frame, ledgers);
+  return added_line(frame.loaded().added()) + shining_line(frame) + caustic_line(frame, ledgers, seen) +
+         error_line(frame, ledgers);
 }
 
 }  // namespace caustics::app

@@ -15,9 +15,10 @@ Float depth_of(Vec3 p) { return dot3(p - Vec3(u.eye), Vec3(u.forward)); }
 Vec3 receiver_highlight(IN(SurfacePoint) surface, Vec3 irradiance) {
   // One texel of zeros where no picture is wanted of the frame.
   Vec4 specular = fetch_clamped(view_specular, surface.column, surface.row);
-  Vec3 l = -incidence_of(u.light, surface.position, surface.normal).travel;
+  Incidence light = incidence_of(u.light, surface.position, surface.normal);
+  Vec3 l = -light.travel;
   Vec3 v = towards_camera(surface.position);
-  Float lobe = highlight_lobe(surface.normal, v, l, specular.w);
+  Float lobe = highlight_lobe(surface.normal, v, l, specular.w, half_width(u.light, light));
   return irradiance * metal_reflectance(Vec3(specular), highlight_cosine(v, l)) * lobe;
 }
 
@@ -35,7 +36,7 @@ Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
   if (u.has_shadow_map != 0) lit = 1.0f - shadow_share(p);
   Vec3 v = towards_camera(caster.position);
   Vec3 reflectance = metal_reflectance(facing_reflectance(material), highlight_cosine(v, -light.travel));
-  Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness);
+  Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness, half_width(u.light, light));
   return irradiance_by(light, p, lit) * reflectance * lobe;
 }
 

@@ -150,7 +150,7 @@ Vec3 through_medium(Vec3 position) {
 
 // By the share of the light that opaque surfaces and casters leave.
 Vec3 irradiance_by(IN(Incidence) light, IN(TangentPlane) p, Float lit) {
-  Float irradiance = light.facing * light.falloff * lit / light.distance_squared;
+  Float irradiance = light.facing * light.falloff * lit / light.spread;
   Vec3 tint = Vec3(1.0f);
   if (u.has_panes != 0) tint = through_panes(p.at);
 #ifdef HAZE

@@ -6,5 +6,6 @@ struct Light {
   vec3 direction;    // of a directional light: the way it shines, unit, scene space
   float range;       // of a light with a position: how far it reaches, metres; 0: without end
   vec3 intensity;    // lux (directional) or candela, by channel
+  float radius;      // of a light with a position: Light::sample_radius (pipeline/scene/scene.hpp), metres
   LightCone cone;
 };

@@ -47,6 +47,7 @@ inline std140::Light shader_light(const Light& light, const glm::dvec3& directio
           .direction = glm::vec3(direction),
           .range = !directional && std::isfinite(light.range) ? light.range : 0.0f,
           .intensity = light.color * light.intensity,
+          .radius = directional ? 0.0f : static_cast<float>(light.sample_radius),
           .cone = shader_cone(light)};
 }
 

@@ -39,8 +39,8 @@ Vec3 mirrored(Vec3 n, Vec3 d) {
   Vec3 color = Vec3(0.0f);
   if (u.shows_light != 0) {
     Incidence light = incidence_of(u.light, surface_position, n);
-    Float lobe = highlight_lobe(n, -d, -light.travel, Float(u.roughness));
-    color = Vec3(u.light.intensity) * (light.facing * light.falloff / light.distance_squared * lobe);
+    Float lobe = highlight_lobe(n, -d, -light.travel, Float(u.roughness), half_width(u.light, light));
+    color = Vec3(u.light.intensity) * (light.facing * light.falloff / light.spread * lobe);
   } else {
     color = sky_radiance(u.sky, reflected(d, n, clamp_to(-dot3(d, n), 0.0f, 1.0f)));
   }

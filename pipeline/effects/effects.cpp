@@ -147,20 +147,51 @@ void add_blended(const Scene& scene, Effects& effects) {
                                                             : "no thin pane, nothing blended"};
 }
 
-// Meshes that shine light the scene only on request.
-void add_emitters(const Scene& scene, Effects& effects) {
-  std::size_t shining = 0, lights = 0;
+std::string mesh_name(const Scene& scene, int mesh) {
+  const auto index = static_cast<std::size_t>(mesh);
+  return quoted_name("mesh", scene.meshes[index].name, index);
+}
+
+// "'lamp' lights the scene (4 samples)", "'lamp' (4 samples) and 3 more light the scene".
+std::string lamps_text(const Scene& scene, const std::vector<const Light*>& lamps) {
+  const auto samples = [&](const Light& lamp) {
+    const auto drawn = static_cast<std::size_t>(std::count_if(
+        scene.lights.begin(), scene.lights.end(),
+        [&](const Light& light) { return lamp.source < 0 ? &light == &lamp : light.source == lamp.source; }));
+    return " (" + count(drawn, "sample", "samples") + ")";
+  };
+  const std::string first = mesh_name(scene, lamps[0]->emitter) + samples(*lamps[0]);
+  if (lamps.size() == 1) return first + " lights the scene";
+  if (lamps.size() == 2)
+    return first + " and " + mesh_name(scene, lamps[1]->emitter) + samples(*lamps[1]) + " light the scene";
+  return first + " and " + std::to_string(lamps.size() - 1) + " more light the scene";
+}
+
+std::string dim_text(const Scene& scene) {
+  const DimMesh& first = scene.dim_meshes.front();
+  const std::size_t others = scene.dim_meshes.size() - 1;
+  const std::string more = others == 0 ? " does" : " and " + std::to_string(others) + " more do";
+  return mesh_name(scene, first.mesh) + more + " not: " + first.why + " (-D emissive.lights=on)";
+}
+
+void add_emitters(const Scene& scene, const Settings& settings, Effects& effects) {
+  std::size_t shining = 0;
   for (const Mesh& mesh : scene.meshes) {
     const glm::vec3 e = scene.materials[static_cast<std::size_t>(mesh.material)].emissive;
     shining += std::max({e.x, e.y, e.z}) > 0.0f ? 1 : 0;
   }
-  for (const Light& light : known_lights(scene)) lights += light.shape == LightShape::Mesh ? 1 : 0;
+  std::vector<const Light*> lamps;
+  for (const Light& light : known_lights(scene))
+    if (light.shape == LightShape::Mesh) lamps.push_back(&light);
   const std::string found = count(shining, "mesh that shines", "meshes that shine");
   effects.emission = {shining > 0, shining > 0 ? found : "nothing in the scene shines"};
-  effects.emissive_lights = {
-      lights > 0, shining == 0 ? "none in the scene"
-                  : lights > 0 ? found + ", lights of their own"
-                               : found + ", but not on others; -D emissive.lights=on makes lights of them"};
+  std::string why = lamps.empty() ? found : lamps_text(scene, lamps);
+  if (!scene.dim_meshes.empty())
+    why += (lamps.empty() ? ": " : "; ") + dim_text(scene);
+  else if (lamps.empty())
+    why += settings.emissive_lights == EmissiveLights::Off ? ", but not on others, as asked for"
+                                                           : ", but not on others";
+  effects.emissive_lights = {!lamps.empty(), shining == 0 ? "none in the scene" : why};
 }
 
 void add_occlusion(const Scene& scene, Effects& effects) {
@@ -305,7 +336,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_smooth_shading(scene, effects);
   add_textured_casters(scene, settings, effects);
   add_blended(scene, effects);
-  add_emitters(scene, effects);
+  add_emitters(scene, settings, effects);
   add_occlusion(scene, effects);
   add_rough_glass(settings, effects);
   add_branches(scene, settings, effects);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "pipeline/scene/exact.hpp"
@@ -26,20 +27,26 @@ Corners corners_of(const Mesh& mesh, std::size_t triangle) {
   return {at(0), at(1), at(2)};
 }
 
-// The mean of an image's colours.
-glm::vec3 mean_of(const Image& image) {
-  glm::dvec3 sum(0.0);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      for (int c = 0; c < 3; ++c)
-        sum[c] += static_cast<double>(image.at(x, y, std::min(c, image.channels() - 1)));
-  return glm::vec3(sum / (static_cast<double>(image.width()) * image.height()));
+constexpr int kMeanPoints = 4096;  // that a texture is averaged by
+
+std::size_t texel_along(double coordinate, Wrap wrap, int texels) {
+  const double turns = coordinate * 0.5 - std::floor(coordinate * 0.5);
+  double place = coordinate - std::floor(coordinate);
+  if (wrap == Wrap::Clamp) place = std::clamp(coordinate, 0.0, 1.0);
+  if (wrap == Wrap::Mirror) place = 2.0 * std::min(turns, 1.0 - turns);
+  return static_cast<std::size_t>(std::clamp(static_cast<int>(place * texels), 0, texels - 1));
 }
 
-glm::vec3 radiance_of(const Scene& scene, const Material& material) {
-  if (!material.emissive_texture.present()) return material.emissive;
-  const auto image = static_cast<std::size_t>(material.emissive_texture.image);
-  return material.emissive * mean_of(scene.images[image]);
+glm::dvec3 texel_at(const Image& image, const TextureUse& use, const glm::dvec2& uv) {
+  const glm::dmat3 to_texture(use.uv_transform);
+  const double u = (to_texture[0].x * uv.x + to_texture[1].x * uv.y) + to_texture[2].x;
+  const double v = (to_texture[0].y * uv.x + to_texture[1].y * uv.y) + to_texture[2].y;
+  const auto x = static_cast<int>(texel_along(u, use.wrap_u, image.width()));
+  const auto y = static_cast<int>(texel_along(v, use.wrap_v, image.height()));
+  glm::dvec3 color;
+  for (int c = 0; c < 3; ++c)
+    color[c] = static_cast<double>(image.at(x, y, std::min(c, image.channels() - 1)));
+  return color;
 }
 
 // A point that may be chosen, with what makes it near to another: place and normal.
@@ -115,17 +122,30 @@ SurfacePoint middle_of(const std::vector<Candidate>& all) {
 
 }  // namespace
 
-Emitter::Emitter(const Scene& scene, const Light& light)
-    : mesh_(scene.meshes[static_cast<std::size_t>(light.emitter)]) {
-  const Material& material = scene.materials[static_cast<std::size_t>(mesh_.material)];
+Emitter::Emitter(const Scene& scene, int mesh)
+    : scene_(scene),
+      mesh_(scene.meshes[static_cast<std::size_t>(mesh)]),
+      material_(scene.materials[static_cast<std::size_t>(mesh_.material)]) {
   const std::size_t triangles = mesh_.indices.size() / 3;
   // The inner side of a closed mesh lights nothing outside.
-  const std::size_t sides = material.double_sided && !mesh_.closed() ? 2 : 1;
+  if (material_.double_sided && !mesh_.closed()) sides_ = 2;
   double sum = 0.0;
-  for (std::size_t i = 0; i < sides * triangles; ++i) {
+  sums_.reserve(sides_ * triangles);
+  for (std::size_t i = 0; i < sides_ * triangles; ++i) {
     sum += 0.5 * exact::length(corners_of(mesh_, i % triangles).normal());
     sums_.push_back(sum);
   }
+}
+
+glm::vec3 Emitter::radiance() const {
+  if (!material_.emissive_texture.present()) return material_.emissive;
+  const Image& image = scene_.images[static_cast<std::size_t>(material_.emissive_texture.image)];
+  glm::dvec3 sum(0.0);
+  for (int k = 0; k < kMeanPoints; ++k) {
+    const SurfacePoint p = point(stratum(k, kMeanPoints), stepped(k, kPairStep1), stepped(k, kPairStep2));
+    sum += texel_at(image, material_.emissive_texture, p.uv);
+  }
+  return material_.emissive * glm::vec3(sum / static_cast<double>(kMeanPoints));
 }
 
 SurfacePoint Emitter::point(double along, double u, double v) const {
@@ -138,8 +158,12 @@ SurfacePoint Emitter::point(double along, double u, double v) const {
     u = 1.0 - u;
     v = 1.0 - v;
   }
+  const auto uv = [&](std::size_t corner) {
+    return glm::dvec2(mesh_.vertices[mesh_.indices[3 * (side % triangles) + corner]].uv);
+  };
   return {t.a + (t.b - t.a) * u + (t.c - t.a) * v,
-          exact::normalise(side < triangles ? t.normal() : -t.normal(), {0, -1, 0})};
+          exact::normalise(side < triangles ? t.normal() : -t.normal(), {0, -1, 0}),
+          uv(0) + (uv(1) - uv(0)) * u + (uv(2) - uv(0)) * v};
 }
 
 std::vector<SurfacePoint> Emitter::spread(int count) const {
@@ -161,27 +185,34 @@ std::vector<SurfacePoint> Emitter::spread(int count) const {
   return chosen;
 }
 
+bool shines(const Scene& scene, const Mesh& mesh) {
+  const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+  const float brightest = std::max({material.emissive.x, material.emissive.y, material.emissive.z});
+  return brightest > 0.0f && !material.unlit && !mesh.indices.empty();
+}
+
+Light light_of_mesh(const Scene& scene, int number) {
+  const Mesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
+  const Emitter emitter(scene, number);
+  const glm::vec3 radiance = emitter.radiance();
+  const float brightest = std::max({radiance.x, radiance.y, radiance.z});
+  Light light;
+  light.name = mesh.name.empty() ? "mesh " + std::to_string(number) : mesh.name;
+  light.type = LightType::Point;
+  light.shape = LightShape::Mesh;
+  light.emitter = number;
+  light.color = brightest > 0.0f ? radiance / brightest : glm::vec3(1.0f);
+  // A Lambertian surface of luminance L and area A gives L A cos candela.
+  light.intensity = static_cast<float>(std::min(static_cast<double>(brightest) * emitter.area(), kBrightest));
+  light.position = bounds_of(mesh).centre();
+  return light;
+}
+
 void add_emissive_lights(Scene& scene) {
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const Mesh& mesh = scene.meshes[i];
-    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
-    const glm::vec3 radiance = radiance_of(scene, material);
-    const float brightest = std::max({radiance.x, radiance.y, radiance.z});
-    if (!(brightest > 0.0f) || mesh.indices.empty()) continue;
-    Light light;
-    light.name = mesh.name.empty() ? "mesh " + std::to_string(i) : mesh.name;
-    light.type = LightType::Point;
-    light.shape = LightShape::Mesh;
-    light.emitter = static_cast<int>(i);
-    light.color = radiance / brightest;
-    // A Lambertian surface of luminance L and area A gives L A cos candela.
-    light.intensity = static_cast<float>(
-        std::min(static_cast<double>(brightest) * Emitter(scene, light).area(), kBrightest));
-    light.position = bounds_of(mesh).centre();
-    if (material.emissive_texture.present())
-      scene.notes.push_back("The emissive texture of " + light.name +
-                            " lights the scene by its mean colour.");
-    scene.lights.push_back(light);
+  for (int i = 0; i < static_cast<int>(scene.meshes.size()); ++i) {
+    if (!shines(scene, scene.meshes[static_cast<std::size_t>(i)])) continue;
+    const Light light = light_of_mesh(scene, i);
+    if (light.intensity > 0.0f) scene.lights.push_back(light);
   }
 }
 

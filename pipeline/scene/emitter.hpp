@@ -8,15 +8,20 @@ namespace caustics {
 
 struct SurfacePoint {
   glm::dvec3 position{0.0}, normal{0.0};  // the unit normal of the side that shines
+  glm::dvec2 uv{0.0};                     // texture coordinates
 };
 
-// A mesh of LightShape::Mesh. Both sides shine where it is an open sheet of a double-sided
-// material.
+// The surface of a mesh that shines. Both sides do where it is an open sheet of a double-sided material.
 class Emitter {
  public:
-  Emitter(const Scene& scene, const Light& light);
-  // Square metres.
+  // `mesh`: index into Scene::meshes. The scene must outlive it.
+  Emitter(const Scene& scene, int mesh);
+  // Square metres, of all sides that shine.
   double area() const { return sums_.empty() ? 0.0 : sums_.back(); }
+  // Does it shine to opposite sides: as a closed mesh, or an open sheet from both its sides?
+  bool shines_all_around() const { return sides_ == 2 || mesh_.closed(); }
+  // Nit, by channel: the mean over the surface where a texture varies it.
+  glm::vec3 radiance() const;
   // Points that stand for equal areas, near in place and normal; one point stands near the middle.
   std::vector<SurfacePoint> spread(int count) const;
 
@@ -24,12 +29,21 @@ class Emitter {
   // `along` (0..1) chooses the triangle by its share of the area, u and v (0..1) the point on it.
   SurfacePoint point(double along, double u, double v) const;
 
+  const Scene& scene_;
   const Mesh& mesh_;
+  const Material& material_;
+  std::size_t sides_ = 1;
   std::vector<double> sums_;  // area of the triangles up to and with each; then of their back sides
 };
 
-// Makes a light of LightShape::Mesh of every mesh whose material shines (Material::emissive), after
-// the lights that the scene has. To be called before sample_lights.
+// Has it a surface, and does its material shine (Material::emissive; an unlit one only shows its colour)?
+bool shines(const Scene& scene, const Mesh& mesh);
+
+// A light of LightShape::Mesh for a mesh that shines. Its intensity is luminance times area, candela.
+Light light_of_mesh(const Scene& scene, int mesh);
+
+// Adds a light of every mesh that shines after the lights that the scene has. To be called before
+// sample_lights.
 void add_emissive_lights(Scene& scene);
 
 }  // namespace caustics

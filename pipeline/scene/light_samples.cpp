@@ -1,6 +1,7 @@
 #include "pipeline/scene/light_samples.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/exact.hpp"
@@ -64,6 +65,25 @@ std::string numbered(const std::string& name, int k, int count) {
   return name + "." + digits;
 }
 
+// No point is smaller than this share of the scene's radius.
+constexpr double kSmallest = 1e-4;
+
+// Light::sample_radius: of a sphere or disk that looks as large as a sample's share of the light.
+double sample_radius(const Scene& scene, const Light& source, int count, double least) {
+  switch (source.shape) {
+    case LightShape::Sphere:
+      return std::max(source.radius / std::sqrt(static_cast<double>(count)), least);
+    case LightShape::Rectangle:
+      return std::sqrt(exact::length(exact::cross(source.width, source.height)) / (count * exact::kPi));
+    case LightShape::Mesh:
+      return std::sqrt(Emitter(scene, source.emitter).area() / (count * exact::kPi));
+    case LightShape::Disk:
+    case LightShape::None:
+      return source.lambertian ? 0.0 : least;
+  }
+  return least;
+}
+
 // A sample's own intensity and name; it has no size any more.
 void finish(Light& sample, int k, int count) {
   sample.shape = LightShape::None;
@@ -72,10 +92,11 @@ void finish(Light& sample, int k, int count) {
   sample.name = numbered(sample.name, k, count);
 }
 
-std::vector<Light> samples_of(const Scene& scene, const Light& source, int count) {
+std::vector<Light> samples_of(const Scene& scene, const Light& source, int count, double least) {
   std::vector<Light> samples(static_cast<std::size_t>(count), source);
   std::vector<SurfacePoint> points;
-  if (source.shape == LightShape::Mesh) points = Emitter(scene, source).spread(count);
+  if (source.shape == LightShape::Mesh) points = Emitter(scene, source.emitter).spread(count);
+  const double radius = sample_radius(scene, source, count, least);
   for (int k = 0; k < count; ++k) {
     Light& sample = samples[static_cast<std::size_t>(k)];
     if (!points.empty()) {
@@ -85,6 +106,7 @@ std::vector<Light> samples_of(const Scene& scene, const Light& source, int count
     } else if (count > 1) {
       place(sample, k, count);
     }
+    sample.sample_radius = radius;
     finish(sample, k, count);
   }
   return samples;
@@ -95,11 +117,13 @@ std::vector<Light> samples_of(const Scene& scene, const Light& source, int count
 void sample_lights(Scene& scene, int count) {
   scene.sources = std::move(scene.lights);
   scene.lights.clear();
+  const Bounds bounds = bounds_of(scene);
+  const double least = bounds.empty() ? 0.0 : kSmallest * bounds.radius();
   for (std::size_t i = 0; i < scene.sources.size(); ++i) {
     scene.sources[i].source = static_cast<int>(i);
     const Light& source = scene.sources[i];
-    for (Light& sample : samples_of(scene, source, source.shape == LightShape::None ? 1 : count))
-      scene.lights.push_back(std::move(sample));
+    const int own = source.shape == LightShape::None ? 1 : source.samples > 0 ? source.samples : count;
+    for (Light& sample : samples_of(scene, source, own, least)) scene.lights.push_back(std::move(sample));
   }
 }
 

@@ -137,7 +137,17 @@ struct Light {
   glm::dvec3 width{0.0}, height{0.0};  // the rectangle's edges, scene space
   double angular_radius = 0.0;         // radians
   int emitter = -1;  // index into Scene::meshes of what shines: it does not shadow its own light
-  int source = -1;   // index into Scene::sources, once sample_lights has run
+  int samples = 0;   // of an area light: by how many it is drawn; 0: as Settings::light_samples has it
+  // Metres. Of a Lambertian sample: of the disk of its share of the area; near it the light falls off as a
+  // disk's on its axis does, I / (d^2 + r^2). Of other samples: nearer than this they get no brighter.
+  double sample_radius = 0.0;
+  int source = -1;  // index into Scene::sources, once sample_lights has run
+};
+
+// A mesh that shines, but does not light the scene.
+struct DimMesh {
+  int mesh = -1;    // index into Scene::meshes
+  std::string why;  // "it adds less than ..."
 };
 
 struct Camera {
@@ -193,6 +203,7 @@ struct Scene {
   // light's samples in its place, and then keeps the lights as a person knows them in `sources`.
   std::vector<Light> lights;
   std::vector<Light> sources;
+  std::vector<DimMesh> dim_meshes;  // as choose_lamps (lamp_meshes.hpp) has judged them
   std::vector<Camera> cameras;
   Environment environment;
   std::vector<Water> waters;  // meshes that waves run over, as they stand at the moment shown

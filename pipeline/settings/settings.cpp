@@ -35,6 +35,8 @@ constexpr Named<int> kSamples[] = {{"auto", 0}, {"1", 1}, {"4", 4}, {"8", 8}, {"
 constexpr Named<ToneMap> kToneMaps[] = {
     {"film", ToneMap::Film}, {"neutral", ToneMap::Neutral}, {"linear", ToneMap::Linear}};
 constexpr Named<bool> kViews[] = {{"fitted", false}, {"shared", true}};
+constexpr Named<EmissiveLights> kEmissiveLights[] = {
+    {"auto", EmissiveLights::Auto}, {"on", EmissiveLights::On}, {"off", EmissiveLights::Off}};
 constexpr Named<Cube> kCubes[] = {{"auto", Cube::Auto}, {"on", Cube::On}, {"off", Cube::Off}};
 constexpr Named<bool> kNoYes[] = {{"no", false}, {"yes", true}};
 constexpr Named<bool> kOffOn[] = {{"off", false}, {"on", true}};
@@ -197,7 +199,9 @@ constexpr Setting kTable[] = {
     number<&S::full_light>("light.full", Part::Maps, {0, 1},
                            "of more than 16 lights, those that give less than this share of the light on any "
                            "caster have smaller grids and maps"),
-    choice<&S::emissive_lights, kOffOn>("emissive.lights", Part::Light, "meshes that shine light the scene"),
+    choice<&S::emissive_lights, kEmissiveLights>(
+        "emissive.lights", Part::Light,
+        "meshes that shine light the scene; auto: those that add enough to the other light"),
     number<&S::shafts>("shafts", Part::Maps, {1, 1024},
                        "beams a side by which light shafts are drawn; no more than the grid has vertices"),
     number<&S::medium_steps>("medium.steps", Part::Maps, {1, 1024},

@@ -21,6 +21,7 @@ enum class Splat : std::uint8_t { Point, Gaussian, Cell };
 enum class Weights : std::uint8_t { Physical, Paper };
 enum class Thickness : std::uint8_t { Map, Wyman };
 enum class Cube : std::uint8_t { Auto, On, Off };
+enum class EmissiveLights : std::uint8_t { Auto, On, Off };
 enum class ToneMap : std::uint8_t { Film, Neutral, Linear };
 enum class Interfaces : std::uint8_t { Auto, One, Two };
 
@@ -41,7 +42,7 @@ struct Settings {
   int shadow = 2048;
   int light_samples = 16;
   float least_light = 0.005f, full_light = 0.125f;
-  bool emissive_lights = false;
+  EmissiveLights emissive_lights = EmissiveLights::Auto;
   int shafts = 128;
   int medium_steps = 32;
   int iterations = 5;

@@ -102,7 +102,7 @@ TEST_CASE("settings: keys reach the members that they are named after") {
   CHECK(settings.width == 1);
   CHECK(settings.grid == 8192);
   CHECK(settings.light_samples == 256);
-  CHECK(settings.emissive_lights);
+  CHECK(settings.emissive_lights == EmissiveLights::On);
   CHECK(settings.estimator == Estimator::Paper);
   CHECK(settings.splat == Splat::Point);
   CHECK(settings.gaussian_sigma == 1.25f);

@@ -111,7 +111,7 @@ FrameChoice choice_of(ByteSpan last) {
   s.cube = static_cast<Cube>((byte(1) >> 2 & 3u) % 3u);
   s.reflections = bit(1, 4);
   s.assume_solid = bit(1, 5);
-  s.emissive_lights = bit(1, 6);
+  s.emissive_lights = bit(1, 6) ? EmissiveLights::On : EmissiveLights::Off;
   s.cascades = !bit(1, 7);
   s.hidden_receivers = !bit(2, 0);
   s.pixel_means = !bit(2, 1);
@@ -151,7 +151,7 @@ bool render_frame(Scene scene, const Settings& settings, double seconds) {
   } catch (const Error&) {
     return false;
   }
-  if (settings.emissive_lights) add_emissive_lights(scene);
+  if (settings.emissive_lights == EmissiveLights::On) add_emissive_lights(scene);
   sample_lights(scene, settings.light_samples);
   try {
     complete_scene(scene, settings);

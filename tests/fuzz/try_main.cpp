@@ -23,7 +23,8 @@ Settings rich() {
   settings.estimator = Estimator::Impostor;
   settings.splat = Splat::Gaussian;
   settings.wavelengths = 8;
-  settings.reflections = settings.emissive_lights = settings.assume_solid = true;
+  settings.reflections = settings.assume_solid = true;
+  settings.emissive_lights = EmissiveLights::On;
   return settings;
 }
 

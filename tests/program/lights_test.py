@@ -105,20 +105,51 @@ class AreaLights(ProgramTest):
 class EmissiveMeshes(ProgramTest):
     def setUp(self):
         super().setUp()
-        lamp = {"name": "lamp", "emissiveFactor": [1, 0.5, 0],
-                "pbrMetallicRoughness": {"metallicFactor": 0}}
-        (self.folder / "lamp.glb").write_bytes(glb.scene(lamp))
+        (self.folder / "lamp.glb").write_bytes(glb.scene(self.lamp(1)))
+        for name, nit in (("only_lamp.glb", 5000), ("only_glow.glb", 0.01)):
+            document, blob = glb.unpack(glb.scene(self.lamp(nit)))
+            del document["extensions"], document["nodes"][2]["extensions"]
+            (self.folder / name).write_bytes(glb.pack(document, blob))
 
-    def test_light_the_scene_on_request(self):
-        plan = json.loads(self.succeeds("plan", "lamp.glb", "--json").stdout)
-        self.assertEqual(len(plan["lights"]), 1)
-        reasons = {e["name"]: e["reason"] for e in plan["effects"]}
-        self.assertIn("-D emissive.lights=on", reasons["emissive lights"])
-        plan = json.loads(
-            self.succeeds("plan", "lamp.glb", "--json", "-D", "emissive.lights=on").stdout)
+    def lamp(self, nit):
+        return {"name": "lamp", "emissiveFactor": [1, 0.5, 0],
+                "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": nit}},
+                "pbrMetallicRoughness": {"metallicFactor": 0}}
+
+    def plan(self, scene, *options):
+        return json.loads(self.succeeds("plan", scene, "--json", *options).stdout)
+
+    def reason(self, plan):
+        return {e["name"]: e["reason"] for e in plan["effects"]}["emissive lights"]
+
+    def first_lines(self, scene, *options):
+        lines = self.succeeds(scene, *SMALL, *options).stderr.splitlines()
+        return {line.split(":")[0]: line for line in lines}
+
+    def test_light_a_scene_without_another_light_in_place_of_a_sun(self):
+        plan = self.plan("only_lamp.glb")
+        self.assertEqual([light["name"] for light in plan["lights"]], ["ball"])
+        self.assertEqual(plan["lights"][0]["size"], {"shape": "mesh", "mesh": 0})
+        self.assertRegex(self.reason(plan), r"mesh 'ball' \([0-9]+ samples\) lights the scene")
+        said = self.first_lines("only_lamp.glb")
+        self.assertNotIn("sun", said["added"])
+        self.assertIn("mesh 'ball'", said["shining"])
+
+    def test_that_only_glow_are_said_to_and_a_sun_is_added(self):
+        said = self.first_lines("only_glow.glb")
+        self.assertIn("a sun of 10 lux", said["added"])
+        self.assertIn("mesh 'ball' does not: it adds less than a tenth to the other light", said["shining"])
+        self.assertEqual([light["name"] for light in self.plan("only_glow.glb")["lights"]], ["sun (added)"])
+
+    def test_are_left_to_glow_beside_a_strong_sun_unless_asked_for(self):
+        plan = self.plan("lamp.glb")
+        self.assertEqual([light["name"] for light in plan["lights"]], ["sun"])
+        self.assertIn("-D emissive.lights=on", self.reason(plan))
+        plan = self.plan("lamp.glb", "-D", "emissive.lights=on")
         self.assertEqual([light["name"] for light in plan["lights"]], ["sun", "ball"])
-        self.assertEqual(plan["lights"][1]["size"], {"shape": "mesh", "mesh": 0})
         self.assertEqual(plan["lights"][1]["unit"], "cd")
+        plan = self.plan("only_lamp.glb", "-D", "emissive.lights=off")
+        self.assertEqual([light["name"] for light in plan["lights"]], ["sun (added)"])
 
     def test_change_the_picture(self):
         self.succeeds("lamp.glb", *SMALL, "-o", "off.exr")

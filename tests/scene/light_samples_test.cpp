@@ -168,3 +168,44 @@ TEST_CASE("An open, double-sided sheet shines from both sides, a closed mesh out
   CHECK(glowing(closed, glm::vec3(1.0f), true).lights.at(0).intensity == Approx(6.0));
   CHECK(glowing(closed, glm::vec3(0.0f)).lights.empty());
 }
+
+TEST_CASE("A texture of what shines counts by its mean over the mesh, not over the whole picture") {
+  // Three of four texels of the picture are white, the fourth black. The square shows the left half alone,
+  // where one of two is white.
+  Scene scene = glowing(floor(0.5, 1.0, 0), glm::vec3(0.0f));
+  Image picture(2, 2, Format::RGBA16F);
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}})
+    for (int c = 0; c < 3; ++c) picture.at(x, y, c) = 1.0f;
+  scene.images = {picture};
+  scene.materials[0].emissive = {4.0f, 4.0f, 2.0f};
+  scene.materials[0].emissive_texture.image = 0;
+  Mesh& mesh = scene.meshes[0];
+  for (Vertex& vertex : mesh.vertices)
+    vertex.uv = {0.25f + 0.5f * vertex.position.x, 0.5f - vertex.position.z};
+  add_emissive_lights(scene);
+  REQUIRE(scene.lights.size() == 1);
+  CHECK(scene.lights[0].intensity == Approx(2.0).epsilon(0.01));
+  CHECK(scene.lights[0].color.z == Approx(0.5));
+}
+
+TEST_CASE("What is unlit or black does not shine") {
+  Scene scene = glowing(floor(0.5, 1.0, 0), glm::vec3(1.0f));
+  scene.lights.clear();
+  scene.materials[0].unlit = true;
+  add_emissive_lights(scene);
+  CHECK(scene.lights.empty());
+}
+
+TEST_CASE("Samples know the disk or ball that they stand for, points the smallest that there is") {
+  Scene scene = glowing(floor(0.5, 1.0, 0), glm::vec3(3.0f));
+  Light point = ball(0.0);
+  point.shape = LightShape::None;
+  scene.lights.push_back(ball(0.4));
+  scene.lights.push_back(point);
+  scene.lights[0].samples = 2;
+  sample_lights(scene, 4);
+  REQUIRE(scene.lights.size() == 2 + 4 + 1);
+  CHECK(scene.lights[0].sample_radius == Approx(std::sqrt(0.5 / exact::kPi)));
+  CHECK(scene.lights[2].sample_radius == Approx(0.2));
+  CHECK(scene.lights[6].sample_radius == Approx(1e-4 * std::sqrt(0.5)));
+}

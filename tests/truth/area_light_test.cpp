@@ -68,6 +68,32 @@ Scene open_floor(double half) {
   return scene;
 }
 
+// The form factor from a level patch at the origin to a rectangle h above it, from x0 to x1 and z0 to z1: the
+// signed sum of that of rectangles over their corner (Hottel and Sarofim 1967).
+double form_factor(double h, double x0, double x1, double z0, double z1) {
+  const auto corner = [h](double a, double b) {
+    a /= h;
+    b /= h;
+    const double p = std::sqrt(1.0 + a * a), q = std::sqrt(1.0 + b * b);
+    return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2.0 * kPi);
+  };
+  return corner(x1, z1) - corner(x0, z1) - corner(x1, z0) + corner(x0, z0);
+}
+
+// A floor below a square panel of half side 0.5 m that shines downwards, 100 nit.
+Scene under_panel(double height, double seen) {
+  Scene scene = open_floor(seen);
+  Mesh panel = floor(0.5, height, 1);
+  std::reverse(panel.indices.begin(), panel.indices.end());
+  scene.meshes.push_back(panel);
+  scene.materials.push_back(diffuse(0.5f));
+  scene.materials[1].double_sided = false;
+  scene.materials[1].emissive = glm::vec3(100.0f);
+  scene.cameras = {camera_down(0.5 * height, seen)};
+  add_emissive_lights(scene);
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("area light: the flux does not depend on the number of samples") {
@@ -149,21 +175,67 @@ TEST_CASE("area light: no caustic is brighter than its sun") {
   CHECK(soft > 0.2 * bound);
 }
 
-TEST_CASE("area light: a panel that shines lights the floor by its form factor") {
-  // A square panel, half side 0.5, 1 m above the floor: below its middle E = pi L F, with F four
-  // times the form factor of a rectangle over its corner.
-  Scene scene = open_floor(0.1);
-  Mesh panel = floor(0.5, 1.0, 1);
-  std::reverse(panel.indices.begin(), panel.indices.end());  // shines downwards
-  scene.meshes.push_back(panel);
-  scene.materials.push_back(diffuse(0.5f));
-  scene.materials[1].emissive = glm::vec3(100.0f);
-  add_emissive_lights(scene);
-  sample_lights(scene, 64);
-  const Rendering r = render(scene, small_settings(8, 8, 9), {"aov_direct"});
-  const double x = 0.5, root = std::sqrt(1.0 + x * x);
-  const double corner = 2.0 * x / root * std::atan(x / root) / (2.0 * kPi);
-  CHECK(double(r["aov_direct"].at(4, 4, 0)) == Approx(100.0 * kPi * 4.0 * corner).epsilon(0.01));
+TEST_CASE("area light: a panel that shines lights the floor by its form factor, near and far, below and aside") {
+  struct Case {
+    double height;
+    int samples;
+    double tolerance;  // of the irradiance below the panel's middle, for samples this far apart
+  };
+  for (const Case& c : {Case{0.5, 64, 0.03}, Case{1.0, 64, 0.01}, Case{1.0, 16, 0.03}, Case{4.0, 4, 0.01}}) {
+    Scene scene = under_panel(c.height, 1.0);
+    sample_lights(scene, c.samples);
+    const int pixels = 9;
+    Settings settings = small_settings(8, 8, pixels);
+    settings.shadow = 16;
+    const Rendering r = render(scene, settings, {"aov_direct"});
+    const double middle = 100.0 * kPi * form_factor(c.height, -0.5, 0.5, -0.5, 0.5);
+    for (int y = 0; y < pixels; ++y) {
+      for (int x = 0; x < pixels; ++x) {
+        const double px = (x + 0.5) * 2.0 / pixels - 1.0, pz = (y + 0.5) * 2.0 / pixels - 1.0;
+        const double expected =
+            100.0 * kPi * form_factor(c.height, -0.5 - px, 0.5 - px, -0.5 - pz, 0.5 - pz);
+        INFO(c.samples << " samples " << c.height << " m above, " << px << ", " << pz << " aside");
+        CHECK(double(r["aov_direct"].at(x, y, 0)) == Approx(expected).margin(c.tolerance * middle));
+      }
+    }
+  }
+}
+
+TEST_CASE("area light: nothing is lit more than pi times the luminance of what shines, however near it is") {
+  // Half a millimetre below the panel every place sees nothing but the panel, so that E = pi L; the samples,
+  // some centimetres apart, show as spots, none of them brighter than that.
+  Scene scene = under_panel(0.0005, 0.3);
+  sample_lights(scene, 16);
+  Settings settings = small_settings(8, 8, 64);
+  settings.shadow = 16;
+  settings.highlights = true;
+  const Rendering r = render(scene, settings, {"aov_direct", "beauty"});
+  double most = 0.0, radiance = 0.0;
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      most = std::max(most, double(r["aov_direct"].at(x, y, 0)));
+      radiance = std::max(radiance, double(r["beauty"].at(x, y, 0)));
+    }
+  }
+  CHECK(most > 0.0);
+  CHECK(most <= 100.0 * kPi * 1.0001);
+  CHECK(radiance < 150.0);
+}
+
+TEST_CASE("area light: a flat lamp lights neither itself nor the ceiling that it is flush with") {
+  // The camera looks up at the panel and the ceiling around it, both in the plane y = 1.
+  Scene scene = under_panel(1.0, 1.0);
+  scene.meshes.push_back(floor(2.0, 1.0, 0));
+  Camera up = camera_down(0.5, 1.0);
+  up.forward = {0.0, 1.0, 0.0};
+  up.right = {-1.0, 0.0, 0.0};
+  scene.cameras = {up};
+  sample_lights(scene, 16);
+  Settings settings = small_settings(8, 8, 33);
+  settings.shadow = 16;
+  const Rendering r = render(scene, settings, {"aov_direct"});
+  for (int y = 0; y < 33; ++y)
+    for (int x = 0; x < 33; ++x) REQUIRE(r["aov_direct"].at(x, y, 0) == 0.0f);
 }
 
 TEST_CASE("area light: a ball that shines lights the floor as a disk of its size") {
