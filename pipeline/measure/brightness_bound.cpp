@@ -15,7 +15,8 @@ namespace {
 constexpr double kSlack = 4.0;
 constexpr double kGuessedNearest = 0.1;  // of the scene's radius
 constexpr double kLeastRoughness = 0.2;  // passes/shared/highlight.glsl
-constexpr double kAllAround = 24.0;      // all faces of a cube, tangent units squared
+constexpr double kBrightestStudio = 100.0;
+constexpr double kAllAround = 24.0;  // all faces of a cube, tangent units squared
 
 double brightest(const glm::vec3& color) {
   return static_cast<double>(std::max({color.x, color.y, color.z}));
@@ -69,11 +70,14 @@ double smoothest_receiver(const Scene& scene, const Effects& effects) {
   return least;
 }
 
-double brightest_around(const Environment& around, BoundBy by) {
+// `direct`: what the lights give at most. A studio is added in proportion to it (add_sky), and its boxes are
+// some ten times as bright as its mean.
+double brightest_around(const Environment& around, double direct, BoundBy by) {
   double most = std::max({brightest(around.zenith), brightest(around.horizon), brightest(around.ground)});
   if (around.backdrop) most = std::max(most, brightest(*around.backdrop));
   for (const SoftBox& box : around.boxes) most += static_cast<double>(box.radiance);
-  if (!around.image || by == BoundBy::Guess) return most;
+  if (!around.image) return std::min(most, kBrightestStudio * direct);
+  if (by == BoundBy::Guess) return 0.0;
   const Image& image = *around.image;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
@@ -120,9 +124,10 @@ BrightnessBound brightness_bound(const Scene& scene, const Effects& effects, con
     bound.caustic = std::numeric_limits<double>::infinity();
   const double arriving = bound.direct + bound.caustic;
   // All around once behind, once mirrored, once scattered.
-  bound.radiance = kSlack * (brightest_surface(scene) + 3.0 * brightest_around(scene.environment, by)) +
-                   arriving / exact::kPi + scattered(scene, arriving) + bound.direct * most_mirrored(0.0) +
-                   bound.caustic * most_mirrored(smoothest_receiver(scene, effects));
+  bound.radiance =
+      kSlack * (brightest_surface(scene) + 3.0 * brightest_around(scene.environment, bound.direct, by)) +
+      arriving / exact::kPi + scattered(scene, arriving) + bound.direct * most_mirrored(0.0) +
+      bound.caustic * most_mirrored(smoothest_receiver(scene, effects));
   return bound;
 }
 

@@ -70,11 +70,14 @@ TEST_CASE("brightness bound: the sharpest focus stays below it, what is 1e5 time
   CHECK(bound.radiance < 1e12);
 }
 
-TEST_CASE("brightness bound: what shines and what is around count as they are") {
-  Scene scene;
-  scene.materials = {diffuse(1.0f)};
+TEST_CASE("brightness bound: what shines and what is around count, a studio by what the lights give") {
+  Scene scene = under_lamp(10.0);
+  scene.lights[0].intensity = 1e-6f;
   scene.materials[0].emissive = {100.0f, 2.0f, 1.0f};
-  scene.meshes = {floor(2.0, 0.0, 0)};
   scene.environment.zenith = glm::vec3(7.0f);
-  CHECK(bound_of(scene, Settings{}).radiance == Approx(4.0 * (100.0 + 3.0 * 7.0)));
+  // A studio of 7 nit is no work of this lamp.
+  CHECK(bound_of(scene, Settings{}).radiance == Approx(4.0 * 100.0).epsilon(0.01));
+  scene.environment.image = Image(Format::RGBA32F, 2, 1);
+  scene.environment.image->at(1, 0, 1) = 7.0f;
+  CHECK(bound_of(scene, Settings{}).radiance == Approx(4.0 * (100.0 + 3.0 * 7.0)).epsilon(0.01));
 }

@@ -32,6 +32,9 @@ constexpr double kLeastHeight = 0.035;  // the sine of 2 degrees, above which a 
 constexpr double kMostRoll = 0.5;       // the sine by which a camera may lean to its side above a ground
 constexpr Bearing kView{37.0f, 34.0f};
 constexpr double kFov = 0.6;  // radians
+// The camera goes down by these until it sees what shines, by this sine over its plane at least.
+constexpr float kElevations[] = {24.0f, 16.0f, 10.0f, 6.0f, 3.0f};
+constexpr double kSeenFromBelow = 0.06;
 
 std::string lux_text(float lux) {
   return lux < 100.0f ? significant(static_cast<double>(lux), 2) : grouped(static_cast<std::uint64_t>(lux));
@@ -210,13 +213,30 @@ class Stage {
       add_shadow(light, shown, kShownReach * subject_.radius(), points);
     points.insert(points.end(), shown.begin(), shown.end());
     const double fov = settings_.fov ? static_cast<double>(*settings_.fov) * exact::kPi / 180.0 : kFov;
-    Camera camera =
-        framing_camera(points, -toward(settings_.view.value_or(kView)), fov,
-                       static_cast<double>(settings_.width) / settings_.height, 0.1 * widest(subject_));
+    const auto framed = [&](const Bearing& from) {
+      return framing_camera(points, -toward(from), fov,
+                            static_cast<double>(settings_.width) / settings_.height, 0.1 * widest(subject_));
+    };
+    const Bearing from = settings_.view.value_or(kView);
+    Camera camera = framed(from);
+    for (const float elevation : kElevations) {
+      if (settings_.view || shows_what_shines(camera)) break;
+      const Camera lower = framed({from.azimuth, elevation});
+      if (shows_what_shines(lower)) camera = lower;
+    }
     camera.name = settings_.view ? "view " + text_of(settings_.view) : "three-quarter view (added)";
     if (!settings_.view)
       say(kAddedCamera, "The scene has no camera: a three-quarter view from above was added.");
     scene_.cameras = {camera};
+  }
+
+  // Where meshes alone light the scene: is the camera on the side to which one of them shines? From behind a
+  // lamp of one side is not seen at all.
+  bool shows_what_shines(const Camera& camera) const {
+    return std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const Light& light) {
+      const glm::dvec3 way = camera.position - light.position;
+      return light.emitter < 0 || exact::dot(way, light.direction) > kSeenFromBelow * exact::length(way);
+    });
   }
 
   // That a sun throws onto an added ground, as far as caustics are shown.

@@ -38,12 +38,15 @@ void follow(const Scene& scene, const Light& light, const TriangleTree& receiver
   });
   for (int k = 0; k < rays; ++k) {
     const glm::dvec3 direction = direction_of(light, k, rays);
-    const auto hit = receivers.nearest(light.position, direction);
+    const auto hit = receivers.nearest(light.position, direction, {}, light.emitter);
     if (!hit || !(hit->distance > 0.0)) continue;
     const double sent = exact::luminance(light.color) * static_cast<double>(light.intensity) *
                         (light.lambertian ? exact::dot(direction, light.direction) : 1.0);
     const double facing = exact::dot(plane_normal(scene, hit->id), direction);
-    const double there = sent * std::max(facing, -facing) / (hit->distance * hit->distance);
+    // As passes/shared/incidence.glsl has it near the light.
+    const double squared = hit->distance * hit->distance, own = light.sample_radius * light.sample_radius;
+    const double spread = light.lambertian ? squared + own : std::max(squared, own);
+    const double there = sent * std::max(facing, -facing) / spread;
     arrivals.push_back({there * static_cast<double>(std::max<std::ptrdiff_t>(samples, 1)), sent});
   }
 }

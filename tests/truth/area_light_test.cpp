@@ -175,7 +175,8 @@ TEST_CASE("area light: no caustic is brighter than its sun") {
   CHECK(soft > 0.2 * bound);
 }
 
-TEST_CASE("area light: a panel that shines lights the floor by its form factor, near and far, below and aside") {
+TEST_CASE(
+    "area light: a panel that shines lights the floor by its form factor, near and far, below and aside") {
   struct Case {
     double height;
     int samples;
@@ -192,8 +193,7 @@ TEST_CASE("area light: a panel that shines lights the floor by its form factor, 
     for (int y = 0; y < pixels; ++y) {
       for (int x = 0; x < pixels; ++x) {
         const double px = (x + 0.5) * 2.0 / pixels - 1.0, pz = (y + 0.5) * 2.0 / pixels - 1.0;
-        const double expected =
-            100.0 * kPi * form_factor(c.height, -0.5 - px, 0.5 - px, -0.5 - pz, 0.5 - pz);
+        const double expected = 100.0 * kPi * form_factor(c.height, -0.5 - px, 0.5 - px, -0.5 - pz, 0.5 - pz);
         INFO(c.samples << " samples " << c.height << " m above, " << px << ", " << pz << " aside");
         CHECK(double(r["aov_direct"].at(x, y, 0)) == Approx(expected).margin(c.tolerance * middle));
       }
