@@ -92,7 +92,8 @@ Lamps LoadedScene::judge_what_shines() const {
   if (settings_.sun || settings_.emissive_lights == EmissiveLights::Off) return {};
   if (settings_.emissive_lights == EmissiveLights::Auto)
     return choose_lamps(scene_, static_cast<double>(sun_lux(scene_.environment)), settings_.light_samples);
-  Lamps all{.instead_of_sun = true};
+  Lamps all;
+  all.instead_of_sun = true;
   for (int i = 0; i < static_cast<int>(scene_.meshes.size()); ++i)
     if (shines(scene_, scene_.meshes[static_cast<std::size_t>(i)]))
       all.lights.push_back(light_of_mesh(scene_, i));

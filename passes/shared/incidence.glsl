@@ -35,9 +35,11 @@ Incidence incidence_of(IN(Light) source, Vec3 position, Vec3 normal) {
     float area = source.radius * source.radius;
     light.spread = max_of(light.distance_squared, Float(area));
     if (source.cone.lambertian != 0) {
-      // A disk of this radius, seen from its axis, gives I / (d^2 + r^2): never more than pi L. Its own plane
-      // gets nothing, whatever rounding says.
-      light.spread = light.distance_squared + area;
+      // Of a disk, to the second order of r / d (exact on the axis, to a surface that faces it): the disk's
+      // form factor over r^2 cos^2 / d^2 is 1 - (3 cos^2 - 2) r^2 / d^2. Never more than pi L. Its own plane gets
+      // nothing, whatever rounding says.
+      Float cosine = dot3(light.travel, Vec3(source.cone.axis));
+      light.spread = max_of(light.distance_squared + area * (3.0f * (cosine * cosine) - 2.0f), Float(area));
       Bool before = dot3(path, Vec3(source.cone.axis)) > OWN_PLANE * source.radius;
       light.falloff = sel(before, light.falloff, Float(0.0f));
     }

@@ -167,14 +167,16 @@ std::string lamps_text(const Scene& scene, const std::vector<const Light*>& lamp
   return first + " and " + std::to_string(lamps.size() - 1) + " more light the scene";
 }
 
-std::string dim_text(const Scene& scene) {
+// "mesh 'led' and 3 more do not: it adds less than ..."
+std::string dim_text(const Scene& scene, const std::string& one, const std::string& several) {
   const DimMesh& first = scene.dim_meshes.front();
   const std::size_t others = scene.dim_meshes.size() - 1;
-  const std::string more = others == 0 ? " does" : " and " + std::to_string(others) + " more do";
-  return mesh_name(scene, first.mesh) + more + " not: " + first.why + " (-D emissive.lights=on)";
+  return mesh_name(scene, first.mesh) +
+         (others == 0 ? " " + one : " and " + std::to_string(others) + " more " + several) + ": " +
+         first.why + " (-D emissive.lights=on makes lights of all)";
 }
 
-void add_emitters(const Scene& scene, const Settings& settings, Effects& effects) {
+void add_emitters(const Scene& scene, Effects& effects) {
   std::size_t shining = 0;
   for (const Mesh& mesh : scene.meshes) {
     const glm::vec3 e = scene.materials[static_cast<std::size_t>(mesh.material)].emissive;
@@ -185,12 +187,13 @@ void add_emitters(const Scene& scene, const Settings& settings, Effects& effects
     if (light.shape == LightShape::Mesh) lamps.push_back(&light);
   const std::string found = count(shining, "mesh that shines", "meshes that shine");
   effects.emission = {shining > 0, shining > 0 ? found : "nothing in the scene shines"};
-  std::string why = lamps.empty() ? found : lamps_text(scene, lamps);
-  if (!scene.dim_meshes.empty())
-    why += (lamps.empty() ? ": " : "; ") + dim_text(scene);
-  else if (lamps.empty())
-    why += settings.emissive_lights == EmissiveLights::Off ? ", but not on others, as asked for"
-                                                           : ", but not on others";
+  std::string why = found + ", but not on others, as asked for";
+  if (!lamps.empty()) {
+    why = lamps_text(scene, lamps);
+    if (!scene.dim_meshes.empty()) why += "; " + dim_text(scene, "does not", "do not");
+  } else if (!scene.dim_meshes.empty()) {
+    why = dim_text(scene, "shines, but does not light the scene", "shine, but do not light the scene");
+  }
   effects.emissive_lights = {!lamps.empty(), shining == 0 ? "none in the scene" : why};
 }
 
@@ -336,7 +339,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_smooth_shading(scene, effects);
   add_textured_casters(scene, settings, effects);
   add_blended(scene, effects);
-  add_emitters(scene, settings, effects);
+  add_emitters(scene, effects);
   add_occlusion(scene, effects);
   add_rough_glass(settings, effects);
   add_branches(scene, settings, effects);

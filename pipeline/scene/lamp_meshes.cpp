@@ -15,9 +15,10 @@ namespace caustics {
 
 namespace {
 
-constexpr double kAdds = 0.1, kOnSurfaces = 0.05;       // of the other light; of the surfaces
-constexpr double kNeedsNoSun = 0.005, kQuarter = 0.25;  // of a sun's lux; of the surfaces
-constexpr double kStudio = 0.3;                         // of the lights, from all around (add_sky)
+constexpr double kAdds = 0.1, kOnSurfaces = 0.05;         // of the other light; of the surfaces
+constexpr double kNeedsNoSun = 0.005, kFillsSky = 0.005;  // of a sun's lux; of a hemisphere
+constexpr double kQuarter = 0.25;                         // of a sun's lux; of the surfaces
+constexpr double kStudio = 0.3;                           // of the lights, from all around (add_sky)
 constexpr std::size_t kMostLamps = 16, kMostJudged = 64;
 constexpr std::size_t kMostShadowed = 64;    // lights of the file whose shadows are looked at
 constexpr int kChords = 512, kMostHits = 4;  // through the surroundings; on each
@@ -76,8 +77,7 @@ class Judge {
     std::vector<double> together(places_.size(), 0.0);
     for (const Candidate& each : candidates_)
       for (std::size_t p = 0; p < places_.size(); ++p) together[p] += each.lux[p];
-    result_.instead_of_sun =
-        scene_.lights.empty() && reached_on(together, kQuarter) >= kNeedsNoSun * sun_lux_ && !places_.empty();
+    result_.instead_of_sun = scene_.lights.empty() && lights_enough(reached_on(together, kQuarter));
     std::vector<double> given(places_.size(), 0.0);
     if (!result_.instead_of_sun)
       for (std::size_t p = 0; p < places_.size(); ++p) given[p] = other_light(places_[p]);
@@ -217,6 +217,17 @@ class Judge {
     }
     const Environment& around = scene_.environment;
     return lights + (around.image ? upward_irradiance(around) : kStudio * all);
+  }
+
+  // As much as a weak sun, or as what fills a good part of the sky of that place.
+  bool lights_enough(double lux) const {
+    double brightest = 0.0;  // nit, before any texture
+    for (const Candidate& each : candidates_) {
+      const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(each.light.emitter)];
+      brightest =
+          std::max(brightest, luminance(scene_.materials[static_cast<std::size_t>(mesh.material)].emissive));
+    }
+    return lux > 0.0 && lux >= std::min(kNeedsNoSun * sun_lux_, kFillsSky * exact::kPi * brightest);
   }
 
   // What as large a share of the places has at least.

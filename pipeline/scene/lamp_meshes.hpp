@@ -17,8 +17,9 @@ struct Lamps {
 // Judges every mesh that shines (emitter.hpp) by what it adds to the other light at some hundred places on
 // the surfaces around, past what is opaque. It is a lamp if that is a tenth or more on a twentieth of them.
 // The other light is that of Scene::lights and of the environment; where there are none, that of the meshes
-// themselves, if they give at least a two-hundredth of `sun_lux` on a quarter of the surfaces, and else that
-// of a sun of `sun_lux` that will be added. At most 16 are lamps, the strongest ones.
+// themselves, if on a quarter of the surfaces they give at least a two-hundredth of `sun_lux`, or of what
+// they would if they filled all the sky; else that of a sun of `sun_lux` that will be added. At most 16 are
+// lamps, the strongest ones.
 //
 // The lamps share `samples` by their flux, at least one each: half as many, or a quarter of them where none
 // looks large, if there is glass or metal, whose maps cost much more; twice as many for what shines to

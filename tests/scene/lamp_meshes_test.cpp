@@ -58,6 +58,16 @@ TEST_CASE("lamp meshes: what is much weaker than a sun is left to glow, and a su
   CHECK(lamps.dim[0].why.find("less than a tenth") != std::string::npos);
 }
 
+TEST_CASE("lamp meshes: a room is lit by its ceiling's panel, however weak that is") {
+  Scene scene;
+  scene.materials = {diffuse(0.8f)};
+  scene.meshes = {floor(1.0, 0.0, 0), floor(1.0, 2.0, 0)};
+  scene.meshes.push_back(downwards(floor(0.5, 2.0, shining(scene, 0.01f))));
+  const Lamps lamps = choose_lamps(scene, kSun, 16);
+  CHECK(lamps.lights.size() == 1);
+  CHECK(lamps.instead_of_sun);
+}
+
 TEST_CASE("lamp meshes: one that shines onto nothing is none") {
   Scene scene = under_lamp(20000.0f);
   std::reverse(scene.meshes[1].indices.begin(), scene.meshes[1].indices.end());  // upwards
