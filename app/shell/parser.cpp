@@ -17,14 +17,6 @@ namespace {
 // Where the next parser puts what its help says, instead of parsing (page_of); null: it parses.
 HelpPage* wanted_page = nullptr;
 
-// As people write it: 1e6, not 1e+06.
-std::string plain(double value) {
-  const std::string text = number_text(value);
-  const std::size_t e = text.find('e');
-  return e == std::string::npos ? text
-                                : text.substr(0, e + 1) + std::to_string(std::stoi(text.substr(e + 1)));
-}
-
 // "least..most", or one number where they are equal.
 std::string span(const std::string& least, const std::string& most) {
   return least == most ? least : least + ".." + most;
@@ -158,7 +150,9 @@ bool Parser::parse(const Arguments& arguments) {
 std::string text_of(Limits<int> bounds) {
   return span(std::to_string(bounds.least), std::to_string(bounds.most));
 }
-std::string text_of(Limits<double> bounds) { return span(plain(bounds.least), plain(bounds.most)); }
+std::string text_of(Limits<double> bounds) {
+  return span(number_text(bounds.least), number_text(bounds.most));
+}
 
 int parse_number(const std::string& option, const std::string& text, Limits<int> bounds) {
   return parse_within(option, text, bounds, "an integer");

@@ -16,7 +16,11 @@ namespace {
 template <class T>
 std::string shortest(T value) {
   char buffer[64];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+  // As people write it: 1e6, not 1e+06.
+  if (const std::size_t e = text.find('e'); e != std::string::npos)
+    text.replace(e + 1, std::string::npos, std::to_string(std::stoi(text.substr(e + 1))));
+  return text;
 }
 
 template <class T>
