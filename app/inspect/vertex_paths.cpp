@@ -129,7 +129,8 @@ std::map<int, Ways> ways_by(const FrameRequest& request, const std::shared_ptr<L
     const ProbedPass probe(frame, pass);
     for (int j = 0; j < kLattice; ++j)
       for (int i = 0; i < kLattice; ++i) {
-        const ProbedTexel texel = probe.at(on_lattice(i, grids[pass.light]), on_lattice(j, grids[pass.light]));
+        const ProbedTexel texel =
+            probe.at(on_lattice(i, grids[pass.light]), on_lattice(j, grids[pass.light]));
         if (texel.discarded) continue;
         const auto at = static_cast<std::size_t>(j) * kLattice + static_cast<std::size_t>(i);
         of_light.readers[at].read(texel);

@@ -106,6 +106,7 @@ void print_summary(const RenderedFrame& frame, const std::vector<LightLedger>& l
   const std::size_t said = verbose ? 0 : frame.loaded().added().size();
   print_some("note", gathered({notes.begin() + static_cast<std::ptrdiff_t>(said), notes.end()}));
   print_some("note", idle_settings(given, frame.scene(), frame.settings(), frame.effects()));
+  if (frame.effects().dim_lights.active) print_some("note", {frame.effects().dim_lights.reason});
   if (frame.effects().blended_layers.active) print_some("note", {frame.effects().blended_layers.reason});
   std::vector<std::string> missing;
   for (const NoCaustic& each :

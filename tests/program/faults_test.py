@@ -2,6 +2,8 @@
 Nothing half-written may stay under a name that was asked for."""
 
 import json
+import os
+import pathlib
 import random
 import resource
 import signal
@@ -9,9 +11,12 @@ import struct
 import subprocess
 import time
 
+import glb
 import pictures
 from output_test import wait_until_it_listens
 from program import PROGRAM, SMALL, ProgramTest, main
+
+WATER = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "water_plops.glb"
 
 # A minute of work each, were they left alone. `reference` and `study` keep what they have for --resume.
 LONG = {
@@ -25,7 +30,24 @@ LONG = {
     "study": ["study", "ball.glb", "-r", "512x512", "--repeat", "50", "-o", "studied"],
     "target": ["ball.glb", "-r", "1500x1500", "--target-error", "0.001%", "-o", "out.png"],
     "paper": ["paper", "-o", "papers"],
+    "many lights": ["plan", "lights.glb"],
+    "water": [str(WATER), "--time", "3000", "-o", "out.png"],
+    "inspect": ["inspect", "ball.glb", "-o", "page.html"],
 }
+
+# Processor time that a command may take after a signal, seconds: work asks several times a second, and what is
+# under way on each thread ends first. Of a busy machine the wall clock would tell nothing.
+MOST_AFTER = 2.0
+
+
+def processor_time(process):
+    fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def of_ended_processes():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def is_whole(path):
@@ -58,6 +80,7 @@ class Signals(ProgramTest):
 
     def test_every_long_command_stops_soon_and_leaves_whole_files(self):
         moments = random.Random(1)
+        (self.folder / "lights.glb").write_bytes(glb.many_lights([10.0] * 800))
         for name, arguments in LONG.items():
             for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
                 with self.subTest(command=name, signal=number):
@@ -68,9 +91,12 @@ class Signals(ProgramTest):
                                                stderr=subprocess.PIPE, text=True)
                     wait_until_it_listens(process, number)
                     time.sleep(moments.uniform(0.0, 0.6))
+                    ended = of_ended_processes()
+                    used = processor_time(process)
                     process.send_signal(number)
                     _, talk = process.communicate(timeout=120)
                     self.assertEqual(process.returncode, code, talk)
+                    self.assertLess(of_ended_processes() - ended - used, MOST_AFTER, name)
                     self.assertIn("interrupted", talk)
                     self.check_whole()
 

@@ -106,6 +106,20 @@ def scene(material=None, light=None, caster=None, floors=((0, 0, 0),), origin=(0
     return pack(document, blob)
 
 
+def many_lights(candelas):
+    """The sphere of glass under as many point lights as there are candelas given, 4 m up in a row."""
+    document, blob = unpack(scene(light={"type": "point"}))
+    sun = document["nodes"].pop(2)
+    document["extensions"]["KHR_lights_punctual"]["lights"] = [
+        {"name": f"lamp {i}", "type": "point", "intensity": intensity} for i, intensity in enumerate(candelas)]
+    for i in range(len(candelas)):
+        place = 4 * (i / len(candelas) - 0.5)
+        document["nodes"].append({"name": f"lamp {i}", "translation": [place, sun["translation"][1], 0],
+                                  "extensions": {"KHR_lights_punctual": {"light": i}}})
+    document["scenes"] = [{"nodes": list(range(len(document["nodes"])))}]
+    return pack(document, blob)
+
+
 def pack(document, blob=b""):
     """The bytes of a binary glTF file."""
     text = json.dumps(document).encode()

@@ -249,5 +249,36 @@ class WhatBecomesOfTheLight(PlanTest):
         self.assertEqual(said["reason"], "no light reaches it: 'floor' stands before it")
 
 
+class ManyLights(ProgramTest):
+    """Of more than 16 lights, weak ones have smaller maps and the weakest no caustic; it is said."""
+
+    # 60 lamps of 10 cd give about 1.7 % of the light each, one of .01 cd less than .5 %.
+    def plan(self, *candelas, options=()):
+        (self.folder / "lights.glb").write_bytes(glb.many_lights(candelas))
+        text = self.succeeds("plan", "lights.glb", "--json", "-r", "64x48", *options).stdout
+        return json.loads(text)
+
+    def effect(self, plan):
+        return next(each for each in plan["effects"] if each["name"] == "dim lights")
+
+    def test_few_lights_are_drawn_in_full(self):
+        self.assertFalse(self.effect(self.plan(*[10] * 15, 0.01))["active"])
+
+    def test_weak_lights_are_named_and_the_weakest_throw_no_caustic(self):
+        plan = self.plan(*[10] * 60, 0.01)
+        said = self.effect(plan)
+        self.assertTrue(said["active"])
+        self.assertIn("60 lights of 61", said["reason"])
+        self.assertIn("1 light, together less than 0.5 %", said["reason"])
+        without = [each for each in plan["expectations"] if not each["expected"]]
+        self.assertEqual([each["light"] for each in without], [60])
+        self.assertIn("weakest", without[0]["reason"])
+
+    def test_settings_of_0_give_every_light_its_caustic_in_full(self):
+        plan = self.plan(*[10] * 60, 0.01, options=["-D", "light.least=0", "-D", "light.full=0"])
+        self.assertFalse(self.effect(plan)["active"])
+        self.assertTrue(all(each["expected"] for each in plan["expectations"]))
+
+
 if __name__ == "__main__":
     main()

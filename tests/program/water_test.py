@@ -74,6 +74,12 @@ class Water(ProgramTest):
         self.scene("bad.glb", {}, extensions={})
         self.fails(3, "bad.glb", *SMALL, saying="is no refractor")
 
+    def test_a_moment_that_takes_too_many_steps_is_refused_before_the_first(self):
+        for late in (["--time", "1e6", "-o", "out.png"],
+                     ["--frames", "0..999999", "--fps", "1", "-o", "f_%06d.png"]):
+            self.fails(2, POOL, *SMALL, *late, saying="choose an earlier --time or --frames")
+        self.assertEqual(list(self.folder.glob("*.png")), [])
+
 
 if __name__ == "__main__":
     main()
