@@ -60,7 +60,9 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
     largest = std::max(largest, draw);
     all += draw;
   }
-  return std::min<std::uint64_t>(all, largest + cost.device.kept);
+  const std::uint64_t draws = std::min<std::uint64_t>(all, largest + cost.device.kept);
+  // The pilot has drawn the meshes: what the device keeps of that has been taken.
+  return draws > cost.device.kept ? draws : 0;
 }
 
 // The ledger of a light that a pass ends takes, beside its textures, which are looked at where they lie: its
