@@ -55,11 +55,10 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<Loaded
                    .seconds = request.seconds.value_or(0.0),
                    .without = without,
                    .pilot = pilot_device_.get(),
-                   .accept =
-                       [this, request, outputs](const PlannedFrame& frame) {
-                         memory_ = judge_memory(request, loaded_->scene(), frame, outputs);
-                         if (!memory_.refusal.empty()) throw Error(ExitCode::WrongUsage, memory_.refusal);
-                       }});
+                   .accept = [this, request, outputs](const PlannedFrame& frame) {
+                     memory_ = judge_memory(request, loaded_->scene(), frame, outputs);
+                     if (!memory_.refusal.empty()) throw Error(ExitCode::WrongUsage, memory_.refusal);
+                   }});
 }
 
 RenderedFrame::~RenderedFrame() = default;

@@ -48,8 +48,8 @@ void add_memory_option(Parser& parser, FrameRequest& request) {
                 {"refuse what needs more memory, in MB of 2^20 bytes", text_of(kMegabytes),
                  "three quarters of the machine's, the control group's or ulimit's"},
                 [&](const std::string& value) {
-                  request.memory = static_cast<std::uint64_t>(
-                      parse_number("--memory", value, kMegabytes) * kMegabyte);
+                  request.memory =
+                      static_cast<std::uint64_t>(parse_number("--memory", value, kMegabytes) * kMegabyte);
                 });
 }
 

@@ -32,7 +32,8 @@ MemoryJudgement judge_picture(const FrameRequest& request, const Scene& scene, c
   PlannedFrame frame{planned.settings, planned.effects, {}, {}, planned.taken};
   if (frame.settings.samples == 0) frame.settings.samples = kShownSamples;
   const std::uint64_t before = resident_memory().now;
-  frame.plan = make_plan(scene, frame.effects, frame.settings, pass_registry(), goal_with_ledgers({"picture"}));
+  frame.plan =
+      make_plan(scene, frame.effects, frame.settings, pass_registry(), goal_with_ledgers({"picture"}));
   // It takes the place of the plan that stands for one sample.
   const std::uint64_t after = resident_memory().now;
   frame.taken.now += after > before ? after - before : 0;

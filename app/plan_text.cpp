@@ -296,7 +296,8 @@ class TextReport {
     heading("memory");
     const MemoryJudgement& judged = report_.memory;
     text_ += "  a PNG picture takes " + bytes_text(static_cast<double>(judged.needed)) + " of the " +
-             bytes_text(static_cast<double>(judged.budget.bytes)) + " " + one_line(judged.budget.whose) + "\n";
+             bytes_text(static_cast<double>(judged.budget.bytes)) + " " + one_line(judged.budget.whose) +
+             "\n";
     if (!judged.refusal.empty()) text_ += "  render would refuse it: " + one_line(judged.refusal) + "\n";
   }
 

@@ -51,9 +51,9 @@ class ReferenceRun {
     effects_ = effects_of(loaded_->scene(), request_.frame.settings);
     request_.trace.exact = exact_shapes(loaded_->scene(), request_.exact);
     progress_.show("what the camera sees");
-    const std::uint64_t needed = resident_memory().now + static_cast<std::uint64_t>(request_.trace.width) *
-                                                             static_cast<std::uint64_t>(request_.trace.height) *
-                                                             kBytesPerPixel;
+    const std::uint64_t needed =
+        resident_memory().now + static_cast<std::uint64_t>(request_.trace.width) *
+                                    static_cast<std::uint64_t>(request_.trace.height) * kBytesPerPixel;
     if (const std::string refusal = memory_refusal(needed, request_.frame.budget(), "-r"); !refusal.empty())
       throw Error(ExitCode::WrongUsage, refusal);
     tracer_ = std::make_unique<tracer::Tracer>(loaded_->scene(), effects_, loaded_->camera(), request_.trace);

@@ -79,7 +79,7 @@ PixelTable pixel_table(const RenderedFrame& frame, const PlannedPass& light_shad
       const ProbedPass::Outputs outputs = pass.shade(row, sink, discarded);
       sink.close();
       for (const Given& given : {Given{"direct", &table.direct}, Given{"caustic", &table.caustic}})
-        take_given(light_shading.definition, outputs, discarded, row.size(), given);
+        take_given(*light_shading.definition, outputs, discarded, row.size(), given);
     }
   return table;
 }

@@ -232,7 +232,8 @@ std::uint64_t writing_bytes(const OutputRequest& request, const Settings& settin
       // Each layer as it is read back, 16 bytes a pixel; compressed, hardly anything comes to that.
       most = std::max(most, 16 * pixels * layers_of(request).size());
     } else {
-      most = std::max(most, (format->encoding == Encoding::Png ? 6 : 32) * pixels);  // bytes, or floats, twice
+      most =
+          std::max(most, (format->encoding == Encoding::Png ? 6 : 32) * pixels);  // bytes, or floats, twice
     }
   }
   if (dumped) {

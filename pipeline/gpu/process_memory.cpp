@@ -107,8 +107,8 @@ std::optional<fs::path> group_of_process(const fs::path& root, bool version_2) {
     const std::size_t second = line.find(':', first + 1);
     if (second == std::string::npos) continue;
     const std::string controllers = line.substr(first + 1, second - first - 1);
-    const bool is_it = version_2 ? line.substr(0, first) == "0" && controllers.empty()
-                                 : holds(controllers, "memory");
+    const bool is_it =
+        version_2 ? line.substr(0, first) == "0" && controllers.empty() : holds(controllers, "memory");
     if (is_it) return fs::path(line.substr(second + 1));
   }
   return std::nullopt;
@@ -144,8 +144,8 @@ void lower_by_groups(MemoryLimit& limit, const fs::path& root, const Hierarchy& 
 
 // Lines such as "Max address space         unlimited            unlimited            bytes".
 void lower_by_process(MemoryLimit& limit, const fs::path& root) {
-  constexpr std::pair<std::string_view, const char*> kLimits[] = {
-      {"Max address space", "ulimit -v"}, {"Max data size", "ulimit -d"}};
+  constexpr std::pair<std::string_view, const char*> kLimits[] = {{"Max address space", "ulimit -v"},
+                                                                  {"Max data size", "ulimit -d"}};
   std::ifstream stream(root / "proc/self/limits");
   for (std::string line; std::getline(stream, line);) {
     for (const auto& [label, whose] : kLimits) {

@@ -1,5 +1,5 @@
-// How much memory this process may take, and how much it takes: what Linux says of the machine, of the control
-// groups that the process is in, and of the process's own limits.
+// How much memory this process may take, and how much it takes: what Linux says of the machine, of the
+// control groups that the process is in, and of the process's own limits.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -16,8 +16,8 @@ struct MemoryLimit {
 // The lowest limit that holds for the process:
 // - the machine's memory (MemTotal of /proc/meminfo; 8 GiB where that cannot be read);
 // - memory.max and memory.high (version 2) or memory.limit_in_bytes (version 1) of the process's own control
-//   group and of every group above it, as far up as the hierarchy is mounted. Sources: cgroups(7); proc(5) for
-//   /proc/self/cgroup and /proc/self/mountinfo;
+//   group and of every group above it, as far up as the hierarchy is mounted. Sources: cgroups(7); proc(5)
+//   for /proc/self/cgroup and /proc/self/mountinfo;
 // - its soft limits of address space and of data (setrlimit(2), as /proc/self/limits has them).
 // `root`: the folder in which `proc` and the mounted hierarchies lie.
 MemoryLimit memory_limit(const std::filesystem::path& root = "/");
@@ -28,8 +28,8 @@ struct MemoryBudget {
   std::string whose;  // goes on after a size: "that this machine can spare", "of --memory"
 };
 
-// As much as the user has stated; else three quarters of the limit, because other programs, the system and what
-// no estimate foresees need some.
+// As much as the user has stated; else three quarters of the limit, because other programs, the system and
+// what no estimate foresees need some.
 MemoryBudget memory_budget(const std::optional<std::uint64_t>& stated,
                            const std::filesystem::path& root = "/");
 
@@ -40,8 +40,8 @@ struct ResidentMemory {
 };
 ResidentMemory resident_memory(const std::filesystem::path& root = "/");
 
-// Gives what the heap keeps of freed memory back to the system, so that resident memory is what is in use. Takes
-// milliseconds; does nothing where the C library is not glibc.
+// Gives what the heap keeps of freed memory back to the system, so that resident memory is what is in use.
+// Takes milliseconds; does nothing where the C library is not glibc.
 void return_freed_memory();
 
 }  // namespace caustics

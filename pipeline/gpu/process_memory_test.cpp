@@ -81,8 +81,9 @@ TEST_CASE("Of control groups of version 1 the memory controller's hierarchy hold
 TEST_CASE("Where both versions are mounted, the lower limit holds") {
   const MadeUpRoot root;
   root.write("proc/self/cgroup", "4:memory:/a\n0::/b\n");
-  root.write("proc/self/mountinfo", std::string(kVersion1) +
-                                        "41 31 0:38 / /sys/fs/cgroup/unified rw - cgroup2 cgroup2 rw\n");
+  root.write("proc/self/mountinfo",
+             "35 31 0:32 / /sys/fs/cgroup/memory rw - cgroup cgroup rw,memory\n"
+             "41 31 0:38 / /sys/fs/cgroup/unified rw - cgroup2 cgroup2 rw\n");
   root.write("sys/fs/cgroup/memory/a/memory.limit_in_bytes", "400000000\n");
   root.write("sys/fs/cgroup/unified/b/memory.max", "500000000\n");
   CHECK(root.limit().whose == "the control group /a");

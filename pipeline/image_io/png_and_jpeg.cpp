@@ -113,8 +113,8 @@ std::string decode_jpeg(std::span<const std::uint8_t> bytes, Pixels& pixels) {
   pixels.bytes.resize(static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) *
                       static_cast<std::size_t>(pixels.channels));
   const int format = pixels.channels == 1 ? TJPF_GRAY : TJPF_RGB;
-  if (tjDecompress2(turbo.get(), bytes.data(), bytes.size(), pixels.bytes.data(), header.width, 0, header.height,
-                    format, TJFLAG_ACCURATEDCT) != 0 &&
+  if (tjDecompress2(turbo.get(), bytes.data(), bytes.size(), pixels.bytes.data(), header.width, 0,
+                    header.height, format, TJFLAG_ACCURATEDCT) != 0 &&
       tjGetErrorCode(turbo.get()) == TJERR_FATAL)
     return cannot(tjGetErrorStr2(turbo.get()));
   return "";

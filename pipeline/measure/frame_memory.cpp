@@ -50,13 +50,14 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
     case DrawSet::LightTinters:
       break;
   }
-  // Triangles between the pixels' middles are dropped before they take memory: a surface and its back leave no
-  // more than these.
-  const std::uint64_t seen = std::uint64_t{4} * static_cast<std::uint64_t>(pass.width) *
-                             static_cast<std::uint64_t>(pass.height);
+  // Triangles between the pixels' middles are dropped before they take memory: a surface and its back leave
+  // no more than these.
+  const std::uint64_t seen =
+      std::uint64_t{4} * static_cast<std::uint64_t>(pass.width) * static_cast<std::uint64_t>(pass.height);
   std::uint64_t largest = 0, all = 0;
   for (const Mesh& mesh : cost.scene.meshes) {
-    const std::uint64_t draw = cost.device.draw(*pass.definition, mesh.vertices.size(), std::min<std::uint64_t>(mesh.indices.size() / 3, seen));
+    const std::uint64_t draw = cost.device.draw(*pass.definition, mesh.vertices.size(),
+                                                std::min<std::uint64_t>(mesh.indices.size() / 3, seen));
     largest = std::max(largest, draw);
     all += draw;
   }

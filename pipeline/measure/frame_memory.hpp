@@ -18,7 +18,8 @@ struct Settings;
 // What a device takes beside textures and meshes.
 struct DeviceMemory {
   // For a draw of so many vertices of a mesh, or none, and so many primitives, in bytes.
-  std::function<std::size_t(const PassDefinition& definition, std::size_t vertices, std::size_t primitives)> draw;
+  std::function<std::size_t(const PassDefinition& definition, std::size_t vertices, std::size_t primitives)>
+      draw;
   std::size_t kept = 0;  // bytes of draws that it keeps for the next pass at the most
 };
 
@@ -34,12 +35,12 @@ struct FrameCost {
   std::uint64_t outputs = 0;  // bytes that writing what is wanted takes beside the textures
 };
 
-// What the process occupies at its most when the frame is drawn on the software device, its ledgers are made and
-// its files written, in bytes: what it has taken, and what the plan adds to that.
+// What the process occupies at its most when the frame is drawn on the software device, its ledgers are made
+// and its files written, in bytes: what it has taken, and what the plan adds to that.
 std::uint64_t memory_needed(const FrameCost& cost);
 
-// Why sizes that need so much are refused, a sentence without a full stop that says what to do; empty: they are
-// not. `lower`: the options that make it less.
+// Why sizes that need so much are refused, a sentence without a full stop that says what to do; empty: they
+// are not. `lower`: the options that make it less.
 std::string memory_refusal(std::uint64_t needed, const MemoryBudget& budget, const std::string& lower);
 
 }  // namespace caustics

@@ -402,8 +402,8 @@ TEST_CASE("A texture that cannot be read is left out with a note") {
 }
 
 TEST_CASE("Images of too many texels together are halved, to means of light") {
-  const std::string text = textured(kBase + R"(,"normalTexture":{"index":0})",
-                                    std::string("data:image/png;base64,") + kPng);
+  const std::string text =
+      textured(kBase + R"(,"normalTexture":{"index":0})", std::string("data:image/png;base64,") + kPng);
   const Scene whole = load_text(text);
   LoadOptions options;
   options.max_image_pixels = 4;  // the image is 2 x 2, and read in two ways

@@ -17,7 +17,7 @@ std::uint64_t memory_left(const LoadOptions& options) {
   const std::uint64_t taken = resident_memory().now;
   return options.memory->bytes > taken ? options.memory->bytes - taken : 0;
 }
-}
+}  // namespace
 
 std::string printable(const std::string& text, std::size_t longest) {
   if (text.size() <= longest) return one_line(text);
@@ -61,8 +61,8 @@ void Context::spend_bytes(std::uint64_t bytes, const std::string& where) {
 void Context::need_memory(std::uint64_t bytes, const std::string& what) const {
   if (bytes <= memory_left_) return;
   const auto text = [](std::uint64_t size) { return bytes_text(static_cast<double>(size)); };
-  throw Error(ExitCode::WrongUsage, printable(path_.string(), 400) + ": its " + what + " need " + text(bytes) +
-                                        " of memory, of which " + text(memory_left_) +
+  throw Error(ExitCode::WrongUsage, printable(path_.string(), 400) + ": its " + what + " need " +
+                                        text(bytes) + " of memory, of which " + text(memory_left_) +
                                         " are left of the " + text(options_.memory->bytes) + " " +
                                         options_.memory->whose + "; make them smaller, or raise --memory");
 }

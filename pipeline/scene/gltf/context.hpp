@@ -29,8 +29,9 @@ class Context {
   // Takes `bytes` out of max_bytes and of the memory; fails when either is used up.
   void spend_bytes(std::uint64_t bytes, const std::string& where);
 
-  // Throws Error(WrongUsage) where the scene's `what`, such as "images", take more bytes than LoadOptions::memory
-  // leaves beside what the process and the file have taken. To be called before they are taken.
+  // Throws Error(WrongUsage) where the scene's `what`, such as "images", take more bytes than
+  // LoadOptions::memory leaves beside what the process and the file have taken. To be called before they are
+  // taken.
   void need_memory(std::uint64_t bytes, const std::string& what) const;
   // The same for what stays: the next has so much less.
   void take_memory(std::uint64_t bytes, const std::string& what);

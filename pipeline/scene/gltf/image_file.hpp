@@ -30,8 +30,8 @@ struct ImageHeader {
 };
 ImageHeader sniff_image(std::span<const std::uint8_t> bytes);
 
-// False with a message on failure. Sides and number of pixels above the limits are failures. `before` is called
-// with the bytes that decoding takes before they are taken; it may throw.
+// False with a message on failure. Sides and number of pixels above the limits are failures. `before` is
+// called with the bytes that decoding takes before they are taken; it may throw.
 bool decode_image(std::span<const std::uint8_t> bytes, ImageKind kind, int max_side, std::uint64_t max_pixels,
                   Pixels& pixels, std::string& problem,
                   const std::function<void(std::uint64_t bytes)>& before = {});

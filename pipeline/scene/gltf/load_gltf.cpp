@@ -279,8 +279,8 @@ Document without_data(Document document) {
   return document;
 }
 
-// Bytes of geometry at their most, measured: a primitive in its place, in double precision, with what finds out
-// its holes and normals; and all meshes beside it.
+// Bytes of geometry at their most, measured: a primitive in its place, in double precision, with what finds
+// out its holes and normals; and all meshes beside it.
 constexpr std::uint64_t kBytesOfVertex = 190, kBytesOfIndex = 70;
 
 std::uint64_t geometry_bytes(const gltf::Model& model, const gltf::Placements& placements) {
@@ -289,7 +289,8 @@ std::uint64_t geometry_bytes(const gltf::Model& model, const gltf::Placements& p
     return accessor < 0 ? 0 : model.accessors[static_cast<std::size_t>(accessor)].count;
   };
   for (const gltf::Placement& placement : placements.meshes) {
-    for (const gltf::Primitive& primitive : model.meshes[static_cast<std::size_t>(placement.index)].primitives) {
+    for (const gltf::Primitive& primitive :
+         model.meshes[static_cast<std::size_t>(placement.index)].primitives) {
       const auto positions = primitive.attributes.find("POSITION");
       const std::uint64_t vertices = positions == primitive.attributes.end() ? 0 : count(positions->second);
       const std::uint64_t indices = primitive.indices < 0 ? vertices : count(primitive.indices);

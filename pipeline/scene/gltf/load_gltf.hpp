@@ -40,7 +40,7 @@ struct LoadOptions {
   // The file's bytes where they do not lie under its path, which then only names them. Such a file can refer
   // to no other.
   std::shared_ptr<const std::vector<std::uint8_t>> content = nullptr;
-  int max_image_side = 16384;                                 // pixels
+  int max_image_side = 16384;  // pixels
   // Of all images together, each counted once for each way of reading it (colour, data, normals). Where they
   // are more, the largest are halved, with a note, until they fit.
   std::uint64_t max_image_pixels = std::uint64_t{128} << 20;

@@ -40,8 +40,8 @@ int halved(int side, int halvings) { return std::max(1, side >> halvings); }
 // Fine data keep every bit of 8 and 16 bits a channel: light that normals bend shows their steps, and
 // llvmpipe does not round what it reads of 8-bit textures to the nearest float.
 //
-// `stored`: the texels of `pixels`, of 8 or of 16 bits. Each texel of the image is the mean of 2^halvings texels
-// along both sides; where these do not fill a last one, they are left out.
+// `stored`: the texels of `pixels`, of 8 or of 16 bits. Each texel of the image is the mean of 2^halvings
+// texels along both sides; where these do not fill a last one, they are left out.
 template <class Integer>
 Image to_image(const Pixels& pixels, const std::vector<Integer>& stored, Reading reading, int halvings) {
   const Format format = reading == Reading::FineData ? Format::RGBA32F : Format::RGBA16F;
@@ -57,7 +57,8 @@ Image to_image(const Pixels& pixels, const std::vector<Integer>& stored, Reading
     for (int row = 0; row < down; ++row)
       for (int column = 0; column < across; ++column)
         sum += static_cast<double>(
-            table[texel[(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)) * channels]]);
+            table[texel[(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)) *
+                        channels]]);
     return stored_value(format, static_cast<float>(sum / (across * down)));
   };
   float* out = image.values.data();

@@ -1,7 +1,7 @@
 // Turns glTF textures into images of the scene, each image once for each way of reading it, and decoded once.
 //
-// All that a file's materials use is known before the first image is decoded: the materials are read twice, at
-// first in a survey that looks at the images' headers alone.
+// All that a file's materials use is known before the first image is decoded: the materials are read twice,
+// at first in a survey that looks at the images' headers alone.
 //
 // A texture that cannot be had (missing file, other format than PNG or JPEG, too large, damaged) is
 // left out with a note. Sources: glTF 2.0 sections 3.8 and 5.30; KHR_texture_transform.
@@ -36,9 +36,8 @@ class Textures {
   // In the survey, images are none and means unknown.
   bool is_surveying() const { return surveying_; }
 
-  // Ends the survey: chooses which images are halved (LoadOptions::max_image_pixels) and takes the memory of all
-  // of them. Throws Error as
-  // Context::take_memory does.
+  // Ends the survey: chooses which images are halved (LoadOptions::max_image_pixels) and takes the memory of
+  // all of them. Throws Error as Context::take_memory does.
   void fit();
 
   // `info` may stand on nothing.
