@@ -225,7 +225,7 @@ class Memory(ProgramTest):
 
     def test_plan_says_that_render_would_refuse(self):
         sizes = ["ball.glb", "-r", "4096x4096", "--memory", 500]
-        line = self.fails(2, "render", *sizes, "-o", "a.png", saying="500.0 MiB of --memory; lower -r")
+        line = self.fails(2, "render", *sizes, "-o", "a.png", saying="500 MiB of --memory; lower -r")
         plan = json.loads(self.succeeds("plan", *sizes, "--json").stdout)
         self.assertGreater(plan["memory_bytes"], plan["memory_budget_bytes"])
         self.assertEqual(plan["memory_budget_bytes"], 500 * MB)
