@@ -173,7 +173,7 @@ TEST_CASE("A texture of what shines counts by its mean over the mesh, not over t
   // Three of four texels of the picture are white, the fourth black. The square shows the left half alone,
   // where one of two is white.
   Scene scene = glowing(floor(0.5, 1.0, 0), glm::vec3(0.0f));
-  Image picture(2, 2, Format::RGBA16F);
+  Image picture(Format::RGBA16F, 2, 2);
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}})
     for (int c = 0; c < 3; ++c) picture.at(x, y, c) = 1.0f;
   scene.images = {picture};
