@@ -106,9 +106,10 @@ class EmissiveMeshes(ProgramTest):
     def setUp(self):
         super().setUp()
         (self.folder / "lamp.glb").write_bytes(glb.scene(self.lamp(1)))
-        for name, nit in (("only_lamp.glb", 5000), ("only_glow.glb", 0.01)):
+        for name, nit, scale in (("only_lamp.glb", 5000, 1), ("only_glow.glb", 1, 0.02)):
             document, blob = glb.unpack(glb.scene(self.lamp(nit)))
             del document["extensions"], document["nodes"][2]["extensions"]
+            document["nodes"][0]["scale"] = [scale] * 3
             (self.folder / name).write_bytes(glb.pack(document, blob))
 
     def lamp(self, nit):
