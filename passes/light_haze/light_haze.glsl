@@ -96,11 +96,11 @@ Float weight_between(IN(Ray) ray, Vec3 from, Vec3 to, Float miss, Float middle) 
 
 // Where a ray meets more edges than these budgets allow, it is divided less finely. It may be halved so often,
 // and once more for each two steps that it has gone.
-#define SPLITS_AT_ONCE 48.0f
+#define SPLITS_AT_ONCE 64.0f
 // A stretch that is not halved has at most so many parts, a ray so many at once and a few more for each step.
 #define MOST_PARTS 16.0f
-#define PARTS_AT_ONCE 256.0f
-#define PARTS_A_STEP 4.0f
+#define PARTS_AT_ONCE 384.0f
+#define PARTS_A_STEP 2.0f
 
 void main() {
   ViewRange range = fetch_view_range(view_range);
