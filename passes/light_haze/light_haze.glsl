@@ -102,77 +102,130 @@ Float weight_between(IN(Ray) ray, Vec3 from, Vec3 to, Float miss, Float middle) 
 #define PARTS_AT_ONCE 384.0f
 #define PARTS_A_STEP 2.0f
 
-void main() {
+// The part of the camera's ray that the light reaches.
+struct Way {
+  Ray ray;
+  Float entry;         // of the ray into the medium, metres
+  Float beyond_entry;  // where the part starts, from there
+  Float stride;        // a step's length; 0 where no light reaches the ray
+  Float miss;          // of a light with a position: how near the ray passes it
+  Float toward;        // of other lights: the phase function
+  Vec3 q_start;        // the part's start in the axes of the light's views, and a step
+  Vec3 q_step;
+};
+
+Way reached_way() {
   ViewRange range = fetch_view_range(view_range);
-  Ray ray = camera_ray(u.camera);
-  Float miss = Float(0.0f);
+  Way way;
+  way.ray = camera_ray(u.camera);
+  way.miss = Float(0.0f);
   Vec2 reached = Vec2(range.entry, range.exit);
   if (u.light.has_position != 0) {
-    miss = distance_from_light(ray, range);
-    reached = reached_by_light(reached, ray);
+    way.miss = distance_from_light(way.ray, range);
+    reached = reached_by_light(reached, way.ray);
   }
-  float steps = float(u.steps);
-  Float stride = max_of(reached.y - reached.x, 0.0f) / steps;
-  Float toward = phase_function(u.medium, -dot3(Vec3(u.light.direction), ray.direction));
-  Vec3 q_start = view_coordinates(u.shadow_view, point_along(ray, reached.x));
-  Vec3 q_step = transform_vector(u.shadow_view.from_scene, ray.direction) * stride;
-  Float beyond_entry = reached.x - range.entry;
+  way.entry = range.entry;
+  way.beyond_entry = reached.x - range.entry;
+  way.stride = max_of(reached.y - reached.x, 0.0f) / float(u.steps);
+  way.toward = phase_function(u.medium, -dot3(Vec3(u.light.direction), way.ray.direction));
+  way.q_start = view_coordinates(u.shadow_view, point_along(way.ray, reached.x));
+  way.q_step = transform_vector(u.shadow_view.from_scene, way.ray.direction) * way.stride;
+  return way;
+}
 
+RayPoint at_step(IN(Way) way, Float at) {
+  return point_on(way.ray, way.entry, way.beyond_entry + way.stride * at);
+}
+
+// How far a walk along the way has come, in steps.
+struct Walk {
+  Float at;
+  Float end;   // of the stretch at hand
+  Float size;  // of it, but for the last one
+  Float splits;
+  Float parts;
+};
+
+// Steps without a position are longer: all but the way through the medium is integrated exactly.
+Float largest_size() {
+  Float size = Float(1.0f);
+  if (u.light.has_position == 0) size = Float(4.0f);
+  return size;
+}
+
+Walk started(Float stride) {
+  Walk w;
+  w.at = sel(stride > 0.0f, Float(0.0f), Float(float(u.steps)));
+  w.size = largest_size();
+  w.end = min_of(w.at + w.size, Float(float(u.steps)));
+  w.splits = Float(0.0f);
+  w.parts = Float(0.0f);
+  return w;
+}
+
+// The stretch's first half next, or what follows it, as large as its place among the steps allows.
+Walk next_stretch(IN(Walk) before, Bool split) {
+  Walk w = before;
+  w.at = sel(split, before.at, before.end);
+  w.size = sel(split, before.size * 0.5f, before.size);
+  for (int k = 0; k < 2; k++) {
+    Bool whole = floor(w.at / (w.size * 2.0f)) * (w.size * 2.0f) == w.at;
+    w.size = sel(!split && whole && w.size < largest_size(), w.size * 2.0f, w.size);
+  }
+  w.end = min_of(w.at + w.size, Float(float(u.steps)));
+  w.splits = sel(split, before.splits + 1.0f, before.splits);
+  return w;
+}
+
+Bool is_to_be_split(IN(Walk) w, IN(Verdict) v) {
+  Bool coarse = v.texels > MOST_TEXELS && w.size > 0.0005f;
+  return !v.dark && !v.even && coarse && w.splits < w.at * 0.5f + SPLITS_AT_ONCE;
+}
+
+// Of a stretch that is not split.
+Float parts_allowed(IN(Walk) w, IN(Verdict) v) {
+  Float left = max_of(PARTS_AT_ONCE + PARTS_A_STEP * w.at - w.parts, PARTS_A_STEP * (w.end - w.at));
+  return clamp_to(floor(v.texels) + 1.0f, 1.0f, clamp_to(floor(left), 1.0f, MOST_PARTS));
+}
+
+Vec3 scattered_between(IN(Way) way, IN(RayPoint) from, IN(RayPoint) to, IN(Lit) lit, Float steps) {
+  Float weight = way.toward * (way.stride * steps);
+  if (u.light.has_position != 0) {
+    weight = weight_between(way.ray, from.position, to.position, way.miss, lit.middle);
+  }
+  return lit.share * mean_transmittance(from, to, lit.middle) * weight;
+}
+
+void main() {
+  Way way = reached_way();
   Vec3 sum = Vec3(0.0f);
-  RayPoint here = point_on(ray, range.entry, beyond_entry);
+  RayPoint here = at_step(way, Float(0.0f));
   Bool here_stands = Bool(true);  // at the stretch's start
-  float largest = 1.0f;
-  // Without a position all but the way through the medium is integrated exactly.
-  if (u.light.has_position == 0) largest = 4.0f;
-  Float at = sel(stride > 0.0f, Float(0.0f), Float(steps));  // in steps
-  Float size = Float(largest);
-  Float splits = Float(0.0f);
-  Float parts = Float(0.0f);
-  for (int i = 0; any_lane(at < steps); i++) {
-    Float end = min_of(at + size, Float(steps));
-    Stretch s = stretch_between(q_start + q_step * at, q_start + q_step * end);
+  Walk w = started(way.stride);
+  for (int i = 0; any_lane(w.at < float(u.steps)); i++) {
+    Stretch s = stretch_between(way.q_start + way.q_step * w.at, way.q_start + way.q_step * w.end);
     Verdict v = verdict_on(s);
-    Bool uneven = !v.dark && !v.even;
-    Bool split = uneven && v.texels > MOST_TEXELS && size > 0.0005f && splits < at * 0.5f + SPLITS_AT_ONCE;
-    Bool lit = at < steps && !split && !v.dark;
+    Bool split = is_to_be_split(w, v);
+    Bool lit = w.at < float(u.steps) && !split && !v.dark;
     if (any_lane(lit)) {
       if (any_lane(lit && !here_stands)) {
-        RayPoint start = point_on(ray, range.entry, beyond_entry + stride * at);
+        RayPoint start = at_step(way, w.at);
         here.position = sel(here_stands, here.position, start.position);
         here.way = sel(here_stands, here.way, start.way);
         here.left = sel(here_stands, here.left, start.left);
       }
-      RayPoint next = point_on(ray, range.entry, beyond_entry + stride * end);
-      Lit seen;
-      seen.share = pane_tint((s.from + s.to) * 0.5f);
-      seen.middle = Float(0.5f);
-      Bool divided = lit && uneven;
-      if (any_lane(divided)) {
-        Float left = max_of(PARTS_AT_ONCE + PARTS_A_STEP * at - parts, PARTS_A_STEP * (end - at));
-        Float most = clamp_to(floor(left), 1.0f, MOST_PARTS);
-        Float now = sel(divided, clamp_to(floor(v.texels) + 1.0f, 1.0f, most), Float(1.0f));
-        Lit found = lit_parts(s, v.tinted, now);
-        seen.share = sel(divided, found.share, seen.share);
-        seen.middle = sel(divided, found.middle, seen.middle);
-        parts = sel(divided, parts + now, parts);
-      }
-      Float weight = toward * (stride * (end - at));
-      if (u.light.has_position != 0) {
-        weight = weight_between(ray, here.position, next.position, miss, seen.middle);
-      }
-      sum = sum + sel(lit, seen.share * mean_transmittance(here, next, seen.middle) * weight, Vec3(0.0f));
+      RayPoint next = at_step(way, w.end);
+      Bool divided = lit && !v.even;
+      Float parts = sel(divided, parts_allowed(w, v), Float(0.0f));
+      Vec3 scattered = scattered_between(way, here, next, lit_along(s, v.tinted, parts), w.end - w.at);
+      sum = sum + sel(lit, scattered, Vec3(0.0f));
+      w.parts = w.parts + parts;
       here.position = sel(lit, next.position, here.position);
       here.way = sel(lit, next.way, here.way);
       here.left = sel(lit, next.left, here.left);
     }
     here_stands = (here_stands && split) || lit;
-    at = sel(split, at, end);
-    size = sel(split, size * 0.5f, size);
-    for (int k = 0; k < 2; k++) {
-      Bool whole = floor(at / (size * 2.0f)) * (size * 2.0f) == at;
-      size = sel(!split && whole && size < largest, size * 2.0f, size);
-    }
-    splits = sel(split, splits + 1.0f, splits);
+    w = next_stretch(w, split);
   }
   haze = Vec4(Vec3(u.light.intensity) * Vec3(u.medium.scattering) * sum, Float(0.0f));
 }

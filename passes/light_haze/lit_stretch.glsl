@@ -54,15 +54,15 @@ Bounds bounds_along(Texture blocks, IN(View) view, IN(Stretch) s, float outside)
   Bool known = s.ahead && extent < MOST_BLOCKS && !no_part;
   Int column = floor_to_int(a.x);
   Int row = floor_to_int(a.y);
-  Bool one_block = column == floor_to_int(b.x) && row == floor_to_int(b.y);
-  Int pieces = sel(known && !one_block, floor_to_int(extent) + 1, Int(0));
+  Bool more = known && (column != floor_to_int(b.x) || row != floor_to_int(b.y));
+  Int pieces = sel(more, floor_to_int(extent) + 1, Int(0));
   Vec2 piece = (b - a) / max_of(Float(pieces), 1.0f);
 
+  Vec4 first = fetch_clamped(blocks, column, row);
   Bounds found;
   found.extent = extent / side;
-  found.lower = Float(NO_SURFACE);
-  found.upper = Float(-NO_SURFACE);
-  if (any_lane(known)) found = wider(found, fetch_clamped(blocks, column, row));
+  found.lower = first.x;
+  found.upper = first.y;
   for (int i = 1; any_lane(pieces >= i); i++) {
     Bool counts = pieces >= i;
     Int x = floor_to_int(a.x + piece.x * float(i));
@@ -70,10 +70,10 @@ Bounds bounds_along(Texture blocks, IN(View) view, IN(Stretch) s, float outside)
     Bounds next = wider(found, fetch_clamped(blocks, x, y));
     Bool corner = counts && x != column && y != row;
     if (any_lane(corner)) {
-      // Between two blocks that meet at a corner the piece goes through the one whose border it crosses first.
-      Float to_x = abs(Float(max_of(x, column)) - (a.x + piece.x * float(i - 1))) * abs(piece.y);
-      Float to_y = abs(Float(max_of(y, row)) - (a.y + piece.y * float(i - 1))) * abs(piece.x);
-      Bool x_first = to_x < to_y;
+      // Between two blocks that meet at a corner the piece goes through the one whose border it meets first.
+      Vec2 from = a + piece * float(i - 1);
+      Float to_x = abs(Float(max_of(x, column)) - from.x) * abs(piece.y);
+      Bool x_first = to_x < abs(Float(max_of(y, row)) - from.y) * abs(piece.x);
       Bounds third = wider(next, fetch_clamped(blocks, sel(x_first, x, column), sel(x_first, row, y)));
       next.lower = sel(corner, third.lower, next.lower);
       next.upper = sel(corner, third.upper, next.upper);
@@ -200,4 +200,18 @@ Lit lit_parts(IN(Stretch) s, Bool tinted, Float parts) {
   result.share = sum / parts;
   result.middle = sel(lit > 0.0f, moment / (sel(lit > 0.0f, lit, Float(1.0f)) * parts), Float(0.5f));
   return result;
+}
+
+// By parts where there are any; without, all of it is lit.
+Lit lit_along(IN(Stretch) s, Bool tinted, Float parts) {
+  Lit lit;
+  lit.share = pane_tint((s.from + s.to) * 0.5f);
+  lit.middle = Float(0.5f);
+  Bool divided = parts > 0.0f;
+  if (any_lane(divided)) {
+    Lit found = lit_parts(s, tinted, max_of(parts, 1.0f));
+    lit.share = sel(divided, found.share, lit.share);
+    lit.middle = sel(divided, found.middle, lit.middle);
+  }
+  return lit;
 }

@@ -68,7 +68,8 @@ Float pane_spread(Int column, Int row) {
   int side = texture_width(pane_transmittance);
   for (int j = -1; j <= most_texels(side); j++) {
     for (int i = -1; i <= most_texels(side); i++) {
-      Vec3 left = Vec3(fetch_clamped(pane_transmittance, first_texel(column, side) + i, first_texel(row, side) + j));
+      Int x = first_texel(column, side) + i;
+      Vec3 left = Vec3(fetch_clamped(pane_transmittance, x, first_texel(row, side) + j));
       least = Vec3(min_of(least.x, left.x), min_of(least.y, left.y), min_of(least.z, left.z));
       most = Vec3(max_of(most.x, left.x), max_of(most.y, left.y), max_of(most.z, left.z));
     }
