@@ -94,7 +94,8 @@ Float weight_between(IN(Ray) ray, Vec3 from, Vec3 to, Float miss, Float middle) 
          phase_function(u.medium, -dot3(travel, ray.direction));
 }
 
-// Where a ray meets more edges than these budgets allow, it is divided less finely. It may be halved so often,
+// Where a ray meets more edges than these budgets allow, it is divided less finely. It may be halved so
+// often,
 // and once more for each two steps that it has gone.
 #define SPLITS_AT_ONCE 64.0f
 // A stretch that is not halved has at most so many parts, a ray so many at once and a few more for each step.

@@ -32,6 +32,14 @@ struct Bounds {
   Float extent;  // of the stretch in the map, along the side where it is longer, 0..1 of the map
 };
 
+Bounds bounds_of(Vec4 block, Float extent) {
+  Bounds b;
+  b.lower = block.x;
+  b.upper = block.y;
+  b.extent = extent;
+  return b;
+}
+
 Bounds wider(IN(Bounds) b, Vec4 block) {
   Bounds result = b;
   result.lower = min_of(b.lower, block.x);
@@ -58,11 +66,7 @@ Bounds bounds_along(Texture blocks, IN(View) view, IN(Stretch) s, float outside)
   Int pieces = sel(more, floor_to_int(extent) + 1, Int(0));
   Vec2 piece = (b - a) / max_of(Float(pieces), 1.0f);
 
-  Vec4 first = fetch_clamped(blocks, column, row);
-  Bounds found;
-  found.extent = extent / side;
-  found.lower = first.x;
-  found.upper = first.y;
+  Bounds found = bounds_of(fetch_clamped(blocks, column, row), extent / side);
   for (int i = 1; any_lane(pieces >= i); i++) {
     Bool counts = pieces >= i;
     Int x = floor_to_int(a.x + piece.x * float(i));
@@ -84,7 +88,7 @@ Bounds bounds_along(Texture blocks, IN(View) view, IN(Stretch) s, float outside)
     row = y;
   }
   Bool inside = inside_unit(a.x / side, a.y / side) && inside_unit(b.x / side, b.y / side);
-  found.lower = sel(no_part, Float(outside), sel(known, min_of(found.lower, outside), Float(-NO_SURFACE)));
+  found.lower = sel(known, min_of(found.lower, outside), sel(no_part, Float(outside), Float(-NO_SURFACE)));
   found.upper = sel(no_part, Float(outside), sel(known && inside, found.upper, Float(NO_SURFACE)));
   return found;
 }
