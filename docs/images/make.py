@@ -44,7 +44,7 @@ PICTURES = {  # name: (frames in a row, [(scene, options), ...])
     'real_glass': (2, [(f'glass/{scene}', f'-r 400x225 -D further.share={share}')
                        for scene in ('drinking_glass', 'bottle_of_liquid') for share in (1, 0.05)]),
     'water_plops': (1, [('water_plops', '-r 480x270')]),
-    'hazy_lens': (1, [('hazy_lens', '-r 480x270 --exposure 3.5')]),
+    'hazy_lens': (1, [('hazy_lens', '-r 480x270 --exposure 1')]),
 }
 # With traced light in the last column, which has other bits with another ray tracer: made where named.
 TRACED = {
@@ -65,7 +65,7 @@ DUMPS = {  # name: (scene, options): small frames that together run every pass
     'paper': ('receivers', '-r 192x108 --preset paper --estimator impostor --map 128 -D shadow=128'),
     'followed': ('receivers', '-r 192x108 --grid 128 --map 128 -D further.share=0 -D bounces=3 -D splits=0'),
     'tumbler': ('glass/drinking_glass', '-r 192x108 --grid 128 --map 128 -D bounces=3 -D splits=0'),
-    'lens': ('hazy_lens', '-r 192x108 --grid 128 --map 128 -D shafts=64 --exposure 3.5'),
+    'lens': ('hazy_lens', '-r 192x108 --grid 128 --map 128 -D shafts=64 --exposure 1'),
     'panes': ('thin_panes', '-r 192x108 --grid 128 --map 128 -D shadow=128'),
     'pool': ('water_plops', '-r 96x54 --grid 64 --map 64'),
     'smooth': ('receivers', '-r 192x108 --grid 128 --map 128 -D shadow=128 -D samples=4'),

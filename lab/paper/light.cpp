@@ -181,7 +181,7 @@ Row absorption_row() {
 Row haze_row() {
   return {"30",
           "caustics in a volume: a lens in haze",
-          {{"haze", "hazy_lens.glb", {"-r", "960x540", "--exposure", "3.5"}}},
+          {{"haze", "hazy_lens.glb", {"-r", "960x540", "--exposure", "1"}}},
           "haze",
           "the medium takes its share; ledger within 1e-5",
           [](const Shots& s) -> Finding {

@@ -104,7 +104,7 @@ TEST_CASE("surroundings: a body with small glass parts is the thing, and nothing
   CHECK(found.thing.lower.y == Approx(-1.0));
 }
 
-TEST_CASE("surroundings: without glass too, what stands on a floor is the thing; alone, a floor is") {
+TEST_CASE("surroundings: without glass too, what stands on a floor is the thing, and alone a floor is") {
   Scene scene;
   scene.materials = {diffuse(0.8f)};
   scene.meshes = {sphere(glm::dvec3(0.0), 1.0, 2, 0), floor(5.0, -1.0, 0)};
