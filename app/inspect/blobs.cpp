@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 #include "app/json.hpp"
 #include "lab/study/html.hpp"
@@ -121,7 +122,9 @@ Json Blobs::add(std::span<const std::uint16_t> values) {
 Json Blobs::add(std::span<const std::uint32_t> values) { return add_words(values, 1, "u32"); }
 
 Json Blobs::add_floats(std::span<const float> values, int channels) {
-  return add_words({reinterpret_cast<const std::uint32_t*>(values.data()), values.size()}, channels, "f32");
+  std::vector<std::uint32_t> words(values.size());
+  if (!values.empty()) std::memcpy(words.data(), values.data(), values.size_bytes());
+  return add_words(words, channels, "f32");
 }
 
 }  // namespace caustics::app
