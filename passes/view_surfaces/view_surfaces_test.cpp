@@ -419,8 +419,9 @@ TEST_CASE("view_surfaces: a pixel sees more of a texture where the surface leans
 }
 
 TEST_CASE("view_surfaces: an oblong texture's coarser levels are found along its longer side") {
-  // Along the longer side texels 0, 1, 2, ... 7: level 2 has their halves' means, 1.5 and 5.5, level 3 that of all, 3.5.
-  // Four and eight texels a pixel; the pixel (2, 4) looks at a quarter of the picture across, and up.
+  // Along the longer side texels 0, 1, 2, ... 7: level 2 has their halves' means, 1.5 and 5.5, level 3 that
+  // of all, 3.5. Four and eight texels a pixel; the pixel (2, 4) looks at a quarter of the picture across,
+  // and up.
   for (const bool is_wide : {true, false}) {
     Image ramp(Format::RGBA16F, is_wide ? 8 : 2, is_wide ? 2 : 8);
     for (int y = 0; y < ramp.height(); ++y)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Draws faults: places by lines over all rooms, operators (operators.py) by chance, all from a seed.
   draw.py COUNT SEED         prints what it would draw
-A fault that does not compile is on the list `refused` of the planted copy (plant.py) and another takes its place."""
+A fault that does not compile is on the list `refused` of the planted copy (plant.py), and another takes its
+place."""
 import functools
 import random
 import re
@@ -24,9 +25,11 @@ ROOMS = {
     'shaders': ('pipeline/shader/',),
     'raster': ('raster/', 'gl_backend/'),
 }
-# Declarations, other lane widths than the planted build's, builds without a library, and texts for no test to hold.
-LEFT_OUT = re.compile(r'_test\.cpp$|_uniforms\.glsl$|without_|prelude|/lanes/sixteen|passes/template/|app/completion/|'
-                      r'app/doctor|std140|point_quads')
+# Declarations, other lane widths than the planted build's, builds without a library, and texts that describe
+# the machine or the options.
+LEFT_OUT = re.compile(r'_test\.cpp$|_uniforms\.glsl$|without_|prelude|/lanes/sixteen|'
+                      r'passes/template/|'
+                      r'app/completion/|app/doctor|std140|point_quads')
 WIDEST = 400  # characters
 
 
@@ -79,7 +82,8 @@ def places_of(path):
 
 def shares(rooms, count):
     """How many of `count` each room gets, by its lines; the largest remainders round up."""
-    lines = {room: sum((ROOT / path).read_text().count('\n') for path in paths) for room, paths in rooms.items()}
+    lines = {room: sum((ROOT / path).read_text().count('\n') for path in paths)
+             for room, paths in rooms.items()}
     exact = {room: count * n / sum(lines.values()) for room, n in lines.items()}
     whole = {room: int(share) for room, share in exact.items()}
     for room in sorted(exact, key=lambda r: whole[r] - exact[r])[:count - sum(whole.values())]:

@@ -40,7 +40,8 @@ std::string fault_script() {
          "const FAULT = (number) => { caustics_reached.add(number); return number === " +
          std::to_string(caustics_fault) +
          "; };\n"
-         "const altered = (value) => /[0-9]/.test(`${value}`) ? `${value}`.replace(/[0-9]/, (digit) => (+digit + "
+         "const altered = (value) => /[0-9]/.test(`${value}`) ? `${value}`.replace(/[0-9]/, (digit) => "
+         "(+digit + "
          "1) % 10)\n"
          "  : `?${[...`${value}`].reverse().join(\"\")}`;\n";
 }

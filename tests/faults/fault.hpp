@@ -6,7 +6,8 @@
 
 // The number of the fault that the variable CAUSTICS_FAULT names; 0 without one.
 extern "C" int caustics_fault;
-// A byte for each place: whether it was reached. Two places may share one; the tests of both are tried for both.
+// A byte for each place: whether it was reached. Two places may share one; the tests of both are tried for
+// both.
 extern "C" unsigned char* caustics_reached;
 
 constexpr int kFaultPlaces = 1 << 16;

@@ -1,5 +1,5 @@
-"""Put into the planted copy of the sources (plant.py): what a page's script needs to choose a fault, as fault.cpp
-says it."""
+"""Put into the planted copy of the sources (plant.py): what a page's script needs to choose a
+fault, as fault.cpp says it."""
 import os
 
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Runs faults of a planted build, each with the tests that should notice it: those of the lists with the tests that
-they name, drawn ones with all tests that reach their place, the cheapest first.
+"""Runs faults of a planted build, each with the tests that should notice it: those of the lists with the
+tests that they name, drawn ones with all tests that reach their place, the cheapest first.
   notice.py BUILD [NAME ...]          the faults of the lists; NAME: a fault or a room, of both kinds
   notice.py BUILD --drawn [ROOM ...]  the drawn ones
     --sample COUNT SEED   so many of the lists, and with --drawn as many of the drawn ones as there are
     --quick               without the tests that compute long
-    --promised SHARE      how much of the drawn ones is noticed, as the README says: with fewer than a sample of
-                          that share has but once in a hundred times, it fails
+    --promised SHARE      what share of the drawn ones is noticed: it fails with fewer than a sample of
+                          so many has but once in a hundred times
     --jobs N, --json FILE
 Exit 1 when a test fails without a fault, a fault of the lists goes unnoticed, or the drawn ones' score is too
 low."""
@@ -56,7 +56,8 @@ class Tests:
         environment = {'CAUSTICS_FAULT': fault, 'CAUSTICS_PROGRAM': str(self.build / 'caustics')}
         with tempfile.TemporaryDirectory() as folder:
             status, output = run(command, environment, folder, LONGEST)
-        return status in (0, SKIPPED) and 'No test' not in output, 'does not end' if status is None else output
+        passes = status in (0, SKIPPED) and 'No test' not in output
+        return passes, 'does not end' if status is None else output
 
     def has_opengl(self):
         scene = str(ROOT / 'scenes/slab.glb')
@@ -90,7 +91,8 @@ class DrawnTests:
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('build', type=pathlib.Path)
     parser.add_argument('names', nargs='*')
     parser.add_argument('--drawn', action='store_true')
@@ -125,13 +127,14 @@ def table(rows, kind):
     for room in [*rooms, 'all']:
         of_room = [row for row in rows if room in (row['room'], 'all')]
         noticed = sum(1 for row in of_room if row['noticed_by'])
-        lines.append(f'| {room} | {len(of_room)} | {noticed} | {100 * noticed / max(len(of_room), 1):.0f} % |')
+        share = 100 * noticed / max(len(of_room), 1)
+        lines.append(f'| {room} | {len(of_room)} | {noticed} | {share:.0f} % |')
     return '\n'.join(lines)
 
 
 def fewest(count, share):
-    """The largest number of which a sample of `count` has fewer with a chance of at most 1 %, where `share` is true of
-    all."""
+    """The largest number of which a sample of `count` has fewer with a chance of at most 1 %, where
+    `share` is true of all."""
     below = 0.0
     for noticed in range(count + 1):
         below += math.comb(count, noticed) * share**noticed * (1 - share)**(count - noticed)
@@ -160,7 +163,8 @@ def main():
     listed, drawn = chosen(wanted, all_faults(), drawn_in(source))
     if any(f.file.startswith('gl_backend/') for f in listed + drawn) and not tests.has_opengl():
         print('OpenGL does not work here: the faults of gl_backend are left out', flush=True)
-        listed, drawn = ([f for f in faults if not f.file.startswith('gl_backend/')] for faults in (listed, drawn))
+        listed, drawn = ([f for f in faults if not f.file.startswith('gl_backend/')]
+                         for faults in (listed, drawn))
     good, rows = True, []
     with concurrent.futures.ThreadPoolExecutor(wanted.jobs) as pool:
         if listed:

@@ -1,6 +1,6 @@
-"""The operators that make a fault of a place in a text: each yields (kind, begin, end, fault) of a SourceText. A fault
-that ends with `;` takes the place of a statement, any other that of an expression. What cannot show, or only in
-time and memory, is kept out here, by rules and not by name."""
+"""The operators that make a fault of a place in a text: each yields (kind, begin, end, fault) of a
+SourceText. A fault that ends with `;` takes the place of a statement, any other that of an expression. What
+cannot show, or only in time and memory, is kept out here, by rules and not by name."""
 import functools
 import re
 
@@ -12,15 +12,18 @@ BOUNDARIES = {'<': '<=', '>': '>=', '<=': '<', '>=': '>'}
 ARITHMETIC = {'+': '-', '-': '+', '*': '/', '/': '*'}
 COMPOUND = {'+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=', '|=': '&='}
 # Of calls that take the same values in either order, a swap changes nothing.
-SYMMETRIC = {'min', 'max', 'min_of', 'max_of', 'dot', 'dot_of', 'hypot', 'std::min', 'std::max', 'glm::dot', 'swap',
-             'std::swap', 'distance', 'glm::distance', 'Math.min', 'Math.max', 'Math.hypot', 'gcd', 'either_of'}
+SYMMETRIC = {'min', 'max', 'min_of', 'max_of', 'dot', 'dot_of', 'hypot', 'std::min', 'std::max', 'glm::dot',
+             'swap', 'std::swap', 'distance', 'glm::distance', 'Math.min', 'Math.max', 'Math.hypot', 'gcd'}
 # What a statement or a number like these changes is time or memory, never what comes out.
-COST_ONLY = re.compile(r'reserve\(|shrink_to_fit|\bassert|std::move|notify|\block|\bjoin\(|flush|prefetch|\bgrain|'
-                       r'kGrain|[Tt]hread|[Pp]oll|[Ss]leep|yield|cache|kBlock\b|kPiece|malloc|timeout|deadline|'
-                       r'\(void\)|clear\(\)|\.close\(\)|unlink|addEventListener|[Ss]topwatch|capacity')
-NUMBER = re.compile(r'(?<![\w.#"\'])(?:0x[0-9a-fA-F]+|\d+\.\d*(?:e[-+]?\d+)?|\d+(?:e-?\d+)?)(?P<suffix>[fFuUlL]*)(?![\w."\'])')
-COUNTS = re.compile(r'^(?:\d+[uU]?|[ijkn]|\w*(?:count|index|size|width|height|level|depth)\w*|.*\.(?:size\(\)|length)|'
-                    r'.*count\(\))$')
+COST_ONLY = re.compile(r'reserve\(|shrink_to_fit|\bassert|std::move|notify|\block|\bjoin\(|flush|'
+                       r'prefetch|\bgrain|kGrain|[Tt]hread|[Pp]oll|[Ss]leep|yield|cache|'
+                       r'kBlock\b|kPiece|malloc|'
+                       r'timeout|deadline|\(void\)|clear\(\)|'
+                       r'\.close\(\)|unlink|addEventListener|[Ss]topwatch|capacity')
+NUMBER = re.compile(r'(?<![\w.#"\'])(?:0x[0-9a-fA-F]+|\d+\.\d*(?:e[-+]?\d+)?|'
+                    r'\d+(?:e-?\d+)?)(?P<suffix>[fFuUlL]*)(?![\w."\'])')
+COUNTS = re.compile(r'^(?:\d+[uU]?|[ijkn]|\w*(?:count|index|size|width|height|level|depth)\w*|'
+                    r'.*\.(?:size\(\)|length)|.*count\(\))$')
 
 
 def whole(source, span):
@@ -70,7 +73,8 @@ def numbers(source):
         before = source.masked[:match.start()].rstrip()[-1:]
         size = before == '[' and re.match(r'\][\w\s]*(?:[;={]|\[)', source.masked[match.end():].lstrip())
         is_pure = re.search(r'\)[\w\s]*= $', source.masked[:match.start()])
-        if 'x' in digits or before in '<' or size or is_pure or re.search(r'\bcase\s*$', source.masked[:match.start()]):
+        is_label = re.search(r'\bcase\s*$', source.masked[:match.start()])
+        if 'x' in digits or before in '<' or size or is_pure or is_label:
             continue
         value = float(digits)
         if '.' in digits or 'e' in digits:
@@ -113,11 +117,14 @@ def statements(source):
         if code.startswith('return '):
             yield from returned(source, begin, end)
             continue
-        is_jump = re.match(r'continue;|throw |refuse\(|fail\(', code) and source.masked[:begin].rstrip().endswith(')')
+        is_jump = (re.match(r'continue;|throw |refuse\(|fail\(', code) and
+                   source.masked[:begin].rstrip().endswith(')'))
         changes = re.match(r'(?:\+\+|--)?[\w.:>\[\]()*& -]*?(?:\(| [-+*/|&%]?= |\+\+;|--;)', code)
         word = re.match(r'[\w:]+(?:<[^;]*?>)?[&*]? [\w\[]|[\w:]+<.*?>[&*]? ?[\w(]', code)
-        if re.match(r'(?:return|if|for|while|switch|using|const|auto|static|else|do|break|case|delete|throw|goto|let|'
-                    r'var|typedef|extern|struct|class|namespace|function|async|default|public|private)\b', code):
+        if re.match(r'(?:return|if|for|while|switch|using|const|auto|static|else|do|break|case|delete|throw|'
+                    r'goto|let|var|typedef|extern|struct|class|namespace|function|async|default|public|'
+                    r'private)\b',
+                    code):
             changes = None
         if '{' in code and source.language != 'js' and '}' not in code:
             continue
@@ -132,8 +139,8 @@ def statements(source):
 def returned(source, begin, end):
     first, last = source.stripped(begin + len('return'), end - 1)
     value = source.text[first:last]
-    if re.match(r'(?:\{\}|nullptr|false|true|0|\d+|"[^"]*"|std::nullopt|null|undefined|ExitCode::Done)$', value) or \
-            has_text(source, (first, last)):
+    zero = r'(?:\{\}|nullptr|false|true|0|\d+|"[^"]*"|std::nullopt|null|undefined|ExitCode::Done)$'
+    if re.match(zero, value) or has_text(source, (first, last)):
         return
     if source.language == 'js':
         yield ('return of nothing', begin, end, 'return null;')
@@ -159,7 +166,8 @@ def type_of(source, name, before):
 def calls(source):
     for match in re.finditer(r'(?<![\w.>:])((?:[A-Za-z_]\w*(?:::|\.|->))*[A-Za-z_]\w*)\(', source.masked):
         name, i = match.group(1), source.index.get(match.end() - 1)
-        if i not in source.partner or name in ('if', 'for', 'while', 'switch', 'return', 'sizeof', 'decltype'):
+        if i not in source.partner or name in ('if', 'for', 'while', 'switch', 'return', 'sizeof',
+                                               'decltype'):
             continue
         if re.search(r'[\w>&*]\s$', source.masked[:match.start()]) and not re.search(
                 r'(?:\breturn|\belse|&&|[-+*/] [*&]?)\s$', source.masked[:match.start()]):
@@ -198,7 +206,8 @@ def subscripts(source):
 
 
 def messages(source):
-    """A value printed within a sentence comes out otherwise: `altered` changes its first digit, or else its letters."""
+    """A value printed within a sentence comes out otherwise: `altered` changes its first digit, or else its
+    letters."""
     if source.language == 'js':
         for match in re.finditer(r'`(?:[^`\\]|\\.)*`', source.text):
             for value in re.finditer(r'\$\{([^{}`]+)\}', match.group()):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A copy of the sources that holds faults, to be chosen at run time by a name in the variable CAUSTICS_FAULT. Files
-that are the same already are left alone: a build goes on from there.
+"""A copy of the sources that holds faults, to be chosen at run time by a name in the variable CAUSTICS_FAULT.
+Files that are the same already are left alone: a build goes on from there.
   plant.py FOLDER [--draw COUNT SEED]   every fault of the lists, and COUNT drawn ones (draw.py)
   plant.py FOLDER --mend BUILD.log      plants as before, but others for the drawn faults that the compiler
                                         refused; exit 1 when it refused none of them"""
@@ -29,10 +29,12 @@ WIRING = {
                                    """__import__("fault_script").text() + '(() => {\\n"use strict";\\n' +"""),
     # Where Catch2 shows all that a listener needs.
     'tests/support/catch_main.cpp': ('namespace {\nint skipped = 0;',
-                                     '#include "tests/support/reach_listener.hpp"\nnamespace {\nint skipped = 0;'),
+                                     '#include "tests/support/reach_listener.hpp"\n'
+                                     'namespace {\nint skipped = 0;'),
     # A module, which the program's own names do not reach: it chooses for itself.
     'pipeline/image_io/room.cmake': ('MODULE ${module_sources})',
-                                     'MODULE ${module_sources} ${PROJECT_SOURCE_DIR}/pipeline/gpu/fault.cpp)'),
+                                     'MODULE ${module_sources} '
+                                     '${PROJECT_SOURCE_DIR}/pipeline/gpu/fault.cpp)'),
 }
 # Files of the copy alone.
 ADDED = {'pipeline/gpu/fault.hpp': 'fault.hpp', 'pipeline/gpu/fault.cpp': 'fault.cpp',
@@ -85,8 +87,8 @@ def write(path, data):
 def refused_by_the_compiler(folder, faults, log):
     """The names of the drawn faults on whose lines of the copy the log has an error."""
     errors = {}
-    for path, line in re.findall(rf'^{re.escape(str(folder))}/(\S+?):(\d+):(?:\d+:)? (?:fatal )?(?:error|note|.*required)',
-                                 log, re.M):
+    place = rf'^{re.escape(str(folder))}/(\S+?):(\d+):(?:\d+:)? (?:fatal )?(?:error|note|.*required)'
+    for path, line in re.findall(place, log, re.M):
         errors.setdefault(path, set()).add(int(line))
     names = []
     for path, lines in errors.items():
@@ -99,7 +101,7 @@ def refused_by_the_compiler(folder, faults, log):
 
 
 def draw_for(folder, wanted, taken):
-    """The drawn faults, and what is remembered of them in the folder: how they were drawn, and those refused."""
+    """The drawn faults; the folder remembers how they were drawn, and which were refused."""
     memory = folder / 'drawn.json'
     known = json.loads(memory.read_text()) if memory.is_file() else {}
     if wanted.draw:
@@ -130,7 +132,8 @@ def drawn_in(folder):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('folder', type=pathlib.Path)
     parser.add_argument('--draw', nargs=2, metavar=('COUNT', 'SEED'))
     parser.add_argument('--mend', type=pathlib.Path, metavar='BUILD.log')

@@ -1,5 +1,5 @@
-// Put into the planted copy's main of Catch2's tests (plant.py): writes which places each test case reached, and the seconds that
-// it took, a line each, to the file that the variable CAUSTICS_REACH_LOG names.
+// Put into the planted copy's main of Catch2's tests (plant.py): writes which places each test case reached,
+// and the seconds that it took, a line each, to the file that the variable CAUSTICS_REACH_LOG names.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

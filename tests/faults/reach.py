@@ -1,5 +1,5 @@
-"""Which tests reach which places of a planted build, and what each takes: found by one run of all tests without a
-fault, kept beside the build, and found anew after each build."""
+"""Which tests reach which places of a planted build, and what each takes: found by one run of all tests
+without a fault, kept beside the build, and found anew after each build."""
 import dataclasses
 import json
 import os
@@ -13,13 +13,14 @@ import tempfile
 SKIPPED = 4  # tests/support/skip.hpp: what cannot run notices nothing
 LONGEST = 900  # seconds; what takes longer hangs, which a test run notices, too
 # What needs more than the planted copy has, or compares times.
-LEFT_OUT = {'launcher_test.py', 'docs_pictures_test.py', 'povray_test.py', 'command_line_doc_test.py', 'bench_test.py'}
+LEFT_OUT = {'launcher_test.py', 'docs_pictures_test.py', 'povray_test.py', 'command_line_doc_test.py',
+            'bench_test.py'}
 # What computes long; `--quick` leaves it out.
 SLOW_CASES = (
     'truth', 'area light', 'all around', 'water film', 'torture', 'textured casters', 'hard cases', 'failing',
     'parity', 'random', 'gl: memory', 'Draco data', 'determinism', 'lanes: random', 'Sphere', 'Half ring')
-SLOW_FILES = {'compare_metrics_test.py', 'frame_costs_test.py', 'gl_test.py', 'study_test.py', 'paper_test.py',
-              'faults_test.py'}
+SLOW_FILES = {'compare_metrics_test.py', 'frame_costs_test.py', 'gl_test.py', 'study_test.py',
+              'paper_test.py', 'faults_test.py'}
 
 
 CATCH2_PARTS = 4
@@ -37,8 +38,8 @@ def run(command, environment, folder, timeout):
     """Exit status and output; the whole group of processes ends with it. None where it does not end."""
     environment = {**os.environ, 'PYTHONDONTWRITEBYTECODE': '1', **environment}
     with tempfile.TemporaryFile('w+', errors='replace') as output:
-        child = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=output,
-                                 stderr=subprocess.STDOUT, start_new_session=True)
+        child = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                 stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
         try:
             status = child.wait(timeout)
         except subprocess.TimeoutExpired:
@@ -54,7 +55,8 @@ def run(command, environment, folder, timeout):
 
 
 def files_of_tests(source, quick):
-    files = sorted((source / 'tests/program').glob('*_test.py')) + [source / 'tests/inspect/inspect_page_test.py']
+    files = [*sorted((source / 'tests/program').glob('*_test.py')),
+             source / 'tests/inspect/inspect_page_test.py']
     return [file for file in files if file.name not in LEFT_OUT and not (quick and file.name in SLOW_FILES)]
 
 
@@ -90,11 +92,14 @@ def find(build, source, quick, pool):
         for part in range(CATCH2_PARTS):
             log = scratch / f'catch2_{part}'
             command = [str(build / 'caustics_tests'), *map(pattern, names[part::CATCH2_PARTS])]
-            answers.append(('', log, pool.submit(run, command, {**program, 'CAUSTICS_REACH_LOG': str(log)}, scratch, 4000)))
+            logged = {**program, 'CAUSTICS_REACH_LOG': str(log)}
+            answers.append(('', log, pool.submit(run, command, logged, scratch, 4000)))
         for file in files_of_tests(source, quick):
             log = scratch / file.name
-            command = [interpreter(file), str(pathlib.Path(__file__).with_name('reach_of.py')), str(file), str(log)]
-            answers.append((str(file.relative_to(source)), log, pool.submit(run, command, program, scratch, 4000)))
+            runner = str(pathlib.Path(__file__).with_name('reach_of.py'))
+            command = [interpreter(file), runner, str(file), str(log)]
+            name = str(file.relative_to(source))
+            answers.append((name, log, pool.submit(run, command, program, scratch, 4000)))
         for file, log, answer in answers:
             status, output = answer.result()
             if not log.is_file():
@@ -119,7 +124,8 @@ def known_or_found(build, source, quick, pool):
 
 
 def groups(tests):
-    """Tests that run in one process each, the cheapest first: Catch2's in shares that grow, a file's methods."""
+    """Groups of tests that share a process, the cheapest first: of Catch2's in shares that grow, of a file's
+    methods."""
     shares, sum_of_share, limit = [[]], 0.0, 0.5
     for test in sorted((t for t in tests if not t.file), key=lambda t: t.seconds):
         if shares[-1] and sum_of_share + test.seconds > limit:
@@ -167,9 +173,10 @@ class Runner:
         return '.'.join(reversed(found[0])).replace('.setUpClass', '') if found else group[0].name
 
     def notices(self, group, fault):
-        """The test that fails with the fault and not without; a busy machine makes some fail by themselves."""
+        """The test that fails with the fault and not without: a busy machine makes some fail by
+        themselves."""
         name = self.failing(group, fault)
-        if name is None or not group[0].file or name == 'does not end':
+        if name is None or not (group[0].file or name == 'does not end'):
             return name
         again = [test for test in group if test.name == name or test.name.startswith(name + '.')] or group
         return name if self.failing(again, '') is None else None

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""reach_of.py TEST.py LOG: runs the methods of a file of tests against a planted program, and writes a line for each:
-its name, the seconds it took, 1 where it passed, and the places that it reached, as reach.cpp does for Catch2's."""
+"""reach_of.py TEST.py LOG: runs the methods of a file of tests against a planted program, and writes a line
+for each: its name, the seconds it took, 1 where it passed, and the places that it reached, as reach.cpp
+does for Catch2's."""
 import importlib.util
 import os
 import pathlib

@@ -1,16 +1,18 @@
-"""What drawing faults needs to know of a text in C++, in the shaders' common subset or in JavaScript: where its
-comments and strings stand, where an operand begins and ends, and what no variable can change at run time."""
+"""What drawing faults needs to know of a text in C++, in the shaders' common subset or in JavaScript:
+where its comments and strings stand, where an operand begins and ends, and what no variable can change at
+run time."""
 import re
 
 OPEN, CLOSE = '([{', ')]}'
 STRINGS = {
-    'c': r'//[^\n]*|/\*.*?\*/|R"(?P<raw>\w*)\(.*?\)(?P=raw)"|"(?:[^"\\\n]|\\.)*"|' r"(?<!\w)'(?:[^'\\\n]|\\.)+'",
+    'c': r'//[^\n]*|/\*.*?\*/|R"(?P<raw>\w*)\(.*?\)(?P=raw)"|"(?:[^"\\\n]|\\.)*"|'
+         r"(?<!\w)'(?:[^'\\\n]|\\.)+'",
     'js': r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|' r"'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`|"
           r'(?<=[(,=:&|])\s*/(?![/*\s])(?:[^/\\\n]|\\.)+/[a-z]*',
 }
-PRECEDENCE = {'||': 4, '??': 4, '&&': 5, '|': 6, '^': 7, '&': 8, '==': 9, '!=': 9, '===': 9, '!==': 9, '<=>': 10,
-              '<': 10, '>': 10, '<=': 10, '>=': 10, '<<': 11, '>>': 11, '+': 12, '-': 12, '*': 13, '/': 13,
-              '%': 13}
+PRECEDENCE = {'||': 4, '??': 4, '&&': 5, '|': 6, '^': 7, '&': 8, '==': 9, '!=': 9, '===': 9, '!==': 9,
+              '<=>': 10, '<': 10, '>': 10, '<=': 10, '>=': 10, '<<': 11,
+              '>>': 11, '+': 12, '-': 12, '*': 13, '/': 13, '%': 13}
 # Binary operators stand between blanks, as the formatter writes them; templates and pointers do not.
 TOKEN = re.compile(
     r'[()\[\]{};,]|\?\?|\?(?!\.)|(?<!:):(?!:)|'
@@ -49,8 +51,8 @@ class SourceText:
         return partner
 
     def fixed_spans(self):
-        """What the compiler evaluates, and what is not code: preprocessor lines, whole conditional parts, constants,
-        declarations of shaders."""
+        """What the compiler evaluates, and what is not code: preprocessor lines, whole conditional parts,
+        constants, declarations of shaders."""
         spans = [match.span() for match in re.finditer(r'^[ \t]*#(?:[^\n]*\\\n)*[^\n]*', self.masked, re.M)]
         if self.language == 'glsl':
             names = 'TEXTURE|ATTRIBUTE|VARYING_SMOOTH|VARYING_FLAT|OUTPUT|STACK|CHOICE|TRACE'
@@ -58,8 +60,8 @@ class SourceText:
             return spans
         if self.language == 'cpp':
             spans += [m.span() for m in re.finditer(r'^#if.*?^#endif', self.masked, re.M | re.S)]
-            words = r'\b(?:constexpr|consteval|constinit|static_assert|enum|using|template|requires|noexcept)\b|' \
-                    r'\boperator(?=[^\w\s])|\bif constexpr\b'
+            words = r'\b(?:constexpr|consteval|constinit|static_assert|enum|using|template|requires|' \
+                    r'noexcept)\b|\boperator(?=[^\w\s])|\bif constexpr\b'
             spans += [(m.start(), self.end_of_declaration(m.end())) for m in re.finditer(words, self.masked)]
         return spans
 
@@ -166,7 +168,8 @@ class SourceText:
                 at = self.partner[at]
             elif sign == '{':
                 before = self.masked[:self.tokens[at].start()].rstrip()[-200:]
-                if re.search(r'(?:\)|\bconst|\boverride|\bnoexcept|\belse|\bdo|\btry|\]|-> [\w:<>, *&]+|=>)$', before) or \
+                head = r'(?:\)|\bconst|\boverride|\bnoexcept|\belse|\bdo|\btry|\]|-> [\w:<>, *&]+|=>)$'
+                if re.search(head, before) or \
                         re.search(r'\)\s*:[^;{}]*(?:\{[^{}]*\}[^;{}]*)*$', before):
                     return True
             at -= 1

@@ -377,7 +377,8 @@ class WrittenPage(BrowserTest):
         self.open("panel=ledger", self.two)
         self.wait_text("main", "Where the light of lamp goes")
         heads, boxes, tables = self.browser.execute_script(
-            "const texts = (selector, of = document) => [...of.querySelectorAll(selector)].map(e => e.textContent);"
+            "const texts = (selector, of = document) => [...of.querySelectorAll(selector)].map("
+            "e => e.textContent);"
             "return [texts('.ledger-panel h2'), texts('.ledger-box'), [...document.querySelectorAll("
             "'.ledger-panel table')].map(t => [...t.querySelectorAll('tbody tr')].map(r => texts('td', r)))]"
         )

@@ -1,6 +1,6 @@
-"""Every number that a run prints or writes, computed a second way: from the textures of its dump, from another
-file, or from another command. On a scene of two lights of different kinds, colours and strengths, through coloured
-glass, so that no number stands for another."""
+"""Every number that a run prints or writes, computed a second way: from the textures of its dump, from
+another file, or from another command. On a scene of two lights of different kinds, colours and strengths,
+through coloured glass, so that no number stands for another."""
 
 import json
 import pathlib
@@ -39,8 +39,9 @@ class Numbers(ProgramTest):
         cls.kept = tempfile.TemporaryDirectory()
         cls.of_class = pathlib.Path(cls.kept.name)
         (cls.of_class / "two.glb").write_bytes(scene_of_two_lights())
-        run = subprocess.run([PROGRAM, "two.glb", *SIZES, "--stats", "s.json", "--dump", "d", "-o", "a.exr", "--aov",
-                              "beauty,caustic,direct"], cwd=cls.of_class, capture_output=True, text=True, timeout=300)
+        run = subprocess.run([PROGRAM, "two.glb", *SIZES, "--stats", "s.json", "--dump", "d", "-o", "a.exr",
+                              "--aov", "beauty,caustic,direct"], cwd=cls.of_class, capture_output=True,
+                             text=True, timeout=300)
         assert run.returncode == 0, run.stderr
         cls.said = run.stderr
         cls.stats = json.loads((cls.of_class / "s.json").read_text())
@@ -118,11 +119,14 @@ class Numbers(ProgramTest):
             self.assert_said(percents(kept)[0], sum(flux["in_map"]) / entered)
             said = {part.rsplit(" ", 1)[0].replace(" ", "_"): percents(part)[0] for part in lost.split(", ")}
             true = {name: sum(values) / entered for name, values in flux.items()
-                    if isinstance(values, list) and name not in ("entered", "in_map", "rounding", "rounding_bound")}
-            self.assertEqual(sorted(said), sorted(name for name, share in true.items() if share > 0.001), line)
+                    if isinstance(values, list) and name not in ("entered", "in_map", "rounding",
+                                                                 "rounding_bound")}
+            large = sorted(name for name, share in true.items() if share > 0.001)
+            self.assertEqual(sorted(said), large, line)
             for name, share in said.items():
                 self.assert_said(share, true[name])
-            for number, name in zip(percents(stated), ("total", "map", "grid", "missing", "model", "sampling")):
+            parts = ("total", "map", "grid", "missing", "model", "sampling")
+            for number, name in zip(percents(stated), parts):
                 self.assert_said(number, error[name])
 
     def test_the_line_of_the_caustic_weighs_the_lights_by_their_lumens(self):
@@ -146,8 +150,8 @@ class Numbers(ProgramTest):
 
     def test_the_line_of_the_output_has_the_sizes_that_were_asked_for(self):
         self.assertRegex(self.said, r"(?m)^a\.exr: 64x48, grid 32, map 24 in ")
-        self.assertEqual({name: self.stats["settings"][name] for name in ("width", "height", "grid", "map", "shadow")},
-                         {"width": 64, "height": 48, "grid": 32, "map": 24, "shadow": 64})
+        sizes = {"width": 64, "height": 48, "grid": 32, "map": 24, "shadow": 64}
+        self.assertEqual({name: self.stats["settings"][name] for name in sizes}, sizes)
 
     def test_passes_take_a_fragment_a_pixel_of_what_they_draw_into(self):
         sides = {each["pass"]: (each["width"], each["height"]) for each in self.manifest["passes"]}

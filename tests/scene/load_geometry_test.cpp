@@ -278,7 +278,8 @@ TEST_CASE("Hidden nodes and their children are left out") {
   // Two nodes, of which the second stands in the first.
   const auto shown = [](const std::string& of_parent, const std::string& of_child) {
     Gltf family = triangle();
-    family.node = R"("name":"parent","mesh":0,"children":[1])" + of_parent + R"(},{"name":"child","mesh":0)" + of_child;
+    family.node =
+        R"("name":"parent","mesh":0,"children":[1])" + of_parent + R"(},{"name":"child","mesh":0)" + of_child;
     std::string names;
     for (const Mesh& mesh : load(family).meshes) names += mesh.name + " ";
     return names;

@@ -1,4 +1,5 @@
-// One property of a glTF file after the other is changed: the loaded scene changes in the stated way and in no other.
+// One property of a glTF file after the other is changed: the loaded scene changes in the stated way and in
+// no other.
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -31,7 +32,8 @@ void describe(Description& all, const std::string& name, const TextureUse& use, 
   if (!use.present()) return;
   const glm::vec3 corner = use.uv_transform * glm::vec3(0, 0, 1), far = use.uv_transform * glm::vec3(1, 2, 1);
   all[name + ".at"] = shown(corner) + ", " + shown(far);
-  all[name + ".wrap"] = std::to_string(static_cast<int>(use.wrap_u)) + std::to_string(static_cast<int>(use.wrap_v));
+  all[name + ".wrap"] =
+      std::to_string(static_cast<int>(use.wrap_u)) + std::to_string(static_cast<int>(use.wrap_v));
   all[name + ".nearest"] = std::to_string(use.nearest);
 }
 
@@ -42,13 +44,18 @@ void describe(Description& all, const std::string& name, const Material& m, cons
   all[name + ".alpha_mode"] = std::to_string(static_cast<int>(m.alpha_mode));
   all[name + ".double_sided"] = std::to_string(m.double_sided);
   all[name + ".unlit"] = std::to_string(m.unlit);
-  for (const auto& [key, value] : {std::pair{".least_alpha", m.least_alpha}, {".most_alpha", m.most_alpha},
-                                   {".normal_scale", m.normal_scale}, {".alpha_cutoff", m.alpha_cutoff},
-                                   {".metallic", m.metallic}, {".roughness", m.roughness},
+  for (const auto& [key, value] : {std::pair{".least_alpha", m.least_alpha},
+                                   {".most_alpha", m.most_alpha},
+                                   {".normal_scale", m.normal_scale},
+                                   {".alpha_cutoff", m.alpha_cutoff},
+                                   {".metallic", m.metallic},
+                                   {".roughness", m.roughness},
                                    {".metallic_factor", m.metallic_factor},
                                    {".roughness_factor", m.roughness_factor},
                                    {".occlusion_strength", m.occlusion_strength},
-                                   {".transmission", m.transmission}, {".ior", m.ior}, {".thickness", m.thickness},
+                                   {".transmission", m.transmission},
+                                   {".ior", m.ior},
+                                   {".thickness", m.thickness},
                                    {".attenuation_distance", m.attenuation_distance},
                                    {".dispersion", m.dispersion}})
     all[name + key] = shown(static_cast<double>(value));
@@ -66,8 +73,8 @@ void describe(Description& all, const std::string& name, const Light& light, con
   all[name + ".position"] = shown(light.position + scene.origin);
   all[name + ".direction"] = shown(light.direction);
   all[name + ".shape"] = std::to_string(static_cast<int>(light.shape)) + std::to_string(light.lambertian);
-  all[name + ".size"] = shown(light.radius) + " " + shown(light.angular_radius) + ", " + shown(light.width) + ", " +
-                        shown(light.height);
+  all[name + ".size"] = shown(light.radius) + " " + shown(light.angular_radius) + ", " + shown(light.width) +
+                        ", " + shown(light.height);
   all[name + ".cones"] = shown(light.inner_cone) + " " + shown(light.outer_cone);
   all[name + ".intensity"] = shown(light.intensity);
   all[name + ".range"] = shown(light.range);
@@ -102,7 +109,8 @@ Description described(const std::string& text) {
     std::string& corners = all["mesh " + mesh.name];
     for (const std::uint32_t i : mesh.indices) {
       const Vertex& vertex = mesh.vertices.at(i);
-      corners += shown(glm::dvec3(world(scene, vertex))) + " uv " + shown(vertex.uv.x) + " " + shown(vertex.uv.y) + "; ";
+      corners += shown(glm::dvec3(world(scene, vertex))) + " uv " + shown(vertex.uv.x) + " " +
+                 shown(vertex.uv.y) + "; ";
     }
     all["material of " + mesh.name] = scene.materials.at(static_cast<std::size_t>(mesh.material)).name;
   }
@@ -115,8 +123,12 @@ Description described(const std::string& text) {
 // Two of everything; every property is said, and none at its default.
 std::string file() {
   // 2x2 texels: red 255, 0 over 188, 188, alpha 128; and alpha 204, 51 over 102, 153.
-  const std::string red = "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAFElEQVR42mP4z8DQwADCe4AECAMAKNEEeM/2UfoAAAAASUVORK5CYII=";
-  const std::string veil = "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAFklEQVR42mPg+iV3BoiNGYBEGhDPBAA6iwaHbzjEJAAAAABJRU5ErkJggg==";
+  const std::string red =
+      "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAFElEQVR42mP4z8DQwADCe4AECAMAKNEEeM/"
+      "2UfoAAAAASUVORK5CYII=";
+  const std::string veil =
+      "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAFklEQVR42mPg+"
+      "iV3BoiNGYBEGhDPBAA6iwaHbzjEJAAAAABJRU5ErkJggg==";
   Gltf gltf = triangle();
   gltf.add<float>({0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
   gltf.add<float>({0.5f, 0.5f, 0.25f, 0.5f, 0.5f, 0.75f}, 5126, "VEC2", 3);
@@ -129,28 +141,34 @@ std::string file() {
     {"name":"flat","camera":1,"translation":[0,2,8])";
   gltf.rest = R"(,"materials":[
     {"name":"coat","doubleSided":true,"alphaMode":"MASK","alphaCutoff":0.25,"emissiveFactor":[0.1,0.2,0.3],
-     "pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"metallicFactor":0.125,"roughnessFactor":0.375,
+     "pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"metallicFactor":0.125,
+       "roughnessFactor":0.375,
        "baseColorTexture":{"index":0}},
      "normalTexture":{"index":1,"scale":0.7},"emissiveTexture":{"index":2},
      "occlusionTexture":{"index":1,"strength":0.6},
      "extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":5}}},
     {"name":"glass","pbrMetallicRoughness":{"metallicFactor":0.0625},"extensions":{
       "KHR_materials_transmission":{"transmissionFactor":0.75},"KHR_materials_ior":{"ior":1.25},
-      "KHR_materials_volume":{"thicknessFactor":0.3,"attenuationDistance":0.9,"attenuationColor":[0.8,0.7,0.6]},
+      "KHR_materials_volume":{"thicknessFactor":0.3,"attenuationDistance":0.9,
+        "attenuationColor":[0.8,0.7,0.6]},
       "KHR_materials_dispersion":{"dispersion":0.45}}}],
     "textures":[{"source":0,"sampler":0},{"source":1,"sampler":1},{"source":1}],
     "samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728},{"wrapS":33648}],
-    "images":[{"uri":"data:image/png;base64,)" + red + R"("},{"uri":"data:image/png;base64,)" + veil + R"("}],
+    "images":[{"uri":"data:image/png;base64,)" +
+              red + R"("},{"uri":"data:image/png;base64,)" + veil + R"("}],
     "cameras":[{"name":"its own near","type":"perspective","perspective":{"yfov":0.5,"znear":0.1,"zfar":50}},
       {"name":"its own flat","type":"orthographic","orthographic":{"xmag":3,"ymag":2,"znear":0.2,"zfar":60}}],
     "extensions":{"KHR_lights_punctual":{"lights":[
-      {"name":"its own sun","type":"directional","intensity":7,"color":[0.9,0.8,0.7],"extras":{"angular_diameter":0.5}},
-      {"name":"its own lamp","type":"spot","intensity":90,"color":[0.6,0.5,0.4],"range":30,"extras":{"radius":0.02},
+      {"name":"its own sun","type":"directional","intensity":7,"color":[0.9,0.8,0.7],
+       "extras":{"angular_diameter":0.5}},
+      {"name":"its own lamp","type":"spot","intensity":90,"color":[0.6,0.5,0.4],"range":30,
+       "extras":{"radius":0.02},
        "spot":{"innerConeAngle":0.2,"outerConeAngle":0.4}}]}})";
   std::string json = gltf.json();
   const std::string scene = R"("scenes":[{"nodes":[0])";
-  return json.insert(json.find(scene) + scene.size(),
-                     R"(,"extras":{"medium":{"scattering":0.5,"absorption":[0.1,0.2,0.3],"anisotropy":0.35}})");
+  return json.insert(
+      json.find(scene) + scene.size(),
+      R"(,"extras":{"medium":{"scattering":0.5,"absorption":[0.1,0.2,0.3],"anisotropy":0.35}})");
 }
 
 struct Change {
@@ -159,21 +177,28 @@ struct Change {
 };
 
 const Change kChanges[] = {
-    {R"("baseColorFactor":[0.1,0.2,0.3,0.4])", R"("baseColorFactor":[0.5,0.6,0.7,0.8])",
+    {R"("baseColorFactor":[0.1,0.2,0.3,0.4])",
+     R"("baseColorFactor":[0.5,0.6,0.7,0.8])",
      {{"coat.base_color", "0.5 0.6 0.7 0.8"}}},
-    {R"("metallicFactor":0.125)", R"("metallicFactor":0.25)",
+    {R"("metallicFactor":0.125)",
+     R"("metallicFactor":0.25)",
      {{"coat.metallic", "0.25"}, {"coat.metallic_factor", "0.25"}}},
-    {R"("roughnessFactor":0.375)", R"("roughnessFactor":0.5)",
+    {R"("roughnessFactor":0.375)",
+     R"("roughnessFactor":0.5)",
      {{"coat.roughness", "0.5"}, {"coat.roughness_factor", "0.5"}}},
-    {R"("metallicFactor":0.0625)", R"("metallicFactor":0.5)",
+    {R"("metallicFactor":0.0625)",
+     R"("metallicFactor":0.5)",
      {{"glass.metallic", "0.5"}, {"glass.metallic_factor", "0.5"}}},
     {R"("doubleSided":true)", R"("doubleSided":false)", {{"coat.double_sided", "0"}}},
     {R"("alphaMode":"MASK")", R"("alphaMode":"OPAQUE")", {{"coat.alpha_mode", "0"}}},
     // Alpha 128 of 255, everywhere, as a half float.
-    {R"("alphaMode":"MASK")", R"("alphaMode":"BLEND")",
+    {R"("alphaMode":"MASK")",
+     R"("alphaMode":"BLEND")",
      {{"coat.alpha_mode", "2"}, {"coat.least_alpha", "0.50195"}, {"coat.most_alpha", "0.50195"}}},
     {R"("alphaCutoff":0.25)", R"("alphaCutoff":0.75)", {{"coat.alpha_cutoff", "0.75"}}},
-    {R"("emissiveFactor":[0.1,0.2,0.3])", R"("emissiveFactor":[0.4,0.5,0.6])", {{"coat.emissive", "2 2.5 3"}}},
+    {R"("emissiveFactor":[0.1,0.2,0.3])",
+     R"("emissiveFactor":[0.4,0.5,0.6])",
+     {{"coat.emissive", "2 2.5 3"}}},
     {R"("emissiveStrength":5)", R"("emissiveStrength":50)", {{"coat.emissive", "5 10 15"}}},
     {R"("scale":0.7)", R"("scale":-1.5)", {{"coat.normal_scale", "-1.5"}}},
     {R"("strength":0.6)", R"("strength":0.1)", {{"coat.occlusion_strength", "0.1"}}},
@@ -181,24 +206,28 @@ const Change kChanges[] = {
     {R"("ior":1.25)", R"("ior":1.75)", {{"glass.ior", "1.75"}}},
     {R"("thicknessFactor":0.3)", R"("thicknessFactor":0.6)", {{"glass.thickness", "0.6"}}},
     {R"("attenuationDistance":0.9)", R"("attenuationDistance":0.4)", {{"glass.attenuation_distance", "0.4"}}},
-    {R"("attenuationColor":[0.8,0.7,0.6])", R"("attenuationColor":[0.5,0.4,0.3])",
+    {R"("attenuationColor":[0.8,0.7,0.6])",
+     R"("attenuationColor":[0.5,0.4,0.3])",
      {{"glass.attenuation_color", "0.5 0.4 0.3"}}},
     {R"("dispersion":0.45)", R"("dispersion":0.9)", {{"glass.dispersion", "0.9"}}},
     {R"("wrapS":33071)", R"("wrapS":10497)", {{"coat.base_color_texture.wrap", "02"}}},
     {R"("wrapT":33648)", R"("wrapT":33071)", {{"coat.base_color_texture.wrap", "11"}}},
     {R"("magFilter":9728)", R"("magFilter":9729)", {{"coat.base_color_texture.nearest", "0"}}},
     {R"("baseColorTexture":{"index":0})",
-     R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],"scale":[2,4]}}})",
+     R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":)"
+     R"({"offset":[0.25,0.5],"scale":[2,4]}}})",
      // v is turned over: 1 - (0.5 + 4 v), and u is 0.25 + 2 u.
      {{"coat.base_color_texture.at", "0.25 0.5 1, 2.25 -7.5 1"}}},
-    {R"("material":0)", R"("material":1)",
-     {{"material of first", "glass"}, {"material of second", "glass"}}},
-    {R"("translation":[4,0,0])", R"("translation":[5,0,-1])",
+    {R"("material":0)", R"("material":1)", {{"material of first", "glass"}, {"material of second", "glass"}}},
+    {R"("translation":[4,0,0])",
+     R"("translation":[5,0,-1])",
      {{"mesh second", "5 0 -1 uv 0 0; 7 0 -1 uv 1 0; 5 3 -1 uv 0 1; "}}},
-    {R"("scale":[2,3,1])", R"("scale":[1,2,5])",
+    {R"("scale":[2,3,1])",
+     R"("scale":[1,2,5])",
      {{"mesh second", "4 0 0 uv 0 0; 5 0 0 uv 1 0; 4 2 0 uv 0 1; "}}},
     // A quarter turn about z: x becomes y.
-    {R"("translation":[4,0,0],)", R"("translation":[4,0,0],"rotation":[0,0,0.7071067811865476,0.7071067811865476],)",
+    {R"("translation":[4,0,0],)",
+     R"("translation":[4,0,0],"rotation":[0,0,0.7071067811865476,0.7071067811865476],)",
      {{"mesh second", "4 0 0 uv 0 0; 4 2 0 uv 1 0; 1 0 0 uv 0 1; "}}},
     {R"("intensity":7)", R"("intensity":8)", {{"sun.intensity", "8"}}},
     {R"("intensity":90)", R"("intensity":80)", {{"lamp.intensity", "80"}}},
@@ -208,10 +237,10 @@ const Change kChanges[] = {
     {R"("innerConeAngle":0.2)", R"("innerConeAngle":0.3)", {{"lamp.cones", "0.3 0.4"}}},
     {R"("outerConeAngle":0.4)", R"("outerConeAngle":0.8)", {{"lamp.cones", "0.2 0.8"}}},
     {R"("translation":[1,5,2])", R"("translation":[2,6,3])", {{"lamp.position", "2 6 3"}}},
-    {R"({"angular_diameter":0.5})", R"({"angular_diameter":2})",
-     {{"sun.size", "0 0.017453, 0 0 0, 0 0 0"}}},
+    {R"({"angular_diameter":0.5})", R"({"angular_diameter":2})", {{"sun.size", "0 0.017453, 0 0 0, 0 0 0"}}},
     {R"({"radius":0.02})", R"({"radius":0.05})", {{"lamp.size", "0.05 0, 0 0 0, 0 0 0"}}},
-    {R"({"radius":0.02})", R"({"rectangle":[0.5,0.25]})",
+    {R"({"radius":0.02})",
+     R"({"rectangle":[0.5,0.25]})",
      {{"lamp.size", "0 0, 0.5 0 0, 0 0.25 0"}, {"lamp.shape", "20"}}},
     {R"("yfov":0.5)", R"("yfov":0.9)", {{"near.fov", "0.9"}}},
     {R"("znear":0.1)", R"("znear":0.3)", {{"near.near", "0.3"}}},
@@ -223,10 +252,13 @@ const Change kChanges[] = {
     {R"("translation":[0,1,9])", R"("translation":[1,2,3])", {{"near.position", "1 2 3"}}},
     {R"("translation":[0,2,8])", R"("translation":[3,2,1])", {{"flat.position", "3 2 1"}}},
     // A quarter turn about y: what looked along -z looks along -x.
-    {R"("translation":[0,1,9])", R"("translation":[0,1,9],"rotation":[0,0.7071067811865476,0,0.7071067811865476])",
+    {R"("translation":[0,1,9])",
+     R"("translation":[0,1,9],"rotation":[0,0.7071067811865476,0,0.7071067811865476])",
      {{"near.axes", "0 0 -1, 0 1 0, -1 0 0"}}},
     {R"("scattering":0.5)", R"("scattering":[0.5,0.6,0.7])", {{"medium.scattering", "0.5 0.6 0.7"}}},
-    {R"("absorption":[0.1,0.2,0.3])", R"("absorption":[0.3,0.1,0.2])", {{"medium.absorption", "0.3 0.1 0.2"}}},
+    {R"("absorption":[0.1,0.2,0.3])",
+     R"("absorption":[0.3,0.1,0.2])",
+     {{"medium.absorption", "0.3 0.1 0.2"}}},
     {R"("anisotropy":0.35)", R"("anisotropy":-0.6)", {{"medium.anisotropy", "-0.6"}}},
 };
 
@@ -248,7 +280,8 @@ std::string text_of(const Description& all) {
 Description difference(const Description& from, const Description& to) {
   Description changed;
   for (const auto& [name, value] : to)
-    if (const auto before = from.find(name); before == from.end() || before->second != value) changed[name] = value;
+    if (const auto before = from.find(name); before == from.end() || before->second != value)
+      changed[name] = value;
   for (const auto& [name, value] : from)
     if (to.find(name) == to.end()) changed[name] = "gone";
   return changed;
@@ -260,7 +293,8 @@ TEST_CASE("one change: each property of a file changes the scene in its own way 
   const Description before = described(file());
   for (const Change& change : kChanges) {
     INFO(change.from << " becomes " << change.to);
-    CHECK(text_of(difference(before, described(replaced(change.from, change.to)))) == text_of(change.changed));
+    CHECK(text_of(difference(before, described(replaced(change.from, change.to)))) ==
+          text_of(change.changed));
   }
 }
 
@@ -269,8 +303,8 @@ TEST_CASE("one change: what refers to another texture, image or set of coordinat
   // Beside alpha, the two pictures differ: each texture of the first material shows its own.
   const std::string first = before.at("coat.base_color_texture"), second = before.at("coat.emissive_texture");
   REQUIRE(first != second);
-  const Description base = difference(before, described(replaced(R"("baseColorTexture":{"index":0})",
-                                                                 R"("baseColorTexture":{"index":2})")));
+  const Description base = difference(
+      before, described(replaced(R"("baseColorTexture":{"index":0})", R"("baseColorTexture":{"index":2})")));
   CHECK(base.at("coat.base_color_texture") == second);
   CHECK(base.count("coat.emissive_texture") == 0);
   const Description emissive = difference(

@@ -1,4 +1,5 @@
-// A state goes on only with the request that it was made for: whatever a traced ray could tell makes another one.
+// A state goes on only with the request that it was made for: whatever a traced ray could tell makes another
+// one.
 #include "lab/reference/tracer/state_file.hpp"
 
 #include <functional>
