@@ -73,13 +73,11 @@ ExitCode run_plan_command(const Arguments& arguments) {
                    PlanGoal{.textures = ledger_textures(), .light_by_light = true});
     coarse->run(reader.watch(*coarse));
   }
-  const PlanReport report{*shown,
-                          frame.effects,
-                          frame.settings,
-                          frame.plan,
-                          memory,
-                          idle_settings(request.given, shown->scene(), frame.settings, frame.effects),
-                          reader.ledgers()};
+  const PlanReport report{
+      *shown,          frame.effects,
+      frame.settings,  frame.plan,
+      memory,          idle_settings(request.given, shown->scene(), frame.settings, frame.effects),
+      reader.ledgers()};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));
   std::fputs(text.c_str(), stdout);
   return ExitCode::Done;
