@@ -76,8 +76,8 @@ Float inverse_square(Vec3 from, Vec3 to, Float miss, Float length) {
   return atan2_of(across, dot3(from - light, to - light)) / max_of(miss, 1.0e-20f);
 }
 
-// How near the ray passes a light with a position; no nearer than its radius and a ten thousandth of the ray's
-// way counts.
+// How near the ray passes a light with a position; no nearer than its radius and a
+// ten-thousandth of the stretch counts.
 Float distance_from_light(IN(Ray) ray, IN(ViewRange) range) {
   Vec3 to_light = Vec3(u.light.position) - ray.start;
   Float least = max_of((range.exit - range.entry) * 1.0e-4f, Float(u.light.radius));

@@ -36,7 +36,8 @@ Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
   if (u.has_shadow_map != 0) lit = 1.0f - shadow_share(p);
   Vec3 v = towards_camera(caster.position);
   Vec3 reflectance = metal_reflectance(facing_reflectance(material), highlight_cosine(v, -light.travel));
-  Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness, half_width(u.light, light));
+  Float size = half_width(u.light, light);
+  Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness, size);
   return irradiance_by(light, p, lit) * reflectance * lobe;
 }
 

@@ -3,8 +3,8 @@
 // counts as LEAST_ROUGHNESS, so that what it shows of a light is some pixels wide.
 #define LEAST_ROUGHNESS 0.2f
 
-// Over the irradiance, per steradian. v, l: unit, from the surface to camera and light; n: its normal. `size`:
-// half_width() of the light (incidence.glsl).
+// Over the irradiance, per steradian. v, l: unit, from the surface to camera and light; n: its normal.
+// `size`: half_width() of the light (incidence.glsl).
 Float highlight_lobe(Vec3 n, Vec3 v, Vec3 l, Float roughness, Float size) {
   Float least = max_of(roughness, LEAST_ROUGHNESS);
   Float alpha = min_of(least * least + size, Float(1.0f));

@@ -4,7 +4,7 @@ struct Incidence {
   Vec3 at;                 // the surface's point, scene space
   Vec3 travel;             // the way it goes, unit, scene space
   Float distance_squared;  // from a light with a position, else 1
-  Float spread;            // square metres that a candela is spread over: the same, but bounded near the light
+  Float spread;            // square metres that a candela is spread over: the same, bounded near the light
   Float falloff;           // what is left of its intensity here
   Float facing;            // cosine between its way and the surface's normal; 0 from behind
 };
@@ -35,9 +35,9 @@ Incidence incidence_of(IN(Light) source, Vec3 position, Vec3 normal) {
     float area = source.radius * source.radius;
     light.spread = max_of(light.distance_squared, Float(area));
     if (source.cone.lambertian != 0) {
-      // Of a disk, to the second order of r / d (exact on the axis, to a surface that faces it): the disk's
-      // form factor over r^2 cos^2 / d^2 is 1 - (3 cos^2 - 2) r^2 / d^2. Never more than pi L. Its own plane gets
-      // nothing, whatever rounding says.
+      // The emitter is a disk, to the second order of r / d (exact on the axis, to a surface that faces it):
+      // its form factor over r^2 cos^2 / d^2 is 1 - (3 cos^2 - 2) r^2 / d^2. It never gives more than pi L,
+      // and nothing to its own plane, whatever rounding says.
       Float cosine = dot3(light.travel, Vec3(source.cone.axis));
       light.spread = max_of(light.distance_squared + area * (3.0f * (cosine * cosine) - 2.0f), Float(area));
       Bool before = dot3(path, Vec3(source.cone.axis)) > OWN_PLANE * source.radius;

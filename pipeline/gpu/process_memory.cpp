@@ -132,8 +132,8 @@ void lower_by_groups(MemoryLimit& limit, const fs::path& root, const Hierarchy& 
   const fs::path mounted = root / hierarchy.where.relative_path();
   fs::path part = below(*group, hierarchy.shown);
   while (true) {
-    const std::string whose =
-        "the control group " + (hierarchy.shown / part).lexically_normal().generic_string();
+    const fs::path name = part.empty() ? hierarchy.shown : hierarchy.shown / part;
+    const std::string whose = "the control group " + name.lexically_normal().generic_string();
     // Only one version's files are there.
     for (const char* file : {"memory.max", "memory.high", "memory.limit_in_bytes"})
       lower(limit, number_in(mounted / part / file), whose);

@@ -241,7 +241,8 @@ class Flip(MetricsTest):
             self.assertNotIn("mismatch", channel)
             self.assertEqual(channel["worst"]["a"], 1)
         (self.folder / "e_flip.png").write_bytes(png([(0, 0, 0)] * 4, 2, 2))
-        self.fails(2, "compare", "e_flip.png", "e_flip.png", "--flip", "--diff=e", saying="input")
+        self.fails(2, "compare", "e_flip.png", "e_flip.png", "--flip", "--diff=e",
+                   saying="--diff would replace an image")
 
 
 if __name__ == "__main__":

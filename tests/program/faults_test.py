@@ -35,8 +35,8 @@ LONG = {
     "inspect": ["inspect", "ball.glb", "-o", "page.html"],
 }
 
-# Processor time that a command may take after a signal, seconds: work asks several times a second, and what is
-# under way on each thread ends first. Of a busy machine the wall clock would tell nothing.
+# Processor time that a command may take after a signal, seconds: work asks several times a second, and what
+# is under way on each thread ends first. The wall clock would tell nothing on a busy machine.
 MOST_AFTER = 2.0
 
 

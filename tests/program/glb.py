@@ -111,7 +111,7 @@ def many_lights(candelas):
     document, blob = unpack(scene(light={"type": "point"}))
     sun = document["nodes"].pop(2)
     document["extensions"]["KHR_lights_punctual"]["lights"] = [
-        {"name": f"lamp {i}", "type": "point", "intensity": intensity} for i, intensity in enumerate(candelas)]
+        {"name": f"lamp {i}", "type": "point", "intensity": candela} for i, candela in enumerate(candelas)]
     for i in range(len(candelas)):
         place = 4 * (i / len(candelas) - 0.5)
         document["nodes"].append({"name": f"lamp {i}", "translation": [place, sun["translation"][1], 0],

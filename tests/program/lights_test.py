@@ -139,7 +139,8 @@ class EmissiveMeshes(ProgramTest):
     def test_that_only_glow_are_said_to_and_a_sun_is_added(self):
         said = self.first_lines("only_glow.glb")
         self.assertIn("a sun of 10 lux", said["added"])
-        self.assertIn("mesh 'ball' shines, but does not light the scene: it adds less than a tenth", said["shining"])
+        self.assertIn("mesh 'ball' shines, but does not light the scene: it adds less than a tenth",
+                      said["shining"])
         self.assertEqual([light["name"] for light in self.plan("only_glow.glb")["lights"]], ["sun (added)"])
 
     def test_are_left_to_glow_beside_a_strong_sun_unless_asked_for(self):

@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""The memory that `plan` says a picture takes, against what `render` took at its peak, over scenes that are made
-here: many lights, meshes, triangles, texels, samples, cells, pixels, branches, layers. The first scenes are a test;
-`memory_test.py --table` prints a row for each of them all. And what needs more than is there is refused, before it
-is taken."""
+"""The memory that `plan` says a picture takes, against what `render` took at its peak, over scenes that are
+made here: many lights, meshes, triangles, texels, samples, cells, pixels, branches, layers. The first scenes
+are a test; `memory_test.py --table` prints a row for each of them all. And what needs more than is there is
+refused, before it is taken."""
 
 import json
 import math
-import os
 import pathlib
 import struct
 import subprocess
@@ -34,7 +33,8 @@ def png(side, height=None, bits=8, channels=3):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
 
     kind = {1: 0, 2: 4, 3: 2, 4: 6}[channels]
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, height, bits, kind, 0, 0, 0)) +
+    head = struct.pack(">IIBBBBB", side, height, bits, kind, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
             chunk(b"IDAT", data) + chunk(b"IEND", b""))
 
 
@@ -157,25 +157,26 @@ def for_plan(options):
     return kept
 
 
-def peak(folder, *arguments, **options):
-    """Of one run of the program: bytes, exit code and seconds of processor time."""
-    process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=folder, stderr=subprocess.DEVNULL,
-                               stdout=subprocess.DEVNULL, **options)
-    _, status, used = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    return used.ru_maxrss * 1024, process.returncode, used.ru_utime + used.ru_stime
+# A process begins with as much memory at its peak as what has begun it had: a small one begins the program.
+STARTER = """import os, sys
+child = os.spawnv(os.P_NOWAIT, sys.argv[1], sys.argv[1:])
+_, status, used = os.wait4(child, 0)
+print(used.ru_maxrss * 1024, os.waitstatus_to_exitcode(status), file=sys.__stderr__)
+"""
+
+
+def peak(folder, *arguments):
+    """Of one run of the program: bytes and exit code."""
+    run = subprocess.run([sys.executable, "-ISc", STARTER, PROGRAM, *map(str, arguments)], cwd=folder,
+                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=True)
+    taken, code = run.stderr.splitlines()[-1].split()
+    return int(taken), int(code)
 
 
 def write_scene(folder, case):
-    """In a process of its own: a program begins with as much memory at its peak as what has begun it."""
-    child = os.fork()
-    if child == 0:
-        (folder / "scene.glb").write_bytes(case[1]())
-        if "sky4096.hdr" in case[2]:
-            environment(folder, 4096)
-        os._exit(0)
-    if os.waitpid(child, 0)[1] != 0:
-        raise RuntimeError(f"{case[0]}: no scene")
+    (folder / "scene.glb").write_bytes(case[1]())
+    if "sky4096.hdr" in case[2]:
+        environment(folder, 4096)
 
 
 def said_and_taken(folder, case):
@@ -187,7 +188,7 @@ def said_and_taken(folder, case):
     plan = subprocess.run([PROGRAM, "plan", "scene.glb", "--json", *map(str, for_plan(options))], cwd=folder,
                           capture_output=True, check=True)
     planned = json.loads(plan.stdout)["memory_bytes"]
-    taken, code, _ = peak(folder, "render", "scene.glb", "--stats", "stats.json", *options, "-t", 2)
+    taken, code = peak(folder, "render", "scene.glb", "--stats", "stats.json", *options, "-t", 2)
     if code != 0:
         raise RuntimeError(f"{name}: render exits with {code}")
     stated = json.loads((folder / "stats.json").read_text())["memory_bytes"]
@@ -201,8 +202,8 @@ def table(names):
             continue
         with tempfile.TemporaryDirectory() as folder:
             planned, stated, taken = said_and_taken(pathlib.Path(folder), case)
-        print(f"{case[0]:32} {planned / MB:9.1f} {stated / MB:9.1f} {taken / MB:9.1f} {stated / taken - 1:+7.1%}",
-              flush=True)
+        print(f"{case[0]:32} {planned / MB:9.1f} {stated / MB:9.1f} {taken / MB:9.1f} "
+              f"{stated / taken - 1:+7.1%}", flush=True)
 
 
 def only_a_head(width, height, bits):
@@ -240,12 +241,13 @@ class Memory(ProgramTest):
         for image in document["images"]:
             image.pop("bufferView")
             image["uri"] = "bomb.png"
-        document["materials"][1]["emissiveTexture"] = document["materials"][1]["occlusionTexture"] = {"index": 0}
+        for use in ("emissiveTexture", "occlusionTexture"):
+            document["materials"][1][use] = {"index": 0}
         (self.folder / "bomb.png").write_bytes(head)
         (self.folder / "bomb.glb").write_bytes(glb.pack(document, blob))
         for command in ("plan", "render"):
             self.fails(2, command, "bomb.glb", "--memory", 1000, saying="its images need")
-        taken, code, _ = peak(self.folder, "plan", "bomb.glb", "--memory", 1000)
+        taken, code = peak(self.folder, "plan", "bomb.glb", "--memory", 1000)
         self.assertEqual(code, 2)
         self.assertLess(taken, 100e6)
 

@@ -79,7 +79,7 @@ class Reference(ProgramTest):
         result = self.run_program("reference", "ball.glb", "-o", "t.exr", *FAST, "--batches", "4", "--error",
                                   "0.01%")
         self.assertEqual(result.returncode, 6, result.stderr)
-        self.assertIn("not the 0.0% asked for", result.stderr)
+        self.assertIn("not the 0.01% asked for", result.stderr)
         self.assertIn("t.exr", self.files())
         self.succeeds("reference", "ball.glb", "-o", "t.exr", *FAST, "--error", "1000%", "--quiet")
 

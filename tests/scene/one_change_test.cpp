@@ -132,13 +132,17 @@ std::string file() {
   Gltf gltf = triangle();
   gltf.add<float>({0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
   gltf.add<float>({0.5f, 0.5f, 0.25f, 0.5f, 0.5f, 0.75f}, 5126, "VEC2", 3);
-  gltf.mesh = R"("attributes":{"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_1":2},"material":0)";
-  gltf.node = R"("mesh":0,"name":"first","children":[1,2,3,4,5]},
+  // Two more meshes, so that both materials are used whatever the first one has.
+  gltf.mesh = R"("attributes":{"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_1":2},"material":0}]},
+    {"primitives":[{"attributes":{"POSITION":0},"material": 1}]},
+    {"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material": 0)";
+  gltf.node = R"("mesh":0,"name":"first","children":[1,2,3,4,5,6,7]},
     {"mesh":0,"name":"second","translation":[4,0,0],"scale":[2,3,1]},
     {"name":"sun","extensions":{"KHR_lights_punctual":{"light":0}}},
     {"name":"lamp","translation":[1,5,2],"extensions":{"KHR_lights_punctual":{"light":1}}},
     {"name":"near","camera":0,"translation":[0,1,9]},
-    {"name":"flat","camera":1,"translation":[0,2,8])";
+    {"name":"flat","camera":1,"translation":[0,2,8]},
+    {"name":"third","mesh":1},{"name":"fourth","mesh":2)";
   gltf.rest = R"(,"materials":[
     {"name":"coat","doubleSided":true,"alphaMode":"MASK","alphaCutoff":0.25,"emissiveFactor":[0.1,0.2,0.3],
      "pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"metallicFactor":0.125,
