@@ -15,6 +15,7 @@
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/surroundings.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "pipeline/views/framing.hpp"
 
@@ -212,6 +213,7 @@ class Stage {
     for (const Light& light : scene_.lights)
       add_shadow(light, shown, kShownReach * subject_.radius(), points);
     points.insert(points.end(), shown.begin(), shown.end());
+    add_lit(points);
     const double fov = settings_.fov ? static_cast<double>(*settings_.fov) * exact::kPi / 180.0 : kFov;
     const auto framed = [&](const Bearing& from) {
       return framing_camera(points, -toward(from), fov,
@@ -237,6 +239,22 @@ class Stage {
       const glm::dvec3 way = camera.position - light.position;
       return light.emitter < 0 || exact::dot(way, light.direction) > kSeenFromBelow * exact::length(way);
     });
+  }
+
+  // A mesh that shines is shown with what it lights: the surface before it, as wide as it is far away.
+  void add_lit(std::vector<glm::dvec3>& points) const {
+    for (const Light& light : scene_.lights) {
+      if (light.emitter < 0) continue;
+      std::vector<int> others;
+      for (int m = 0; m < static_cast<int>(scene_.meshes.size()); ++m)
+        if (m != light.emitter) others.push_back(m);
+      const auto lit = TriangleTree(scene_, others).nearest(light.position, light.direction);
+      if (!lit) continue;
+      const glm::dvec3 middle = light.position + light.direction * lit->distance;
+      for (const double x : {-0.5, 0.5})
+        for (const double z : {-0.5, 0.5})
+          points.push_back(middle + glm::dvec3(x * lit->distance, 0.0, z * lit->distance));
+    }
   }
 
   // That a sun throws onto an added ground, as far as caustics are shown.
