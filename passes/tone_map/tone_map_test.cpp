@@ -46,10 +46,10 @@ TEST_CASE("tone_map: the exposure is a factor on the radiance") {
   CHECK(shown(glm::vec4(5000.0f), 1e-4f) == shown(glm::vec4(0.5f)));
 }
 
-TEST_CASE("tone_map: contrast is a power about 0.33 that keeps a colour's channels in proportion") {
+TEST_CASE("tone_map: contrast is a power about 0.33, halved below it, that keeps channels in proportion") {
   CHECK(shown(glm::vec4(0.33f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.33f)));
-  // 0.165 at the contrast 2: 0.165^2 / 0.33 = 0.0825; 0.495: 0.7425.
-  CHECK(shown(glm::vec4(0.165f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.0825f)));
+  // 0.0825 at the contrast 2: 0.0825 * (0.0825 / 0.33)^0.5 = 0.04125; 0.495: 0.495^2 / 0.33 = 0.7425.
+  CHECK(shown(glm::vec4(0.0825f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.04125f)));
   CHECK(shown(glm::vec4(0.495f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.7425f)));
   CHECK(shown({0.495f, 0.33f, 0.0f, 1.0f}, 1.0f, {}, 2.0f) == shown({0.7425f, 0.495f, 0.0f, 1.0f}));
   CHECK(shown(glm::vec4(0.0f), 1.0f, {}, 1.6f) == glm::ivec4(0, 0, 0, 255));

@@ -164,8 +164,8 @@ class Stage {
       return static_cast<double>(settings_.ground.height) - scene_.origin.y;
     if (settings_.ground.wish == Ground::Wish::Auto && scene_.meshes.empty()) return {};
     const Bounds all = bounds_of(scene_);
-    // A hair below, so that a flat underside does not lie in the ground.
-    const double height = (all.empty() ? subject_ : all).lower.y - 1e-4 * widest(subject_);
+    // A little below, so that a camera's depth range tells a flat underside from the ground.
+    const double height = (all.empty() ? subject_ : all).lower.y - 1e-3 * widest(subject_);
     // It would hide the scene from a camera below, and stand upright before one that is rolled.
     const auto is_strange = [&](const Camera& camera) {
       return !(camera.position.y > height) || std::fabs(camera.right.y) > kMostRoll;
