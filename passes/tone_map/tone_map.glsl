@@ -36,8 +36,8 @@ void main() {
   Vec3 exposed = Vec3(clamp_to(radiance.x * u.exposure, 0.0f, 1.0e6f),
                       clamp_to(radiance.y * u.exposure, 0.0f, 1.0e6f),
                       clamp_to(radiance.z * u.exposure, 0.0f, 1.0e6f));
-  // As film has it: brighter or darker than a mid grey by a power, the colour as it is. Shadows and dark glass
-  // get half of it, so that they do not turn black.
+  // As film has it: brighter or darker than a mid grey by a power, the colour as it is. Shadows and dark
+  // glass get half of it, so that they do not turn black.
   float middle = 0.33f;
   if (u.contrast > 1.0f) {
     Float peak = max_of(exposed.x, max_of(exposed.y, exposed.z));
