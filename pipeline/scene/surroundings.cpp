@@ -80,7 +80,7 @@ bool lies_behind(const Bounds& mesh, const Bounds& thing) {
   return true;
 }
 
-double beyond_of(const Mesh& mesh) { return mesh.closed() ? kBeyond : 0.5 * kBeyond; }
+double beyond_of(const Mesh& mesh) { return mesh.closed() ? kFloorBeyond : 0.5 * kFloorBeyond; }
 
 bool stands_around(const Scene& scene, int mesh, const Bounds& rest) {
   const Mesh& it = scene.meshes[static_cast<std::size_t>(mesh)];
@@ -132,7 +132,8 @@ Surroundings surroundings_of(const Scene& scene) {
   Surroundings found{.around = std::vector<bool>(scene.meshes.size()), .thing = rest[count]};
   const std::vector<int> around(receivers.begin(), receivers.begin() + static_cast<std::ptrdiff_t>(count));
   for (const int m : around) found.around[static_cast<std::size_t>(m)] = true;
-  found.has_floor = !around.empty() && is_floor(scene, TriangleTree(scene, around), found.thing, kBeyond);
+  found.has_floor =
+      !around.empty() && is_floor(scene, TriangleTree(scene, around), found.thing, kFloorBeyond);
   return found;
 }
 

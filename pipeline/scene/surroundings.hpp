@@ -9,7 +9,7 @@ namespace caustics {
 // A floor reaches beyond what stands on it by this much of the latter's largest extent, to all sides: a
 // shadow at 63 degrees ends on it, and a picture of the thing shows the floor around it. A base, a plinth or
 // a tray is smaller.
-inline constexpr double kBeyond = 0.5;
+inline constexpr double kFloorBeyond = 0.5;
 
 // A receiver stands around the rest of the scene if it is at least twice as wide as the rest, and
 // - flat, and the rest lies before, above or below it, as a wall or a floor has it; or
@@ -18,8 +18,8 @@ inline constexpr double kBeyond = 0.5;
 struct Surroundings {
   std::vector<bool> around;  // by Scene::meshes
   Bounds thing;              // of all others
-  // Does what stands around lie below the thing and reach beyond it by kBeyond, or as far as a wall, in at
-  // least three quarters of all directions? A thing may stand near the edge of a table.
+  // Does what stands around lie below the thing and reach beyond it by kFloorBeyond, or as far as a wall, in
+  // at least three quarters of all directions? A thing may stand near the edge of a table.
   bool has_floor = false;
 };
 Surroundings surroundings_of(const Scene& scene);
