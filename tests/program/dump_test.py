@@ -99,7 +99,9 @@ class Inputs(DumpTest):
         checked = 0
         for red, green, blue, shown in zip(*(radiance[c] for c in "RGB"), picture["G"]):
             exposed = [exposure * value for value in (red, green, blue)]
-            exposed = [value * (max(exposed) / 0.33) ** (contrast - 1) for value in exposed]
+            brightness = max(exposed) / 0.33
+            power = (contrast - 1) * (1 if brightness >= 1 else 0.5)
+            exposed = [value * brightness**power for value in exposed]
             # The tone curve below its shoulder: all channels less the least one's toe.
             toe = min(exposed)
             offset = toe - 6.25 * toe * toe if toe < 0.08 else 0.04
