@@ -73,10 +73,9 @@ std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
   static const std::vector<std::string> looked_at = ledger_textures();
   std::uint64_t images = 0, quarter_planes = 0, texels = 0;
   for (const PlannedTexture& texture : plan.textures) {
+    if (texture.light != light || !texture.kept_for_light) continue;
     const std::string name = texture.name.substr(0, texture.name.find('['));
-    if (texture.light != light || !texture.kept_for_light ||
-        std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end())
-      continue;
+    if (std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end()) continue;
     if (name.ends_with(".far") && name != far_texture(kCausticMap)) images += float_bytes(texture);
     if (name == kCausticMap || name == kCascadeMap) quarter_planes += 9;
     if (name == kCausticMap)
