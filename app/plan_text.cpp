@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "app/expectations.hpp"
 #include "app/loaded_scene.hpp"
@@ -169,23 +171,20 @@ class TextReport {
     text_ += table.text();
   }
 
-  // Do both the same for the samples of one light, or of each pixel?
-  bool alike(const PlannedPass& a, const PlannedPass& b) const {
-    if (a.pass != b.pass || a.drawn_for != b.drawn_for || (a.sample > 0) != (b.sample > 0)) return false;
-    if (a.light < 0 || b.light < 0) return a.light < 0 && b.light < 0 && a.sample > 0;
-    return source(a) == source(b);
-  }
-
-  // In the order of the first ones.
+  // Passes that do the same for the samples of one light, or of each pixel, are a group; groups come in the
+  // order of their first passes.
   std::vector<std::vector<const PlannedPass*>> groups() const {
     std::vector<std::vector<const PlannedPass*>> groups;
+    std::map<std::tuple<int, const DrawnFor*, bool, int>, std::size_t> group_of;
     for (const PlannedPass& pass : report_.plan.passes) {
-      const auto group = std::find_if(groups.begin(), groups.end(),
-                                      [&](const auto& each) { return alike(*each.front(), pass); });
-      if (group == groups.end()) {
+      const bool sampled = pass.sample > 0, alone = pass.light < 0 && !sampled;
+      const int light = pass.light < 0 ? -1 : source(pass);
+      const auto [found, is_new] =
+          group_of.try_emplace({pass.pass, pass.drawn_for, sampled, light}, groups.size());
+      if (is_new || alone) {
         groups.push_back({&pass});
       } else {
-        group->push_back(&pass);
+        groups[found->second].push_back(&pass);
       }
     }
     return groups;
