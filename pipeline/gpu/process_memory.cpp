@@ -117,7 +117,7 @@ std::optional<fs::path> group_of_process(const fs::path& root, bool version_2) {
 // A path such as /slice/job below the group that is mounted; the mount point itself for a group that lies
 // outside of what is mounted, as in a container that has the host's names of groups.
 fs::path below(const fs::path& group, const fs::path& shown) {
-  const fs::path relative = group.lexically_normal().lexically_relative(shown);
+  fs::path relative = group.lexically_normal().lexically_relative(shown);
   if (relative.empty() || *relative.begin() == ".." || relative == ".") return {};
   return relative;
 }

@@ -72,7 +72,7 @@ std::string in_quotes(std::string_view text) { return "'" + one_line(text, 80) +
 std::string significant(double value, int digits) {
   char buffer[64];
   char* end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
-  const std::string text(buffer, end);
+  std::string text(buffer, end);
   double rounded = 0.0;
   std::from_chars(buffer, end, rounded);
   if (text.find('e') == std::string::npos || std::fabs(rounded) < 1.0 || !(std::fabs(rounded) < 1e15))

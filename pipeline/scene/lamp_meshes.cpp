@@ -249,7 +249,7 @@ class Judge {
     for (Light& light : result_.lights) {
       const double both = Emitter(scene_, light.emitter).shines_all_around() ? 2.0 : 1.0;
       const double own = both * shared * candela(light) / all;
-      light.samples = std::max(static_cast<int>(own + 0.5), 1);
+      light.samples = std::max(static_cast<int>(std::lround(own)), 1);
     }
   }
 
