@@ -240,7 +240,7 @@ std::uint64_t writing_bytes(const OutputRequest& request, const Settings& settin
     const std::uint64_t texels = std::max({pixels, square(static_cast<std::uint64_t>(settings.map)),
                                            square(static_cast<std::uint64_t>(settings.grid)),
                                            square(static_cast<std::uint64_t>(settings.shadow))});
-    most = std::max(most, 2 * 16 * texels);
+    most = std::max<std::uint64_t>(most, 32 * texels);
   }
   return most + (by_library && !is_image_io_loaded() ? kImageIoBytes : 0);
 }

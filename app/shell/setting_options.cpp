@@ -38,7 +38,7 @@ std::string assign(Settings& settings, const std::string& assignment, const std:
   if (equals == std::string::npos)
     throw Error(ExitCode::WrongUsage,
                 "-D cannot be " + in_quotes(assignment) + ": key=value, as in reflections=yes");
-  const std::string key = assignment.substr(0, equals);
+  std::string key = assignment.substr(0, equals);
   set_option(settings, key, assignment.substr(equals + 1));
   if (!has(parts, setting(key))) throw Error(ExitCode::WrongUsage, "-D " + key + " " + why_not);
   return key;

@@ -31,7 +31,7 @@ fs::path followed(const fs::path& path) {
   fs::path file = fs::absolute(path, error);
   if (!file.has_filename()) file = file.parent_path();  // "folder/"
   for (int links = 0; links < kMostLinks; ++links) {
-    const fs::path whole = fs::weakly_canonical(file, error);
+    fs::path whole = fs::weakly_canonical(file, error);
     if (error) return file.lexically_normal();
     if (!fs::is_symlink(whole, error)) return whole;
     file = whole.parent_path() / fs::read_symlink(whole, error);  // a link that leads to nothing yet
