@@ -42,12 +42,12 @@ void add_frame_options(Parser& parser, FrameRequest& request, std::vector<Backen
 }
 
 void add_memory_option(Parser& parser, FrameRequest& request) {
-  constexpr Limits<double> kMegabytes{1.0, 1e9};
-  constexpr double kMegabyte = 1024.0 * 1024.0;
+  static constexpr Limits<double> kMegabytes{1.0, 1e9};
+  static constexpr double kMegabyte = 1024.0 * 1024.0;
   parser.option("--memory", "MB",
                 {"refuse what needs more memory, in MB of 2^20 bytes", text_of(kMegabytes),
                  "three quarters of the machine's, the control group's or ulimit's"},
-                [&](const std::string& value) {
+                [&request](const std::string& value) {
                   request.memory =
                       static_cast<std::uint64_t>(parse_number("--memory", value, kMegabytes) * kMegabyte);
                 });
