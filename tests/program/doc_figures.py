@@ -4,11 +4,13 @@ rounded as the page has it.
 
     doc_figures.py PROGRAM paper DIR       docs/paper.md against DIR/paper.json of `caustics paper -o DIR`
     doc_figures.py PROGRAM pages [PASS]    what this pass's page, or each one, says of its experiment
+    doc_figures.py PROGRAM guide [PAGE]    what this page of the guide, or each one, says of its commands, and
+                                           the sections of other pages that have commands of ./caustics
 
 An experiment is an indented command under "**Experiment.**"; of one that renders the percentages are looked
 for that stand in the text after it. They may also be those of the scene without the command's options, of the
-command with an `--option` that the text names, or "without" one. Ends with 1 and a line for each figure that
-is not printed."""
+command with an `--option` that the text names, or "without" one. The guide's figures are looked for in all
+that the page's commands print and write as text. Ends with 1 and a line for each figure that is not printed."""
 import json
 import pathlib
 import re
@@ -144,10 +146,53 @@ def unprinted_by_experiment(page, printed):
             + "; ".join("caustics " + shlex.join(run) for run in runs) for figure in said]
 
 
+def printed_on(page, program):
+    """What the page's indented commands print, and what tables they write, in one folder after the other."""
+    said = []
+    with tempfile.TemporaryDirectory() as folder:
+        pathlib.Path(folder, "scenes").symlink_to(ROOT / "scenes")
+        for line in re.findall(r"^    \./caustics (.*)", page, re.M):
+            run = subprocess.run([program, *shlex.split(line)], cwd=folder, text=True, capture_output=True)
+            if run.returncode not in (0, 1):
+                raise SystemExit(f"caustics {line}: {run.stderr}")
+            said += [run.stdout, run.stderr]
+        said += [path.read_text() for path in pathlib.Path(folder).glob("*/*.csv")]
+    return "\n".join(said)
+
+
+def sections(page):
+    """The parts of a page that stand for themselves: of the guide the whole."""
+    text = page.read_text()
+    return [text] if page.parent.name == "guide" else re.split(r"^(?=## )", text, flags=re.M)
+
+
+def unprinted_of_section(name, text, program):
+    """Of a text the percentages, and what has a decimal point; "cm" and "mm" may be printed as metres, and a
+    share of 1 as a percentage."""
+    prose = "\n".join(line for line in text.splitlines() if not line.startswith(("    ", "#", "Next:")))
+    prose = re.sub(r"`[^`]*`|\]\([^)]*\)", " ", " ".join(prose.split()))
+    said = re.findall(r"(\d+\.\d+|\d+(?= %))( cm| mm)?", prose)
+    if not said or "\n    ./caustics " not in text:
+        return []
+    printed = re.sub("(?<!e)-|,", " ", printed_on(text, program).replace("%", " %"))
+    values = {value for value, _ in numbers(printed)}
+
+    def found(figure, scales):
+        return any(rounds_to(value * scale, float(figure), figure) for value in values for scale in scales)
+
+    scale = {"": (1, 100), " cm": (100,), " mm": (1000,)}
+    return [f"{name}: {figure}{unit} is printed by none of its commands"
+            for figure, unit in said if not found(figure, scale[unit])]
+
+
 def main(program, what, name="*"):
     if what == "paper":
         made = json.loads((pathlib.Path(name) / "paper.json").read_text())["rows"]
         wrong = unprinted(PAGE.read_text(), made)
+    elif what == "guide":
+        pages = [page for page in sorted((ROOT / "docs").rglob(f"{name}.md")) if page != PAGE]
+        wrong = [line for page in pages for section in sections(page)
+                 for line in unprinted_of_section(page.relative_to(ROOT), section, program)]
     else:
         printed = Printed(program)
         pages = sorted((ROOT / "passes").glob(f"{name}/*.md"))
