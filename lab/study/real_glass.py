@@ -18,8 +18,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WAYS = {'two surfaces': ['-D', 'further.share=1'],
         **{f'splits {n}': ['-D', f'splits={n}'] for n in (0, 1, 2, 4)}}
-# Shares of the page's figure, and what its three digits do not show.
-NEAR, LEAST = 0.05, 0.0012
+# How far errors may lie from the page's: a share of them, and the noise of so short a trace, which the page's
+# (64 batches) has half of.
+NEAR, LEAST = 0.05, 0.006
 
 
 def run(program, *words):

@@ -61,7 +61,7 @@ void RunFiles::add(const fs::path& file, const Known& known) {
   };
   if (const auto found = by_path_.find(key); found != by_path_.end()) look(found->second);
   for (const Folder& folder : folders_)
-    if (key.parent_path() == folder.path && folder.is_own(key.filename().string()))
+    if (key == folder.path || (key.parent_path() == folder.path && folder.is_own(key.filename().string())))
       refuse(file, {folder.what, true}, known);
   by_path_.emplace(key, known);
   const std::optional<struct stat> status = status_of(file, known.written);
@@ -75,7 +75,8 @@ void RunFiles::writes_in(const fs::path& folder, const std::string& what,
                          std::function<bool(const std::string& name)> is_own) {
   const fs::path path = followed(folder);
   for (const auto& [file, known] : by_path_)
-    if (file.parent_path() == path && is_own(file.filename().string())) refuse(file, known, {what, true});
+    if (file == path || (file.parent_path() == path && is_own(file.filename().string())))
+      refuse(file, known, {what, true});
   for (const Folder& other : folders_)
     if (other.path == path) refuse(folder, {other.what, true}, {what, true});
   folders_.push_back({path, what, std::move(is_own)});

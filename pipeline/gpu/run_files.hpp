@@ -24,8 +24,8 @@ class RunFiles {
   // (WrongUsage) where the file is one that the run also writes; writes() also where the run reads it.
   void reads(const std::filesystem::path& file, const std::string& what);
   void writes(const std::filesystem::path& file, const std::string& what);
-  // A folder in which the run may write any file whose name `is_own` says yes to: none of these may be
-  // another file of the run, told before or after.
+  // A folder in which the run may write any file whose name `is_own` says yes to: neither it nor any of these
+  // may be another file of the run, told before or after.
   void writes_in(const std::filesystem::path& folder, const std::string& what,
                  std::function<bool(const std::string& name)> is_own);
 

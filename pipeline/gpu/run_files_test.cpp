@@ -84,9 +84,11 @@ TEST_CASE("A folder's own names are nobody else's") {
   files.writes_in(folder / "below", "--dump", is_own);
   CHECK_FALSE(refusal([&] { files.writes(folder / "below/a.exr", "-o"); }).empty());
   CHECK_FALSE(refusal([&] { files.reads(folder / "below/../below/b.exr", "the truth"); }).empty());
+  CHECK_FALSE(refusal([&] { files.writes(folder / "below", "-o"); }).empty());
   files.writes(folder / "below/a.png", "-o");
   files.writes(folder / "a.exr", "-o");
   RunFiles other;
   other.reads(folder / "below/a.exr", "the truth");
   CHECK_FALSE(refusal([&] { other.writes_in(folder / "below/", "--dump", is_own); }).empty());
+  CHECK_FALSE(refusal([&] { other.writes_in(folder / "below/a.exr", "--dump", is_own); }).empty());
 }

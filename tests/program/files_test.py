@@ -63,6 +63,7 @@ class Clashes(ProgramTest):
         self.refused("ball.glb", *SMALL, "--dump", "d", "-o", "d/00_caster_map.position.exr",
                      saying="--dump and -o would both")
         self.refused("ball.glb", *SMALL, "--dump", "d", "--stats", "d/manifest.json", saying="would both")
+        self.refused("ball.glb", *SMALL, "--dump", "a.png", "-o", "a.png", saying="would both")
         (self.folder / "d").mkdir()
         self.succeeds("ball.glb", *SMALL, "--dump", "d", "-o", "d/a.png")
 
