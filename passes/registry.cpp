@@ -1,5 +1,7 @@
 #include "passes/registry.hpp"
 
+#include "passes/ambient_occlusion/ambient_occlusion.hpp"
+#include "passes/ambient_rays/ambient_rays.hpp"
 #include "passes/average_samples/average_samples.hpp"
 #include "passes/beams/beams.hpp"
 #include "passes/bend/bend.hpp"
@@ -69,6 +71,8 @@ Registry registered() {
       view_surfaces_pass(),
       view_range_pass(),
       light_shading_pass(),
+      ambient_rays_pass(),
+      ambient_occlusion_pass(),
       compose_pass(),
       // And with it.
       glass_pass(),

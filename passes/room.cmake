@@ -26,6 +26,8 @@ caustics_add_shader(caustics_passes caustic_map TEXT passes/caustic_map/caustic_
 caustics_add_shader(caustics_passes shadow_map TEXT passes/shadow_map/shadow_map.glsl)
 caustics_add_shader(caustics_passes view_surfaces TEXT passes/view_surfaces/view_surfaces.glsl)
 caustics_add_shader(caustics_passes light_shading TEXT passes/light_shading/light_shading.glsl)
+caustics_add_shader(caustics_passes ambient_rays TEXT passes/ambient_rays/ambient_rays.glsl)
+caustics_add_shader(caustics_passes ambient_occlusion TEXT passes/ambient_occlusion/ambient_occlusion.glsl)
 caustics_add_shader(caustics_passes compose TEXT passes/compose/compose.glsl)
 caustics_add_shader(caustics_passes glass TEXT passes/glass/glass.glsl)
 caustics_add_shader(caustics_passes walked_glass TEXT passes/walked_glass/walked_glass.glsl)

@@ -40,6 +40,12 @@ std140::Compose compose_uniforms(const PassContext& context) {
   };
 }
 
+// Neither of what blended surfaces show nor of the surroundings.
+int has_ambient_occlusion(const PassContext& context) {
+  const bool picture = !context.drawn_for || context.drawn_for->camera == CameraView::Picture;
+  return picture && context.layer() == 0 && context.effects->ambient_occlusion.active ? 1 : 0;
+}
+
 // Without glass before it the shaded scene is the picture.
 std::string_view shaded(const Effects& effects) {
   return effects.seen_casters.active ? "scene_color" : "beauty";
@@ -79,7 +85,11 @@ Pass compose_pass() {
                  .optional = true,
                  .needed_with = &Effects::occlusion},
                 kReadLayers,
-                kReadFirstLayer},
+                kReadFirstLayer,
+                {.name = "ambient_occlusion",
+                 .meaning = "the share that other surfaces leave of it, coarsely",
+                 .optional = true,
+                 .needed_with = &Effects::ambient_occlusion}},
       .writes = {{.name = "scene_color",
                   .meaning = "rgb: radiance towards the camera, nit; a: 1; of a layer: how much passes it",
                   .clear = {0.0f, 0.0f, 0.0f, 1.0f},
@@ -88,7 +98,8 @@ Pass compose_pass() {
       .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},
                   {"blends", chosen_by<&Effects::blended>},
                   {"mirrors", chosen_by<&Effects::highlights>},
-                  {"is_occluded", chosen_by<&Effects::occlusion>}},
+                  {"is_occluded", chosen_by<&Effects::occlusion>},
+                  {"has_ambient_occlusion", has_ambient_occlusion}},
   };
 }
 

@@ -16,12 +16,14 @@ TEXTURE(8, view_specular)
 TEXTURE(9, view_ambient)
 TEXTURE(10, layers)
 TEXTURE(11, first_layer)
+TEXTURE(12, ambient_occlusion)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, scene_color)
 #include "passes/shared/position_texel.glsl"
+#include "passes/shared/same_surface.glsl"
 #include "passes/shared/sky_radiance.glsl"
 
 // Irradiance from the environment. The gradient counts as two uniform hemispheres, for which a surface
@@ -88,6 +90,27 @@ Vec4 layers_before(Int column, Int row) {
   return nearer;
 }
 
+// The share of the environment's light that other surfaces leave, between the four nearest texels of
+// ambient_occlusion on the same surface. Those are means whose middles lie at pixels 4 i.
+Float share_left(Int column, Int row, Vec3 n) {
+  Vec3 position = Vec3(texel_fetch(view_position, column, row));
+  Int i = column / 4;
+  Int j = row / 4;
+  Float x = Float(column - i * 4) * 0.25f;
+  Float y = Float(row - j * 4) * 0.25f;
+  Float sum = Float(0.0f);
+  Float weights = Float(0.0f);
+  for (int dy = 0; dy < 2; dy++)
+    for (int dx = 0; dx < 2; dx++) {
+      Vec4 other = fetch_clamped(ambient_occlusion, i + dx, j + dy);
+      Float beside = sel(Bool(dx == 0), 1.0f - x, x) * sel(Bool(dy == 0), 1.0f - y, y);
+      Float weight = same_surface(position, n, other) * max_of(beside, 1.0e-4f);
+      sum = sum + (other.w - 1.0f) * weight;
+      weights = weights + weight;
+    }
+  return sel(weights > 0.0f, sum / sel(weights > 0.0f, weights, Float(1.0f)), Float(1.0f));
+}
+
 // What a surface shows of its own: its light, and what it reflects.
 Vec3 surface_radiance(Int column, Int row, Vec3 albedo) {
   Vec3 n = Vec3(texel_fetch(view_normal, column, row));
@@ -101,6 +124,11 @@ Vec3 surface_radiance(Int column, Int row, Vec3 albedo) {
     Float share = fetch_clamped(view_ambient, column, row).x;
     ambient = ambient * share;
     mirrored = mirrored * share;
+  }
+  if (u.has_ambient_occlusion != 0) {
+    Float left = share_left(column, row, n);
+    ambient = ambient * left;
+    mirrored = mirrored * left;
   }
   Vec3 irradiance = Vec3(fetch_clamped(direct, column, row)) +
                     Vec3(fetch_clamped(caustic, column, row)) + ambient;

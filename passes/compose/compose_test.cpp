@@ -26,7 +26,7 @@ struct Bench {
   glm::vec3 highlight{0.0f}, reflectance{0.0f};
   float roughness = 1.0f;
   bool lights = true, highlights = false, glass_before = false;
-  std::optional<float> ambient;
+  std::optional<float> ambient, left;  // the shares of textures and of other surfaces
 
   Image image() const {
     const auto all = [&](const glm::vec3& rgb, float w) { return filled(width, height, {rgb, w}); };
@@ -35,6 +35,7 @@ struct Bench {
     effects.highlights.active = highlights;
     effects.seen_casters.active = glass_before;
     effects.occlusion.active = ambient.has_value();
+    effects.ambient_occlusion.active = left.has_value();
     return run_pass(
         definition_of(pass),
         {.width = width,
@@ -45,7 +46,8 @@ struct Bench {
                       all(emission, 1.0f), lights ? all(direct, 0.0f) : Image{},
                       lights ? all(caustic, 0.0f) : Image{}, scene.environment.image.value_or(Image{}),
                       all(highlight, 0.0f), all(reflectance, roughness),
-                      all(glm::vec3(ambient.value_or(0.0f)), 1.0f)}})["scene_color"];
+                      all(glm::vec3(ambient.value_or(0.0f)), 1.0f), Image{}, Image{},
+                      all(glm::vec3(0.0f), left ? 1.0f + *left : 0.0f)}})["scene_color"];
   }
   glm::vec3 color(int x = 0, int y = 0) const { return glm::vec3(texel(image(), x, y)); }
 };
@@ -72,6 +74,17 @@ TEST_CASE("compose: a diffuse surface sends albedo / pi of its irradiance, and i
   bench.emission = {0.0f, 10.0f, 0.5f};
   // (1 + 3) * 0.5; 10 + 2 * 0.25; 0.5 + 1.
   check_color(bench.color(), {2.0f, 10.5f, 1.5f});
+}
+
+TEST_CASE("compose: other surfaces keep of the environment's light alone") {
+  Bench bench;
+  bench.scene.environment.zenith = bench.scene.environment.horizon = glm::vec3(4.0f);
+  bench.direct = glm::vec3(2.0f * kPi);
+  check_color(bench.color(), glm::vec3(3.0f));
+  bench.left = 0.25f;
+  check_color(bench.color(), glm::vec3(0.5f * (2.0f + 1.0f)));
+  bench.left = 0.0f;
+  check_color(bench.color(), glm::vec3(1.0f));
 }
 
 TEST_CASE("compose: a surface's highlight is added, for glass to show too") {

@@ -4,6 +4,7 @@ CHOICE(layer)             // of blended surfaces: 1: the nearest; 2: a further o
 CHOICE(blends)            // there are such
 CHOICE(mirrors)           // surfaces show the environment
 CHOICE(is_occluded)       // textures keep some of its light away
+CHOICE(has_ambient_occlusion)  // other surfaces do
 float boxes_mean;  // nit: of the soft boxes over the upper hemisphere, under the cosine
 // Ambient irradiance by second-order spherical harmonics: the bands 0, 1 (y, z, x), 2 (xy, yz, 3zz-1, xz,
 // xx-yy), convolved with the cosine; used with an environment image.

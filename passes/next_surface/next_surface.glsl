@@ -28,7 +28,7 @@ void main() {
   if (any_lane(walks)) {
     Ray ray = ray_from(Vec3(start), Vec3(texel_fetch(path_direction, column, row)));
     WalkingRay walking = walking_ray(ray, own_triangle(start), texel_fetch(path_media, column, row));
-    NearestTriangle nearest = nearest_triangle(walking, walks);
+    NearestTriangle nearest = nearest_triangle(walking, walks, nothing_met());
     Float number = sel(nearest.given_up, Float(HIT_GIVEN_UP), nearest.number + 1.0f);
     surface_hit = Vec4(nearest.weight1, nearest.weight2, nearest.distance, number);
     discard_if(number == 0.0f);

@@ -171,9 +171,10 @@ Children children_of(IN(WalkingRay) walking, Int node, Float nearest) {
 
 STACK(waiting)
 
-NearestTriangle nearest_triangle(IN(WalkingRay) walking, Bool walks) {
+// `reach`: metres beyond which nothing is met.
+NearestTriangle nearest_triangle(IN(WalkingRay) walking, Bool walks, Float reach) {
   NearestTriangle nearest;
-  nearest.counted = nothing_met();
+  nearest.counted = reach;
   nearest.distance = nothing_met();
   nearest.number = Float(-1.0f);
   nearest.weight1 = Float(0.0f);

@@ -1,5 +1,7 @@
 #include "passes/tone_map/tone_map.hpp"
 
+#include <algorithm>
+
 #include "pipeline/settings/settings.hpp"
 #include "pipeline/shader/std140.hpp"
 
@@ -21,9 +23,15 @@ int is_linear(const PassContext& context) {
   return context.settings && context.settings->tone_map == ToneMap::Linear ? 1 : 0;
 }
 
+// Of the contrast over 1, which darkness gets half of.
+constexpr float kMostInDark = 0.6f;
+
 std140::ToneMap tone_map_uniforms(const PassContext& context) {
   const bool is_film = !context.settings || context.settings->tone_map == ToneMap::Film;
-  return {.exposure = context.exposure, .contrast = is_film ? context.contrast : 1.0f};
+  const float contrast = is_film ? context.contrast : 1.0f;
+  return {.exposure = context.exposure,
+          .contrast = contrast,
+          .contrast_in_dark = 1.0f + 0.5f * std::min(contrast - 1.0f, kMostInDark)};
 }
 
 }  // namespace

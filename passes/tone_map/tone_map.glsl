@@ -37,11 +37,11 @@ void main() {
                       clamp_to(radiance.y * u.exposure, 0.0f, 1.0e6f),
                       clamp_to(radiance.z * u.exposure, 0.0f, 1.0e6f));
   // As film has it: brighter or darker than a mid grey by a power, the colour as it is. Shadows and dark
-  // glass get half of it, so that they do not turn black.
-  float middle = 0.33f;
+  // glass get less of it, so that they do not turn black.
+  float middle = 0.31f;
   if (u.contrast > 1.0f) {
     Float peak = max_of(exposed.x, max_of(exposed.y, exposed.z));
-    Float more = Float(u.contrast - 1.0f) * sel(peak < middle, Float(0.5f), Float(1.0f));
+    Float more = sel(peak < middle, Float(u.contrast_in_dark), Float(u.contrast)) - 1.0f;
     exposed = exposed * pow_of(peak / middle, more);
   }
   Vec3 toned = exposed;

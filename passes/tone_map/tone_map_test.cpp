@@ -46,13 +46,18 @@ TEST_CASE("tone_map: the exposure is a factor on the radiance") {
   CHECK(shown(glm::vec4(5000.0f), 1e-4f) == shown(glm::vec4(0.5f)));
 }
 
-TEST_CASE("tone_map: contrast is a power about 0.33, halved below it, that keeps channels in proportion") {
-  CHECK(shown(glm::vec4(0.33f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.33f)));
-  // 0.0825 at the contrast 2: 0.0825 * (0.0825 / 0.33)^0.5 = 0.04125; 0.495: 0.495^2 / 0.33 = 0.7425.
-  CHECK(shown(glm::vec4(0.0825f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.04125f)));
-  CHECK(shown(glm::vec4(0.495f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.7425f)));
-  CHECK(shown({0.495f, 0.33f, 0.0f, 1.0f}, 1.0f, {}, 2.0f) == shown({0.7425f, 0.495f, 0.0f, 1.0f}));
-  CHECK(shown(glm::vec4(0.0f), 1.0f, {}, 1.6f) == glm::ivec4(0, 0, 0, 255));
+TEST_CASE(
+    "tone_map: contrast is a power about 0.31 that keeps channels in proportion, in the dark a weak one") {
+  CHECK(shown(glm::vec4(0.31f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.31f)));
+  // 0.465: 0.465^2 / 0.31 = 0.6975; at the contrast 3: 0.34875 * 1.125^2 = 0.44139.
+  CHECK(shown(glm::vec4(0.465f), 1.0f, {}, 2.0f) == shown(glm::vec4(0.6975f)));
+  CHECK(shown(glm::vec4(0.34875f), 1.0f, {}, 3.0f) == shown(glm::vec4(0.44139f)));
+  CHECK(shown({0.465f, 0.31f, 0.0f, 1.0f}, 1.0f, {}, 2.0f) == shown({0.6975f, 0.465f, 0.0f, 1.0f}));
+  // A quarter of 0.31, at 1.5: by 0.25^0.25 darker; from the contrast 1.6 on by 0.25^0.3.
+  CHECK(shown(glm::vec4(0.31f / 4.0f), 1.0f, {}, 1.5f) == shown(glm::vec4(0.31f / 4.0f * 0.70711f)));
+  CHECK(shown(glm::vec4(0.31f / 4.0f), 1.0f, {}, 1.6f) == shown(glm::vec4(0.31f / 4.0f * 0.65975f)));
+  CHECK(shown(glm::vec4(0.31f / 4.0f), 1.0f, {}, 6.0f) == shown(glm::vec4(0.31f / 4.0f * 0.65975f)));
+  CHECK(shown(glm::vec4(0.0f), 1.0f, {}, 6.0f) == glm::ivec4(0, 0, 0, 255));
   for (const ToneMap plain : {ToneMap::Neutral, ToneMap::Linear}) {
     Settings settings;
     settings.tone_map = plain;

@@ -104,7 +104,8 @@ Vec3 radiance_along(IN(Sight) from) {
   Vec3 end = sight.ray.start;
   Bool lands = Bool(false);
   for (int k = 0; k < u.most_surfaces && any_lane(sight.under_way); k++) {
-    NearestTriangle met = nearest_triangle(walking_ray(sight.ray, sight.own, sight.media), sight.under_way);
+    WalkingRay walking = walking_ray(sight.ray, sight.own, sight.media);
+    NearestTriangle met = nearest_triangle(walking, sight.under_way, nothing_met());
     Bool caster = sight.under_way && met.number >= 0.0f && met.number < float(u.first_receiver);
     Bool receiver = sight.under_way && met.number >= float(u.first_receiver);
     Vec3 taken = left_by(sight.media.x, met.distance);

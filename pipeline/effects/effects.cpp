@@ -17,7 +17,9 @@
 #include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/effects/water_waves.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/environment.hpp"
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/hierarchy_tables.hpp"
 #include "pipeline/scene/view.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -209,6 +211,25 @@ void add_occlusion(const Scene& scene, Effects& effects) {
                                                   : "no diffuse surface has an occlusion texture"};
 }
 
+// After reflecting_receivers, which the camera decides on.
+void add_ambient_occlusion(const Scene& scene, const Settings& settings, Effects& effects) {
+  const bool lit = upward_irradiance(scene.environment) > 0.0, near = scene.environment.reach > 0.0f;
+  const bool alone = scene.meshes.size() < 2 && effects.receivers_are_one_plane;
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.indices.size() / 3;
+  const bool too_many = triangles >= kMostTriangles;
+  const bool active =
+      settings.ambient_occlusion && lit && near && !alone && !too_many && effects.reflecting_receivers.active;
+  effects.ambient_occlusion = {active, active ? "surfaces keep the environment's light from others near by"
+                                       : !settings.ambient_occlusion ? "not asked for"
+                                       : !effects.reflecting_receivers.active
+                                           ? effects.reflecting_receivers.reason
+                                       : !lit     ? "no light comes from all around"
+                                       : too_many ? "there are too many triangles"
+                                       : !near    ? "the scene says nothing about its extent"
+                                                  : "there is one plane"};
+}
+
 // Receivers that are one plane hide nothing from any light.
 void add_hidden_receivers(const Settings& settings, Effects& effects) {
   const bool window = std::any_of(effects.lights.begin(), effects.lights.end(),
@@ -290,6 +311,7 @@ std::span<const NamedEffect> named_effects() {
       {"reflecting receivers", &Effects::reflecting_receivers},
       {"emission", &Effects::emission},
       {"occlusion", &Effects::occlusion},
+      {"ambient occlusion", &Effects::ambient_occlusion},
       {"caustics", &Effects::caustics},
       {"cells", &Effects::cells},
       {"exit surface", &Effects::exit_surface},
@@ -355,6 +377,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   effects.dim_lights = {false, "there are few lights"};
   effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
   add_camera(scene, camera, effects);
+  add_ambient_occlusion(scene, settings, effects);
   return effects;
 }
 

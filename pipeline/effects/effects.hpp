@@ -123,6 +123,7 @@ struct Effects {
   Effect reflecting_receivers;   // one that is not black
   Effect emission;               // a surface that shines
   Effect occlusion;              // a diffuse surface whose texture keeps the environment's light away
+  Effect ambient_occlusion;      // what surfaces keep from others near by of the environment's light
   Effect caustics;               // a refractor or mirror that a light can reach
   Effect cells;                  // caustics whose landings are joined to cells (Splat::Cell)
   Effect exit_surface;           // a refractor with two interfaces

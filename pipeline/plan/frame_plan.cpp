@@ -116,7 +116,7 @@ class Planner {
     for (int i = 0; i < static_cast<int>(registry.size()); ++i)
       if (pass_of(i).has_layers()) last_with_layers_ = i;
     if (scene.environment.image) add_external(kEnvironment);
-    if (effects.further_surfaces.active)
+    if (effects.further_surfaces.active || effects.ambient_occlusion.active)
       for (const char* name : {kHierarchyNodes, kHierarchyTriangles, kHierarchyNormals}) add_external(name);
   }
 
@@ -287,7 +287,7 @@ class Planner {
   TargetSize size_of(const Pass& pass, const DrawnFor& drawn_for, Owner user) const {
     const LightEffects* light =
         user.light < 0 ? nullptr : &effects_.lights[static_cast<std::size_t>(user.light)];
-    return is_of_camera(pass, drawn_for) ? picture_size(settings_, drawn_for.camera)
+    return is_of_camera(pass, drawn_for) ? coarser(picture_size(settings_, drawn_for.camera), pass.coarser)
            : drawn_for.size              ? drawn_for.size(own_settings_[user.light], effects_, light)
                                          : pass.size(own_settings_[user.light], effects_, light);
   }

@@ -170,6 +170,10 @@ TargetSize picture_size(const Settings& settings, CameraView camera) {
   return {(settings.width + 1) / 2, (settings.height + 1) / 2};
 }
 
+TargetSize coarser(TargetSize size, int times) {
+  return {(size.width + times - 1) / times, (size.height + times - 1) / times};
+}
+
 TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*) {
   return {settings.grid, settings.grid};
 }

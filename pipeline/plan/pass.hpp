@@ -269,6 +269,8 @@ struct Pass {
   // Only for lights of whom a caustic is to be expected.
   bool only_lights_with_caustics = false;
   DrawSet draws = DrawSet::FullScreen;
+  // Of the targets of a pass of the camera: a texel stands for so many pixels a side.
+  int coarser = 1;
   // Of the targets; null: the picture's (of surroundings half of that).
   TargetSize (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;
   std::vector<Read> reads{};
@@ -308,6 +310,8 @@ void validate(const Registry& registry);
 // Does the instance show what the camera sees? Such have the size of what it sees.
 bool is_of_camera(const Pass& pass, const DrawnFor& drawn_for);
 TargetSize picture_size(const Settings& settings, CameraView camera);
+// By so many times a side, rounded up.
+TargetSize coarser(TargetSize size, int times);
 
 // Sizes that several passes share.
 TargetSize grid_size(const Settings& settings, const Effects&, const LightEffects*);

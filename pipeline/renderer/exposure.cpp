@@ -18,13 +18,17 @@ namespace caustics {
 namespace {
 
 // Radiance over display white: what glows, the floor, and what glows at most.
-constexpr double kWhite = 0.95, kFloor = 0.33, kMostGlow = 7.6;
-constexpr double kMostContrast = 1.6;
+constexpr double kWhite = 1.15, kFloor = 0.31, kMostGlow = 7.6;
+constexpr double kMostContrast = 6.0;
 constexpr double kGlows = 0.999;  // of the picture is darker than what glows
 // No more than a tenth of what the camera meets is so many times as bright as the floor: a white table around
 // a dark cloth.
-constexpr double kBright = 0.9, kMostBright = 1.4;
+constexpr double kBright = 0.9, kMostBright = 2.2;
+// And half of the picture not as many times: a low ground before a bright sky.
+constexpr double kMostOfHalf = 1.15;
 constexpr double kCameraRays = 2304.0;  // of the camera, 64 x 36
+// Landed light is told apart four times as finely, where so many rays or more land side by side.
+constexpr int kFine = 4, kEnoughRays = 10;
 constexpr double kShadowRays = 131072;  // fewer of the camera where there are many lights
 constexpr double kOpenFloor = 0.7;      // albedo
 
@@ -42,6 +46,52 @@ glm::dvec3 mean_color(const Scene& scene, const TextureUse& use) {
   return sum / static_cast<double>(kSteps * kSteps);
 }
 
+// Of rays in cells of a picture: how many there are in a box around a cell, and their light.
+class SumsOverBoxes {
+ public:
+  SumsOverBoxes(int width, int height)
+      : width_(width), height_(height), cells_(static_cast<std::size_t>((width + 1) * (height + 1))) {}
+
+  void add(int x, int y, double lumen) {
+    Sum& cell = at(std::min(x, width_ - 1) + 1, std::min(y, height_ - 1) + 1);
+    cell.lumen += lumen;
+    cell.rays += 1;
+  }
+
+  // From each cell to the sum of all before it.
+  void finish() {
+    for (int y = 1; y <= height_; ++y)
+      for (int x = 1; x <= width_; ++x) {
+        at(x, y).lumen += at(x - 1, y).lumen + at(x, y - 1).lumen - at(x - 1, y - 1).lumen;
+        at(x, y).rays += at(x - 1, y).rays + at(x, y - 1).rays - at(x - 1, y - 1).rays;
+      }
+  }
+
+  // Lumen a cell, over the smallest box that has rays enough: few rays in small boxes are noise.
+  double density_at(int x, int y) const {
+    double density = 0.0;
+    for (const int reach : {0, 1, 2, 4, 6}) {
+      const int left = std::max(x - reach, 0), right = std::min(x + reach + 1, width_);
+      const int low = std::max(y - reach, 0), high = std::min(y + reach + 1, height_);
+      const Sum &a = at(left, low), &b = at(right, low), &c = at(left, high), &d = at(right, high);
+      density = std::max((d.lumen - b.lumen) - (c.lumen - a.lumen), 0.0) / ((right - left) * (high - low));
+      if ((d.rays - b.rays) - (c.rays - a.rays) >= kEnoughRays) break;
+    }
+    return density;
+  }
+
+ private:
+  struct Sum {
+    double lumen = 0.0;
+    int rays = 0;
+  };
+  const Sum& at(int x, int y) const { return cells_[static_cast<std::size_t>(y * (width_ + 1) + x)]; }
+  Sum& at(int x, int y) { return cells_[static_cast<std::size_t>(y * (width_ + 1) + x)]; }
+
+  int width_, height_;
+  std::vector<Sum> cells_;
+};
+
 // What the picture shows of the receivers, cell by cell.
 class Sketch {
  public:
@@ -58,7 +108,8 @@ class Sketch {
     rows_ = std::max(4, static_cast<int>(rays / columns_));
     for (const Material& material : scene.materials)
       albedo_.push_back(
-          exact::luminance(glm::dvec3(material.base_color) * mean_color(scene, material.base_color_texture)));
+          exact::luminance(glm::dvec3(material.base_color) * mean_color(scene, material.base_color_texture)) *
+          (1.0 - static_cast<double>(material.metallic)));
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
     const std::vector<Landed> landed = light_.find();
     for (int y = 0; y < rows_; ++y)
@@ -69,8 +120,9 @@ class Sketch {
   // Of what was met, the share `part` from the darkest; of the whole picture if `whole`.
   double percentile(double part, bool whole) const {
     std::vector<double> values;
+    if (whole) values = fine_;
     for (const Cell& cell : cells_)
-      if (whole || cell.area > 0.0) values.push_back(cell.radiance);
+      if (!whole && cell.area > 0.0) values.push_back(cell.radiance);
     if (values.empty()) return 0.0;
     const auto at = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
@@ -87,17 +139,17 @@ class Sketch {
   }
 
   void add(const std::vector<Landed>& landed) {
-    std::vector<double> flux(cells_.size());
+    SumsOverBoxes sums(kFine * columns_, kFine * rows_);
     for (const Landed& each : landed)
-      if (const auto cell = seen_in(each.position)) flux[*cell] += each.lumen;
-    // The mean over three by three cells: a few rays a cell are noise.
-    for (int y = 0; y < rows_; ++y)
-      for (int x = 0; x < columns_; ++x) {
-        Cell& cell = cells_[index(x, y)];
-        double sum = 0.0;
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows_ - 1); ++j)
-          for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns_ - 1); ++i) sum += flux[index(i, j)];
-        if (cell.area > 0.0) cell.radiance += cell.albedo / exact::kPi * sum / (9.0 * cell.area);
+      if (const auto place = seen_at(each.position))
+        sums.add(static_cast<int>(place->x * kFine * columns_), static_cast<int>(place->y * kFine * rows_),
+                 each.lumen);
+    sums.finish();
+    for (int y = 0; y < kFine * rows_; ++y)
+      for (int x = 0; x < kFine * columns_; ++x) {
+        const Cell& cell = cells_[index(x / kFine, y / kFine)];
+        const double lux = cell.area > 0.0 ? sums.density_at(x, y) * (kFine * kFine) / cell.area : 0.0;
+        fine_.push_back(cell.radiance + cell.albedo / exact::kPi * lux);
       }
   }
 
@@ -150,7 +202,8 @@ class Sketch {
     return sum;
   }
 
-  std::optional<std::size_t> seen_in(const glm::dvec3& p) const {
+  // In parts of the picture's width and height.
+  std::optional<glm::dvec2> seen_at(const glm::dvec3& p) const {
     const glm::dvec3 here = camera_.coordinates(p);
     if (!(here.z > 0.0)) return {};
     const glm::dvec2 at =
@@ -158,7 +211,7 @@ class Sketch {
     if (!(at.x >= 0.0 && at.x < 1.0 && at.y >= 0.0 && at.y < 1.0)) return {};
     const glm::dvec3 to = camera_.perspective ? camera_.origin - p : camera_.forward * -here.z;
     if (receivers_.nearest(p + to * 1e-4, to)) return {};
-    return index(static_cast<int>(at.x * columns_), static_cast<int>(at.y * rows_));
+    return at;
   }
 
   const Scene& scene_;
@@ -169,6 +222,7 @@ class Sketch {
   int columns_ = 0, rows_ = 0;
   std::vector<double> albedo_;  // by Scene::materials
   std::vector<Cell> cells_;
+  std::vector<double> fine_;  // radiance, kFine times as finely a side
 };
 
 // 2^ev by whole steps and a series for the rest.
@@ -187,7 +241,8 @@ Exposure exposure_of(const Scene& scene, const Settings& settings, const std::op
   double floor = 0.0, glow = 0.0;
   if (camera && !scene.meshes.empty()) {
     const Sketch sketch(scene, settings, *camera);
-    floor = std::max(sketch.percentile(0.5, false), sketch.percentile(kBright, true) / kMostBright);
+    floor = std::max({sketch.percentile(0.5, false), sketch.percentile(0.5, true) / kMostOfHalf,
+                      sketch.percentile(kBright, true) / kMostBright});
     glow = sketch.percentile(kGlows, true);
   }
   if (!(floor > 0.0))

@@ -26,10 +26,10 @@ Exposure exposure_for(const Scene& scene, const Settings& settings = {}) {
   return exposure_of(scene, settings, view_of(scene.cameras.front(), 160, 90, bounds_of(scene)));
 }
 
-// What tone_map makes of a radiance before its shoulder: a power about 0.33.
+// What tone_map makes of a radiance before its shoulder: a power about 0.31.
 double shown(const Exposure& exposure, double radiance) {
   const double exposed = radiance * static_cast<double>(exposure.factor);
-  return exposed * std::pow(exposed / 0.33, static_cast<double>(exposure.contrast) - 1.0);
+  return exposed * std::pow(exposed / 0.31, static_cast<double>(exposure.contrast) - 1.0);
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ double shown(const Exposure& exposure, double radiance) {
 TEST_CASE("exposure: an even floor is shown as a mid grey, whatever the light's strength") {
   for (const float lux : {1e-6f, 3.14159265f, 1e6f}) {
     const Exposure exposure = exposure_for(lit_floor(lux));
-    CHECK(shown(exposure, 0.8 * static_cast<double>(lux) / 3.14159265) == Approx(0.33).epsilon(1e-3));
-    CHECK(exposure.contrast == Approx(1.6));
+    CHECK(shown(exposure, 0.8 * static_cast<double>(lux) / 3.14159265) == Approx(0.31).epsilon(1e-3));
+    CHECK(exposure.contrast == Approx(6.0));
   }
 }
 
@@ -58,10 +58,44 @@ TEST_CASE("exposure: what glass gathers on the floor is brought to white") {
   Scene scene = lit_floor();
   scene.meshes.push_back(sphere({0.0, 1.5, 0.0}, 0.8, 4, 1));
   const Exposure exposure = exposure_for(scene);
-  CHECK(shown(exposure, 0.8) == Approx(0.33).epsilon(0.01));
+  CHECK(shown(exposure, 0.8) == Approx(0.31).epsilon(0.01));
   // Light of the ball lands on some hundred times less than its own area: far brighter than white.
   CHECK(shown(exposure, 8.0) > 0.95);
-  CHECK(exposure.contrast < 1.6f);
+  CHECK(exposure.contrast < 6.0f);
+}
+
+TEST_CASE("exposure: a small caustic is seen as bright as it is, not as the mean over what lies around it") {
+  // The floor lies near the ball's focus, 1.5 radii below its middle: a spot of some hundredths of a metre.
+  Scene scene = lit_floor();
+  scene.meshes.push_back(sphere({0.0, 0.31, 0.0}, 0.2, 4, 1));
+  scene.cameras = {camera_down(1.0, 0.8)};
+  const Exposure exposure = exposure_for(scene);
+  CHECK(exposure.contrast < 2.0f);
+  CHECK(shown(exposure, 0.8) == Approx(0.31).epsilon(0.01));
+}
+
+TEST_CASE("exposure: metal has no colour of its own that would glow") {
+  const auto with = [](float metallic) {
+    Scene scene = lit_floor();
+    scene.materials[0].base_color = glm::vec4(0.2f, 0.2f, 0.2f, 1.0f);
+    scene.materials.push_back(diffuse(0.9f));
+    scene.materials.back().metallic = metallic;
+    scene.meshes.push_back(box({-0.1, 0.0, -0.1}, {0.1, 0.1, 0.1}, 2));
+    return exposure_for(scene);
+  };
+  // 4.5 times as bright as the floor: 0.31 * 4.5 is over 1.15. Of metal nothing is brighter than the floor.
+  CHECK(with(0.0f).contrast == 1.0f);
+  CHECK(with(1.0f).contrast == Approx(6.0));
+}
+
+TEST_CASE("exposure: where a bright sky is over half of the picture, the floor under it is shown darker") {
+  Scene scene = lit_floor();
+  scene.environment.backdrop = glm::vec3(2.3f);
+  Camera level = scene.cameras.front();
+  scene.meshes = {box({-1.0, -0.1, -1.0}, {1.0, 0.0, 0.0}, 0)};
+  scene.cameras = {level};
+  const auto whole = exposure_of(scene, {}, view_of(camera_down(2.0, 2.0), 160, 90, bounds_of(scene)));
+  CHECK(static_cast<double>(whole.factor) * 2.3 == Approx(0.31 * 1.15).epsilon(1e-3));
 }
 
 TEST_CASE("exposure: it asks neither for the grid nor for the picture's size, and adds EV") {

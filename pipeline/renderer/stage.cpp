@@ -107,6 +107,7 @@ class Stage {
       say("the light of a studio",
           "No environment image was given: a neutral studio lights the scene with 30 % of what its lights "
           "give.");
+    scene_.environment.reach = static_cast<float>(around_.thing.empty() ? 0.0 : subject_.radius());
     note_low_sun();
     // Said before what the loader noted, of which there may be much.
     std::rotate(scene_.notes.begin(), scene_.notes.begin() + loaded, scene_.notes.end());

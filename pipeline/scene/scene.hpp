@@ -176,6 +176,8 @@ struct Environment {
   glm::vec3 zenith{0.0f}, horizon{0.0f}, ground{0.0f};  // nit, without an image
   std::array<SoftBox, 3> boxes{};  // not seen directly; a surface that faces up gets boxes_mean pi of them
   float boxes_mean = 0.0f;
+  // Metres: as far a surface keeps some of it from another. 0: none does.
+  float reach = 0.0f;
   std::optional<glm::vec3> backdrop;  // nit: what is seen directly below the horizon, instead of `ground`
 };
 

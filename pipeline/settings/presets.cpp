@@ -12,9 +12,19 @@ namespace {
 
 // The grid and the iterations are those of its figures, the start that of its appendix.
 constexpr PresetValue kPaper[] = {
-    {"grid", "128"},        {"iterations", "3"}, {"estimator", "paper"},      {"search.start", "0.1"},
-    {"thickness", "wyman"}, {"splat", "point"},  {"unconverged", "draw"},     {"weights", "paper"},
-    {"pixel_means", "off"}, {"cascades", "off"}, {"hidden_receivers", "off"}, {"highlights", "off"},
+    {"grid", "128"},
+    {"iterations", "3"},
+    {"estimator", "paper"},
+    {"search.start", "0.1"},
+    {"thickness", "wyman"},
+    {"splat", "point"},
+    {"unconverged", "draw"},
+    {"weights", "paper"},
+    {"pixel_means", "off"},
+    {"cascades", "off"},
+    {"hidden_receivers", "off"},
+    {"highlights", "off"},
+    {"ambient.occlusion", "off"},
 };
 
 constexpr Preset kPresets[] = {{"paper", "the frame of Shah, Konttinen and Pattanaik (2007)", kPaper}};

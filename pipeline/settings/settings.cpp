@@ -271,6 +271,8 @@ constexpr Setting kTable[] = {
         "of a pixel, whose mean is shown; auto: 4 where pictures are only looked at"),
     choice<&S::highlights, kAutoOff>("highlights", Part::Picture,
                                      "mirror images of lights, and in receivers of the environment"),
+    choice<&S::ambient_occlusion, kAutoOff>("ambient.occlusion", Part::Picture,
+                                            "surfaces keep the environment's light from others near by"),
     choice<&S::tone_map, kToneMaps>(
         "tone_map", Part::Picture,
         "PNG pictures: with as much contrast as brings what glows to white, as neutral (Khronos PBR Neutral: "

@@ -69,7 +69,7 @@ struct Settings {
   double outside_share = 4e-3;
   bool assume_solid = false;
   std::optional<float> exposure;  // none: automatic
-  bool highlights = true;
+  bool highlights = true, ambient_occlusion = true;
   ToneMap tone_map = ToneMap::Film;
   float environment_strength = 1.0f, environment_turn = 0.0f;
   std::string camera;  // empty: the first
