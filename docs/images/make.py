@@ -73,6 +73,8 @@ DUMPS = {  # name: (scene, options): small frames that together run every pass
 }
 HAZE = {'hazy_panes': {'scattering': 0.25, 'anisotropy': 0.3}}  # added to that scene
 PASSES = {  # pass: (dump, the instances shown)
+    'ambient_occlusion': ('step', ['ambient_occlusion']),
+    'ambient_rays': ('step', ['ambient_rays']),
     'average_samples': ('smooth', ['average_samples.sample 1', 'average_samples.sample 4']),
     'beams': ('lens', ['beams[sun]']),
     'bend': ('tumbler', ['bend[sun].2']),

@@ -19,6 +19,7 @@ namespace {
 
 // Radiance over display white: what glows, the floor, and what glows at most.
 constexpr double kWhite = 1.15, kFloor = 0.31, kMostGlow = 7.6;
+constexpr double kLargeWhite = 0.8;  // white that fills a tenth of the picture keeps its texture
 constexpr double kMostContrast = 6.0;
 constexpr double kGlows = 0.999;  // of the picture is darker than what glows
 // No more than a tenth of what the camera meets is so many times as bright as the floor: a white table around
@@ -235,21 +236,28 @@ double power_of_two(double ev) {
   return power;
 }
 
+// By which what is `ratio` times as bright as the floor is shown as `white`.
+double contrast_for(double ratio, double white) {
+  return ratio > 1.001 ? exact::log(white / kFloor) / exact::log(ratio) : kMostContrast;
+}
+
 }  // namespace
 
 Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera) {
-  double floor = 0.0, glow = 0.0;
+  double floor = 0.0, bright = 0.0, glow = 0.0;
   if (camera && !scene.meshes.empty()) {
     const Sketch sketch(scene, settings, *camera);
-    floor = std::max({sketch.percentile(0.5, false), sketch.percentile(0.5, true) / kMostOfHalf,
-                      sketch.percentile(kBright, true) / kMostBright});
+    bright = sketch.percentile(kBright, true);
+    floor = std::max(
+        {sketch.percentile(0.5, false), sketch.percentile(0.5, true) / kMostOfHalf, bright / kMostBright});
     glow = sketch.percentile(kGlows, true);
   }
   if (!(floor > 0.0))
     floor = kOpenFloor / exact::kPi * (light_level(scene) + upward_irradiance(scene.environment));
   if (!(floor > 0.0)) floor = kFloor;
   const double ratio = std::clamp(glow / floor, 1.0, 1e9);
-  const double wanted = ratio > 1.001 ? exact::log(kWhite / kFloor) / exact::log(ratio) : kMostContrast;
+  const double wanted =
+      std::min(contrast_for(ratio, kWhite), contrast_for(std::min(bright / floor, ratio), kLargeWhite));
   const double factor = std::min(kFloor, kMostGlow / ratio) / floor *
                         power_of_two(settings.exposure ? static_cast<double>(*settings.exposure) : 0.0);
   return {.factor = static_cast<float>(std::clamp(factor, 1e-30, 1e30)),

@@ -74,6 +74,15 @@ TEST_CASE("exposure: a small caustic is seen as bright as it is, not as the mean
   CHECK(shown(exposure, 0.8) == Approx(0.31).epsilon(0.01));
 }
 
+TEST_CASE("exposure: white that fills much of the picture keeps its texture") {
+  // A white table on a third of a picture, twice as bright as the floor: 0.31 * 2^c = 0.8 with c = 1.368.
+  Scene scene = lit_floor();
+  scene.materials[0].base_color = glm::vec4(0.4f, 0.4f, 0.4f, 1.0f);
+  scene.materials.push_back(diffuse(0.8f));
+  scene.meshes.push_back(box({-9.0, 0.0, -9.0}, {-1.2, 0.1, 9.0}, 2));
+  CHECK(shown(exposure_for(scene), 0.8) == Approx(0.8).epsilon(0.02));
+}
+
 TEST_CASE("exposure: metal has no colour of its own that would glow") {
   const auto with = [](float metallic) {
     Scene scene = lit_floor();

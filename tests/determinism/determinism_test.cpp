@@ -20,6 +20,7 @@ Scene lively_scene() {
   Light point{.name = "point", .type = LightType::Point, .intensity = 3.0f};
   point.position = {-0.8, 2.0, 0.6};
   scene.lights.push_back(point);
+  scene.environment.reach = 1.0f;
   return scene;
 }
 

@@ -47,6 +47,7 @@ Scene frame_scene() {
   panel.direction = glm::normalize(glm::dvec3(-0.5, -1.0, 0.6));
   panel.lambertian = true;
   scene.lights.push_back(panel);
+  scene.environment.reach = 1.0f;
   return scene;
 }
 
