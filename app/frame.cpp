@@ -17,15 +17,16 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
 }
 
 MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame,
-                             std::uint64_t outputs) {
+                             const OutputBytes& outputs) {
   MemoryJudgement judged;
   judged.needed = memory_needed({.plan = frame.plan,
                                  .registry = pass_registry(),
                                  .scene = scene,
+                                 .effects = frame.effects,
                                  .settings = frame.settings,
                                  .device = {draw_bytes, kMostKeptOfDraws},
                                  .taken = frame.taken,
-                                 .outputs = outputs});
+                                 .outputs = outputs ? outputs(frame) : 0});
   judged.budget = request.budget();
   judged.refusal = memory_refusal(judged.needed, judged.budget, "-r, --grid, --map or -D shadow");
   return judged;
@@ -43,7 +44,7 @@ void check_water_work(const Scene& scene, double seconds) {
 }
 
 RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<LoadedScene> loaded,
-                             const PlanGoal& goal, Effect Effects::*without, std::uint64_t outputs)
+                             const PlanGoal& goal, Effect Effects::*without, OutputBytes outputs)
     : loaded_(std::move(loaded)), device_(make_device(request.backend)) {
   check_water_work(loaded_->scene(), request.seconds.value_or(0.0));
   if (request.backend.backend != Backend::Software) pilot_device_ = make_pilot_device(request.backend);
@@ -55,7 +56,7 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<Loaded
                    .seconds = request.seconds.value_or(0.0),
                    .without = without,
                    .pilot = pilot_device_.get(),
-                   .accept = [this, request, outputs](const PlannedFrame& frame) {
+                   .accept = [this, request, outputs = std::move(outputs)](const PlannedFrame& frame) {
                      memory_ = judge_memory(request, loaded_->scene(), frame, outputs);
                      if (!memory_.refusal.empty()) throw Error(ExitCode::WrongUsage, memory_.refusal);
                    }});

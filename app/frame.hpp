@@ -1,5 +1,6 @@
 // From a request to a rendered frame: the steps that render, probe and digest share.
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "pipeline/measure/frame_memory.hpp"
@@ -20,9 +21,10 @@ struct MemoryJudgement {
   MemoryBudget budget;
   std::string refusal;  // empty: it fits
 };
-// `outputs`: FrameCost::outputs.
+// FrameCost::outputs of a frame that is planned.
+using OutputBytes = std::function<std::uint64_t(const PlannedFrame& frame)>;
 MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame,
-                             std::uint64_t outputs = 0);
+                             const OutputBytes& outputs = {});
 
 // Throws Error (WrongUsage) where the scene's waters would have to make more steps from rest to this moment
 // than LoadOptions::max_water_updates allows before time 0.
@@ -34,9 +36,8 @@ class RenderedFrame {
  public:
   // `loaded`: may serve several frames one after the other, of requests that differ neither in what is loaded
   // nor in camera and exposure. `without`: FrameOptions::without.
-  // `outputs`: FrameCost::outputs.
   RenderedFrame(const FrameRequest& request, std::shared_ptr<LoadedScene> loaded, const PlanGoal& goal,
-                Effect Effects::*without = nullptr, std::uint64_t outputs = 0);
+                Effect Effects::*without = nullptr, OutputBytes outputs = {});
   RenderedFrame(const RenderedFrame&) = delete;
   RenderedFrame& operator=(const RenderedFrame&) = delete;
   ~RenderedFrame();

@@ -37,7 +37,8 @@ MemoryJudgement judge_picture(const FrameRequest& request, const Scene& scene, c
   // It takes the place of the plan that stands for one sample.
   const std::uint64_t after = resident_memory().now;
   frame.taken.now += after > before ? after - before : 0;
-  return judge_memory(request, scene, frame, writing_bytes(picture, frame.settings, false));
+  return judge_memory(request, scene, frame,
+                      [&](const PlannedFrame& shown) { return writing_bytes(shown, picture); });
 }
 
 }  // namespace

@@ -315,7 +315,9 @@ class Renderer {
     if (!todo_.empty() && request_.frames) check_water_work(loaded->scene(), request_.seconds(todo_.back()));
     progress_.show("finding where the light goes");
     frame_.emplace(request_.frame, std::move(loaded), goal_of(request_), nullptr,
-                   writing_bytes(request_.outputs, request_.frame.settings, !request_.dump.empty()));
+                   [outputs = request_.outputs, beside = beside_pictures()](const PlannedFrame& frame) {
+                     return writing_bytes(frame, outputs, beside);
+                   });
     timing_.prepare = total_.milliseconds() - timing_.load;
     if (!request_.dump.empty()) dump_.emplace(request_.dump, request_.pictures);
     const Settings& size = request_.frame.settings;
@@ -323,6 +325,11 @@ class Renderer {
       if (is_video(file))
         films_.push_back(std::make_unique<VideoFile>(file, size.width, size.height, request_.rate));
     started_ = Stopwatch();
+  }
+
+  WrittenBeside beside_pictures() const {
+    return {
+        .stats = !request_.stats.empty(), .dumped = !request_.dump.empty(), .pictures = request_.pictures};
   }
 
   // How many frames there are has just been found: pictures beside a film have their names from it.

@@ -14,6 +14,9 @@ namespace caustics::app {
 // A label as part of a file's name: whatever is not a plain letter or digit becomes '_'.
 std::string file_part(const std::string& label);
 
+// That the manifest takes for each pass until it is written, in bytes.
+inline constexpr std::size_t kBytesOfDumpedPass = 12000;
+
 class Dump {
  public:
   // See DumpFolder. `pictures`: to look at, too.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 
+#include "app/output/dump.hpp"
 #include "app/output/fine_picture.hpp"
 #include "app/output/image_file.hpp"
 #include "app/output/stated_error.hpp"
+#include "app/output/stats.hpp"
 #include "app/output/video_file.hpp"
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/parser.hpp"
@@ -218,12 +220,26 @@ bool wants_ledgers(const OutputRequest& request) {
   return std::find(request.layers.begin(), request.layers.end(), "error") != request.layers.end();
 }
 
-std::uint64_t writing_bytes(const OutputRequest& request, const Settings& settings, bool dumped) {
-  const auto square = [](std::uint64_t side) { return side * side; };
+namespace {
+
+// An attachment of a dump is read back and encoded; its picture is painted from its values, sorted.
+std::uint64_t dumping_bytes(const FramePlan& plan, bool pictures) {
+  constexpr std::uint64_t kValues = 16, kPainted = 32;  // a texel
+  std::uint64_t texels = 0;
+  for (const PlannedTexture& texture : plan.textures)
+    texels = std::max(texels,
+                      static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height));
+  return texels * (kValues + (pictures ? kPainted : 0)) + plan.passes.size() * kBytesOfDumpedPass;
+}
+
+}  // namespace
+
+std::uint64_t writing_bytes(const PlannedFrame& frame, const OutputRequest& request,
+                            const WrittenBeside& beside) {
   const std::uint64_t pixels =
-      static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
+      static_cast<std::uint64_t>(frame.settings.width) * static_cast<std::uint64_t>(frame.settings.height);
   std::uint64_t most = 0;
-  bool by_library = dumped;
+  bool by_library = beside.dumped;
   for (const std::filesystem::path& file : request.files) {
     const PictureFormat* format = format_of(file);
     if (!format) continue;  // a film's rows go to another program
@@ -236,12 +252,8 @@ std::uint64_t writing_bytes(const OutputRequest& request, const Settings& settin
           std::max(most, (format->encoding == Encoding::Png ? 6 : 32) * pixels);  // bytes, or floats, twice
     }
   }
-  if (dumped) {
-    const std::uint64_t texels = std::max({pixels, square(static_cast<std::uint64_t>(settings.map)),
-                                           square(static_cast<std::uint64_t>(settings.grid)),
-                                           square(static_cast<std::uint64_t>(settings.shadow))});
-    most = std::max<std::uint64_t>(most, 32 * texels);
-  }
+  if (beside.dumped) most = std::max(most, dumping_bytes(frame.plan, beside.pictures));
+  if (beside.stats) most = std::max<std::uint64_t>(most, frame.plan.passes.size() * kBytesOfPassInStats);
   return most + (by_library && !is_image_io_loaded() ? kImageIoBytes : 0);
 }
 

@@ -38,8 +38,13 @@ void write_outputs(const OutputRequest& request, const RenderedFrame& frame,
                    const std::vector<LightLedger>& ledgers);
 bool wants_ledgers(const OutputRequest& request);
 
-// What writing the files takes beside the textures that they are made from, in bytes (FrameCost::outputs).
-// `dumped`: every attachment is written too.
-std::uint64_t writing_bytes(const OutputRequest& request, const Settings& settings, bool dumped);
+// What is written beside the files of a request.
+struct WrittenBeside {
+  bool stats = false, dumped = false;
+  bool pictures = false;  // of the dump
+};
+// What writing takes beside the textures that the files are made from, in bytes (FrameCost::outputs).
+std::uint64_t writing_bytes(const PlannedFrame& frame, const OutputRequest& request,
+                            const WrittenBeside& beside = {});
 
 }  // namespace caustics::app

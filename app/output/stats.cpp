@@ -92,6 +92,27 @@ Json settings_json(const Settings& settings, const std::vector<Setting::Part>& p
   return json;
 }
 
+namespace {
+
+// Puts the passes where the document has none. There may be a hundred thousand of them, and as a document of
+// its own each takes three times the memory of its text.
+std::string with_passes(const std::string& document, const std::vector<PassReport>& reports) {
+  constexpr std::string_view kNone = "\n  \"passes\": [";
+  const std::size_t at = document.find(kNone) + kNone.size();
+  std::string text = document.substr(0, at);
+  text.reserve(document.size() + reports.size() * kBytesOfPassInStats);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    std::string pass = json_text(counters_json(reports[i]));
+    pass.pop_back();  // the line break
+    text += i == 0 ? "\n    " : ",\n    ";
+    for (const char c : pass) text += c == '\n' ? "\n    " : std::string(1, c);
+  }
+  if (!reports.empty()) text += "\n  ";
+  return text.append(document, at);
+}
+
+}  // namespace
+
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
                        const std::vector<LightLedger>& ledgers, const Timing& timing,
                        const FrameStats& frames) {
@@ -110,13 +131,12 @@ std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>
                    {"memory_bytes", {{"stated", frame.memory().needed}, {"peak", resident_memory().peak}}},
                    {"frames", frames_json(frames, frame.device().made())}};
   document["passes"] = Json::array();
-  for (const PassReport& report : reports) document["passes"].push_back(counters_json(report));
   document["lights"] = Json::array();
   for (const LightLedger& ledger : ledgers) {
     document["lights"].push_back(ledger_json(frame.scene(), ledger));
   }
   document["notes"] = frame.scene().notes;
-  return json_text(document);
+  return with_passes(json_text(document), reports);
 }
 
 // Characters that one_line would not show as they are can stand in strings alone, where JSON has escapes of

@@ -29,6 +29,8 @@ nlohmann::ordered_json counters_json(const PassReport& report);
 // Relative L1 of the caustic, by parts; null where it is not estimated, and of the model where it is not
 // judged.
 nlohmann::ordered_json error_json(const ErrorEstimate& error);
+// Of text for each pass, and a little more.
+inline constexpr std::size_t kBytesOfPassInStats = 500;
 std::string stats_text(const RenderedFrame& frame, const std::vector<PassReport>& reports,
                        const std::vector<LightLedger>& ledgers, const Timing& timing,
                        const FrameStats& frames);

@@ -33,7 +33,8 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
   const auto points = [&](std::uint64_t count) { return cost.device.draw(*pass.definition, 0, count); };
   const auto grid = static_cast<std::uint64_t>(cost.settings.grid);
   const auto beams = static_cast<std::uint64_t>(beams_a_side(cost.settings));
-  switch (cost.registry[static_cast<std::size_t>(pass.pass)].draws) {
+  const DrawSet draws = cost.registry[static_cast<std::size_t>(pass.pass)].draws;
+  switch (draws) {
     case DrawSet::FullScreen:
       return 0;
     case DrawSet::GridVertices:
@@ -55,20 +56,23 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
   const std::uint64_t seen =
       std::uint64_t{4} * static_cast<std::uint64_t>(pass.width) * static_cast<std::uint64_t>(pass.height);
   std::uint64_t largest = 0, all = 0;
-  for (const Mesh& mesh : cost.scene.meshes) {
+  for (std::size_t i = 0; i < cost.scene.meshes.size(); ++i) {
+    if (!draws_mesh(draws, *pass.drawn_for, cost.effects.surfaces[i])) continue;
+    const Mesh& mesh = cost.scene.meshes[i];
     const std::uint64_t draw = cost.device.draw(*pass.definition, mesh.vertices.size(),
                                                 std::min<std::uint64_t>(mesh.indices.size() / 3, seen));
     largest = std::max(largest, draw);
     all += draw;
   }
-  const std::uint64_t draws = std::min<std::uint64_t>(all, largest + cost.device.kept);
+  const std::uint64_t waiting = std::min<std::uint64_t>(all, largest + cost.device.kept);
   // The pilot has drawn the meshes: what the device keeps of that has been taken.
-  return draws > cost.device.kept ? draws : 0;
+  return waiting > cost.device.kept ? waiting : 0;
 }
 
 // The ledger of a light that a pass ends takes, beside its textures, which are looked at where they lie: its
-// landings merged, where the farthest receivers are searched; and the error estimate's planes of one double a
-// texel for each map that shading looks up: its own, what is coarser (a quarter), and their difference.
+// landings merged, where the farthest receivers are searched; what counts the splats in a texel
+// (SplatCounts); and the error estimate's planes of one double a texel for each map that shading looks up:
+// what the grid has wrong, the map itself, what is coarser (a quarter), and the difference.
 std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
   static const std::vector<std::string> looked_at = ledger_textures();
   std::uint64_t images = 0, quarter_planes = 0, texels = 0;
@@ -77,11 +81,11 @@ std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
     const std::string name = texture.name.substr(0, texture.name.find('['));
     if (std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end()) continue;
     if (name.ends_with(".far") && name != far_texture(kCausticMap)) images += float_bytes(texture);
-    if (name == kCausticMap || name == kCascadeMap) quarter_planes += 9;
+    if (name == kCausticMap || name == kCascadeMap) quarter_planes += 13;
     if (name == kCausticMap)
       texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   }
-  return images + quarter_planes * texels / 4 * sizeof(double);
+  return images + texels * sizeof(std::int32_t) + quarter_planes * texels / 4 * sizeof(double);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 namespace caustics {
 
+struct Effects;
 struct FramePlan;
 struct PassDefinition;
 struct Scene;
@@ -27,6 +28,7 @@ struct FrameCost {
   const FramePlan& plan;
   const Registry& registry;
   const Scene& scene;
+  const Effects& effects;
   const Settings& settings;
   DeviceMemory device;
   // What the process has taken when the frame is planned: libraries, scene, meshes on the device, the pilot's

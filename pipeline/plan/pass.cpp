@@ -9,6 +9,28 @@
 
 namespace caustics {
 
+bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role) {
+  switch (draws) {
+    case DrawSet::Receivers:
+      return drawn_for.layer > 0 ? role.blended : role.role == Role::Receiver;
+    case DrawSet::Casters:
+      return is_caster(role.role);
+    case DrawSet::SolidCasters:
+      return role.role == Role::Refractor && role.two_interfaces;
+    case DrawSet::ThinPanes:
+      return role.role == Role::ThinPane;
+    case DrawSet::LightTinters:
+      return tints_light(role);
+    case DrawSet::FullScreen:
+    case DrawSet::GridVertices:
+    case DrawSet::GridColumns:
+    case DrawSet::GridCells:
+    case DrawSet::Beams:
+      return false;
+  }
+  return false;
+}
+
 namespace {
 
 // Texels by which a plane is known well enough: between them its points are interpolated without error, and

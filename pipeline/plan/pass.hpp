@@ -134,6 +134,9 @@ enum class DrawSet : std::uint8_t {
   Beams,         // beams * beams quadrilaterals of two triangles
 };
 
+// Of the sets that are meshes: is one with such a surface among them?
+bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role);
+
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
 struct PassContext {
   const Scene* scene = nullptr;

@@ -122,9 +122,10 @@ CASES = [
     ("textures, 2048", lambda: with_textures(2048, 3), SMALL),
     ("grid and map of 1024", glb.scene, ["-r", "320x180", "--grid", 1024, "--map", 1024]),
     ("--dump", glb.scene, [*SMALL, "--dump", "dumped"]),
-    # A quarter too much is stated here; not a part of the test.
     ("200 thousand triangles", lambda: with_triangles(220), SMALL),
     ("40 lights, small", lambda: with_lights(40), SMALL),
+    ("samples of a light, 16", lambda: with_lights(1), [*SMALL, "-D", "light.samples=16"]),
+    ("map of 2048", glb.scene, ["-r", "320x180", "--grid", 128, "--map", 2048]),
     ("10 lights", lambda: with_lights(10), ["-r", "640x360"]),
     ("100 lights, small", lambda: with_lights(100), SMALL),
     ("1000 meshes", lambda: with_meshes(1000), SMALL),
@@ -133,7 +134,6 @@ CASES = [
     ("texture of 8192", lambda: with_textures(8192), SMALL),
     ("texture of 4096, 16 bits", lambda: with_textures(4096, 2, bits=16), SMALL),
     ("samples of 16", glb.scene, ["-r", "640x360", "-D", "samples=16"]),
-    ("samples of a light, 16", lambda: with_lights(1), [*SMALL, "-D", "light.samples=16"]),
     ("map of 4096", glb.scene, ["-r", "640x360", "--map", 4096]),
     ("grid of 4096", glb.scene, ["-r", "640x360", "--grid", 4096, "--map", 512]),
     ("picture of 4096x2160", glb.scene, ["-r", "4096x2160"]),
@@ -143,7 +143,7 @@ CASES = [
     ("environment of 4096", glb.scene, [*SMALL, "--environment", "sky4096.hdr"]),
     ("--dump of a default", glb.scene, ["--dump", "dumped"]),
 ]
-TESTED = 6
+TESTED = 10
 ONLY_RENDER = {"-o": 2, "--dump": 2, "--stats": 2, "--aov": 2}
 
 
