@@ -63,7 +63,8 @@ void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vecto
 }
 
 // Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.
-void add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
+// Returns the processor milliseconds of rays.
+double add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
   const SampleMaps maps = maps_of(frame, light);
   const LightViews& views = frame.views()[static_cast<std::size_t>(light)];
   const std::vector<int> casters = casters_by_row(frame);
@@ -86,6 +87,7 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
   }
   Ledger ledger;
   double pixel = 0.0;
+  const Stopwatch rays;
   run_side_by_side(
       {[&] {
          if (model)
@@ -100,8 +102,10 @@ void add_sample(const RenderedFrame& frame, int light, double share, LightLedger
          pixel = kJudgedPixels * pixel_side(maps.view_position, maps.map, views.caustic,
                                             frame.effects().lights[static_cast<std::size_t>(light)].divide);
        }});
+  const double of_rays = rays.processor_milliseconds();
   add(sum.ledger, ledger, share);
   add(sum.error, error_sum.with_maps(maps.map, maps.cascade, ledger, pixel), share);
+  return of_rays;
 }
 
 }  // namespace
@@ -156,10 +160,12 @@ void LedgerReader::look(const RenderedFrame& frame, const PlannedPass& pass) {
       by_source_.try_emplace(light.source, LightLedger{.light = light.source, .ledger = {}}).first->second;
   // A sample's flux is relative to its own intensity.
   const double share = static_cast<double>(light.intensity) / static_cast<double>(source.intensity);
-  add_sample(
+  const double of_rays = add_sample(
       frame, pass.light, share, sum,
       model_of(frame, light.source, frame.effects().lights[static_cast<std::size_t>(pass.light)].divide));
   milliseconds_ += watch.milliseconds();
+  of_rays_ += of_rays;
+  of_texels_ += watch.processor_milliseconds() - of_rays;
 }
 
 AfterPass LedgerReader::watch(const RenderedFrame& frame) {

@@ -43,8 +43,10 @@ class LedgerReader {
   // One for each light whose caustic passes ran, in the order of the lights; an area light's is the sum
   // over its samples.
   std::vector<LightLedger> ledgers() const;
-  // What looking took.
+  // What looking took; and of processors, what grows with grid and map, and what does not.
   double milliseconds() const { return milliseconds_; }
+  double of_texels() const { return of_texels_; }
+  double of_rays() const { return of_rays_; }
 
  private:
   struct Judge;
@@ -52,7 +54,7 @@ class LedgerReader {
 
   std::map<int, LightLedger> by_source_;
   std::unique_ptr<Judge> judge_;  // made at the first look
-  double milliseconds_ = 0.0;
+  double milliseconds_ = 0.0, of_texels_ = 0.0, of_rays_ = 0.0;
 };
 
 // Why no rays are followed to judge the frame's caustics by (ErrorEstimate::judged); empty where they are.

@@ -131,6 +131,7 @@ std::string plan_json(const PlanReport& report) {
                    {"passes", passes_json(report)},
                    {"skipped", Json::array()},
                    {"texture_bytes", report.plan.bytes()},
+                   {"seconds", report.seconds},
                    {"memory_bytes", report.memory.needed},
                    {"memory_budget_bytes", report.memory.budget.bytes},
                    {"refused", report.memory.refusal.empty() ? Json() : Json(report.memory.refusal)},

@@ -13,6 +13,7 @@ struct PlanReport {
   const Settings& settings;
   const FramePlan& plan;
   MemoryJudgement memory;            // of a PNG picture
+  double seconds = 0.0;              // of all processors, that it will take
   std::vector<std::string> idle;     // idle_settings
   std::vector<LightLedger> ledgers;  // of a coarse run; empty where nothing throws a caustic
 

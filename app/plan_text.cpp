@@ -60,7 +60,7 @@ class TextReport {
     passes();
     skipped();
     notes();
-    memory();
+    costs();
     return text_;
   }
 
@@ -291,10 +291,11 @@ class TextReport {
     for (const std::string& note : notes) text_ += "  " + one_line(note) + "\n";
   }
 
-  void memory() {
-    heading("memory");
+  void costs() {
+    heading("time and memory");
     const MemoryJudgement& judged = report_.memory;
-    text_ += "  a PNG picture takes " + bytes_text(static_cast<double>(judged.needed)) + " of the " +
+    text_ += "  a PNG picture takes about " + significant(report_.seconds, 2) + " s of processors, and " +
+             bytes_text(static_cast<double>(judged.needed)) + " of the " +
              bytes_text(static_cast<double>(judged.budget.bytes)) + " " + one_line(judged.budget.whose) +
              "\n";
     if (!judged.refusal.empty()) text_ += "  render would refuse it: " + one_line(judged.refusal) + "\n";

@@ -69,15 +69,19 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
   return waiting > cost.device.kept ? waiting : 0;
 }
 
-// The ledger of a light that a pass ends takes, beside its textures, which are looked at where they lie: its
-// landings merged, where the farthest receivers are searched; what counts the splats in a texel
+// By light: what its ledger takes when its last pass has run, beside its textures, which are looked at where
+// they lie: its landings merged, where the farthest receivers are searched; what counts the splats in a texel
 // (SplatCounts); and the error estimate's planes of one double a texel for each map that shading looks up:
 // what the grid has wrong, the map itself, what is coarser (a quarter), and the difference.
-std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
-  static const std::vector<std::string> looked_at = ledger_textures();
-  std::uint64_t images = 0, quarter_planes = 0, texels = 0;
+std::vector<std::uint64_t> ledgers_bytes(const FramePlan& plan, std::size_t lights) {
+  struct Books {
+    std::uint64_t images = 0, quarter_planes = 0, texels = 0;
+  };
+  const std::vector<std::string> looked_at = ledger_textures();
+  std::vector<Books> books(lights);
   for (const PlannedTexture& texture : plan.textures) {
-    if (texture.light != light || !texture.kept_for_light) continue;
+    if (texture.light < 0 || !texture.kept_for_light) continue;
+    auto& [images, quarter_planes, texels] = books[static_cast<std::size_t>(texture.light)];
     const std::string name = texture.name.substr(0, texture.name.find('['));
     if (std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end()) continue;
     if (name.ends_with(".far") && name != far_texture(kCausticMap)) images += float_bytes(texture);
@@ -85,7 +89,10 @@ std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
     if (name == kCausticMap)
       texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   }
-  return images + texels * sizeof(std::int32_t) + quarter_planes * texels / 4 * sizeof(double);
+  std::vector<std::uint64_t> bytes;
+  for (const auto& [images, quarter_planes, texels] : books)
+    bytes.push_back(images + texels * sizeof(std::int32_t) + quarter_planes * texels / 4 * sizeof(double));
+  return bytes;
 }
 
 }  // namespace
@@ -93,6 +100,7 @@ std::uint64_t ledger_bytes(const FramePlan& plan, int light) {
 std::uint64_t memory_needed(const FrameCost& cost) {
   const FramePlan& plan = cost.plan;
   std::uint64_t held = cost.taken.now, most = std::max(held, cost.taken.peak), drawing = 0;
+  const std::vector<std::uint64_t> ledgers = ledgers_bytes(plan, cost.scene.lights.size());
   std::vector<bool> drawn_into(plan.memory.size());
   for (const PlannedPass& pass : plan.passes) {
     for (const int index : pass.attachments()) {
@@ -105,7 +113,8 @@ std::uint64_t memory_needed(const FrameCost& cost) {
     const std::uint64_t draw = drawing_bytes(pass, cost);
     most = std::max(most, held + draw);
     drawing = std::max(drawing, std::min<std::uint64_t>(draw, cost.device.kept));
-    if (pass.ends_light) most = std::max(most, held + drawing + ledger_bytes(plan, pass.light));
+    if (pass.ends_light)
+      most = std::max(most, held + drawing + ledgers[static_cast<std::size_t>(pass.light)]);
   }
   return std::max({most, held + drawing + cost.outputs, held + drawing + tree_bytes(cost.scene)});
 }

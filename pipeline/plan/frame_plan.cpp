@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "pipeline/effects/dim_lights.hpp"
@@ -441,11 +442,17 @@ class Planner {
     if (read.layer != OfLayer::None) return of_layer(name, read.layer, drawn_for);
     if (read.surface != OfSurface::None) return of_round(pass, name, read.surface, user);
     // A branch's own comes before what the first branch, which bears the light's name, has under the label.
-    const Owner of_light{user.light, -1};
-    for (const Owner owner : std::to_array({user, of_light, Owner{}}))
-      for (const std::string& wanted : {with_label(name, drawn_for.label), name})
-        if (const int found = find(full_name(wanted, owner)); found >= 0)
-          return called_for(read.needed_with) ? found : leave_unread(found, effects_.*read.needed_with);
+    // Of thousands of lights each name is looked for once.
+    const bool is_branch = user.branch >= 0 && !branch_of(user).name.empty();
+    for (const Owner owner : std::to_array({user, Owner{user.light, -1}, Owner{}})) {
+      if (owner.branch >= 0 && !is_branch) continue;
+      for (const bool labelled : {true, false}) {
+        if (labelled && drawn_for.label.empty()) continue;
+        const int found = find(full_name(labelled ? with_label(name, drawn_for.label) : name, owner));
+        if (found < 0) continue;
+        return called_for(read.needed_with) ? found : leave_unread(found, effects_.*read.needed_with);
+      }
+    }
     if (read.optional) return PlannedPass::kNothing;
     fail_unwritten(pass, name);
   }
@@ -511,9 +518,9 @@ class Planner {
   FramePlan plan_;
   std::map<std::pair<const Pass*, const DrawnFor*>, std::shared_ptr<const PassDefinition>> definitions_;
   const LightSettings own_settings_;
-  std::vector<bool> throws_;          // by light: a caustic
-  int last_with_layers_ = -1;         // in the registry
-  std::map<std::string, int> index_;  // of the plan's textures, by name
+  std::vector<bool> throws_;                    // by light: a caustic
+  int last_with_layers_ = -1;                   // in the registry
+  std::unordered_map<std::string, int> index_;  // of the plan's textures, by name
   // Queries that earlier passes count into: of a light's casters, of a branch's first rays, of the rays that
   // a texture holds.
   int queries_ = 0;
