@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws faults: places by lines over all rooms, operators (operators.py) by chance, all from a seed.
-  draw.py COUNT SEED         prints what it would draw
+  draw.py COUNT SEED [ROOM ...]   prints what it would draw
 A fault that does not compile is on the list `refused` of the planted copy (plant.py), and another takes its
 place."""
 import functools
@@ -91,9 +91,11 @@ def shares(rooms, count):
     return whole
 
 
-def drawn(count, seed, refused=(), taken=()):
-    """`count` faults; `taken` are those of the TOML lists, which no drawn one may overlap."""
+def drawn(count, seed, refused=(), taken=(), only=()):
+    """`count` faults, of the rooms `only` where any are named; `taken` are those of the TOML lists, which no
+    drawn one may overlap."""
     rooms, faults = files_by_room(), []
+    rooms = {room: rooms[room] for room in only or rooms}
     spans = {}
     for fault in taken:
         source = (ROOT / fault.file).read_text()
@@ -124,5 +126,5 @@ def drawn(count, seed, refused=(), taken=()):
 
 
 if __name__ == '__main__':
-    for drawn_fault in drawn(int(sys.argv[1]), sys.argv[2]):
+    for drawn_fault in drawn(int(sys.argv[1]), sys.argv[2], only=sys.argv[3:]):
         print(f'{drawn_fault.room:9} {drawn_fault.name}\n          {drawn_fault.wrong}')

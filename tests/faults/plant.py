@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """A copy of the sources that holds faults, to be chosen at run time by a name in the variable CAUSTICS_FAULT.
 Files that are the same already are left alone: a build goes on from there.
-  plant.py FOLDER [--draw COUNT SEED]   every fault of the lists, and COUNT drawn ones (draw.py)
+  plant.py FOLDER [--draw COUNT SEED [ROOM ...]]
+                                        every fault of the lists, and COUNT drawn ones (draw.py)
   plant.py FOLDER --mend BUILD.log      plants as before, but others for the drawn faults that the compiler
                                         refused; exit 1 when it refused none of them"""
 import argparse
@@ -105,13 +106,13 @@ def draw_for(folder, wanted, taken):
     memory = folder / 'drawn.json'
     known = json.loads(memory.read_text()) if memory.is_file() else {}
     if wanted.draw:
-        fresh = {'count': int(wanted.draw[0]), 'seed': wanted.draw[1]}
+        fresh = {'count': int(wanted.draw[0]), 'seed': wanted.draw[1], 'rooms': wanted.draw[2:]}
         fresh['refused'] = known.get('refused', []) if known.get('seed') == fresh['seed'] else []
         known = fresh
     if not known:
         return []
     if wanted.mend:
-        before = drawn(known['count'], known['seed'], set(known['refused']), taken)
+        before = drawn_as(known, taken)
         names = refused_by_the_compiler(folder, before, wanted.mend.read_text(errors='replace'))
         if not names:
             sys.exit('plant.py: no drawn fault stands where the build failed')
@@ -119,7 +120,11 @@ def draw_for(folder, wanted, taken):
         known['refused'] += names
     memory.parent.mkdir(parents=True, exist_ok=True)
     memory.write_text(json.dumps(known))
-    return drawn(known['count'], known['seed'], set(known['refused']), taken)
+    return drawn_as(known, taken)
+
+
+def drawn_as(known, taken):
+    return drawn(known['count'], known['seed'], set(known['refused']), taken, known['rooms'])
 
 
 def drawn_in(folder):
@@ -127,15 +132,14 @@ def drawn_in(folder):
     memory = folder / 'drawn.json'
     if not memory.is_file():
         return []
-    known = json.loads(memory.read_text())
-    return drawn(known['count'], known['seed'], set(known['refused']), all_faults())
+    return drawn_as(json.loads(memory.read_text()), all_faults())
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('folder', type=pathlib.Path)
-    parser.add_argument('--draw', nargs=2, metavar=('COUNT', 'SEED'))
+    parser.add_argument('--draw', nargs='+', metavar=('COUNT', 'SEED'))
     parser.add_argument('--mend', type=pathlib.Path, metavar='BUILD.log')
     return parser.parse_args()
 
