@@ -95,6 +95,8 @@ def drawn(count, seed, refused=(), taken=(), only=()):
     """`count` faults, of the rooms `only` where any are named; `taken` are those of the TOML lists, which no
     drawn one may overlap."""
     rooms, faults = files_by_room(), []
+    if unknown := set(only) - set(rooms):
+        sys.exit(f'draw.py: no room is named {", ".join(sorted(unknown))}')
     rooms = {room: rooms[room] for room in only or rooms}
     spans = {}
     for fault in taken:

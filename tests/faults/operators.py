@@ -174,6 +174,8 @@ def calls(source):
                 r'(?:\breturn|\belse|&&|[-+*/] [*&]?)\s$', source.masked[:match.start()]):
             continue  # a declaration
         spans, end = source.arguments(i), source.tokens[source.partner[i]].end()
+        if source.language == 'js' and re.match(r'\s*\{', source.masked[end:]):
+            continue  # a method's head, of which no compiler complains: the whole page would not run
         arguments = [whole(source, span) for span in spans]
         head = source.text[match.start():match.end()]
         for low, high in (('min', 'max'), ('max', 'min')):
