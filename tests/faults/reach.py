@@ -55,8 +55,8 @@ def run(command, environment, folder, timeout):
 
 
 def files_of_tests(source, quick):
-    files = [*sorted((source / 'tests/program').glob('*_test.py')),
-             source / 'tests/inspect/inspect_page_test.py']
+    files = sorted((source / 'tests').glob('program/*_test.py')) + sorted(
+        (source / 'tests').glob('inspect/*_test.py'))
     return [file for file in files if file.name not in LEFT_OUT and not (quick and file.name in SLOW_FILES)]
 
 

@@ -52,12 +52,13 @@ def steady(lines):
 
 
 def shortened(lines, longest):
-    """Of a long answer, a hash for every few lines; words and numbers together, as nothing in it is computed."""
+    """Of a long answer, a hash for every few lines."""
     if len(lines) <= longest:
         return lines
     pieces = [lines[i:i + 25] for i in range(0, len(lines), 25)]
-    return [f"{len(piece)} lines {hashlib.sha256('/'.join(piece).encode()).hexdigest()[:8]} from {piece[0].strip()[:60]!r}"
-            for piece in pieces]
+    hashes = [hashlib.sha256("/".join(piece).encode()).hexdigest()[:8] for piece in pieces]
+    heads = [f"from {piece[0].strip()[:60]!r}" for piece in pieces]
+    return [f"{len(piece)} lines {hashed} {head}" for piece, hashed, head in zip(pieces, hashes, heads)]
 
 
 def commands(text):
@@ -89,7 +90,7 @@ class Outputs(ProgramTest):
         if words[0] == "show":
             return [masked(line) for name in words[1:] for line in shown.lines_of(self.folder / name)]
         if words[0] == "files":
-            return [" ".join(name for name in self.files() if name not in small_scenes.files() and name != "scenes")]
+            return [" ".join(sorted(set(self.files()) - set(small_scenes.files()) - {"scenes"}))]
         result = self.run_program(*words[1:])
         lines = [f"exit {result.returncode}"] if result.returncode else []
         if "--json" in words and result.stdout.startswith("{"):
@@ -123,8 +124,8 @@ class Outputs(ProgramTest):
             if differ(line, kept, within):
                 wrong += [f"under {command}", f"  kept: {kept}", f"  now:  {line}"]
         if wrong:
-            self.fail(f"outputs_test.py --update writes {path.name} anew; of {len(wrong) // 3} lines that differ:\n"
-                      + "\n".join(wrong[:24]))
+            self.fail(f"outputs_test.py --update writes {path.name} anew; of {len(wrong) // 3} lines that "
+                      "differ:\n" + "\n".join(wrong[:24]))
 
 
 for each in sorted(KEPT.glob("*.txt")):

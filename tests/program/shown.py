@@ -13,9 +13,10 @@ from pictures import Exr
 
 WIDTH = 108
 MOST_LINES = 60  # of a JSON file that is shown as it is
-MASKED = {"deviation", "prepare_milliseconds", "share_of_bound", "peak_memory_bytes", "operations_per_second",
-          "bandwidth_bytes_per_second", "milliseconds", "processor_milliseconds", "seconds", "peak", "device", "program", "median", "least", "most",
-          "sha256", "stated", "before", "after", "pareto", "sentences", "memory_bytes", "digest", "embree", "path"}
+# Keys of what a run takes, and of what is this machine's or this build's.
+MASKED = set("""bandwidth_bytes_per_second deviation operations_per_second peak_memory_bytes
+prepare_milliseconds share_of_bound milliseconds processor_milliseconds seconds peak stated before after median
+least most pareto sentences memory_bytes device program embree path digest""".split())
 
 
 def without_times(value, key=""):
@@ -62,11 +63,12 @@ def csv_lines(text):
 
 
 def summed_up(value):
-    """A line for each path: how many values, the sum of numbers, weighted by their places, and a hash of words."""
+    """A line for each path: how many values, the sum of numbers, weighted by their places, and a hash of
+    words."""
     paths = {}
     for path, each in by_path(value):
         paths.setdefault(path, []).append(each)
-    single = {path: values[0] for path, values in paths.items() if len(values) == 1 and path.startswith("settings.")}
+    single = {path: values[0] for path, values in paths.items() if path.startswith("settings.")}
     if single:
         paths = {"settings": [f"{path}={value}" for path, value in single.items()]} | {
             path: values for path, values in paths.items() if path not in single}
