@@ -10,7 +10,7 @@ import glb
 from program import SMALL, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
-GRID, MAP, SHADOW, PICTURE, AROUND = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24
+GRID, MAP, SHADOW, PICTURE, AROUND, COARSE = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24, 16 * 12
 
 # Targets a pass writes anew: texels and bytes of a texel (RGBA32F 16, R32F and depth 4, RGBA8 4), by its page
 # in passes/. What several passes share is counted once (occluder_depth fills the depth of caster_map).
@@ -20,6 +20,7 @@ BYTES = {
     "shadow_map": (SHADOW, 8), "pane_light": (MAP, 16), "view_surfaces": (PICTURE, 68),
     "view_surfaces.surroundings": (AROUND, 68), "light_shading": (PICTURE, 0),
     "light_shading.surroundings": (AROUND, 0),
+    "ambient_rays": (COARSE, 16), "ambient_occlusion": (COARSE, 16),
     "compose": (PICTURE, 16), "compose.surroundings": (AROUND, 16), "caster_map.camera": (PICTURE, 36),
     "caster_exit_map.camera": (PICTURE, 36), "glass": (PICTURE, 16), "view_panes": (PICTURE, 0),
     "view_panes.mirrored": (PICTURE, 0), "view_panes.lit": (PICTURE, 0),
@@ -35,7 +36,7 @@ HIGHLIGHT = {"light_shading": 16 * PICTURE, "light_shading.surroundings": 16 * A
 TEXEL = {"RGBA32F": 16, "R32F": 4, "Depth32F": 4, "RGBA8": 4}
 MAPS = ("caustic_map", "caustic_map.cascade", "caustic_map.far")
 
-CAMERA = ["view_surfaces", "light_shading", "compose", "tone_map"]
+CAMERA = ["view_surfaces", "light_shading", "ambient_rays", "ambient_occlusion", "compose", "tone_map"]
 CAUSTIC = ["caster_map", "receiver_map", "landing", "cells", "caustic_cells", "caustic_map"]
 # Of lights whose caustic is small in its map.
 CASCADE = ["caustic_cells.cascade", "caustic_map.cascade"]
