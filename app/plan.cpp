@@ -61,9 +61,10 @@ double taking_memory(std::uint64_t bytes) {
 }
 
 // Processor seconds of `render`: what loading and planning took here, and what a picture of a quarter of the
-// sides on the small maps takes, grown to the frame's sizes.
+// sides on the small maps takes, grown to the frame's sizes. `ledgers`: that picture's.
 double seconds_of(const FrameRequest& request, const std::shared_ptr<LoadedScene>& loaded,
-                  const PlannedFrame& frame, std::uint64_t memory, double prepared) {
+                  const PlannedFrame& frame, std::uint64_t memory, double prepared,
+                  std::vector<LightLedger>& ledgers) {
   constexpr int kSmaller = 4, kLeast = 16;
   constexpr double kWriting = 6e-5;  // milliseconds a pixel of a PNG
   FrameRequest small = coarse_request(request);
@@ -78,6 +79,7 @@ double seconds_of(const FrameRequest& request, const std::shared_ptr<LoadedScene
     reader.look(drawn, pass);
     return true;
   });
+  ledgers = reader.ledgers();
   const double passes = expected_milliseconds({frame.plan, frame.settings, frame.effects},
                                               {drawn.plan(), drawn.settings(), drawn.effects()}, results);
   const double grown = (squared(frame.settings.grid) + squared(frame.settings.map)) /
@@ -117,13 +119,18 @@ ExitCode run_plan_command(const Arguments& arguments) {
                                         goal_with_ledgers({"picture"}), &loaded->camera());
   const PlannedFrame picture = planned_picture(loaded->scene(), frame);
   const MemoryJudgement memory = judge_picture(request, loaded->scene(), picture);
-  const double seconds = seconds_of(request, loaded, picture, memory.needed, watch.processor_milliseconds());
+  std::vector<LightLedger> ledgers;
+  const double seconds =
+      seconds_of(request, loaded, picture, memory.needed, watch.processor_milliseconds(), ledgers);
   std::optional<RenderedFrame> coarse;
   LedgerReader reader;
-  if (frame.effects.caustics.active) {
+  // Of so many passes, as a hundred lights have, one run must do; it sees the model's error on fewer pixels.
+  constexpr std::size_t kMostForTwoRuns = 10'000;
+  if (frame.effects.caustics.active && frame.plan.passes.size() <= kMostForTwoRuns) {
     coarse.emplace(coarse_request(request), loaded,
                    PlanGoal{.textures = ledger_textures(), .light_by_light = true});
     coarse->run(reader.watch(*coarse));
+    ledgers = reader.ledgers();
   }
   const PlanReport report{*shown,
                           frame.effects,
@@ -132,7 +139,7 @@ ExitCode run_plan_command(const Arguments& arguments) {
                           memory,
                           seconds,
                           idle_settings(request.given, shown->scene(), frame.settings, frame.effects),
-                          reader.ledgers()};
+                          std::move(ledgers)};
   const std::string text = json ? plan_json(report) : plan_text(report, has_colour(stdout));
   std::fputs(text.c_str(), stdout);
   return ExitCode::Done;
