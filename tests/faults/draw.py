@@ -25,9 +25,10 @@ ROOMS = {
     'shaders': ('pipeline/shader/',),
     'raster': ('raster/', 'gl_backend/'),
 }
-# Declarations, other lane widths than the planted build's, builds without a library, and texts that describe
-# the machine or the options.
+# Declarations, among them shaders' constants that C++ has as enumerators; other lane widths than the planted
+# build's, builds without a library, and texts that describe the machine or the options.
 LEFT_OUT = re.compile(r'_test\.cpp$|_uniforms\.glsl$|without_|prelude|/lanes/sixteen|'
+                      r'shader/constants\.glsl$|landing_status\.glsl$|'
                       r'passes/template/|'
                       r'app/completion/|app/doctor|std140|point_quads')
 WIDEST = 400  # characters

@@ -13,6 +13,7 @@ ARITHMETIC = {'+': '-', '-': '+', '*': '/', '/': '*'}
 COMPOUND = {'+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=', '|=': '&='}
 # Of calls that take the same values in either order, a swap changes nothing.
 SYMMETRIC = {'min', 'max', 'min_of', 'max_of', 'dot', 'dot_of', 'hypot', 'std::min', 'std::max', 'glm::dot',
+             'glm::min', 'glm::max',
              'exact::dot',
              'swap', 'std::swap', 'distance', 'glm::distance', 'Math.min', 'Math.max', 'Math.hypot', 'gcd'}
 # What a statement or a number like these changes is time or memory, never what comes out.
