@@ -73,7 +73,8 @@ def stored_shapes(s):
     fade = {"name": "fade", "doubleSided": True, "pbrMetallicRoughness": {
         "metallicFactor": 0.0, "baseColorTexture": texture(s, png(4, 4, noise(61, 4, (0, 0), (1, 1))))},
         "normalTexture": texture(s, png(4, 6, bumps(0.6)), scale=-0.7)}
-    tangents = accessor(s, "4f", 5126, [(math.cos(i), 0.0, math.sin(i), 1.0 - 2.0 * (i % 2)) for i in range(8)])
+    tangents = accessor(s, "4f", 5126, [
+        (math.cos(i), 0.0, math.sin(i), 1.0 - 2.0 * (i % 2)) for i in range(8)])
     up = accessor(s, "3f", 5126, [(0.1, 0.2, 0.97)] * 8)
     node_of(s, [{"attributes": {"POSITION": sparse, "NORMAL": up, "TANGENT": tangents, "TEXCOORD_0": uvs},
                  "indices": indices(s, "H", 5123, triangles)}], fade, name="sparse",
