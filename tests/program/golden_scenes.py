@@ -212,13 +212,3 @@ def shining():
             extras={"rectangle": [0.5, 0.2]})
     view(s)
     return s
-
-
-def sphere_of_light(folder):
-    """An environment in the Radiance format, brighter on one side than on the other."""
-    width, height = 16, 8
-    texels = b"".join(bytes([40 + 12 * x, 200 - 9 * x, 60 + 20 * y, 128 + (x == 3 and y == 2) * 3])
-                      for y in range(height) for x in range(width))
-    path = folder / "around.hdr"
-    path.write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (height, width) + texels)
-    return path

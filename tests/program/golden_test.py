@@ -26,8 +26,8 @@ FRAMES = {
                 "--estimator newton -D thickness=wyman", "--estimator impostor --map 48",
                 "-D samples=4 --exposure 1.5 --tone-map neutral",
                 "--view 200,30 --zoom 1.4 --fov 50 --ground on"],
-    "surfaces": ["", "-D samples=8 -D highlights=off", "--environment HDR --environment-strength 1.5 "
-                 "--environment-turn 70 --tone-map linear", "--sun 140,50,9 --ground off --view auto",
+    "surfaces": ["", "-D samples=8 -D highlights=off", "--environment-strength 1.5 --tone-map linear",
+                 "--sun 140,50,9 --ground off --view auto",
                  "-D mirror.metallic=0.85 -D mirror.roughness=0.6 -D emissive.lights=on --camera floor"],
     "frosted": ["", "-D glass.roughness=0.4 --wavelengths 8", "-D reflections=yes -D hidden_receivers=off",
                 "--interfaces 1"],
@@ -108,10 +108,8 @@ def frames(folder, name):
     if hasattr(golden_scenes, name):
         scene = folder / f"{name}.glb"
         getattr(golden_scenes, name)().write(scene)
-    around = golden_scenes.sphere_of_light(folder)
     for options in FRAMES[name]:
-        words = [str(around) if word == "HDR" else word for word in options.split()]
-        yield " ".join([name, *options.split()]), frame(folder, scene, words)
+        yield " ".join([name, *options.split()]), frame(folder, scene, options.split())
 
 
 def line_of(name, hashes):
