@@ -19,7 +19,7 @@ SYMMETRIC = {'min', 'max', 'min_of', 'max_of', 'dot', 'dot_of', 'hypot', 'std::m
 # What a statement or a number like these changes is time or memory, never what comes out.
 COST_ONLY = re.compile(r'reserve\(|shrink_to_fit|\bassert|std::move|notify|\block|\bjoin\(|flush|'
                        r'prefetch|\bgrain|kGrain|[Tt]hread|[Pp]oll|[Ss]leep|yield|cache|'
-                       r'kBlock\b|kPiece|malloc|'
+                       r'kBlock\b|kPiece|malloc|\bcompressed\(|'
                        r'timeout|deadline|\(void\)|clear\(\)|'
                        r'\.close\(\)|unlink|addEventListener|[Ss]topwatch|capacity')
 NUMBER = re.compile(r'(?<![\w.#"\'])(?:0x[0-9a-fA-F]+|\d+\.\d*(?:e[-+]?\d+)?|'

@@ -15,8 +15,8 @@ WIDTH = 108
 MOST_LINES = 60  # of a JSON file that is shown as it is
 # Keys of what a run takes, and of what is this machine's or this build's.
 MASKED = set("""bandwidth_bytes_per_second deviation operations_per_second peak_memory_bytes
-prepare_milliseconds share_of_bound milliseconds processor_milliseconds seconds peak stated before after median
-least most pareto sentences memory_bytes device program embree path digest""".split())
+prepare_milliseconds share_of_bound milliseconds processor_milliseconds seconds peak stated before after
+median least most pareto sentences memory_bytes device program embree path digest""".split())
 
 
 def without_times(value, key=""):
@@ -53,6 +53,13 @@ def by_path(value, path=""):
             yield from by_path(each, path + "[]")
     else:
         yield path, value
+
+
+def report_lines(text):
+    """A study's page without its drawings, its tables' numbers, and the rows that times choose."""
+    text = re.sub(r"<(svg|style).*?</\1>", "", text, flags=re.DOTALL).replace(' class="best"', "")
+    text = re.sub(r"(nothing beats.*?<tbody>).*?(</tbody>)", r"\1\2", text, count=1, flags=re.DOTALL)
+    return re.sub(r"<td[^>]*>(?:[\d.]+(?: \*| \w+)?|front|)</td>", "<td>#</td>", text).splitlines()
 
 
 def csv_lines(text):
@@ -158,4 +165,4 @@ def lines_of(path):
     if path.suffix == ".csv":
         return csv_lines(data.decode())
     text = re.sub(r"base64,[A-Za-z0-9+/=]+", "base64", data.decode())
-    return text.splitlines()
+    return report_lines(text) if path.suffix == ".html" else text.splitlines()
