@@ -38,8 +38,8 @@ def errors(program, scene, folder, batches):
     found = {}
     for way, options in WAYS.items():
         run(program, 'render', scene, *view, *options, '-o', frame)
-        said = json.loads(run(program, 'compare', frame, truth, '--layer', 'caustic', '--blocks', 8, '--json'))
-        found[way] = said['layers'][0]['metrics']['relative_l1']
+        compared = run(program, 'compare', frame, truth, '--layer', 'caustic', '--blocks', 8, '--json')
+        found[way] = json.loads(compared)['layers'][0]['metrics']['relative_l1']
     return found
 
 

@@ -1,4 +1,4 @@
-// How much of the environment's light arrives at one in 4 x 4 pixels of the picture. ambient_rays.md explains.
+// How much of the environment's light arrives at one in 4 x 4 of the picture's pixels; see ambient_rays.md.
 UNIFORMS_BEGIN
 #include "passes/ambient_rays/ambient_rays_uniforms.glsl"
 UNIFORMS_END
@@ -105,8 +105,8 @@ Int place_in_pattern(Int column, Int row) {
   return sel(x0 != y0, Int(8), Int(0)) + y0 * 4 + sel(x1 != y1, Int(2), Int(0)) + y1;
 }
 
-// Ray i of place p is number 16 i + p of 128 on a spiral by the golden angle, whose points have a share of the
-// disc each: directions by the cosine (Malley), all of them over 4 x 4 texels.
+// Ray i of place p is number 16 i + p of 128 on a spiral by the golden angle, whose points have a share of
+// the disc each: directions by the cosine (Malley), all of them over 4 x 4 texels.
 Vec2 first_on_spiral(Int place) {
   Vec2 at = Vec2(1.0f, 0.0f);
   Int left = place;

@@ -10,7 +10,8 @@ rounded as the page has it.
 An experiment is an indented command under "**Experiment.**"; of one that renders the percentages are looked
 for that stand in the text after it. They may also be those of the scene without the command's options, of the
 command with an `--option` that the text names, or "without" one. The guide's figures are looked for in all
-that the page's commands print and write as text. Ends with 1 and a line for each figure that is not printed."""
+that the page's commands print and write as text. Ends with 1 and a line for each figure that is not
+printed."""
 import json
 import pathlib
 import re

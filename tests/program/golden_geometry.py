@@ -31,8 +31,9 @@ def node_of(s, primitives, material, **node):
     if material not in s.gltf["materials"]:
         s.gltf["materials"].append(material)
     weights = {"weights": node.pop("weights")} if "weights" in node else {}
-    s.gltf["meshes"].append({"primitives": [
-        {**primitive, "material": s.gltf["materials"].index(material)} for primitive in primitives], **weights})
+    number = s.gltf["materials"].index(material)
+    of_material = [{**primitive, "material": number} for primitive in primitives]
+    s.gltf["meshes"].append({"primitives": of_material, **weights})
     s.node(mesh=len(s.gltf["meshes"]) - 1, **node)
 
 

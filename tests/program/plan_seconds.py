@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The processor seconds that `plan` says a picture takes, against what `render` took: `plan_seconds.py
-[NAME ...]` prints a row for each scene and exits with 1 where one is off by more than a factor of two. No test
-of every run: another program's work on the machine changes what a second buys."""
+[NAME ...]` prints a row for each scene and exits with 1 where one is off by more than a factor of two. No
+test of every run: another program's work on the machine changes what a second buys."""
 
 import json
 import os

@@ -76,8 +76,8 @@ def table(results):
     return '\n'.join(lines) + '\n'
 
 
-# How far errors may lie from the page's: a share of them. Targets choose by measured times, which every machine
-# has for itself; equal times are nobody else's.
+# How far errors may lie from the page's: a share of them. Targets choose by measured times, which every
+# machine has for itself; equal times are nobody else's.
 STEADY, CHOSEN = 0.03, 0.3
 LEAST = 0.0011  # the page has tenths of a percent
 
