@@ -28,6 +28,23 @@ std::uint64_t tree_bytes(const Scene& scene) {
   return TriangleTree::building_bytes(indices / 3);
 }
 
+// The hierarchy that passes walk: what its tables take (hierarchy_tables.hpp: seven texels a triangle, where
+// a leaf has four), and what making them takes beside.
+struct HierarchyBytes {
+  std::uint64_t held = 0, making = 0;
+};
+
+HierarchyBytes hierarchy_bytes(const FrameCost& cost) {
+  const auto walks = [&](const PlannedPass& pass) {
+    const std::vector<Read>& reads = cost.registry[static_cast<std::size_t>(pass.pass)].reads;
+    return std::any_of(reads.begin(), reads.end(), [](const Read& r) { return r.name == kHierarchyNodes; });
+  };
+  if (std::none_of(cost.plan.passes.begin(), cost.plan.passes.end(), walks)) return {};
+  std::uint64_t indices = 0;
+  for (const Mesh& mesh : cost.scene.meshes) indices += mesh.indices.size();
+  return {indices / 3 * 7 * sizeof(glm::vec4), TriangleTree::building_bytes(indices / 3)};
+}
+
 // The largest of the pass's draws and those that are sorted into tiles with it, beside textures.
 std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
   const auto points = [&](std::uint64_t count) { return cost.device.draw(*pass.definition, 0, count); };
@@ -102,6 +119,9 @@ std::uint64_t memory_needed(const FrameCost& cost) {
   std::uint64_t held = cost.taken.now, most = std::max(held, cost.taken.peak), drawing = 0;
   const std::vector<std::uint64_t> ledgers = ledgers_bytes(plan, cost.scene.lights.size());
   std::vector<bool> drawn_into(plan.memory.size());
+  const HierarchyBytes hierarchy = hierarchy_bytes(cost);
+  most = std::max(most, held + hierarchy.held + hierarchy.making);
+  held += hierarchy.held;
   for (const PlannedPass& pass : plan.passes) {
     for (const int index : pass.attachments()) {
       // A texture takes no memory before the first pass that draws into it.

@@ -30,10 +30,19 @@ constexpr PresetValue kPaper[] = {
 constexpr Preset kPresets[] = {{"paper", "the frame of Shah, Konttinen and Pattanaik (2007)", kPaper}};
 
 constexpr PresetValue kQuick[] = {
-    {"width", "640"},       {"height", "360"},   {"samples", "1"},
-    {"grid", "192"},        {"map", "256"},      {"shadow", "512"},
-    {"further.share", "1"}, {"cascades", "off"}, {"hidden_receivers", "off"},
-    {"light.samples", "4"}, {"shafts", "48"},    {"medium.steps", "16"},
+    {"width", "640"},
+    {"height", "360"},
+    {"samples", "1"},
+    {"grid", "192"},
+    {"map", "256"},
+    {"shadow", "512"},
+    {"further.share", "1"},
+    {"cascades", "off"},
+    {"hidden_receivers", "off"},
+    {"light.samples", "4"},
+    {"shafts", "48"},
+    {"medium.steps", "16"},
+    {"ambient.occlusion", "off"},
 };
 
 constexpr Preset kPreview{"preview", "a quick look", kQuick};

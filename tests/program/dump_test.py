@@ -93,14 +93,14 @@ class Inputs(DumpTest):
         self.dump()
         tone_map = self.one_pass("tone_map")
         uniforms = tone_map["draws"][0]["uniforms"]
-        exposure, contrast = uniforms["exposure"], uniforms["contrast"]
+        exposure, contrast, in_dark = (uniforms[name] for name in ("exposure", "contrast", "contrast_in_dark"))
         radiance = self.texels(tone_map["reads"][0]["file"])
         picture = self.texels(self.attachment("picture")["file"])
         checked = 0
         for red, green, blue, shown in zip(*(radiance[c] for c in "RGB"), picture["G"]):
             exposed = [exposure * value for value in (red, green, blue)]
-            brightness = max(exposed) / 0.33
-            power = (contrast - 1) * (1 if brightness >= 1 else 0.5)
+            brightness = max(exposed) / 0.31
+            power = (contrast if brightness >= 1 else in_dark) - 1
             exposed = [value * brightness**power for value in exposed]
             # The tone curve below its shoulder: all channels less the least one's toe.
             toe = min(exposed)

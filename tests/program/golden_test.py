@@ -62,7 +62,7 @@ FRAMES = {
 }
 # What depends on the machine, or on how long something took.
 OF_THE_MACHINE = {"program", "device", "file", "scene_file", "milliseconds", "processor_milliseconds",
-                  "memory_bytes", "memory_budget_bytes", "frames", "refused"}
+                  "seconds", "memory_bytes", "memory_budget_bytes", "frames", "refused"}
 
 
 def short(text):

@@ -238,7 +238,8 @@ class Unwritable(ProgramTest):
         for name in ("folder.png", "pipe.png", "missing/a.png", "/dev/null/a.png"):
             for option in ("-o", "--stats"):
                 self.fails(4, "ball.glb", "-r", "4096x4096", option, name)
-        self.fails(4, "ball.glb", *SMALL, "--dump", "ball.glb")
+        (self.folder / "file").write_bytes(b"")
+        self.fails(4, "ball.glb", *SMALL, "--dump", "file")
 
     def test_a_file_that_is_cut_short_by_a_limit_is_not_left(self):
         def limit_files():

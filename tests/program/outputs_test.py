@@ -21,11 +21,11 @@ SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 PROGRESS = re.compile(r"  (\d[\d.]* s|\d+ min \d+ s)$|^(pass|batch|row|finishing) ")
 TIME = r"\d[\d.,]*(?:e[-+]\d+)? (?:ns|us|ms|s|min|h)\b(?: \d+ (?:s|min)\b)?"
 # What a run takes, and what is this machine's or this build's; a table's columns are as wide as its times.
-LONGEST = 170  # lines of an answer that is kept as it is
+LONGEST = 220  # lines of an answer that is kept as it is
 HELP = re.compile(r" --help(-markdown)?$| completion \w+$")
 MASKS = [(" *" + TIME, " TIME"), (r"software, \d+ lanes \(\w+\)", "software"),
          (r"caustics \d[\d.]* \([^)]*\)", "PROGRAM"),
-         (r"takes [\d.]+ [KMG]iB of the [\d.]+ [MG]iB that this machine can spare", "takes MEMORY"),
+         (r"[\d.]+ [KMG]iB of the [\d.]+ [MG]iB that this machine can spare", "MEMORY"),
          # study
          (r"time (?:x [\d.]+|[-+]\d+ %) \([\d.]+ to TIME\)", "time CHANGED"),
          (r"took (?:x [\d.]+|[-+]\d+ %) \([\d.]+ to TIME\)", "took CHANGED"),
