@@ -91,8 +91,11 @@ void SceneOnDevice::number_triangles(const Effects& effects) {
   std::map<int, int> row_of_body;
   for (int m = 0; m < static_cast<int>(optics.size()); ++m) {
     const Optics& o = optics[static_cast<std::size_t>(m)];
-    if (is_caster(o.role)) hierarchy_.casters.push_back(m);
-    if (o.role == Role::Receiver) hierarchy_.receivers.push_back(m);
+    // Nothing walks through moving water; and a tree of its waves would have to be made anew for each frame.
+    const bool is_water = std::any_of(scene_.waters.begin(), scene_.waters.end(),
+                                      [m](const Water& water) { return water.mesh == m; });
+    if (is_caster(o.role) && !is_water) hierarchy_.casters.push_back(m);
+    if (o.role == Role::Receiver && !is_water) hierarchy_.receivers.push_back(m);
     hierarchy_.bodies.push_back(row_of_body.try_emplace(o.body, material_row(m)).first->second);
   }
   first_triangles_ = first_triangles(scene_, hierarchy_);

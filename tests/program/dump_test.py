@@ -93,7 +93,8 @@ class Inputs(DumpTest):
         self.dump()
         tone_map = self.one_pass("tone_map")
         uniforms = tone_map["draws"][0]["uniforms"]
-        exposure, contrast, in_dark = (uniforms[name] for name in ("exposure", "contrast", "contrast_in_dark"))
+        names = ("exposure", "contrast", "contrast_in_dark")
+        exposure, contrast, in_dark = (uniforms[name] for name in names)
         radiance = self.texels(tone_map["reads"][0]["file"])
         picture = self.texels(self.attachment("picture")["file"])
         checked = 0
