@@ -51,7 +51,7 @@ Row composition_row() {
           "fits any renderer, and restricts no shadow",
           {{"layers",
             "glass_sphere.glb",
-            {"-r", "512x512", "--camera", "floor", "-D", "highlights=off"},
+            {"-r", "512x512", "--camera", "floor", "-D", "highlights=off", "-D", "ambient.occlusion=off"},
             "beauty,direct,caustic"},
            floor_shot("preset_512", "glass_sphere.glb", {"--preset", "paper", "--grid", "512"})},
           "layers",

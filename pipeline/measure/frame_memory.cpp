@@ -107,6 +107,7 @@ std::vector<std::uint64_t> ledgers_bytes(const FramePlan& plan, std::size_t ligh
       texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   }
   std::vector<std::uint64_t> bytes;
+  bytes.reserve(lights);
   for (const auto& [images, quarter_planes, texels] : books)
     bytes.push_back(images + texels * sizeof(std::int32_t) + quarter_planes * texels / 4 * sizeof(double));
   return bytes;

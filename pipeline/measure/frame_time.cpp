@@ -42,6 +42,7 @@ double grid_vertices(const PlannedPass& pass, const LightSettings& settings) {
 double cheapest(const std::vector<PassResult>& results) {
   constexpr std::size_t kShare = 10;  // the tenth part are the cheapest
   std::vector<double> times;
+  times.reserve(results.size());
   for (const PassResult& result : results) times.push_back(result.processor_milliseconds);
   if (times.empty()) return 0.0;
   const auto nth = times.begin() + static_cast<std::ptrdiff_t>(times.size() / kShare);

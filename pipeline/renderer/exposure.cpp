@@ -86,8 +86,11 @@ class SumsOverBoxes {
     double lumen = 0.0;
     int rays = 0;
   };
-  const Sum& at(int x, int y) const { return cells_[static_cast<std::size_t>(y * (width_ + 1) + x)]; }
-  Sum& at(int x, int y) { return cells_[static_cast<std::size_t>(y * (width_ + 1) + x)]; }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * (static_cast<std::size_t>(width_) + 1) + static_cast<std::size_t>(x);
+  }
+  const Sum& at(int x, int y) const { return cells_[index(x, y)]; }
+  Sum& at(int x, int y) { return cells_[index(x, y)]; }
 
   int width_, height_;
   std::vector<Sum> cells_;

@@ -60,7 +60,7 @@ TEST_CASE(
   const std::string expected = sha256(view()["picture"]);
   int failures = 0;
   // One by one at first; of the many alike that follow, a few.
-  for (int n = 0;; n += n < 200 ? 1 : 59) {
+  for (int n = 0;; n += n < 100 ? 1 : 97) {
     bool thrown = false, failed = false;
     {
       const FailingNew memory(n);
@@ -77,6 +77,6 @@ TEST_CASE(
     CHECK(device.objects() == 0);
     if (++failures % 100 == 0) CHECK(sha256(view()["picture"]) == expected);
   }
-  CHECK(failures > 200);
+  CHECK(failures > 100);
   CHECK(sha256(view()["picture"]) == expected);
 }
