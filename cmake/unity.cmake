@@ -1,10 +1,12 @@
 option(CAUSTICS_UNITY_BUILD
   "Compile sources in batches: faster whole builds, slower small changes" OFF)
 
+set(CAUSTICS_UNITY_BATCH 8 CACHE STRING "Sources of a batch")
+
 # Names in unnamed namespaces must differ, all over a target: batches are cut anew when a file is added.
 function(caustics_batch target)
   if(CAUSTICS_UNITY_BUILD)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${CAUSTICS_UNITY_BATCH})
   endif()
 endfunction()
 

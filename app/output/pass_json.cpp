@@ -37,7 +37,7 @@ std::string mask_text(const ColorMask& mask) {
   return text;
 }
 
-Json state_json(const PassDefinition& definition) {
+Json pass_state_json(const PassDefinition& definition) {
   return {{"topology", word_of(kTopologies, definition.topology)},
           {"depth_compare", word_of(kCompares, definition.depth_state.compare)},
           {"depth_write", definition.depth_state.write},
@@ -154,7 +154,7 @@ Json pass_json(const RenderedFrame& frame, const PlannedPass& pass, const Dumped
                {"shader", pass.definition->shader->name},
                {"width", pass.width},
                {"height", pass.height},
-               {"state", state_json(*pass.definition)},
+               {"state", pass_state_json(*pass.definition)},
                {"reads", reads_json(frame, pass, files)},
                {"writes", writes_json(frame, pass, files)},
                {"uniforms", declared_json(*pass.definition)},

@@ -9,10 +9,10 @@ extern const Shader ambient_rays_shader;
 namespace {
 
 // So few that a ray along a thousand blades of grass does not hold up its neighbours: it counts as open.
-constexpr int kMostSteps = 1024;
+constexpr int kMostAmbientSteps = 1024;
 
 std140::AmbientRays ambient_rays_uniforms(const PassContext& context) {
-  return {.most_steps = kMostSteps,
+  return {.most_steps = kMostAmbientSteps,
           .first_receiver = context.first_receiver,
           .touch = context.touch,
           .reach = context.scene->environment.reach};

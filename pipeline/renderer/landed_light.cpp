@@ -13,7 +13,7 @@ namespace caustics {
 
 namespace {
 
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+double brightest_channel(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::vector<Landed> LandedLight::find(int step) {
     landings.clear();
     for (const LightRay& ray : pilot_rays(light, casters, step)) paths_->follow(ray, landings);
     double all = 0.0;
-    for (const LightLanding& landing : landings) all += largest(landing.flux);
+    for (const LightLanding& landing : landings) all += brightest_channel(landing.flux);
     const double away = casters.perspective ? exact::length(middle - light.position) : 1.0;
     const double side = static_cast<double>(kPilotRaysASide) / step;
     const double area = casters.window_area() * away * away / (side * side);
@@ -47,7 +47,7 @@ std::vector<Landed> LandedLight::find(int step) {
         glm::dvec3(light.color) * (static_cast<double>(light.intensity) * area / (away * away) *
                                    static_cast<double>(std::max<std::ptrdiff_t>(samples, 1)));
     for (const LightLanding& landing : landings) {
-      const double flux = largest(landing.flux);
+      const double flux = brightest_channel(landing.flux);
       landed.push_back({landing.position, flux / std::max(all, 1e-300), flux * area,
                         exact::luminance(landing.flux * sent), landing.mesh});
     }

@@ -20,10 +20,10 @@ constexpr double kNeedsNoSun = 0.005, kFillsSky = 0.005;  // of a sun's lux; of 
 constexpr double kQuarter = 0.25;                         // of a sun's lux; of the surfaces
 constexpr double kStudio = 0.3;                           // of the lights, from all around (add_sky)
 constexpr std::size_t kMostLamps = 16, kMostJudged = 64;
-constexpr std::size_t kMostShadowed = 64;    // lights of the file whose shadows are looked at
-constexpr int kChords = 512, kMostHits = 4;  // through the surroundings; on each
-constexpr int kPoints = 4, kWays = 32;       // of a lamp, to places; to find its surroundings
-constexpr double kLarge = 0.25;              // a lamp's radius over its distance
+constexpr std::size_t kMostShadowed = 64;     // lights of the file whose shadows are looked at
+constexpr int kChords = 512, kMostHits = 4;   // through the surroundings; on each
+constexpr int kPoints = 4, kDirections = 32;  // of a lamp, to places; to find its surroundings
+constexpr double kLarge = 0.25;               // a lamp's radius over its distance
 
 double luminance(const glm::vec3& color) {
   return (0.2126 * static_cast<double>(color.x) + 0.7152 * static_cast<double>(color.y)) +
@@ -38,14 +38,14 @@ struct Place {
   TriangleId on;
 };
 
-struct Candidate {
+struct LampCandidate {
   Light light;
   std::vector<SurfacePoint> points;
   double radius_squared;      // of the disk that a point stands for
   std::vector<double> lux{};  // by place
 };
 
-std::vector<int> opaque_meshes(const Scene& scene) {
+std::vector<int> shadowing_meshes(const Scene& scene) {
   std::vector<int> meshes;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Material& material = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
@@ -61,27 +61,27 @@ bool has_casters(const Scene& scene) {
   });
 }
 
-class Judge {
+class LampJudge {
  public:
-  Judge(const Scene& scene, double sun_lux)
-      : scene_(scene), sun_lux_(sun_lux), tree_(scene, opaque_meshes(scene)), subject_(subject_of(scene)) {
+  LampJudge(const Scene& scene, double sun_lux)
+      : scene_(scene), sun_lux_(sun_lux), tree_(scene, shadowing_meshes(scene)), subject_(subject_of(scene)) {
     find_candidates();
     if (candidates_.empty()) return;
     find_places();
-    for (Candidate& each : candidates_)
+    for (LampCandidate& each : candidates_)
       for (const Place& place : places_) each.lux.push_back(lux_at(each, place));
   }
 
   Lamps judge(int samples) {
     if (candidates_.empty()) return {};
     std::vector<double> together(places_.size(), 0.0);
-    for (const Candidate& each : candidates_)
+    for (const LampCandidate& each : candidates_)
       for (std::size_t p = 0; p < places_.size(); ++p) together[p] += each.lux[p];
     result_.instead_of_sun = scene_.lights.empty() && lights_enough(reached_on(together, kQuarter));
     std::vector<double> given(places_.size(), 0.0);
     if (!result_.instead_of_sun)
       for (std::size_t p = 0; p < places_.size(); ++p) given[p] = other_light(places_[p]);
-    for (Candidate& each : candidates_) {
+    for (LampCandidate& each : candidates_) {
       std::size_t adds = 0;
       for (std::size_t p = 0; p < places_.size(); ++p) {
         const double others = result_.instead_of_sun ? together[p] - each.lux[p] : given[p];
@@ -99,7 +99,7 @@ class Judge {
   }
 
  private:
-  void leave_out(const Candidate& candidate, const char* why) {
+  void leave_out(const LampCandidate& candidate, const char* why) {
     result_.dim.push_back({candidate.light.emitter, why});
   }
 
@@ -123,11 +123,11 @@ class Judge {
   }
 
   // How far half of a lamp's light goes at most.
-  double median_way(const Candidate& lamp) const {
+  double median_way(const LampCandidate& lamp) const {
     std::vector<double> ways;
-    for (int k = 0; k < kWays; ++k) {
+    for (int k = 0; k < kDirections; ++k) {
       const SurfacePoint& from = lamp.points[static_cast<std::size_t>(k % kPoints)];
-      const double up = std::sqrt(stratum(k, kWays)), level = std::sqrt(1.0 - up * up);
+      const double up = std::sqrt(stratum(k, kDirections)), level = std::sqrt(1.0 - up * up);
       double sine, cosine;
       exact::sin_cos(2.0 * exact::kPi * stepped(k, kGoldenStep), sine, cosine);
       const glm::dvec3 x = exact::perpendicular(from.normal), y = exact::cross(from.normal, x);
@@ -146,7 +146,7 @@ class Judge {
     const Bounds all = bounds_of(scene_);
     const glm::dvec3 centre = subject_.centre();
     double radius = 0.0;
-    for (const Candidate& each : candidates_) {
+    for (const LampCandidate& each : candidates_) {
       const double distance = exact::length(each.light.position - centre);
       radius = std::max({radius, distance + 3.0 * subject_.radius(), distance + 2.0 * median_way(each)});
     }
@@ -180,7 +180,7 @@ class Judge {
     return !hit || hit->distance >= distance * (1.0 - 1e-6);
   }
 
-  double lux_at(const Candidate& lamp, const Place& place) const {
+  double lux_at(const LampCandidate& lamp, const Place& place) const {
     if (place.on.mesh == lamp.light.emitter) return 0.0;
     double sum = 0.0;
     for (const SurfacePoint& from : lamp.points) {
@@ -222,7 +222,7 @@ class Judge {
   // As much as a weak sun, or as what fills a good part of the sky of that place.
   bool lights_enough(double lux) const {
     double brightest = 0.0;  // nit, before any texture
-    for (const Candidate& each : candidates_) {
+    for (const LampCandidate& each : candidates_) {
       const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(each.light.emitter)];
       brightest =
           std::max(brightest, luminance(scene_.materials[static_cast<std::size_t>(mesh.material)].emissive));
@@ -257,7 +257,7 @@ class Judge {
   double sun_lux_;
   TriangleTree tree_;
   Bounds subject_;
-  std::vector<Candidate> candidates_;
+  std::vector<LampCandidate> candidates_;
   std::vector<Place> places_;
   Lamps result_;
 };
@@ -268,7 +268,7 @@ Lamps choose_lamps(const Scene& scene, double sun_lux, int samples) {
   const bool any = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                [&](const Mesh& mesh) { return shines(scene, mesh); });
   if (!any) return {};
-  return Judge(scene, sun_lux).judge(samples);
+  return LampJudge(scene, sun_lux).judge(samples);
 }
 
 }  // namespace caustics

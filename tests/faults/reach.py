@@ -19,8 +19,10 @@ LEFT_OUT = {'launcher_test.py', 'docs_pictures_test.py', 'povray_test.py', 'comm
 SLOW_CASES = (
     'truth', 'area light', 'all around', 'water film', 'torture', 'textured casters', 'hard cases', 'failing',
     'parity', 'random', 'gl: memory', 'Draco data', 'determinism', 'lanes: random', 'Sphere', 'Half ring')
-SLOW_FILES = {'compare_metrics_test.py', 'frame_costs_test.py', 'gl_test.py', 'study_test.py',
-              'paper_test.py', 'faults_test.py'}
+SLOW_FILES = {
+    'animation_test.py', 'compare_metrics_test.py', 'faults_test.py', 'frame_costs_test.py', 'gl_test.py',
+    'inspect_page_test.py', 'inspect_test.py', 'lights_test.py', 'memory_test.py', 'on_demand_test.py',
+    'paper_test.py', 'probe_test.py', 'study_test.py', 'water_test.py'}
 # Tests that compare with kept files, which they write with `--update`.
 KEPT = ('golden_test.py', 'outputs_test.py')
 

@@ -14,16 +14,16 @@ namespace fs = std::filesystem;
 
 enum class Family { Model, Blend, Picture, Radiance, Archive };
 
-struct Format {
+struct KnownFormat {
   std::string_view name;
   Family family;
   std::vector<std::string_view> magic;  // how such files begin; none: by the extension alone
   std::vector<std::string_view> extensions;
 };
 
-const std::vector<Format>& formats() {
+const std::vector<KnownFormat>& formats() {
   using namespace std::literals;
-  static const std::vector<Format> list = {
+  static const std::vector<KnownFormat> list = {
       {"a Wavefront OBJ file", Family::Model, {}, {".obj"}},
       {"a PLY file", Family::Model, {"ply\n", "ply\r"}, {".ply"}},
       {"an STL file", Family::Model, {"solid "}, {".stl"}},
@@ -96,7 +96,7 @@ bool looks_like_obj(std::string_view head) {
   return false;
 }
 
-bool is_of(const Format& format, std::string_view head) {
+bool is_of(const KnownFormat& format, std::string_view head) {
   if (format.name == "a Wavefront OBJ file") return looks_like_obj(head);
   if (format.name == "a COLLADA file") return head.find("<COLLADA") != std::string_view::npos;
   return std::any_of(format.magic.begin(), format.magic.end(),
@@ -110,7 +110,7 @@ bool may_be_gltf(std::string_view head) {
   return first != std::string_view::npos && head[first] == '{';
 }
 
-OtherFormat said(const Format& format) {
+OtherFormat said(const KnownFormat& format) {
   return {"this is " + std::string(format.name), advice_for(format.family)};
 }
 
@@ -119,13 +119,13 @@ OtherFormat said(const Format& format) {
 std::optional<OtherFormat> other_format(std::string_view head, const fs::path& name) {
   if (head.empty() || may_be_gltf(head)) return std::nullopt;
   const std::string extension = lower_extension(name);
-  const auto by_name = std::find_if(formats().begin(), formats().end(), [&](const Format& format) {
+  const auto by_name = std::find_if(formats().begin(), formats().end(), [&](const KnownFormat& format) {
     return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
            format.extensions.end();
   });
   if (extension == ".usdz") return said(*by_name);  // by its first bytes a zip archive
   const auto by_content = std::find_if(formats().begin(), formats().end(),
-                                       [&](const Format& format) { return is_of(format, head); });
+                                       [&](const KnownFormat& format) { return is_of(format, head); });
   if (by_content != formats().end()) return said(*by_content);
   if (by_name != formats().end()) return said(*by_name);
   return std::nullopt;
