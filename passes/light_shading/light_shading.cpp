@@ -70,6 +70,7 @@ std140::LightShading light_shading_uniforms(const PassContext& context) {
   const double texels = static_cast<double>(settings.map) * static_cast<double>(settings.map);
   return {
       .light = shader_light(*context.light, views.shadow.forward),
+      .caustic_intensity = caustic_intensity(context),
       .shadow_view = shader_view(views.shadow),
       .caster_view = shader_view(views.caster),
       .receiver_view = shader_view(views.receiver),

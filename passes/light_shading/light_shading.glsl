@@ -171,7 +171,7 @@ Arrival arrival_at(IN(SurfacePoint) surface) {
   TangentPlane p = tangent_plane(surface.position, triangle_normal);
   CasterLight casters = light_of_casters(surface, p, light);
   Arrival arrival;
-  arrival.caustic = Vec3(u.light.intensity) * casters.caustic;
+  arrival.caustic = Vec3(u.caustic_intensity) * casters.caustic;
 
   Float lit = lit_share(surface, p, triangle_normal, light.travel);
   if (u.has_caustic != 0) lit = lit * (1.0f - casters.shadowed);

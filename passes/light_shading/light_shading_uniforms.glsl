@@ -1,4 +1,5 @@
 Light light;
+vec3 caustic_intensity;        // lux or candela: the light's, and that of others for which its caustic stands
 View shadow_view;              // all views of the light have the same origin and axes
 View caster_view;
 View receiver_view;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "passes/shared/light_uniforms.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
@@ -20,7 +21,7 @@ std140::LightShafts light_shafts_uniforms(const PassContext& context) {
           .picture = {width, height},
           .widest = std::max(kWidest * std::max(width, height), 4.0f),
           .pixel_area = static_cast<float>(context.camera->window_area() / pixels),
-          .intensity = context.light->color * context.light->intensity,
+          .intensity = caustic_intensity(context),
           .beams_a_side = beams_a_side(*context.settings),
           .medium = shader_medium(*context.scene)};
 }

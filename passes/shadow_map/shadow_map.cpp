@@ -13,7 +13,7 @@ Pass shadow_map_pass() {
       .reason = "opaque surfaces may shadow one another",
       .when = {&Effects::light, &Effects::occluders},
       .drawn_for = {kLight},
-      .draws = DrawSet::Receivers,
+      .draws = DrawSet::Shadowing,
       .size = shadow_size,
       .reads = {{.name = "base_color",
                  .meaning = "the material's base colour; alpha masks cut holes",

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "pipeline/plan/pass.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/scene.hpp"
 #include "pipeline/shader/std140.hpp"
@@ -37,6 +38,12 @@ inline std140::LightCone shader_cone(const Light& light) {
   cone.offset = static_cast<float>(outer * scale);
   cone.lambertian = 0;
   return cone;
+}
+
+// Of a light's caustic, which may stand for those of others. Lux (directional) or candela, by channel.
+inline glm::vec3 caustic_intensity(const PassContext& context) {
+  const glm::vec3 own = context.light->color * context.light->intensity;
+  return context.of_light ? own + context.of_light->of_others : own;
 }
 
 // `direction`: the way a directional light shines, as its views have it.

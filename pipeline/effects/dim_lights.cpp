@@ -23,6 +23,12 @@ int divided_by(double share, double full) {
 
 std::string percent(float share) { return rounded_text(100.0 * static_cast<double>(share), 3) + " %"; }
 
+std::string source_name(const Scene& scene, int source) {
+  const Light& light =
+      (scene.sources.empty() ? scene.lights : scene.sources)[static_cast<std::size_t>(source)];
+  return light.name.empty() ? "light " + std::to_string(source) : "'" + light.name + "'";
+}
+
 std::string counted(std::size_t lights) { return grouped(lights) + (lights == 1 ? " light" : " lights"); }
 
 }  // namespace
@@ -35,17 +41,25 @@ Effects with_dim_lights(Effects effects, const Scene& scene, const Settings& set
     return shares[static_cast<std::size_t>(source < 0 ? light : source)];
   };
   const std::string together = "less than " + percent(settings.least_light) + " of the light on any caster";
-  for (Expectation& e : effects.expectations)
-    if (e.expected && share_of(e.light).left_out)
-      e = {e.light, e.mesh, false, "it is one of the weakest lights, which together are " + together};
-  std::size_t smaller = 0, without = 0;
+  for (Expectation& e : effects.expectations) {
+    if (!e.expected) continue;
+    const LightShare& found = share_of(e.light);
+    if (!found.left_out && found.drawn_with < 0) continue;
+    effects.lights[static_cast<std::size_t>(e.light)].casters_shadow = true;
+    e = {e.light, e.mesh, false,
+         found.left_out
+             ? "it is one of the weakest lights, which together are " + together
+             : "the caustic of " + source_name(scene, found.drawn_with) + ", near it, stands for its own"};
+  }
+  std::size_t smaller = 0, without = 0, stood_for = 0;
   int most = 1;
   std::vector<bool> seen(shares.size());
   for (std::size_t l = 0; l < effects.lights.size(); ++l) {
     const LightShare& found = share_of(static_cast<int>(l));
     int& divide = effects.lights[l].divide;
+    effects.lights[l].of_others = found.of_others;
     // Impostors are one map for all lights.
-    divide = effects.distance_impostors.active || found.left_out
+    divide = effects.distance_impostors.active || found.left_out || found.drawn_with >= 0
                  ? 1
                  : divided_by(found.share, static_cast<double>(settings.full_light));
     most = std::max(most, divide);
@@ -54,6 +68,7 @@ Effects with_dim_lights(Effects effects, const Scene& scene, const Settings& set
     seen[source] = true;
     smaller += divide > 1 ? 1 : 0;
     without += found.left_out ? 1 : 0;
+    stood_for += found.drawn_with >= 0 ? 1 : 0;
   }
   std::string reason;
   if (smaller > 0)
@@ -64,6 +79,12 @@ Effects with_dim_lights(Effects effects, const Scene& scene, const Settings& set
   if (without > 0)
     reason += (reason.empty() ? "" : "; ") + counted(without) + ", together " + together +
               ", without a caustic (-D light.least=0 gives " + (without == 1 ? "it one)" : "them theirs)");
+  if (stood_for > 0)
+    reason +=
+        (reason.empty() ? "" : "; ") + counted(stood_for) +
+        " drawn by the caustics of others near them, brighter by theirs (-D light.most=0 gives each its own)";
+  if ((without > 0 || stood_for > 0) && !effects.occluders.active)
+    effects.occluders = {true, "casters shadow the lights that throw no caustic of their own"};
   effects.dim_lights = {!reason.empty(), reason.empty() ? "no light is much weaker than the others" : reason};
   return effects;
 }

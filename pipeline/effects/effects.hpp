@@ -89,6 +89,8 @@ struct LightEffects {
   std::string all_around;      // why the light is drawn onto a cube
   std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
   int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
+  glm::vec3 of_others{0.0f};   // lux or candela by which its caustic is brighter, as it stands for others'
+  bool casters_shadow = false;  // it throws no caustic that would tell their shadow: its shadow map has them
 };
 
 // Of the light that lands through a caster: what share does not come through one surface or two, or off the
@@ -102,8 +104,11 @@ struct FurtherShare {
 
 // What a light adds to the light on the casters (pipeline/measure/light_shares.hpp).
 struct LightShare {
-  double share = 1.0;     // 0..1
-  bool left_out = false;  // one of the weakest, which throw no caustics
+  double share = 1.0;         // 0..1; with those that it stands for
+  double on_casters = 0.0;    // irradiance times area, lm or as much by any factor
+  bool left_out = false;      // one of the weakest, which throw no caustics
+  int drawn_with = -1;        // source whose caustic stands for its own, -1: none does
+  glm::vec3 of_others{0.0f};  // LightEffects::of_others
 };
 
 // Every effect is a member; named_effects() has their names for people. None depends on the order of the

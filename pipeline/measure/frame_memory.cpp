@@ -63,6 +63,7 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
       return points(2 * beams * beams);
     case DrawSet::Receivers:
     case DrawSet::Casters:
+    case DrawSet::Shadowing:
     case DrawSet::SolidCasters:
     case DrawSet::ThinPanes:
     case DrawSet::LightTinters:
@@ -73,8 +74,10 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
   const std::uint64_t seen =
       std::uint64_t{4} * static_cast<std::uint64_t>(pass.width) * static_cast<std::uint64_t>(pass.height);
   std::uint64_t largest = 0, all = 0;
+  const LightEffects* light =
+      pass.light >= 0 ? &cost.effects.lights[static_cast<std::size_t>(pass.light)] : nullptr;
   for (std::size_t i = 0; i < cost.scene.meshes.size(); ++i) {
-    if (!draws_mesh(draws, *pass.drawn_for, cost.effects.surfaces[i])) continue;
+    if (!draws_mesh(draws, *pass.drawn_for, cost.effects.surfaces[i], light)) continue;
     const Mesh& mesh = cost.scene.meshes[i];
     const std::uint64_t draw = cost.device.draw(*pass.definition, mesh.vertices.size(),
                                                 std::min<std::uint64_t>(mesh.indices.size() / 3, seen));

@@ -51,6 +51,7 @@ double most_irradiance(const Light& light, const Mesh& mesh) {
 
 // One caster's light, by source.
 struct CasterLight {
+  double area = 0.0;   // of a box's surface around the caster
   double whole = 0.0;  // seen, mean over its points
   std::vector<double> seen, most;
 };
@@ -73,6 +74,9 @@ CasterLight light_on(const Scene& scene, const Effects& effects, const MeshesInT
     found.seen[source] += sum / static_cast<double>(points.size());
     found.most[source] += most_irradiance(light, scene.meshes[static_cast<std::size_t>(mesh)]);
   }
+  const glm::dvec3 size(scene.meshes[static_cast<std::size_t>(mesh)].upper -
+                        scene.meshes[static_cast<std::size_t>(mesh)].lower);
+  found.area = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
   found.whole = std::accumulate(found.seen.begin(), found.seen.end(), 0.0);
   return found;
 }
@@ -120,7 +124,10 @@ std::vector<LightShare> light_shares(const Scene& scene, const Effects& effects,
     if (is_caster(effects.surfaces[static_cast<std::size_t>(mesh)].role))
       casters.push_back(light_on(scene, effects, ways, mesh, sources));
   std::vector<LightShare> shares(sources);
-  for (std::size_t s = 0; s < sources; ++s) shares[s].share = largest_part(casters, s, &CasterLight::seen);
+  for (std::size_t s = 0; s < sources; ++s) {
+    shares[s].share = largest_part(casters, s, &CasterLight::seen);
+    for (const CasterLight& caster : casters) shares[s].on_casters += caster.area * caster.seen[s];
+  }
   leave_out_weakest(casters, least, shares);
   return shares;
 }

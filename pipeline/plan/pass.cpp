@@ -9,12 +9,15 @@
 
 namespace caustics {
 
-bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role) {
+bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role,
+                const LightEffects* light) {
   switch (draws) {
     case DrawSet::Receivers:
       return drawn_for.layer > 0 ? role.blended : role.role == Role::Receiver;
     case DrawSet::Casters:
       return is_caster(role.role);
+    case DrawSet::Shadowing:
+      return role.role == Role::Receiver || (light && light->casters_shadow && is_caster(role.role));
     case DrawSet::SolidCasters:
       return role.role == Role::Refractor && role.two_interfaces;
     case DrawSet::ThinPanes:

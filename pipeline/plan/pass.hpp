@@ -125,6 +125,7 @@ enum class DrawSet : std::uint8_t {
   FullScreen,    // one triangle over all pixels
   Receivers,     // every mesh that is a Receiver; for a layer: what is blended
   Casters,       // every Refractor and Mirror
+  Shadowing,     // every Receiver, and with LightEffects::casters_shadow every Refractor and Mirror
   SolidCasters,  // every Refractor with two interfaces
   ThinPanes,     // every ThinPane
   LightTinters,  // every ThinPane, and what is blended
@@ -134,21 +135,23 @@ enum class DrawSet : std::uint8_t {
   Beams,         // beams * beams quadrilaterals of two triangles
 };
 
-// Of the sets that are meshes: is one with such a surface among them?
-bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role);
+// Of the sets that are meshes: is one with such a surface among them? `light`: whose pass it is, null: the
+// frame's.
+bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role, const LightEffects* light);
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
 struct PassContext {
   const Scene* scene = nullptr;
   const Settings* settings = nullptr;
   const Effects* effects = nullptr;
-  const LightViews* views = nullptr;   // Each::Light and Each::Branch
-  const View* camera = nullptr;        // what the instance sees: the picture's view, or the surroundings'
-  const View* surroundings = nullptr;  // three times as wide and high as the picture's view
-  const Light* light = nullptr;        // Each::Light and Each::Branch
-  const Branch* branch = nullptr;      // Each::Branch only
-  const Water* water = nullptr;        // Each::Water only
-  std::int64_t water_step = 0;         // likewise: which step, counted from rest
+  const LightViews* views = nullptr;       // Each::Light and Each::Branch
+  const View* camera = nullptr;            // what the instance sees: the picture's view, or the surroundings'
+  const View* surroundings = nullptr;      // three times as wide and high as the picture's view
+  const Light* light = nullptr;            // Each::Light and Each::Branch
+  const LightEffects* of_light = nullptr;  // likewise: what is judged of it
+  const Branch* branch = nullptr;          // Each::Branch only
+  const Water* water = nullptr;            // Each::Water only
+  std::int64_t water_step = 0;             // likewise: which step, counted from rest
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   int material_row = 0;    // row of `caster_materials`: the mesh's material

@@ -7,6 +7,7 @@
 #include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/measure/light_groups.hpp"
 #include "pipeline/measure/light_shares.hpp"
 #include "pipeline/renderer/picture_sides.hpp"
 #include "pipeline/views/cascades.hpp"
@@ -31,7 +32,10 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
     if (asked.grid.automatic && frame.effects.rough_glass.active)
       frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;
     if (without) frame.effects.*without = {false, "left out on request"};
-    if (!of_lights) of_lights = light_shares(scene, frame.effects, static_cast<double>(settings.least_light));
+    if (!of_lights) {
+      of_lights = light_shares(scene, frame.effects, static_cast<double>(settings.least_light));
+      group_lights(scene, frame.effects, settings.most_lights, *of_lights);
+    }
     frame.effects = with_dim_lights(std::move(frame.effects), scene, settings, *of_lights);
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings);

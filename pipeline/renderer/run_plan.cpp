@@ -72,6 +72,7 @@ class PassRunner {
       }
       case DrawSet::Receivers:
       case DrawSet::Casters:
+      case DrawSet::Shadowing:
       case DrawSet::SolidCasters:
       case DrawSet::ThinPanes:
       case DrawSet::LightTinters:
@@ -111,6 +112,7 @@ class PassRunner {
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);
       context.light = &scene_.scene().lights[light];
+      context.of_light = &inputs_.effects->lights[light];
       context.views = &(*inputs_.views)[light];
     }
     if (planned.water >= 0) {
@@ -126,7 +128,8 @@ class PassRunner {
                       PassRun& run) const {
     const Scene& scene = scene_.scene();
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-      if (!draws_mesh(pass.draws, *planned.drawn_for, inputs_.effects->surfaces[i])) continue;
+      if (!draws_mesh(pass.draws, *planned.drawn_for, inputs_.effects->surfaces[i], context.of_light))
+        continue;
       if (context.light && context.light->emitter == static_cast<int>(i)) continue;
       context.mesh = &scene.meshes[i];
       context.mesh_index = static_cast<int>(i);

@@ -81,7 +81,8 @@ void cut_to_cone(Extents& casters, const View& axes, const Light& light) {
   }
 }
 
-LightExtents measure(const Scene& scene, const Effects& effects, const Light& light) {
+LightExtents measure(const Scene& scene, const Effects& effects, int number) {
+  const Light& light = scene.lights[static_cast<std::size_t>(number)];
   LightExtents result;
   const Bounds bounds = bounds_of(scene);
   Bounds casters;
@@ -109,6 +110,7 @@ LightExtents measure(const Scene& scene, const Effects& effects, const Light& li
     if (tints_light(effects.surfaces[i])) result.panes.add(extents);
     if (is_caster(role)) {
       result.casters.add(extents);
+      if (effects.lights[static_cast<std::size_t>(number)].casters_shadow) result.occluders.add(extents);
     } else if (role == Role::Receiver) {
       result.receivers.add(extents);
       if (!is_backdrop(scene, i, light)) result.occluders.add(extents);
@@ -152,9 +154,9 @@ LightViews through_windows(const LightExtents& extents, const Effects& effects, 
 
 LightViews widest_views(const Scene& scene, const Effects& effects, const Settings& settings, int number) {
   const auto index = static_cast<std::size_t>(number);
-  const Light& light = scene.lights[index];
-  if (!effects.lights[index].all_around.empty()) return views_all_around(scene, effects, settings, light);
-  return through_windows(measure(scene, effects, light), effects, settings.grid);
+  if (!effects.lights[index].all_around.empty())
+    return views_all_around(scene, effects, settings, scene.lights[index]);
+  return through_windows(measure(scene, effects, number), effects, settings.grid);
 }
 
 }  // namespace caustics

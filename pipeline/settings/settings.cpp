@@ -199,6 +199,8 @@ constexpr Setting kTable[] = {
     number<&S::full_light>("light.full", Part::Maps, {0, 1},
                            "of more than 16 lights, those that give less than this share of the light on any "
                            "caster have smaller grids and maps"),
+    number<&S::most_lights>("light.most", Part::Maps, {0, 65536},
+                            "of more lights, so many throw caustics, each for those near it as well; 0: all"),
     choice<&S::emissive_lights, kEmissiveLights>(
         "emissive.lights", Part::Light,
         "meshes that shine light the scene; auto: those that add enough to the other light"),

@@ -42,6 +42,7 @@ struct Settings {
   int shadow = 2048;
   int light_samples = 16;
   float least_light = 0.005f, full_light = 0.125f;
+  int most_lights = 64;  // that throw caustics of their own; 0: all
   EmissiveLights emissive_lights = EmissiveLights::Auto;
   int shafts = 128;
   int medium_steps = 32;
