@@ -58,7 +58,7 @@ void run_side_by_side(std::initializer_list<std::function<void()>> parts) {
 
 void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vector<Outcome>& sum) {
   if (sum.empty())
-    for (const Outcome& outcome : outcomes) sum.push_back({.light = outcome.light, .mesh = outcome.mesh});
+    for (const Outcome& outcome : outcomes) sum.push_back({.mesh = outcome.mesh});
   for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum[i], outcomes[i], share);
 }
 
@@ -78,11 +78,9 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
     const auto read = [&](const std::string& name) { return frame.look_at(name); };
     const BranchImages images = images_of_branch(light, branch, has, read);
     const CellImages cells = cells_of_branch(light, branch, has, read);
-    run_side_by_side({[&] { ledger_sum.add(images, cells); }, [&] { error_sum.add(images, cells); },
-                      [&] {
-                        add_outcomes(outcomes_of(sum.light, {images}, maps.caster_normal, casters), share,
-                                     sum.outcomes);
-                      }});
+    run_side_by_side(
+        {[&] { ledger_sum.add(images, cells); }, [&] { error_sum.add(images, cells); },
+         [&] { add_outcomes(outcomes_of({images}, maps.caster_normal, casters), share, sum.outcomes); }});
     if (model) judged.push_back(images);
   }
   Ledger ledger;

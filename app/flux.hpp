@@ -16,7 +16,7 @@ namespace caustics::app {
 struct LightLedger {
   int light = 0;  // index into Scene::sources
   Ledger ledger;
-  std::vector<Outcome> outcomes{};  // by caster; `light` as above
+  std::vector<Outcome> outcomes{};  // by caster
   ErrorEstimate error{};
   Surplus surplus{};  // where the model errs; empty where it is not judged
 

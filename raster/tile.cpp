@@ -149,7 +149,7 @@ void Tile::load_color(std::size_t i) {
   for (int y = 0; y < height_; ++y) {
     float(*row)[4] = storage_.color[i] + static_cast<std::ptrdiff_t>(y) * kTile;
     if (!color.keep) {
-      for (int x = 0; x < width_; ++x) std::memcpy(row[x], texel.data(), sizeof texel);
+      fill_texels(row[0], width_, 4, texel);
     } else if (channels == 4) {
       std::memcpy(row, color.texture->texel(x_, y_ + y), sizeof(Texel) * static_cast<std::size_t>(width_));
     } else {

@@ -12,7 +12,7 @@ extern const Shader caster_map_tinted_shader;
 std140::CasterMap caster_map_uniforms(const View& view, int material_row, int first_triangle) {
   return {.view = shader_view(view),
           .material_row = material_row,
-          .map_side = view.cube ? view.cube->side : 0,
+          .map_side = view.cube.value_or(CubeAtlas{}).side,
           .first_triangle = first_triangle};
 }
 

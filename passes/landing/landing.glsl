@@ -326,8 +326,10 @@ struct Account {
   Vec3 absorbed;   // in the material
   Vec3 leaving;    // from the caster
   Vec3 carried;    // to the landing
+#ifdef HAZE
   Vec3 taken;      // by the air, before the caster and after it,
   Float air_way;   // along which it goes so far, metres
+#endif
 };
 
 // What the material lets through: by its length, and by its colour, which tints what glass lets through
@@ -369,8 +371,6 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
   account.absorbed = Vec3(let_in) - inside;
   account.mirrored = Vec3(account.entered * reflectance1) + inside * reflectance2;
   account.carried = account.leaving;
-  account.taken = Vec3(0.0f);
-  account.air_way = Float(0.0f);
   return account;
 }
 

@@ -20,7 +20,7 @@ inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const
   const bool blended = context.blended();
   return {.sky = shader_sky(context.scene->environment),
           .view = shader_view(view),
-          .map_side = view.cube ? view.cube->side : 0,
+          .map_side = view.cube.value_or(CubeAtlas{}).side,
           .eye = glm::vec3(eye),
           .forward = glm::vec3(view.forward),
           .color = passing_color(m, true),

@@ -25,7 +25,7 @@ std140::TexturedCasters textured_casters_uniforms(const View& view, const Materi
       .has_base_color = material.base_color_texture.present(),
       .has_normal_texture = material.normal_texture.present(),
       .has_transmission = !mirror && !surface.thin && material.transmission_texture.present(),
-      .map_side = view.cube ? view.cube->side : 0,
+      .map_side = view.cube.value_or(CubeAtlas{}).side,
       .first_triangle = first_triangle,
   };
 }

@@ -36,14 +36,11 @@ double ring_factor(const Water& water, const Plop& plop) {
 std140::WaterStep water_step_uniforms(const Water& water, std::int64_t step) {
   const WaterSettings& s = water.settings;
   const double x = s.speed / water.dx, z = s.speed / water.dz, dt = water.step;
-  std140::WaterStep u{.pull_x = static_cast<float>(x * x * dt),
-                      .pull_z = static_cast<float>(z * z * dt),
-                      .damping = static_cast<float>(1.0 / (1.0 + s.damping * dt)),
-                      .time_step = static_cast<float>(dt),
-                      .plop_middle = glm::vec2(0.0f),
-                      .plop_scale = glm::vec2(0.0f),
-                      .plop_height = 0.0f,
-                      .plop_ring = 0.0f};
+  std140::WaterStep u{};
+  u.pull_x = static_cast<float>(x * x * dt);
+  u.pull_z = static_cast<float>(z * z * dt);
+  u.damping = static_cast<float>(1.0 / (1.0 + s.damping * dt));
+  u.time_step = static_cast<float>(dt);
   const std::optional<Plop> plop = water.plop_in_step(step);
   if (!plop) return u;
   u.plop_middle = {static_cast<float>(plop->centre.x / water.dx),

@@ -16,12 +16,11 @@ constexpr NamedEffect kNotInTriangles[] = {{"medium", &Effects::medium},
                                            {"water waves", &Effects::water_waves}};
 
 Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {
-  Optics o{.role = surface.role, .solid = surface.two_interfaces};
+  Optics o{.role = surface.role, .solid = surface.two_interfaces, .ior = static_cast<double>(material.ior)};
   if (surface.role == Role::Mirror) {
     o.color = glm::dvec3(metal_reflectance(material));
     return o;
   }
-  o.ior = static_cast<double>(material.ior);
   o.spread = static_cast<double>(main_dispersion(material));
   o.color = glm::dvec3(passing_color(material, surface.thin));
   if (surface.role == Role::Refractor && surface.rough)

@@ -11,7 +11,7 @@ namespace caustics {
 struct Optics {
   Role role = Role::Receiver;
   bool solid = false;          // light leaves through a second surface
-  double ior = 1.0;            // at the d line
+  double ior;                  // at the d line
   double spread = 0.0;         // n_F - n_C
   double alpha = 0.0;          // of rough glass: GGX's width, its roughness squared
   glm::dvec3 absorption{0.0};  // per metre

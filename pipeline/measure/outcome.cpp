@@ -40,11 +40,11 @@ std::string reason_of(LandingStatus status, bool over_added_ground) {
 
 }  // namespace
 
-std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& branches,
-                                 const ImageView& caster_normal, const std::vector<int>& mesh_of_row) {
+std::vector<Outcome> outcomes_of(const std::vector<BranchImages>& branches, const ImageView& caster_normal,
+                                 const std::vector<int>& mesh_of_row) {
   std::vector<Outcome> outcomes;
   outcomes.reserve(mesh_of_row.size());
-  for (const int mesh : mesh_of_row) outcomes.push_back({.light = light, .mesh = mesh});
+  for (const int mesh : mesh_of_row) outcomes.push_back({.mesh = mesh});
   for (const BranchImages& images : branches) {
     const glm::vec3& color = images.branch.color;
     const double weight = (double(color.x) + double(color.y) + double(color.z)) / 3.0;

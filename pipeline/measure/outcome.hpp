@@ -9,8 +9,7 @@
 namespace caustics {
 
 struct Outcome {
-  int light = 0;  // index into Scene::lights, or of what the caller groups them by
-  int mesh = 0;   // the caster
+  int mesh = 0;  // the caster
   // Flux onto the caster, mean of the channels, relative to the light's intensity as in the ledger.
   double entered = 0.0;
   // The part of it whose way ended so, by LandingStatus; of Landed, what is left of it where it lands.
@@ -23,8 +22,8 @@ struct Outcome {
 
 // One for each mesh of `mesh_of_row` (by the row of caster_normal's fourth channel), in that order. Where a
 // light's way ends otherwise than on a receiver, all that is left of its flux there is booked.
-std::vector<Outcome> outcomes_of(int light, const std::vector<BranchImages>& branches,
-                                 const ImageView& caster_normal, const std::vector<int>& mesh_of_row);
+std::vector<Outcome> outcomes_of(const std::vector<BranchImages>& branches, const ImageView& caster_normal,
+                                 const std::vector<int>& mesh_of_row);
 
 // Adds `share` of another's flux on the same caster.
 void add(Outcome& sum, const Outcome& other, double share);

@@ -102,7 +102,7 @@ class FrameRenderer {
   std::optional<double> shown_;         // the moment of the waters
   std::unique_ptr<FrameTargets> targets_;
   FrameInputs inputs_;
-  int done_ = 0;  // the pass of the plan that ran last
+  int done_;  // the pass of the plan that ran last; judge_and_plan begins anew
 };
 
 }  // namespace caustics

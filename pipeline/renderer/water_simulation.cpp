@@ -31,7 +31,6 @@ void WaterSimulation::make_step() {
   const PassRun run{
       .definition = &definition_,
       .colors = {textures_[1 - current_].id()},
-      .keep = {false},
       .draws = {
           {.vertex_count = 3, .uniforms = pass_.uniforms(context), .textures = {textures_[current_].id()}}}};
   const PassResult result = device_.run(run);

@@ -44,7 +44,6 @@ class AnimationReader {
 
   Animation read(const Cursor& cursor) {
     Animation animation;
-    animation.name = cursor.member("name").string("");
     const Cursor channels = cursor.member("channels"), samplers = cursor.member("samplers");
     if (channels.size() == 0) context_.note("The animation has no channels.");
     for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -17,7 +17,6 @@ struct Channel {
 };
 
 struct Animation {
-  std::string name;
   std::vector<Channel> channels;
   double duration = 0.0;  // seconds: the last moment of any channel
 };

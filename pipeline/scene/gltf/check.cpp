@@ -21,10 +21,16 @@ Counts count(const Cursor& root) {
           root.member("cameras").size()};
 }
 
-std::int64_t checked_bytes(const Cursor& type) {
-  const std::size_t bytes = component_bytes(static_cast<int>(type.integer(0, 65535)));
+struct CheckedType {
+  int code;
+  std::int64_t bytes;
+};
+
+CheckedType checked_type(const Cursor& type) {
+  const int code = static_cast<int>(type.integer(0, 65535));
+  const std::size_t bytes = component_bytes(code);
   if (bytes == 0) type.fail("is not a component type of glTF 2.0", kExportAgainOrCorrect);
-  return static_cast<std::int64_t>(bytes);
+  return {code, static_cast<std::int64_t>(bytes)};
 }
 
 std::int64_t checked_count(const Cursor& type) {
@@ -77,8 +83,7 @@ void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts
   const std::int64_t changed = sparse.member("count").integer(1, elements);
   const Cursor indices = sparse.member("indices");
   const Cursor type = indices.member("componentType");
-  const std::int64_t size = checked_bytes(type);
-  const std::int64_t code = type.integer(0, 65535);
+  const auto [code, size] = checked_type(type);
   if (code != kUnsignedByte && code != kUnsignedShort && code != kUnsignedInt)
     type.fail("must be an unsigned type", kExportAgainOrCorrect);
   check_extent(root, indices, counts, changed, size, false);
@@ -87,7 +92,7 @@ void check_sparse(const Cursor& root, const Cursor& sparse, const Counts& counts
 
 void check_accessor(const Cursor& root, const Cursor& accessor, const Counts& counts) {
   const std::int64_t size =
-      checked_bytes(accessor.member("componentType")) * checked_count(accessor.member("type"));
+      checked_type(accessor.member("componentType")).bytes * checked_count(accessor.member("type"));
   const auto most = static_cast<std::int64_t>(std::min<std::uint64_t>(
       accessor.context().options().max_vertices * 3, std::numeric_limits<std::int32_t>::max()));
   const std::int64_t elements = accessor.member("count").integer(1, most);
