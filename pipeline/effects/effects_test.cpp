@@ -285,3 +285,19 @@ TEST_CASE("caustics have one channel unless a caster tints them") {
   one.wavelengths = 1;
   CHECK(!judged(glass_over_floor(flint), one).coloured_caustics.active);
 }
+
+TEST_CASE("a medium scatters light only where a light shines, and shows its way only through casters") {
+  Scene scene = glass_over_floor();
+  CHECK_FALSE(judged(scene).scattering.active);
+  CHECK(judged(scene).scattering.reason == "there is no medium");
+  scene.medium.absorption = glm::vec3(0.1f);
+  CHECK_FALSE(judged(scene).scattering.active);
+  CHECK(judged(scene).scattering.reason == "the medium only absorbs");
+  scene.medium.scattering = glm::vec3(0.1f);
+  CHECK(judged(scene).scattering.active);
+  CHECK(judged(scene).light_shafts.active);
+  scene.lights[0].intensity = 0.0f;
+  CHECK_FALSE(judged(scene).scattering.active);
+  CHECK(judged(scene).scattering.reason == "no light shines");
+  CHECK_FALSE(judged(scene).light_shafts.active);
+}

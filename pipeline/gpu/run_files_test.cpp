@@ -92,3 +92,15 @@ TEST_CASE("A folder's own names are nobody else's") {
   CHECK_FALSE(refusal([&] { other.writes_in(folder / "below/", "--dump", is_own); }).empty());
   CHECK_FALSE(refusal([&] { other.writes_in(folder / "below/a.exr", "--dump", is_own); }).empty());
 }
+
+TEST_CASE("A folder that is written into is no output, however it is spelled") {
+  const Folder folder;
+  fs::create_directories(folder / "below/deeper");
+  fs::create_directory_symlink(folder / "below", folder / "linked");
+  for (const char* name : {"below", "below/", "below/.", "below/deeper/..", "linked", "linked/."}) {
+    INFO(name);
+    RunFiles files;
+    files.writes_in(folder / "below", "--dump", [](const std::string&) { return false; });
+    CHECK_FALSE(refusal([&] { files.writes(folder / name, "-o"); }).empty());
+  }
+}

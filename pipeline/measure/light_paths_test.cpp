@@ -161,6 +161,33 @@ TEST_CASE("light paths: a bubble's index is relative to the glass around it") {
 }
 
 TEST_CASE(
+    "light paths: of bodies that overlap the last that light entered counts, whichever it leaves first") {
+  // Down through the first from 1.6 to 0.9 m and the second from 1.2 to 0.5 m, of indices 1.5 and 3: what
+  // they mirror is 1/25 going in, (1.5 / 4.5)^2 = 1/9 from one to the other, nothing where the first is left
+  // within the second, and 1/4 going out.
+  Bench bench({box({-1, 0.9, -1}, {1, 1.6, 1}, 1), box({-1, 0.5, -1}, {1, 1.2, 1}, 2)});
+  bench.scene.materials.push_back(glass(3.0f));
+  double most = 0.0;
+  for (const LightLanding& landing : bench.follow({0.3, 2.0, 0.2}, {0, -1, 0}))
+    most = std::max(most, landing.flux.x);
+  CHECK(most == Approx(24.0 / 25.0 * 8.0 / 9.0 * 3.0 / 4.0).epsilon(1e-9));
+}
+
+TEST_CASE("light paths: a body in two parts that overlap, within another of the same glass, bends nothing") {
+  // One slab of glass from 1.9 to 0.5 m: Snell's law for sines of 0.6 outside and 0.4 inside. In the slab the
+  // light enters the first part, then the second, and leaves them in the same order.
+  Bench bench({box({-2, 0.5, -2}, {2, 1.9, 2}, 1), box({-2, 1.2, -2}, {2, 1.6, 2}, 2),
+               box({-2, 0.9, -2}, {2, 1.4, 2}, 2)});
+  bench.scene.materials.push_back(glass(1.5f));
+  const double x = -0.8 + 0.6 * 0.75 + 1.4 * 0.4 / std::sqrt(1.0 - 0.16) + 0.5 * 0.75;
+  int landed = 0;  // all but what the last surface mirrors, one way in 24
+  for (std::uint64_t key = 0; key < 20; ++key)
+    for (const LightLanding& landing : bench.follow({-0.8, 2.5, 0.1}, {0.6, -0.8, 0.0}, key))
+      landed += std::fabs(landing.position.x - x) < 1e-6;
+  CHECK(landed > 15);
+}
+
+TEST_CASE(
     "light paths: what meets no caster is not followed, and one ray's draws do not depend on another's") {
   const Bench bench({sphere({0.0, 1.0, 0.0}, 0.5, 3, 1)});
   CHECK(bench.follow({3.0, 2.0, 0.0}, {0, -1, 0}).empty());

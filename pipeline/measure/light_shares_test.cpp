@@ -51,6 +51,18 @@ TEST_CASE("light shares: a share is that of the light on the caster") {
   CHECK(left_out(shares) == 0);
 }
 
+TEST_CASE("light shares: samples of one lamp count together, as the lamp that they are of") {
+  Scene scene = lit_by(20);
+  for (const std::size_t sample : {1u, 2u}) scene.lights[sample].source = 0;
+  scene.lights[4].source = 3;
+  const std::vector<LightShare> shares = shares_in(scene, 0.0);
+  CHECK(shares[0].share == Approx(102.0 / 120.0));
+  CHECK(shares[1].share == 0.0);
+  CHECK(shares[3].share == Approx(2.0 / 120.0));
+  CHECK(shares[4].share == 0.0);
+  CHECK(shares[5].share == Approx(1.0 / 120.0));
+}
+
 // A lamp gives 1/120 of the light, and at the ball's nearest point a little more: of 5 % six would be
 // exactly, so five go.
 TEST_CASE("light shares: the weakest are left out as long as all of them give less than asked for") {

@@ -258,6 +258,14 @@ TEST_CASE("followed light: each light is followed by itself") {
   CHECK(pass_of(plan, "cells[moon]").only_if == pass_of(plan, "enter[moon].1").counts_into);
 }
 
+TEST_CASE("followed light: a light that throws no caustic is not followed") {
+  Bench bench(2, 0);
+  bench.scene.lights.push_back(sun({0.0, 1.0, 0.0}, 1.0f));  // from below: no receiver lies behind the ball
+  bench.scene.lights[1].name = "below";
+  const Names labels = labels_of(bench.plan());
+  CHECK(labels == labels_of(Bench(2, 0).plan()));
+}
+
 TEST_CASE("followed light: passes for two surfaces are left out, with the effect's reason") {
   const FramePlan plan = Bench(3, 0).plan();
   const std::string reason =
