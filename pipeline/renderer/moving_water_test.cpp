@@ -69,6 +69,16 @@ TEST_CASE("water: plops fall at regular intervals where splitmix64 says") {
   CHECK_FALSE(calm.waters[0].plop_in_step(28));
 }
 
+TEST_CASE("water: it has been stirred since its start before time 0, and rests before that") {
+  Water water = bare_water(8, 8);  // steps of half a second
+  water.settings.start = 2.0;
+  CHECK(water.since_rest(1.5) == 3.5);
+  CHECK(water.since_rest(-0.5) == 1.5);
+  CHECK(water.since_rest(-7.0) == 0.0);
+  CHECK(water.steps_until(1.5) == 8);
+  CHECK(water.steps_until(-7.0) == 1);
+}
+
 TEST_CASE("water: plops keep to an oblong sheet, each a radius within its own sides") {
   // Seed 8 and plop 0 as above; 2 m along x, 0.8 m along z.
   Scene scene;

@@ -110,6 +110,24 @@ TEST_CASE("triangle tree: finds what a search through all triangles finds") {
   CHECK(met > 40);
 }
 
+TEST_CASE("triangle tree: of triangles that are divided on several threads each is found") {
+  const Scene scene = scene_of({sphere({0.0, 0.0, 0.0}, 1.0, 5, 0)});
+  const Mesh& mesh = scene.meshes[0];
+  REQUIRE(mesh.indices.size() / 3 == 20480);
+  for (const int threads : {1, 3}) {
+    const TriangleTree tree(scene, {0}, threads);
+    int found = 0;
+    for (std::size_t t = 0; 3 * t < mesh.indices.size(); ++t) {
+      glm::dvec3 middle(0.0);
+      for (std::size_t k = 0; k < 3; ++k)
+        middle += glm::dvec3(mesh.vertices[mesh.indices[3 * t + k]].position);
+      const auto hit = tree.nearest({0.0, 0.0, 0.0}, middle);
+      found += hit && hit->id == TriangleId{0, static_cast<int>(t)};
+    }
+    CHECK(found == 20480);
+  }
+}
+
 TEST_CASE(
     "triangle tree: triangles without area, rays without direction and empty scenes are met by nothing") {
   Mesh line = floor(1.0, 0.0, 0);

@@ -50,3 +50,12 @@ TEST_CASE("visibility: a light's view is seen where its column passes through th
   light.window_upper = glm::dvec2(0.8);
   CHECK(may_see(camera(), light));
 }
+
+TEST_CASE("visibility: a parallel light's column is as wide where it ends as its window") {
+  // Straight down 5 m before the camera, 2 m wide and from 4 to 6 m away: the camera's right plane is x = z.
+  for (const double x : {6.8, 7.2}) {
+    View light = view_along({x, 10, -5}, {0, -1, 0});
+    light.far = 20.0;
+    CHECK(may_see(camera(), light) == (x < 7.0));
+  }
+}

@@ -89,6 +89,17 @@ TEST_CASE("lamp meshes: beside lights of its own a scene's meshes count where th
   }
 }
 
+TEST_CASE("lamp meshes: in the shade of a scene's lights 30 % of them are taken to come from all around") {
+  // Below the panel 450 lux, over a tenth of the floor more than 200; a roof keeps the sun off.
+  for (const auto& [lux, counts] : {std::pair{3300.0f, true}, {20000.0f, false}}) {
+    Scene scene = under_lamp(20000.0f);
+    scene.meshes.push_back(floor(3.0, 3.0, 0));
+    scene.lights = {sun({0.0, -1.0, 0.0}, lux)};
+    INFO("sun of " << lux << " lux");
+    CHECK(choose_lamps(scene, kSun, 16).lights.size() == (counts ? 1 : 0));
+  }
+}
+
 TEST_CASE("lamp meshes: lamps behind glass shine, lamps in a closed box do not") {
   Scene scene = under_lamp(20000.0f);
   scene.materials.push_back(glass(1.5f));

@@ -1,4 +1,5 @@
 // Vertices, indices and transforms: what the loader makes of geometry that is as it should be.
+#include "pipeline/scene/gltf/topology.hpp"
 #include "tests/scene/gltf_builder.hpp"
 
 using namespace caustics;
@@ -341,4 +342,36 @@ TEST_CASE(
   const Scene wrong = scene_with(std::vector<float>(6, 0.5f), "", "VEC2");
   CHECK(wrong.meshes.at(0).colors.empty());
   CHECK(has_note(wrong, "accessors[1]: vertex colours are neither floats nor shares of 1"));
+}
+
+TEST_CASE("A vertex without a normal takes the first of its faces' where these cancel, and is counted") {
+  // Two triangles in the plane z = 0 that face +z and -z, and share the last vertex.
+  Gltf gltf;
+  gltf.add<float>({1, 0, 0, 0, 1, 0, 0, -1, 0, 1, 0, 0, 0, 0, 0}, 5126, "VEC3", 5);
+  gltf.add<float>({0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, -1, 0, 0, 0}, 5126, "VEC3", 5);
+  gltf.add<std::uint16_t>({0, 1, 4, 3, 2, 4}, 5123, "SCALAR", 6);
+  gltf.mesh = R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2)";
+  const Scene scene = load(gltf);
+  for (const Vertex& vertex : scene.meshes.at(0).vertices)
+    if (world(scene, vertex) == glm::vec3(0.0f)) CHECK(vertex.normal == glm::vec3(0, 0, 1));
+  CHECK(has_note(scene, ": 1 normals are zero or not finite"));
+  CHECK_FALSE(has_note(scene, "were turned"));
+}
+
+TEST_CASE("A triangle is dropped where it is flatter than 1e-10 of its side, or shorter than a picometre") {
+  // With sides `length` and `height` at a right angle, the corner of which lies at `corner`.
+  const auto is_kept = [](double length, double height, const glm::dvec3& corner) {
+    gltf::Shape shape;
+    shape.positions = {corner, corner + glm::dvec3(length, 0, 0), corner + glm::dvec3(0, height, 0)};
+    shape.triangles = {{0, 1, 2}};
+    return gltf::drop_degenerate(shape) == 0;
+  };
+  for (const glm::dvec3& corner : {glm::dvec3(0.0), glm::dvec3(0.3, -0.2, 0.5)})
+    for (const double length : {0.01, 1.0, 100.0}) {
+      INFO(length << " m from " << corner.x);
+      CHECK(is_kept(length, 1.1e-10 * length, corner));
+      CHECK_FALSE(is_kept(length, 0.9e-10 * length, corner));
+    }
+  CHECK(is_kept(1.1e-12, 1e-13, glm::dvec3(0.0)));
+  CHECK_FALSE(is_kept(0.9e-12, 1e-13, glm::dvec3(0.0)));
 }
