@@ -181,6 +181,21 @@ TEST_CASE("cells: light that was followed is one cell where landings lie as thei
   CHECK(rows.row(2) == "110110");
 }
 
+TEST_CASE("cells: a landing may be half its differential off the place which both expect, and 2 texels") {
+  // The bundles are 1.5 m, 1.5 texels, and `gap` apart along x where 1.5 texels are expected: 2.75 are
+  // allowed.
+  Bench bench;
+  bench.walked = true;
+  bench.largest = 8.0f;
+  bench.expected = {1.5f, 0.0f, 0.0f, 0.5f};
+  for (const float gap : {2.7f, 2.8f}) {
+    bench.landing = [=](int x, int y) {
+      return glm::vec4(0.5f * x - 3.0f + (x < 3 ? 0.0f : 1.0f + gap), 0.0f, 1.25f - 0.5f * y, 1.0f);
+    };
+    CHECK(bench.row(2) == (gap < 2.75f ? "111110" : "110110"));
+  }
+}
+
 TEST_CASE("cells: light that was followed makes no cell larger than a part of the map") {
   // The bundles are 3 texels apart, as they expect; a cell may span 2.
   Bench bench;

@@ -1,5 +1,7 @@
 #include "passes/land/land.hpp"
 
+#include <algorithm>
+
 #include "passes/landing/landing.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "tests/support/catch.hpp"
@@ -247,4 +249,16 @@ TEST_CASE("land: a cube's map has all that a lamp lights, above it too") {
   const PassImages out = bench.run();
   CHECK(status(out) == LandingStatus::Landed);
   CHECK(landing(out) == glm::vec3(0.5f, 15.0f, 0.25f));
+}
+
+TEST_CASE("land: what may hide others from the light is looked for where the receivers are no one plane") {
+  const std::vector<Choice> choices = land_pass().choices;
+  const auto hidden = std::find_if(choices.begin(), choices.end(),
+                                   [](const Choice& choice) { return choice.name == "can_be_hidden"; });
+  REQUIRE(hidden != choices.end());
+  Effects effects;
+  for (const bool one_plane : {false, true}) {
+    effects.receivers_are_one_plane = one_plane;
+    CHECK(hidden->value({.effects = &effects}) == (one_plane ? 0 : 1));
+  }
 }

@@ -32,3 +32,24 @@ TEST_CASE("view_range: a ray is in the haze from the plane where it enters to th
 TEST_CASE("view_range: a ray that ends before the haze has no way in it") {
   CHECK(range_down_to(5.0f) == glm::vec4(5.0f, 0.0f, 0.0f, 0.0f));
 }
+
+TEST_CASE("view_range: a steep ray leaves the haze where it leaves its side") {
+  // From 10 m up and 2.5 m beside the axis outwards by 9 in 40: into the haze after 6 * 41/40 m, out of its
+  // side at 4 m after 1.5 * 41/9 m, down on the floor after 10 * 41/40 m.
+  for (const double side : {1.0, -1.0}) {
+    const glm::dvec3 way(side * 9.0 / 41.0, -40.0 / 41.0, 0.0);
+    View view = view_along({side * 2.5, 10.0, 0.0}, way);
+    view.far = 20.0;
+    const Scene scene = hazy_room();
+    const Pass pass = view_range_pass();
+    const glm::vec3 end(view.origin + way * 10.25);
+    const PassImages out =
+        run_pass(definition_of(pass),
+                 {.uniforms = pass.uniforms({.scene = &scene, .camera = &view, .width = 1, .height = 1}),
+                  .textures = {filled(1, 1, glm::vec4(end, 1.0f)), filled(1, 1, {0.0f, 1.0f, 0.0f, 10.25f}),
+                               Image{}}});
+    const glm::vec4 range = texel(out["view_range"], 0, 0);
+    CHECK(range.y == Approx(6.15).epsilon(1e-5));
+    CHECK(range.z == Approx(1.5 * 41.0 / 9.0).epsilon(1e-5));
+  }
+}
