@@ -62,19 +62,20 @@ Row composition_row() {
             const FloorLayer beauty = s.layer("layers", "beauty"), direct = s.layer("layers", "direct");
             const FloorLayer caustic = s.layer("layers", "caustic"), other = s.layer("preset_512", "direct");
             const std::array<double, 3> albedo{0.80, 0.72, 0.62};
-            double largest = 0.0, least = 1e30, most = -1e30;
+            std::vector<double> skies;
+            double largest = 0.0;
             for (std::size_t i = 0; i < beauty.pixels.size(); ++i)
               for (std::size_t c = 0; c < 3; ++c) {
                 const double k = albedo[c] / 3.14159265358979;
-                const double sky =
-                    (beauty.pixels[i][c] - k * (direct.pixels[i][c] + caustic.pixels[i][c])) / k;
-                least = std::min(least, sky);
-                most = std::max(most, sky);
-                largest = std::max(largest, direct.pixels[i][c] + caustic.pixels[i][c]);
+                const double lit = direct.pixels[i][c] + caustic.pixels[i][c];
+                skies.push_back((beauty.pixels[i][c] - k * lit) / k);
+                largest = std::max(largest, lit);
               }
+            const auto [least, most] = std::minmax_element(skies.begin(), skies.end());
+            const double uneven = *most - *least;
             const bool same = direct.pixels == other.pixels;
-            return {most - least < 1e-5 * largest && same,
-                    "the rest is even to " + significant((most - least) / largest, 2) +
+            return {uneven < 1e-5 * largest && same,
+                    "the rest is even to " + significant(uneven / largest, 2) +
                         " of the brightest pixel; direct light " + (same ? "the same" : "differs")};
           }};
 }

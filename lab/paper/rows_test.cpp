@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -7,6 +10,93 @@
 #include "tests/support/catch.hpp"
 
 using namespace caustics::paper;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Row row_of(const std::string& id) {
+  for (Row& row : paper_rows())
+    if (row.id == id) return std::move(row);
+  throw std::out_of_range(id);
+}
+
+FloorLayer floor_of(int width, int height, const std::array<double, 3>& color = {}) {
+  return {width, height, std::vector(static_cast<std::size_t>(width * height), color)};
+}
+
+// What a test states in place of pictures: the same of all shots, but where it says otherwise. A check may
+// ask a shot for what it was taken with, and for nothing else.
+class StatedShots : public Shots {
+ public:
+  explicit StatedShots(const Row& row) : row_(row) {}
+
+  FloorLayer& state(const std::string& name, const std::string& layer) { return layers_[{name, layer}]; }
+  // The names of those that were asked for anything.
+  const std::set<std::string>& used() const { return used_; }
+  const std::set<std::string>& drawn() const { return drawn_; }
+
+  const Json& stats(const std::string& name) const override {
+    shot(name);
+    static const Json json = [] {
+      Json flux = {{"residual", 0.0}};
+      for (const char* account : {"entered", "landed", "in_map", "outside", "fresnel", "absorbed", "medium",
+                                  "kernel_edge", "not_converged"})
+        flux[account] = {1.0, 1.0, 1.0};
+      return Json{{"device", "none"},
+                  {"milliseconds", {{"passes", 1.0}, {"total", 2.0}}},
+                  {"passes", Json::array()},
+                  {"lights", {{{"flux", flux}}, {{"flux", flux}}}}};
+    }();
+    return json;
+  }
+  FloorLayer layer(const std::string& name, const std::string& layer) const override {
+    const Shot& taken = shot(name);
+    INFO(name << " " << layer);
+    const bool listed = ("," + taken.layers + ",").find("," + layer + ",") != std::string::npos;
+    CHECK((listed || layer == "beauty" || (taken.traced && layer == "caustic")));
+    const auto stated = layers_.find({name, layer});
+    return stated == layers_.end() ? floor_of(4, 4, {1.0, 1.0, 1.0}) : stated->second;
+  }
+  Texels attachment(const std::string& name, const std::string&) const override {
+    INFO(name);
+    CHECK(shot(name).dumped);
+    return {2, 2, std::vector<std::array<double, 4>>(4, {1.0, 1.0, 1.0, 1.0})};
+  }
+  bool taken(const std::string& name) const override {
+    CHECK(shot(name).on_gl);
+    return true;
+  }
+  void draw_side_by_side(const std::vector<std::string>& tested, const std::string& truth,
+                         const std::string& wanted, const std::string& name) const override {
+    for (const std::string& each : tested) layer(each, wanted);
+    layer(truth, wanted);
+    drawn_.insert(name);
+  }
+
+ private:
+  // "lens.0002": a frame of a shot of several.
+  const Shot& shot(const std::string& name) const {
+    const std::string whole = name.substr(0, name.find('.'));
+    for (const Shot& each : row_.shots)
+      if (each.name == whole) {
+        used_.insert(whole);
+        return each;
+      }
+    throw std::out_of_range("row " + row_.id + " has no shot " + name);
+  }
+
+  const Row& row_;
+  std::map<std::pair<std::string, std::string>, FloorLayer> layers_;
+  mutable std::set<std::string> used_, drawn_;
+};
+
+std::string last_of(const Options& options, const std::string& key) {
+  const auto found = std::find(options.rbegin(), options.rend(), key);
+  return found == options.rend() ? "" : *(found - 1);
+}
+
+}  // namespace
 
 TEST_CASE("paper rows: each of the paper's 39 things has one row, with what is expected of it") {
   std::multiset<int> found;
@@ -31,5 +121,74 @@ TEST_CASE("paper rows: shots of one name are one shot") {
       CHECK(first.scene == shot.scene);
       CHECK(first.options == shot.options);
       CHECK(first.layers == shot.layers);
+    }
+}
+
+TEST_CASE(
+    "paper rows: a check asks shots for what they are taken with, and each shot is there for something") {
+  for (const Row& row : paper_rows()) {
+    INFO(row.id);
+    const StatedShots shots(row);
+    CHECK_FALSE(row.check(shots).figure.empty());
+    const bool shows_a_shot = std::any_of(row.shots.begin(), row.shots.end(),
+                                          [&](const Shot& shot) { return shot.name == row.picture; });
+    CHECK((row.picture.empty() || shows_a_shot || shots.drawn().count(row.picture) > 0));
+    for (const Shot& shot : row.shots) {
+      INFO(shot.name);
+      CHECK((shots.used().count(shot.name) > 0 || shot.name == row.picture));
+    }
+  }
+}
+
+TEST_CASE("paper rows: grid vertices of one row's shots are the same ones") {
+  for (const Row& row : paper_rows()) {
+    std::set<std::string> sides;
+    for (const Shot& shot : row.shots)
+      if (shot.dumped) sides.insert({last_of(shot.options, "--grid"), last_of(shot.options, "--map")});
+    INFO(row.id);
+    CHECK(sides.size() <= 1);
+  }
+}
+
+TEST_CASE("paper rows: a ring's light counts inside it and outside it, and not beneath it") {
+  const Row row = row_of("9");
+  StatedShots shots(row);
+  FloorLayer& caustic = shots.state("ring_floor", "caustic") = floor_of(20, 40);
+  // In the column just right of the middle: 0.056, 0.527 and 0.577 m from it.
+  const auto shine = [&](std::size_t line, double red) {
+    caustic.pixels[20 * line + 10] = {red, 0.5 * red, 0.25 * red};
+  };
+  shine(20, 3.0);
+  shine(30, 5.0);
+  CHECK_FALSE(row.check(shots).holds);
+  shine(31, 1.0);
+  CHECK(row.check(shots).holds);
+  CHECK(row.check(shots).figure.find("25.0% lies outside; green and blue are 0.5 and 0.25 of red") !=
+        std::string::npos);
+  shine(20, 0.0);
+  CHECK_FALSE(row.check(shots).holds);
+  shine(20, 3.0);
+  for (auto& pixel : caustic.pixels) std::swap(pixel[0], pixel[1]);
+  CHECK_FALSE(row.check(shots).holds);
+}
+
+TEST_CASE("paper rows: how even a sky must be goes by the brightest pixel") {
+  const Row row = row_of("12");
+  for (const double lux : {1e-3, 1.0, 1e3})
+    for (const double uneven : {0.5e-5, 2e-5}) {
+      StatedShots shots(row);
+      const FloorLayer light = floor_of(2, 1, {lux, lux, lux});
+      shots.state("layers", "direct") = shots.state("preset_512", "direct") = light;
+      shots.state("layers", "caustic") = floor_of(2, 1);
+      FloorLayer& beauty = shots.state("layers", "beauty") = floor_of(2, 1);
+      const std::array<double, 3> albedo{0.80, 0.72, 0.62};
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+          beauty.pixels[i][c] =
+              albedo[c] / std::numbers::pi * lux * (1.3 + (i == 0 && c == 2 ? uneven : 0.0));
+      INFO(lux << " " << uneven);
+      CHECK(row.check(shots).holds == (uneven < 1e-5));
+      shots.state("preset_512", "direct").pixels[1][1] *= 1.0 + 1e-12;
+      CHECK_FALSE(row.check(shots).holds);
     }
 }

@@ -28,7 +28,7 @@ double brewster_angle(double n) { return std::atan(n); }
 Reflectance fresnel(double cos_incidence, double n1, double n2) {
   if (n1 == n2) return {0.0, 0.0};
   const double eta = n1 / n2;
-  const double ci = std::clamp(cos_incidence, 0.0, 1.0);
+  const double ci = std::max(cos_incidence, 0.0);
   const double ct_squared = (1.0 - eta) * (1.0 + eta) + squared(eta * ci);
   if (ct_squared < 0.0) return {1.0, 1.0};
   const double ct = std::sqrt(ct_squared);
@@ -109,11 +109,11 @@ double dispersive_index(double n, double dispersion, double wavelength) {
 }
 
 double bk7_index(double wavelength) {
-  const double strength[] = {1.03961212, 0.231792344, 1.01046945};
-  const double resonance[] = {0.00600069867, 0.0200179144, 103.560653};
+  constexpr std::pair<double, double> kTerms[] = {
+      {1.03961212, 0.00600069867}, {0.231792344, 0.0200179144}, {1.01046945, 103.560653}};
   const double square = squared(wavelength);
   double sum = 1.0;
-  for (int i = 0; i < 3; ++i) sum += strength[i] * square / (square - resonance[i]);
+  for (const auto& [strength, resonance] : kTerms) sum += strength * square / (square - resonance);
   return std::sqrt(sum);
 }
 

@@ -225,6 +225,35 @@ TEST_CASE("Sphere: all flux that is not sent beyond the square lies in it") {
   CHECK(shadow.values[0] == 0.0);
 }
 
+TEST_CASE("Sphere: however few rings of rays are counted, they keep the flux") {
+  const GlassSphere s{.radius = 1.0, .index = 1.33, .distance = 1.6, .loss = InterfaceLoss::None};
+  for (const int rings : {1, 2, 5, 50})  // the farthest land 5 m from the axis
+    CHECK(annulus_average(s, 0.0, 10.0, rings) * 100.0 == Approx(1.0).epsilon(1e-9));
+}
+
+TEST_CASE("Sphere: a ring of rays whose light crosses the axis lies evenly on both sides of it") {
+  const GlassSphere s{.radius = 1.0, .index = 1.5, .distance = 1.2, .loss = InterfaceLoss::None};
+  // Of four rings the first lands from the axis to `first`, the third from `inner` to beyond the axis; the
+  // others farther away than 50 mm.
+  const double end = std::asin(s.largest_impact());
+  const auto impact = [&](int i) { return std::sin(end * i / 4.0); };
+  const double first = s.landing(impact(1)), inner = s.landing(impact(2)), outer = s.landing(impact(3));
+  REQUIRE(std::min({first, inner, -outer, -s.landing(impact(4))}) > 0.05);
+  const auto flux = [&](int i) { return kPi * (std::pow(impact(i), 2.0) - std::pow(impact(i - 1), 2.0)); };
+  const double expected = flux(1) * 0.05 / first + flux(3) * 0.1 / (inner - outer);
+  CHECK(annulus_average(s, 0.0, 0.05, 4) * kPi * 0.05 * 0.05 == Approx(expected).epsilon(1e-9));
+}
+
+TEST_CASE("Sphere: a smaller one is the same in small, and a bubble's last ray has no way inside it") {
+  for (const double n : {0.75, 1.33, 1.5, 2.42}) {
+    const GlassSphere large{.radius = 1.0, .index = n}, small{.radius = 0.01, .index = n};
+    CHECK(small.largest_impact() == Approx(0.01 * large.largest_impact()).epsilon(1e-12));
+    CHECK(small.chord(0.006) == Approx(0.01 * large.chord(0.6)).epsilon(1e-12));
+  }
+  const GlassSphere bubble{.radius = 1.0, .index = 0.75};
+  CHECK(bubble.chord(bubble.largest_impact()) == Approx(0.0).margin(1e-7));
+}
+
 TEST_CASE("Water: landing, derivative and first focus") {
   const WaterWave w{.amplitude = 0.02, .wave_number = 9.5, .index = 1.33, .depth = 1.2};
   for (double x = -0.4; x < 0.4; x += 0.013) {

@@ -8,8 +8,8 @@ namespace caustics {
 namespace {
 
 struct Side {
-  glm::dvec2 from{0.0}, to{0.0};
-  glm::dvec2 normal{0.0};  // outward
+  glm::dvec2 from, to;
+  glm::dvec2 normal;  // outward
 };
 
 Side side_of(const GlassBar& bar, std::size_t i) {
@@ -36,8 +36,8 @@ double overlap(double a, double b, double lower, double upper) {
 
 // A rectangle of the floor, evenly lit.
 struct Patch {
-  double from = 0.0, to = 0.0;  // along x
-  double irradiance = 0.0;      // over E_perp
+  double from, to;    // along x
+  double irradiance;  // over E_perp
 };
 
 // What enters by one side and leaves by the other.
@@ -58,9 +58,8 @@ std::optional<Patch> patch_of(const GlassBar& bar, const Side& entry, const Side
   const double lit = glm::length(entry.to - entry.from) * (last - first) / std::fabs(b - a);
   const double passed =
       (1.0 - fresnel(incidence, 1.0, bar.index).mean()) * (1.0 - fresnel(leaving, bar.index, 1.0).mean());
-  Patch patch{landing(first), landing(last)};
-  patch.irradiance = passed * incidence * lit / std::fabs(patch.to - patch.from);
-  return patch;
+  const double from = landing(first), to = landing(last);
+  return Patch{from, to, passed * incidence * lit / std::fabs(to - from)};
 }
 
 }  // namespace

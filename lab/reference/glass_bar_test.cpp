@@ -44,6 +44,8 @@ TEST_CASE("glass bar: a wide slab dims and shifts the light as its closed forms 
   // The far end of what is lit: the lower side's edge, straight on to the floor.
   const std::vector<double> edge = irradiance_average(bar, {.lower = {5.0, -0.5}, .side = 1.0, .pixels = 1});
   CHECK(edge[0] / values[0] == Approx(0.5 * std::tan(lean)).epsilon(1e-12));
+  CHECK(irradiance_average(bar, {.lower = {7.0, -0.5}, .side = 1.0, .pixels = 1})[0] == 0.0);
+  CHECK(irradiance_average(bar, {.lower = {0.0, 6.0}, .side = 1.0, .pixels = 1})[0] == 0.0);
   // The near end lies where the upper side's edge would be lit, less the slab's shift.
   const std::vector<double> near = irradiance_average(bar, {.lower = {-5.0, -0.5}, .side = 1.0, .pixels = 1});
   CHECK(near[0] / values[0] ==

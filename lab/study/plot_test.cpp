@@ -1,5 +1,8 @@
 #include "lab/study/plot.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "lab/study/difference_picture.hpp"
 #include "lab/study/html.hpp"
 #include "tests/support/catch.hpp"
@@ -15,7 +18,81 @@ void check_marks(double least, double most, const std::vector<double>& expected)
   for (std::size_t i = 0; i < marks.size(); ++i) CHECK(marks[i] == Approx(expected[i]));
 }
 
+// The elements whose tag holds `what`, in order.
+std::vector<std::string> tags(const std::string& svg, const std::string& what) {
+  std::vector<std::string> found;
+  for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
+    const std::string tag = svg.substr(at, svg.find('>', at) - at);
+    if (tag.find(what) != std::string::npos) found.push_back(tag);
+  }
+  return found;
+}
+
+double number(const std::string& tag, const std::string& attribute) {
+  return std::stod(tag.substr(tag.find(" " + attribute + "=\"") + attribute.size() + 3));
+}
+
+// Where a label of two letters is drawn, and the point that it belongs to: its bar begins there.
+struct Placed {
+  double x, y, point_x, point_y;
+};
+
+std::vector<Placed> placed_labels(const std::string& svg) {
+  const auto labels = tags(svg, "class=\"label\""), bars = tags(svg, "class=\"spread");
+  REQUIRE(labels.size() == bars.size());
+  std::vector<Placed> placed;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    placed.push_back(
+        {number(labels[i], "x"), number(labels[i], "y"), number(bars[i], "x1"), number(bars[i], "y1")});
+  return placed;
+}
+
+Plot labelled(const std::vector<std::pair<double, double>>& points) {
+  Plot plot{.groups = {"group"}};
+  for (const auto& [x, y] : points)
+    plot.points.push_back({.x = x, .y = y, .x_least = x, .x_most = x, .title = {}, .label = "No"});
+  return plot;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "study plot: a label stands beside its point, and marks are full unless they are said to be hollow") {
+  Plot plot = labelled({{3.0, 0.2}});
+  const Placed one = placed_labels(draw(plot)).at(0);
+  CHECK(one.x - one.point_x == Approx(10.0));
+  CHECK(one.y - one.point_y == Approx(-4.0));
+  CHECK(tags(draw(plot), "leader").empty());
+  CHECK(tags(draw(plot), "hollow").empty());
+  plot.points[0].hollow = true;
+  CHECK(tags(draw(plot), "hollow").size() == 1);
+}
+
+TEST_CASE(
+    "study plot: labels of a crowd cover no point and no other label, and lines lead to those far off") {
+  std::vector<std::pair<double, double>> points;
+  for (int i = 0; i < 16; ++i) points.push_back({3.0 + 0.02 * (i % 4), 0.2 + 0.002 * i});
+  const std::string svg = draw(labelled(points));
+  const std::vector<Placed> placed = placed_labels(svg);
+  // Two letters are 14 units wide, and reach from 11 units above their line to 3 below it.
+  std::size_t far = 0;
+  for (const Placed& a : placed) {
+    CHECK((a.x > 84.0 && a.x + 14.0 < 936.0 && a.y > 31.0 && a.y < 502.0));
+    for (const Placed& b : placed) {
+      CHECK((b.point_x < a.x || b.point_x > a.x + 14.0 || b.point_y < a.y - 11.0 || b.point_y > a.y + 3.0));
+      CHECK((&a == &b || std::fabs(a.x - b.x) > 14.0 || std::fabs(a.y - b.y) > 14.0));
+    }
+    const double away = std::max(std::fabs(a.x - a.point_x), std::fabs(a.y - a.point_y));
+    if (away > 30.0) ++far;
+  }
+  CHECK(far > 0);
+  const auto leaders = tags(svg, "leader");
+  CHECK(leaders.size() >= far);
+  for (const std::string& leader : leaders)
+    CHECK(std::any_of(placed.begin(), placed.end(), [&](const Placed& a) {
+      return a.point_x == number(leader, "x1") && a.point_y == number(leader, "y1");
+    }));
+}
 
 TEST_CASE("study plot: marks reach from below the least to above the most") {
   check_marks(3.0, 40.0, {2.0, 5.0, 10.0, 20.0, 50.0});

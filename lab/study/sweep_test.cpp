@@ -67,6 +67,13 @@ TEST_CASE("study sweep: in a product without the base the others stand at their 
   CHECK(steps({grid, map}, expand({grid, map}, true)) == std::vector<Step>{{0, 1, 3}, {1, 2, 3}});
 }
 
+TEST_CASE(
+    "study sweep: in a product each knob stands at its base where that ran, whatever the others' base") {
+  const Knob grid{"grid", {"512", "64"}, "512", true}, map{"map", {"16", "32"}, "1024", true};
+  // 0: 512 16, 1: 512 32, 2: 64 16, 3: 64 32.
+  CHECK(steps({grid, map}, expand({grid, map}, true)) == std::vector<Step>{{0, 3, 1}, {1, 0, 1}});
+}
+
 TEST_CASE("study sweep: rows that are not there are not told about") {
   std::vector<Point> points = expand({kGrid}, false);
   points.erase(points.begin() + 2);  // grid 128

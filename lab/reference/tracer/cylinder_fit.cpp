@@ -20,15 +20,15 @@ constexpr double kLeastOfLid = 0.9;
 
 // A triangle with an area.
 struct Face {
-  std::size_t first = 0;   // of its corners, in Mesh::indices
-  glm::dvec3 normal{0.0};  // unit, outward
-  double area = 0.0;
+  std::size_t first;  // of its corners, in Mesh::indices
+  glm::dvec3 normal;  // unit, outward
+  double area;
 };
 
 // A corner in cylinder coordinates.
 struct Corner {
-  double radius = 0.0, turn = 0.0, height = 0.0;
-  double facing = 0.0;  // cosine of the angle from the axis' outward direction to the vertex's normal
+  double radius, turn, height;
+  double facing;  // cosine of the angle from the axis' outward direction to the vertex's normal
 };
 
 class CylinderFit {
@@ -52,18 +52,14 @@ class CylinderFit {
   [[noreturn]] void refuse(const char* why) const {
     throw Error(ExitCode::BadInput, "mesh '" + mesh_.name + "' is no cylinder: " + why);
   }
-  const Vertex& vertex(const Face& face, std::size_t corner) const {
-    return mesh_.vertices[mesh_.indices[face.first + corner]];
-  }
+  const Vertex& vertex(std::size_t index) const { return mesh_.vertices[mesh_.indices[index]]; }
+  const Vertex& vertex(const Face& face, std::size_t corner) const { return vertex(face.first + corner); }
 
   void list_faces() {
-    for (std::size_t i = 0; i + 2 < mesh_.indices.size(); i += 3) {
-      Face face{.first = i};
-      const glm::dvec3 a(vertex(face, 0).position);
-      const glm::dvec3 across =
-          exact::cross(glm::dvec3(vertex(face, 1).position) - a, glm::dvec3(vertex(face, 2).position) - a);
-      face.area = 0.5 * exact::length(across);
-      face.normal = exact::normalise(across, glm::dvec3(0.0));
+    for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) {
+      const auto at = [&](std::size_t corner) { return glm::dvec3(vertex(i + corner).position); };
+      const glm::dvec3 across = exact::cross(at(1) - at(0), at(2) - at(0));
+      const Face face{i, exact::normalise(across, glm::dvec3(0.0)), 0.5 * exact::length(across)};
       if (face.area > 0.0) faces_.push_back(face);
     }
     if (faces_.empty()) refuse("it has no triangles");

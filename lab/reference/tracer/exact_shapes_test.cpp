@@ -199,6 +199,20 @@ TEST_CASE("exact shapes: waves of a mesh need their formula, and vertices that l
   CHECK(says(refusal(scene, ShapeKind::Waves), "a rectangle of x and z once"));
 }
 
+TEST_CASE("exact shapes: each triangle of a rectangle of waves must be there") {
+  Scene scene = scene_of(test::wave_sheet(1.0, 0.5, 0.0, 6.0, 4, 0));
+  scene.stated_shapes = {{.mesh = 0, .kind = ShapeKind::Waves, .field = {.level = 0.5}}};
+  CHECK(refusal(scene, ShapeKind::Waves).empty());
+  std::vector<std::uint32_t>& indices = scene.meshes[0].indices;
+  const std::vector<std::uint32_t> all = indices;
+  REQUIRE(all.size() == 3 * 32);
+  for (std::ptrdiff_t first = 0; first < 3 * 32; first += 3) {
+    indices = all;
+    indices.erase(indices.begin() + first, indices.begin() + first + 3);
+    CHECK(says(refusal(scene, ShapeKind::Waves), "a rectangle of x and z once"));
+  }
+}
+
 TEST_CASE("exact shapes: waves of a mesh that lies on its side, mirrored, are met from their outer side") {
   // x and y exchanged: what was up looks along +x, and triangles turn about.
   Mesh mesh = test::wave_sheet(1.0, 0.5, 0.02, 6.0, 32, 0);

@@ -166,7 +166,7 @@ ExactWaves waves_of(const Mesh& mesh, const HeightField& field) {
     if (!(std::fabs(p.y - waves.height({p.x, p.z})) <= kTolerance * waves.reach() + rounding))
       refuse(mesh, "its vertices must lie on them to a thousandth of their height");
   double covered = 0.0, upward = 0.0;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const glm::dvec3 &a = points[mesh.indices[i]], &b = points[mesh.indices[i + 1]],
                      &c = points[mesh.indices[i + 2]];
     const double up = 0.5 * exact::cross(b - a, c - a).y;

@@ -46,8 +46,8 @@ void start(Context& context) { rtcInitIntersectContext(&context); }
 
 // A query as exact shapes need it: Embree hands it through to their functions.
 struct Query : Context {
-  const Ray* ray = nullptr;
-  double from = 0.0, to = 0.0;
+  const Ray* ray;
+  double from, to;
   ShapeMeeting met;  // of the shape that Embree names
 
   Query(const Ray& along, double lower, double upper) : ray(&along), from(std::max(lower, 0.0)), to(upper) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 #include "pipeline/effects/effects.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -118,6 +119,44 @@ TEST_CASE("tracer state: each property that a ray could tell makes another reque
     for (const auto& [other, its] : texts) CHECK((text != its || other == name));
     texts[name] = text;
     CHECK(refusal(to_bytes(some_state(), before), text).find("there, ") != std::string::npos);
+  }
+}
+
+TEST_CASE("tracer state: each number of an exact shape makes another request") {
+  std::set<std::string> texts{Asked().text()};
+  const auto is_new = [&](const ExactShape& shape) {
+    Asked asked;
+    asked.trace.exact = {shape};
+    return texts.insert(asked.text()).second;
+  };
+  ExactSphere sphere{.centre = {0.1, 0.2, 0.3}, .radius = 0.4};
+  ExactCylinder rod{.walls = {{.radius = 0.4}, {.radius = 0.3}}};
+  ExactWaves waves{.field = {.waves = {{0.1, {1.0, 2.0}, 0.3}}}};
+  CHECK(is_new({1, sphere}));
+  CHECK(is_new({0, sphere}));
+  for (double* number : {&sphere.centre.x, &sphere.centre.y, &sphere.centre.z, &sphere.radius}) {
+    *number += 0.5;
+    CHECK(is_new({1, sphere}));
+  }
+  CHECK(is_new({1, rod}));
+  for (double* number : {&rod.foot.x, &rod.foot.y, &rod.foot.z, &rod.axis.x, &rod.axis.y, &rod.axis.z,
+                         &rod.middle.x, &rod.middle.y, &rod.middle.z, &rod.height, &rod.least_cosine,
+                         &rod.walls[0].radius, &rod.walls[0].outward, &rod.walls[1].radius}) {
+    *number += 0.5;
+    CHECK(is_new({1, rod}));
+  }
+  for (bool* lid : {&rod.lower_lid, &rod.upper_lid}) {
+    *lid = true;
+    CHECK(is_new({1, rod}));
+  }
+  CHECK(is_new({1, waves}));
+  SineWave& wave = waves.field.waves[0];
+  for (double* number :
+       {&wave.amplitude, &wave.k.x, &wave.k.y, &wave.phase, &waves.field.level, &waves.field.origin.x,
+        &waves.field.origin.y, &waves.field.origin.z, &waves.field.axes[0].y, &waves.field.axes[2].x,
+        &waves.lower.x, &waves.lower.y, &waves.upper.x, &waves.upper.y, &waves.side}) {
+    *number += 0.5;
+    CHECK(is_new({1, waves}));
   }
 }
 
