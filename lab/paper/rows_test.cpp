@@ -172,20 +172,24 @@ TEST_CASE("paper rows: a ring's light counts inside it and outside it, and not b
   CHECK_FALSE(row.check(shots).holds);
 }
 
-TEST_CASE("paper rows: how even a sky must be goes by the brightest pixel") {
+TEST_CASE("paper rows: how even a sky must be goes by the brightest pixel, whatever light lies before it") {
   const Row row = row_of("12");
+  const std::array<double, 3> albedo{0.80, 0.72, 0.62};
   for (const double lux : {1e-3, 1.0, 1e3})
     for (const double uneven : {0.5e-5, 2e-5}) {
       StatedShots shots(row);
-      const FloorLayer light = floor_of(2, 1, {lux, lux, lux});
-      shots.state("layers", "direct") = shots.state("preset_512", "direct") = light;
-      shots.state("layers", "caustic") = floor_of(2, 1);
-      FloorLayer& beauty = shots.state("layers", "beauty") = floor_of(2, 1);
-      const std::array<double, 3> albedo{0.80, 0.72, 0.62};
-      for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t c = 0; c < 3; ++c)
+      FloorLayer& direct = shots.state("layers", "direct") = floor_of(4, 1);
+      FloorLayer& caustic = shots.state("layers", "caustic") = floor_of(4, 1);
+      FloorLayer& beauty = shots.state("layers", "beauty") = floor_of(4, 1);
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+          direct.pixels[i][c] = lux * static_cast<double>(i + c) / 10.0;
+          caustic.pixels[i][c] = lux * static_cast<double>((3 - i) * (3 - i)) / 9.0;
+          const double sky = lux * (0.3 + (i == 1 && c == 2 ? uneven : 0.0));
           beauty.pixels[i][c] =
-              albedo[c] / std::numbers::pi * lux * (1.3 + (i == 0 && c == 2 ? uneven : 0.0));
+              albedo[c] / std::numbers::pi * (direct.pixels[i][c] + caustic.pixels[i][c] + sky);
+        }
+      shots.state("preset_512", "direct") = direct;
       INFO(lux << " " << uneven);
       CHECK(row.check(shots).holds == (uneven < 1e-5));
       shots.state("preset_512", "direct").pixels[1][1] *= 1.0 + 1e-12;
