@@ -22,8 +22,7 @@ struct NumberField {
 NumberField find_number(const std::string& name) {
   for (std::size_t i = name.find('%'); i != std::string::npos; i = name.find('%', i + 1)) {
     if (name.compare(i, 2, "%d") == 0) return {i, 2, 1};
-    const bool padded = name.size() > i + 3 && name[i + 1] == '0' && name[i + 2] >= '1' &&
-                        name[i + 2] <= '9' && name[i + 3] == 'd';
+    const bool padded = name[i + 1] == '0' && name[i + 2] >= '1' && name[i + 2] <= '9' && name[i + 3] == 'd';
     if (padded) return {i, 4, static_cast<std::size_t>(name[i + 2] - '0')};
   }
   return {};

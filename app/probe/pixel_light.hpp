@@ -43,10 +43,10 @@ class FetchReader {
 
 // A texel of a caustic map that a pixel reads.
 struct MapTexel {
-  int map = 0;          // of kCausticMaps
-  int texture = 0;      // index into FramePlan::textures
-  int x = 0, y = 0;     // from the left and the bottom
-  double weight = 0.0;  // irradiance that the pixel has of each unit of the texel's flux, 1 / m2 or 1 / sr
+  int map;        // of kCausticMaps
+  int texture;    // index into FramePlan::textures
+  int x, y;       // from the left and the bottom
+  double weight;  // irradiance that the pixel has of each unit of the texel's flux, 1 / m2 or 1 / sr
 };
 
 // A cell or a vertex of the grid that put light on those texels.

@@ -70,28 +70,21 @@ fs::path find_program(const std::string& name) {
   return {};
 }
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments)
+    : complaints_(std::tmpfile(), std::fclose) {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) cannot_start(arguments[0], errno);
-  complaints_ = std::tmpfile();
-  if (!complaints_) {
-    const int error = errno;
-    close(ends[0]);
-    close(ends[1]);
-    cannot_start(arguments[0], error);
-  }
+  if (!complaints_ || pipe2(ends, O_CLOEXEC) != 0) cannot_start(arguments[0], errno);
   std::vector<char*> list;
   list.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) list.push_back(const_cast<char*>(argument.c_str()));
   list.push_back(nullptr);
-  const SpawnSetup setup(ends[0], fileno(complaints_));
+  const SpawnSetup setup(ends[0], fileno(complaints_.get()));
   const int error =
       posix_spawn(&process_, arguments[0].c_str(), &setup.files, &setup.attributes, list.data(), environ);
   close(ends[0]);
   input_ = ends[1];
   if (error == 0) return;
   close(input_);
-  std::fclose(complaints_);
   cannot_start(arguments[0], error);
 }
 
@@ -100,7 +93,6 @@ ChildProcess::~ChildProcess() {
     kill(process_, SIGKILL);
     finish();
   }
-  if (complaints_) std::fclose(complaints_);
 }
 
 bool ChildProcess::write_all(const void* data, std::size_t size) {
@@ -127,8 +119,9 @@ bool ChildProcess::finish() {
 
 std::string ChildProcess::complaint() const {
   std::string last, line;
-  std::rewind(complaints_);
-  for (int c = std::fgetc(complaints_); c != EOF; c = std::fgetc(complaints_)) {
+  std::FILE* const said = complaints_.get();
+  std::rewind(said);
+  for (int c = std::fgetc(said); c != EOF; c = std::fgetc(said)) {
     if (c != '\n') {
       if (line.size() < 400) line += static_cast<char>(c);
       continue;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ class ChildProcess {
   pid_t process_ = -1;
   int input_ = -1;  // the end that this program writes to
   int status_ = 0;
-  std::FILE* complaints_ = nullptr;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> complaints_;
 };
 
 }  // namespace caustics::app

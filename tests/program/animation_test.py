@@ -10,18 +10,22 @@ import time
 import unittest
 
 import glb
+from pictures import Exr
 from program import PROGRAM, SMALL, ProgramTest, main
 
 FFMPEG = shutil.which("ffmpeg")
 
 
-def moving(seconds=1.0):
-    """glb.scene(), whose ball goes from x = 0 to x = 1 and whose sun turns a little."""
-    data = glb.scene()
-    length = struct.unpack("<I", data[12:16])[0]
-    document, blob = json.loads(data[20:20 + length]), data[28 + length:]
-    channels = [([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], "VEC3", 0, "translation"),
+BALL_AND_SUN = [([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], "VEC3", 0, "translation"),
                 ([-0.7, 0.0, 0.0, 0.714], [-0.7, 0.1, 0.0, 0.707], "VEC4", 2, "rotation")]
+CAMERA = [([0.0, 1.2, 4.0], [1.0, 1.2, 4.0], "VEC3", 3, "translation")]
+
+
+def moving(seconds=1.0, channels=BALL_AND_SUN, camera=True):
+    """glb.scene(), whose ball goes from x = 0 to x = 1 and whose sun turns a little."""
+    document, blob = glb.unpack(glb.scene())
+    if not camera:
+        del document["cameras"], document["nodes"][3]["camera"]
     animation = {"name": "go", "samplers": [], "channels": []}
     for first, last, kind, node, path in channels:
         for values, shape in (([0.0, seconds], "SCALAR"), (first + last, kind)):
@@ -94,6 +98,26 @@ class Frames(MovingTest):
             self.skip_without_gl(result.stderr)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
+    def test_a_camera_moves_as_its_file_says_and_one_that_is_added_stands_still(self):
+        depth = ["-r", "32x24", "-o", "f.%d.exr", "--aov", "position", "--frames", "0..1", "--fps", "2"]
+        for scene, moves in ((moving(channels=CAMERA), True), (moving(camera=False), False)):
+            (self.folder / "go.glb").write_bytes(scene)
+            self.succeeds("go.glb", *depth)
+            first, then = (Exr(self.picture(f"f.{n}.exr")).values() for n in (0, 1))
+            self.assertNotEqual(first, then)
+            # Where only the ball moves, the last row shows the same floor.
+            last = [{name: values[-32:] for name, values in each.items()} for each in (first, then)]
+            self.assertEqual(last[0] != last[1], moves)
+
+    def test_a_name_holds_the_frame_where_it_has_a_field_and_as_wide_as_that_says(self):
+        names = {"a%d.png": "a7.png", "b%04d.png": "b0007.png", "c%01d.png": "c7.png", "%%d.png": "%7.png",
+                 "%x%02d.png": "%x07.png", "%09dd%d.png": "000000007d%d.png"}
+        names |= {name: name for name in ("d%0d.png", "e%00d.png", "f%05.png", "g%12d.png", "h%05x.png",
+                                          "i%0:d.png", "j%.png")}
+        outputs = [word for name in names for word in ("-o", name)]
+        self.succeeds("ball.glb", "-r", "16x16", "--grid", "8", "--map", "8", "--frames", "7", *outputs)
+        self.assertEqual(self.files(), sorted(["ball.glb", "go.glb", *names.values()]))
+
     def test_a_still_scene_says_once_that_nothing_moves(self):
         result = self.succeeds("ball.glb", *SMALL, "--frames", "0..2", "-o", "f.%d.png")
         self.assertEqual(result.stderr.count("nothing moves"), 1)
@@ -114,6 +138,8 @@ class Frames(MovingTest):
         self.assertIn("for 1 s, then again; 1 mesh", self.succeeds("plan", "go.glb").stdout)
         document = json.loads(self.succeeds("plan", "go.glb", "--json").stdout)
         self.assertEqual(document["animation"], {"seconds": 1.0, "meshes": [0]})
+        (self.folder / "long.glb").write_bytes(moving(1.23456))
+        self.assertIn("for 1.235 s, then again; 1 mesh", self.succeeds("plan", "long.glb").stdout)
         self.assertNotIn("moves ", self.succeeds("plan", "go.glb", "--animation", "none").stdout)
 
 
@@ -191,7 +217,7 @@ class Films(MovingTest):
         tools.mkdir(exist_ok=True)
         (tools / "ffmpeg").write_text("#!/bin/sh\n" + text)
         (tools / "ffmpeg").chmod(0o755)
-        return {**os.environ, "PATH": f"{tools}:/usr/bin:/bin"}
+        return {**os.environ, "PATH": f"/none::{tools}:/usr/bin:/bin"}
 
     def test_a_failure_of_ffmpeg_is_one_line(self):
         for script in ("echo first >&2; echo 'no such encoder' >&2; exit 1",
@@ -199,9 +225,11 @@ class Films(MovingTest):
             env = self.fake_ffmpeg(script)
             self.fails(4, "go.glb", *SMALL, "--frames", "0..1", "-o", "a.mp4", "--quiet", env=env,
                        saying="a.mp4: ffmpeg failed: no such encoder")
-        env = self.fake_ffmpeg("kill -9 $$")
-        self.fails(4, "go.glb", *SMALL, "--frames", "0..1", "-o", "a.mp4", "--quiet", env=env,
-                   saying="ended by signal 9")
+        for script, end in (("kill -9 $$", "by signal 9"), ("cat >/dev/null; kill -9 $$", "by signal 9"),
+                            ("cat >/dev/null; exit 3", "with code 3")):
+            env = self.fake_ffmpeg(script)
+            self.fails(4, "go.glb", *SMALL, "--frames", "0..1", "-o", "a.mp4", "--quiet", env=env,
+                       saying="ended " + end)
 
 
 class Interruption(MovingTest):

@@ -64,6 +64,7 @@ class Bench(ProgramTest):
         self.assertGreaterEqual(software["frame"]["milliseconds"]["least"],
                                 software["all_passes"]["milliseconds"]["least"])
         self.assertGreater(run["peak_memory_bytes"], 2**20)
+        self.assertEqual(run["digest"]["differing"], 0)
 
     def test_threads_are_measured_one_number_after_the_other_and_give_the_same_bits(self):
         report = self.report("--threads", "1,2")
@@ -119,6 +120,11 @@ class Bench(ProgramTest):
         self.fails(2, "bench", "ball.glb", "--threads", "1,two", saying="--threads")
         self.fails(2, "bench", "ball.glb", "--frames", "0", saying="--frames")
         self.fails(3, "bench", "missing.glb", "--threads", "1,2", saying="missing.glb")
+
+    def test_opengl_is_looked_for_alone_and_against_the_software_device(self):
+        none = dict(os.environ, __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent.json")
+        for which in (["--backend", "gl"], ["--against", "gl"]):
+            self.fails(5, "bench", "ball.glb", *SHORT, *which, saying="--backend software", env=none)
 
     def test_an_interruption_ends_the_processes_of_all_threads_counts(self):
         command = [PROGRAM, "bench", "ball.glb", "--frames", "10000", "--threads", "1,2"]

@@ -107,6 +107,21 @@ class Values(CompareTest):
         self.assertEqual(self.run_program("compare", "a.exr", "b.exr").stdout, first)
 
 
+    def test_a_mask_selects_any_texel_of_the_picture(self):
+        self.write("a.exr", {"Z": [0] * 6}, 3, 2)
+        self.write("b.exr", {"Z": [1] * 6}, 3, 2)
+        for place in range(6):
+            self.write("m.exr", {"Z": [float(i == place) for i in range(6)]}, 3, 2)
+            self.assertEqual(self.different("a.exr", "b.exr", "--mask", "m.exr"),
+                             f"different: 1 of 1 value fail; worst: Z at {place % 3},{place // 3}: A 0, B 1")
+
+    def test_what_is_no_file_is_told(self):
+        self.pair([1, 2, 3, 4], [1, 2, 3, 4])
+        (self.folder / "c.exr").mkdir()
+        self.fails(3, "compare", "a.exr", "none.exr", saying="none.exr: no such file")
+        self.fails(3, "compare", "a.exr", "b.exr", "--mask", "c.exr", saying="c.exr: is not a plain file")
+
+
 class Shapes(CompareTest):
     def test_size(self):
         self.write("a.exr", {"Z": [0, 0, 0, 0]}, 4, 1)
@@ -191,6 +206,15 @@ class Likenesses(CompareTest):
         document = json.loads(self.run_program("compare", "a.exr", "b.exr", *options, "--json").stdout)
         self.assertEqual(["looks like: " + each for each in document["looks_like"]], lines)
         return [line.removeprefix("looks like: ") for line in lines]
+
+    def test_dim_images_are_judged_as_bright_ones(self):
+        dim = {c: [1e-4 * v for v in values] for c, values in self.values.items()}
+        for change, words in ((lambda c, i: dim[c][8 * (3 - i // 8) + i % 8], "upside down"),
+                              (lambda c, i: dim[{"R": "B", "G": "G", "B": "R"}[c]][i], "swapped channels"),
+                              (lambda c, i: 2.5 * dim[c][i], "off by a factor of 2.5")):
+            found = self.looks({c: [change(c, i) for i in range(32)] for c in dim}, dim)
+            self.assertEqual(len(found), 1)
+            self.assertIn(words, found[0])
 
     def changed(self, change):
         return {c: [change(c, i, v) for i, v in enumerate(values)] for c, values in self.values.items()}

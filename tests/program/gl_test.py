@@ -3,11 +3,11 @@
 import json
 import os
 import pathlib
-import pty
 import re
 import shutil
 import subprocess
 
+from pictures import Exr
 from program import PROGRAM, SMALL, ProgramTest, main
 
 SCENES = sorted((pathlib.Path(__file__).resolve().parents[2] / "scenes").glob("*.glb"))
@@ -87,21 +87,12 @@ class Talk(GlTest):
         self.assertRegex(compared[0], "^software: software, .*; gl: OpenGL, ")
 
     def test_compiling_shaders_shows_progress_on_a_terminal(self):
-        controller, terminal = pty.openpty()
         cold = dict(os.environ, MESA_SHADER_CACHE_DISABLE="true")
         # The passes up to the caustic: the others' shaders take the driver as long again.
-        command = [PROGRAM, "ball.glb", *SMALL, "--backend", "gl", "--aov", "caustic", "-o", "caustic.exr"]
-        with subprocess.Popen(command, cwd=self.folder, env=cold, stderr=terminal) as run:
-            os.close(terminal)
-            shown = b""
-            try:
-                while block := os.read(controller, 4096):
-                    shown += block
-            except OSError:  # the terminal's other end is closed
-                pass
-        os.close(controller)
-        self.assertEqual(run.returncode, 0)
-        counts = re.findall(r"compiling shaders (\d+) of (\d+): \w+", shown.decode())
+        code, shown = self.on_terminal("ball.glb", *SMALL, "--backend", "gl", "--aov", "caustic", "-o",
+                                       "caustic.exr", env=cold)
+        self.assertEqual(code, 0)
+        counts = re.findall(r"compiling shaders (\d+) of (\d+): \w+", "\n".join(shown))
         self.assertGreater(len(counts), 5)
         self.assertEqual([int(n) for n, _ in counts], list(range(1, len(counts) + 1)))
         self.assertEqual({int(of) for _, of in counts}, {len(counts)})
@@ -162,10 +153,27 @@ class Parity(GlTest):
             exrs = [n for n in names if n.endswith(".exr")]
             self.assertGreater(len(exrs), 0)
             self.assertEqual(len(exrs) % 3, 0)
+            self.check_dumped(result.stdout, exrs)
             same = self.run_program("compare",
                                     *(f"d/{n}" for n in exrs if n.startswith("00_") and "mask" not in n))
             self.assertEqual(same.returncode, 1)
             shutil.rmtree(self.folder / "d")
+
+    def check_dumped(self, report, exrs):
+        """The mask marks the texels that differ, and the report tells the values of the first of them."""
+        stem = next(n for n in exrs if n.startswith("00_")).rsplit(".", 2)[0]
+        files = [Exr((self.folder / f"d/{stem}.{part}.exr").read_bytes()) for part in ("software", "gl", "mask")]
+        software, gl, mask = (file.values() for file in files)
+        differ = [any(software[c][i] != gl[c][i] for c in software) for i in range(len(gl["R"]))]
+        self.assertEqual([v != 0 for v in next(iter(mask.values()))], differ)
+        number = r"((?:[-+.\de]+ ?)+)"
+        x, y, a, b = re.search(rf"first at (\d+),(\d+) from the bottom left: software {number} \| gl {number}",
+                               report).groups()
+        place = (files[0].height - 1 - int(y)) * files[0].width + int(x)
+        for told, values in ((a, software), (b, gl)):
+            held = sorted(values[c][place] for c in values)
+            for one, other in zip(sorted(map(float, told.split())), held, strict=True):
+                self.assertAlmostEqual(one, other, delta=1e-8 * max(abs(other), 1e-30))
 
     def test_wrong_usage(self):
         self.fails(2, "parity", "ball.glb", "ball.glb", "--dump", "d", saying="one scene")

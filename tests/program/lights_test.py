@@ -142,6 +142,8 @@ class EmissiveMeshes(ProgramTest):
         self.assertIn("mesh 'ball' shines, but does not light the scene: it adds less than a tenth",
                       said["shining"])
         self.assertEqual([light["name"] for light in self.plan("only_glow.glb")["lights"]], ["sun (added)"])
+        plan = self.plan("only_glow.glb", "-D", "emissive.lights=on")
+        self.assertEqual([light["name"] for light in plan["lights"]], ["ball"])
 
     def test_are_left_to_glow_beside_a_strong_sun_unless_asked_for(self):
         plan = self.plan("lamp.glb")

@@ -53,8 +53,12 @@ class OnDemand(ProgramTest):
         self.assertLessEqual(max(grid, map_), 1024)  # of 2048
 
     def test_a_target_error_that_can_be_reached_is_reached(self):
-        result = self.succeeds("render", "ball.glb", *VIEW, "--target-error", "15%", "--stats", "s.json")
-        grid, map_, found = self.chosen(result.stderr)
+        code, shown = self.on_terminal("render", "ball.glb", *VIEW, "--target-error", "15%", "--stats",
+                                       "s.json")
+        self.assertEqual(code, 0)
+        shown = "\n".join(shown)
+        grid, map_, found = self.chosen(shown)
+        self.assertIn((str(grid), str(map_)), re.findall(r"trying grid (\d+) and map (\d+)", shown))
         self.assertLessEqual(found, 15.0)
         stats = json.loads((self.folder / "s.json").read_text())
         self.assertEqual((stats["settings"]["grid"], stats["settings"]["map"]), (grid, map_))

@@ -54,6 +54,10 @@ class Paper(ProgramTest):
         self.fails(2, "paper", "-o", "out", "--row", "99", saying="there is no row '99'")
         self.assertFalse((self.folder / "out").exists())
 
+    def test_a_row_is_called_by_its_name_or_one_of_its_numbers(self):
+        for name, code in (("5, 31, 32", 4), ("31", 4), ("32", 4), ("31, 5", 2), ("3, 35", 2)):
+            self.fails(code, "paper", "-o", "ball.glb/out", "--row", name)
+
 
 if __name__ == "__main__":
     main()

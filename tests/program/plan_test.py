@@ -251,6 +251,23 @@ class WhatBecomesOfTheLight(PlanTest):
         self.assertEqual(said["reason"], "no light reaches it: 'floor' stands before it")
 
 
+class LightThatMissesTheCasters(PlanTest):
+    def test_its_passes_draw_nothing_and_those_of_a_small_thing_in_the_light_do(self):
+        document, blob = glb.unpack(glb.scene())
+        document["extensions"]["KHR_lights_punctual"]["lights"].append(
+            {"name": "torch", "type": "spot", "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.5}})
+        document["nodes"].append(document["nodes"][2] | {
+            "name": "torch", "translation": [0, 4, -2.5], "extensions": {"KHR_lights_punctual": {"light": 1}}})
+        # All of it a tenth as large: sunlight falls onto less than a hundredth of a square metre of the ball.
+        top = len(document["nodes"])
+        document["nodes"].append({"scale": [0.1] * 3, "children": list(range(top))})
+        document["scenes"] = [{"nodes": [top]}]
+        (self.folder / "two.glb").write_bytes(glb.pack(document, blob))
+        idle = {p["pass"] for p in self.plan("two.glb")["passes"] if p["draws_nothing"]}
+        self.assertLessEqual({"landing[torch]", "cells[torch]", "caustic_map[torch]"}, idle)
+        self.assertEqual([label for label in idle if "torch" not in label], [])
+
+
 class ManyLights(ProgramTest):
     """Of more than 16 lights, weak ones have smaller maps and the weakest no caustic; it is said."""
 

@@ -3,6 +3,8 @@ names the tests that were skipped."""
 
 import os
 import pathlib
+import pty
+import re
 import subprocess
 import sys
 import tempfile
@@ -60,6 +62,21 @@ class ProgramTest(unittest.TestCase):
         line = next(l for l in self.succeeds("doctor").stdout.splitlines() if l.startswith("Embree"))
         if "not in this build" in line:
             self.skipTest("no Embree: this build traces no rays")
+
+    def on_terminal(self, *arguments, **options):
+        """The exit code of a run whose stderr is a terminal, and each line that it showed there."""
+        controller, terminal = pty.openpty()
+        command = [PROGRAM, *map(str, arguments)]
+        with subprocess.Popen(command, cwd=self.folder, stderr=terminal, **options) as run:
+            os.close(terminal)
+            shown = b""
+            try:
+                while block := os.read(controller, 4096):
+                    shown += block
+            except OSError:  # the terminal's other end is closed
+                pass
+        os.close(controller)
+        return run.returncode, re.split(r"\r\n|\r\x1b\[K", shown.decode())
 
     def files(self):
         return sorted(p.name for p in self.folder.iterdir())

@@ -247,6 +247,9 @@ class Truth(StudyTest):
                    saying="none.png")
         self.fails(2, "study", "ball.glb", *GRIDS, *SMALL, "--truth-seconds", "3",
                    saying="for --truth traced")
+        # What says how long is for what is traced; and what is traced is looked for.
+        for truth in ([], ["--truth", "traced"], ["--truth", "traced", "--truth-error", "5%"]):
+            self.fails(3, "study", "none.glb", *truth, saying="none.glb")
         self.assertFalse((self.folder / "study").exists())
 
 
