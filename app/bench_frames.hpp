@@ -47,11 +47,11 @@ struct BenchRun {
   int threads = 1;
   std::vector<BenchedPass> passes;
   std::vector<BenchedDevice> devices;  // the software device first
-  double bandwidth = 0.0;              // bytes a second
-  double peak = 0.0;                   // operations a second (machine_limits.hpp)
-  std::uint64_t peak_memory = 0;       // bytes of this process, of all devices together
+  double bandwidth;                    // bytes a second
+  double peak;                         // operations a second (machine_limits.hpp)
+  std::uint64_t peak_memory;           // bytes of this process, of all devices together
   // All attachments of the frame before the measured ones, and of the one after them.
-  std::size_t attachments = 0;
+  std::size_t attachments;
   std::string digest;         // of all their hashes, on the first device
   std::size_t differing = 0;  // attachments of which both devices' hashes differ
   std::string allowance;      // the driver's class where it may differ

@@ -125,16 +125,21 @@ class BrowserTest(unittest.TestCase):
     def press(self, *keys):
         ActionChains(self.browser).send_keys(*keys).perform()
 
-    def colors_shown(self, view):
-        """All colours of a view's canvas, as (red, green, blue)."""
+    def colors_shown(self, view, box="0, 0, c.width, c.height"):
+        """All colours of a view's canvas, or of a box of it, as (red, green, blue)."""
         words = self.browser.execute_script(
             "const c = document.querySelector(arguments[0] + ' canvas');"
-            "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; const s = new Set();"
+            f"const d = c.getContext('2d').getImageData({box}).data; const s = new Set();"
             "for (let i = 0; i < d.length; i += 4) s.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]);"
             "return [...s];",
             view,
         )
         return {(word >> 16, (word >> 8) & 255, word & 255) for word in words}
+
+
+    def colors_in_the_middle(self, view, reach):
+        place = f"c.width / 2 - {reach}, c.height / 2 - {reach}, {2 * reach}, {2 * reach}"
+        return self.colors_shown(view, place)
 
 
 class InspectPage(BrowserTest):
@@ -143,6 +148,21 @@ class InspectPage(BrowserTest):
         cls.page.write_text(page(*tiny_recording(), title="<script> in the title"), encoding="utf-8")
         cls.bare = pathlib.Path(cls.folder.name) / "bare.html"
         cls.bare.write_text(page(*bare_recording(), title="bare"), encoding="utf-8")
+        # With a picture whose values are no bytes, and shares of all sizes.
+        recording, blobs = bare_recording()
+        run = recording["runs"][0]
+        run["attachments"][0] |= {
+            "kind": "display",
+            "width": 2,
+            "height": 1,
+            "data": blobs.add("f32", [1, 0.5, 0, 1, 0.2, 0.4, 0.6, 1]),
+        }
+        run["lights"][0] |= {
+            "ledger": [{"account": "entered", "flux": [1, 1, 1], "meaning": ""}],
+            "estimated_error": {"map": 5e-5, "grid": 1.4e-4, "missing": 0, "model": -4.56e-5, "all": 0.99996},
+        }
+        cls.small = pathlib.Path(cls.folder.name) / "small.html"
+        cls.small.write_text(page(recording, blobs, title="small"), encoding="utf-8")
 
     def test_why_is_this_pixel_bright_is_answered_by_one_click(self):
         self.wait_text(".answer", "Why is this pixel bright?")
@@ -217,6 +237,9 @@ class InspectPage(BrowserTest):
             ],
         )
         self.assertIn("leaf, masked", rows[2][1])
+        self.assertEqual(
+            self.text(".texel-history h4"), "shadow_depth[sun] window depth, 1 where nothing was drawn"
+        )
 
     def test_which_pass_went_wrong_first_takes_one_click(self):
         self.click(self.find("#panel-compare"))
@@ -237,6 +260,8 @@ class InspectPage(BrowserTest):
         self.assertIn((0, 255, 255), shown)
         self.find(".not-finite .link").click()
         self.wait_text(".reading", "Texel (5, 1). flux that is left: (NaN, NaN, 0) m2")
+        # It stands in the middle, 24 screen pixels wide: all but its border has its colour.
+        self.assertEqual(self.colors_in_the_middle(".passes-panel .middle", 9), {(255, 0, 255)})
 
     def test_statuses_have_names_and_counts(self):
         self.open("panel=passes&pass=landing[lamp]")
@@ -269,6 +294,18 @@ class InspectPage(BrowserTest):
                 self.open(f"panel={panel}&texel=1,1" + (f"&pick={pick}" if pick else ""), self.bare)
                 self.wait_text(selector, says)
                 self.assertEqual(self.all(".failure"), [])
+
+    def test_a_picture_of_floats_is_shown_as_one_of_bytes(self):
+        self.open("panel=passes", self.small)
+        self.wait(lambda: self.colors_shown(".passes-panel .middle") >= {(255, 128, 0), (51, 102, 153)})
+
+    def test_small_shares_are_said_to_be_small_and_negative_ones_how_large(self):
+        self.open("panel=ledger", self.small)
+        self.wait_text(".ledger-panel", "Stated error")
+        self.assertIn(
+            "map < 0.01 %, grid 0.014 %, missing 0 %, model \u22120.0046 %, all 100 %.",
+            self.text(".ledger-panel").replace("\u00a0", " "),
+        )
 
     def test_keys_reach_all_panels(self):
         for number, panel in enumerate(PANELS, 1):

@@ -219,6 +219,11 @@ class Films(MovingTest):
         (tools / "ffmpeg").chmod(0o755)
         return {**os.environ, "PATH": f"/none::{tools}:/usr/bin:/bin"}
 
+    def test_a_film_is_what_ffmpeg_makes_of_the_pictures(self):
+        self.succeeds("go.glb", *SMALL, "--frames", "0..2", "-o", "a.mp4", "--quiet",
+                      env=self.fake_ffmpeg('for file; do :; done; cat >"${file#file:}"'))
+        self.assertEqual(len(self.picture("a.mp4")), 3 * 64 * 48 * 3)
+
     def test_a_failure_of_ffmpeg_is_one_line(self):
         for script in ("echo first >&2; echo 'no such encoder' >&2; exit 1",
                        "cat >/dev/null; echo 'no such encoder' >&2; exit 1"):

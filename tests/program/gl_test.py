@@ -162,13 +162,14 @@ class Parity(GlTest):
     def check_dumped(self, report, exrs):
         """The mask marks the texels that differ, and the report tells the values of the first of them."""
         stem = next(n for n in exrs if n.startswith("00_")).rsplit(".", 2)[0]
-        files = [Exr((self.folder / f"d/{stem}.{part}.exr").read_bytes()) for part in ("software", "gl", "mask")]
+        parts = [self.folder / f"d/{stem}.{part}.exr" for part in ("software", "gl", "mask")]
+        files = [Exr(part.read_bytes()) for part in parts]
         software, gl, mask = (file.values() for file in files)
         differ = [any(software[c][i] != gl[c][i] for c in software) for i in range(len(gl["R"]))]
         self.assertEqual([v != 0 for v in next(iter(mask.values()))], differ)
         number = r"((?:[-+.\de]+ ?)+)"
-        x, y, a, b = re.search(rf"first at (\d+),(\d+) from the bottom left: software {number} \| gl {number}",
-                               report).groups()
+        x, y, a, b = re.search(
+            rf"first at (\d+),(\d+) from the bottom left: software {number} \| gl {number}", report).groups()
         place = (files[0].height - 1 - int(y)) * files[0].width + int(x)
         for told, values in ((a, software), (b, gl)):
             held = sorted(values[c][place] for c in values)
