@@ -257,7 +257,8 @@ class LightThatMissesTheCasters(PlanTest):
         document["extensions"]["KHR_lights_punctual"]["lights"].append(
             {"name": "torch", "type": "spot", "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.5}})
         document["nodes"].append(document["nodes"][2] | {
-            "name": "torch", "translation": [0, 4, -2.5], "extensions": {"KHR_lights_punctual": {"light": 1}}})
+            "name": "torch", "translation": [0, 4, -2.5],
+            "extensions": {"KHR_lights_punctual": {"light": 1}}})
         # All of it a tenth as large: a hundredth of a square metre of sunlight meets the ball.
         top = len(document["nodes"])
         document["nodes"].append({"scale": [0.1] * 3, "children": list(range(top))})
