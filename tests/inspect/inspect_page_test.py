@@ -148,6 +148,15 @@ class InspectPage(BrowserTest):
         cls.page.write_text(page(*tiny_recording(), title="<script> in the title"), encoding="utf-8")
         cls.bare = pathlib.Path(cls.folder.name) / "bare.html"
         cls.bare.write_text(page(*bare_recording(), title="bare"), encoding="utf-8")
+        # Where a pass draws depth only, the page holds no values beside the depths.
+        recording, blobs = tiny_recording()
+        run = recording["runs"][0]
+        labels = [each["label"] for each in run["passes"]]
+        for history in run["histories"]:
+            if history["pass"] == labels.index("shadow_map[sun]"):
+                history |= {"values": {}, "before": {}}
+        cls.depths = pathlib.Path(cls.folder.name) / "depths.html"
+        cls.depths.write_text(page(recording, blobs, title="depths"), encoding="utf-8")
         # With a picture whose values are no bytes, and shares of all sizes.
         recording, blobs = bare_recording()
         run = recording["runs"][0]
@@ -221,7 +230,13 @@ class InspectPage(BrowserTest):
         )
 
     def test_a_history_says_what_the_depth_test_did(self):
-        self.open("panel=passes&pass=shadow_map[sun]&texel=1,1")
+        self.check_depth_history(self.page)
+
+    def test_of_a_pass_that_draws_depth_only_the_history_follows_from_what_passed(self):
+        self.check_depth_history(self.depths)
+
+    def check_depth_history(self, file):
+        self.open("panel=passes&pass=shadow_map[sun]&texel=1,1", file)
         self.wait_text(".texel-history", "4 fragments, 2 passed")
         rows = [
             [cell.text for cell in row.find_elements(By.TAG_NAME, "td")]
