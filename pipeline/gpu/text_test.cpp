@@ -52,6 +52,9 @@ TEST_CASE("Numbers for people have an exponent only where they are tiny or huge"
   CHECK(significant(std::numeric_limits<double>::infinity(), 3) == "inf");
   CHECK(duration_text(999.7) == "1000 ms");
   CHECK(bytes_text(999.9) == "1000 B");
+  CHECK(bytes_text(1100.0) == "1.07 KiB");
+  CHECK(bytes_text(0x1.8p41) == "3 TiB");
+  CHECK(bytes_text(0x1.8p51) == "3072 TiB");  // the largest unit
 }
 
 TEST_CASE("A share is rounded down to a tenth of a percent") {

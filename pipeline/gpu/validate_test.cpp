@@ -149,6 +149,12 @@ TEST_CASE("validate: each wrong run is refused in a line that names the pass") {
   refused([](SoundRun& r) { r.run.draws[0].textures = r.run.colors; },
           "reads a texture that the pass writes");
   refused([](SoundRun& r) { r.run.draws[0].uniforms.resize(20); }, "multiple of 16 bytes");
+  refused(
+      [](SoundRun& r) {
+        r.definition.topology = Topology::Rectangles;
+        r.run.draws[0].mesh = r.device->create_mesh({.layout = {{"position", 3}}, .vertices = {0, 0, 0}});
+      },
+      "draws rectangles of a mesh");
   SoundRun none;
   none.run.definition = nullptr;
   CHECK(none.complaint() == "a run names no pass definition");

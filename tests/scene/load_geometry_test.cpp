@@ -349,7 +349,7 @@ TEST_CASE("A vertex without a normal takes the first of its faces' where these c
   Gltf gltf;
   gltf.add<float>({1, 0, 0, 0, 1, 0, 0, -1, 0, 1, 0, 0, 0, 0, 0}, 5126, "VEC3", 5);
   gltf.add<float>({0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, -1, 0, 0, 0}, 5126, "VEC3", 5);
-  gltf.add<std::uint16_t>({0, 1, 4, 3, 2, 4}, 5123, "SCALAR", 6);
+  gltf.add<std::uint16_t>({0, 1, 4, 4, 3, 2}, 5123, "SCALAR", 6);
   gltf.mesh = R"("attributes":{"POSITION":0,"NORMAL":1},"indices":2)";
   const Scene scene = load(gltf);
   for (const Vertex& vertex : scene.meshes.at(0).vertices)
