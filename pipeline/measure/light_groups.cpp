@@ -10,8 +10,9 @@ namespace caustics {
 
 namespace {
 
-// Further than any angle: a sun and a lamp, or two cones, stand for each other only where they have to.
-constexpr double kOfAnotherKind = 4.0;
+// No light that is chosen is as far from those for which its caustic stands; those of another kind are
+// farther.
+constexpr double kFar = 1.0, kOfAnotherKind = 4.0;
 
 // What is known of a source of light.
 struct Source {
@@ -76,12 +77,14 @@ struct Groups {
 Groups farthest_apart(const std::vector<Source>& sources, std::size_t most) {
   Groups groups{{}, std::vector<std::size_t>(sources.size(), 0)};
   std::vector<double> nearest(sources.size(), kOfAnotherKind);
-  while (groups.chosen.size() < most) {
+  for (;;) {
     stop_if_interrupted();
+    const bool enough = groups.chosen.size() >= most;
     std::size_t next = 0;
     double largest = 0.0;
     for (std::size_t i = 0; i < sources.size(); ++i)
-      if (const double gain = sources[i].on_casters * nearest[i] * nearest[i]; gain > largest) {
+      if (const double gain = sources[i].on_casters * nearest[i] * nearest[i];
+          gain > largest && !(enough && nearest[i] < kFar)) {
         largest = gain;
         next = i;
       }

@@ -52,7 +52,6 @@ TEST_CASE("light groups: so many lights are drawn on their own as are asked for"
   CHECK(alone(grouped_in(scene, 0)) == 40);
   CHECK(alone(grouped_in(scene, 40)) == 40);
   CHECK(alone(grouped_in(scene, 7)) == 7);
-  CHECK(alone(grouped_in(scene, 1)) == 1);
 }
 
 TEST_CASE("light groups: a light's caustic is drawn by one near it, which is drawn on its own") {
@@ -84,13 +83,28 @@ TEST_CASE("light groups: all light that falls on the casters stays, by channel")
   CHECK(share == Approx(1.0));
 }
 
-TEST_CASE("light groups: a sun stands for no lamp, nor a lamp for a sun, while there is a choice") {
+TEST_CASE("light groups: lights far apart as the casters see them stay alone, whatever is asked for") {
+  CHECK(alone(grouped_in(two_clusters(40), 1)) == 2);
+  Scene scene = two_clusters(40, 50.0);
+  const Mesh glass = scene.meshes[1];
+  scene.meshes.resize(1);
+  for (const Light& light : scene.lights) {
+    scene.meshes.push_back(glass);
+    scene.meshes.back().lower += glm::vec3(light.position) - glm::vec3(0.0f, 1.0f, 0.0f);
+    scene.meshes.back().upper += glm::vec3(light.position) - glm::vec3(0.0f, 1.0f, 0.0f);
+  }
+  std::vector<LightShare> shares(scene.lights.size(), {.on_casters = 1.0});
+  group_lights(scene, effects_of(scene, {}), 1, shares);
+  CHECK(alone(shares) == 40);
+}
+
+TEST_CASE("light groups: a sun stands for no lamp, nor a lamp for a sun") {
   Scene scene = two_clusters(40);
   for (std::size_t i = 0; i < scene.lights.size(); i += 4) {
     scene.lights[i].type = LightType::Directional;
     scene.lights[i].direction = {0.0, -1.0, 0.0};
   }
-  const std::vector<LightShare> shares = grouped_in(scene, 3);
+  const std::vector<LightShare> shares = grouped_in(scene, 1);
   CHECK(alone(shares) == 3);
   for (std::size_t i = 0; i < shares.size(); ++i)
     if (shares[i].drawn_with >= 0)
