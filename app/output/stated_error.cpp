@@ -15,7 +15,18 @@ bool shows_receiver(const Image& first, const Image& receiver, int x, int y) {
   return same;
 }
 
-void add_surplus(Image& error, const std::vector<bool>& shown, const Surplus& surplus, const Light& light) {
+// Of all of a source's samples.
+glm::dvec3 caustic_intensity_of(const RenderedFrame& frame, int source) {
+  const Light& light = frame.scene().sources[static_cast<std::size_t>(source)];
+  glm::dvec3 intensity = static_cast<double>(light.intensity) * glm::dvec3(light.color);
+  for (std::size_t l = 0; l < frame.scene().lights.size(); ++l)
+    if (frame.scene().lights[l].source == source)
+      intensity += glm::dvec3(frame.effects().lights[l].of_others);
+  return intensity;
+}
+
+void add_surplus(Image& error, const std::vector<bool>& shown, const Surplus& surplus,
+                 const glm::dvec3& intensity) {
   std::vector<int> pixels(surplus.values.size() / 3, 0);
   const auto width = static_cast<std::size_t>(error.width());
   const auto block_of = [&](std::size_t i) {
@@ -28,8 +39,7 @@ void add_surplus(Image& error, const std::vector<bool>& shown, const Surplus& su
     const std::size_t block = block_of(i);
     for (int c = 0; c < 3; ++c)
       error.at(static_cast<int>(i % width), static_cast<int>(i / width), c) += static_cast<float>(
-          std::fabs(surplus.values[3 * block + static_cast<std::size_t>(c)]) / pixels[block] *
-          static_cast<double>(light.intensity) * static_cast<double>(light.color[c]));
+          std::fabs(surplus.values[3 * block + static_cast<std::size_t>(c)]) / pixels[block] * intensity[c]);
   }
 }
 
@@ -50,7 +60,7 @@ Image stated_error(const RenderedFrame& frame, const std::vector<LightLedger>& l
     }
   for (const LightLedger& entry : ledgers)
     if (!entry.surplus.values.empty())
-      add_surplus(error, shown, entry.surplus, frame.scene().sources[static_cast<std::size_t>(entry.light)]);
+      add_surplus(error, shown, entry.surplus, caustic_intensity_of(frame, entry.light));
   return error;
 }
 

@@ -50,12 +50,13 @@ class Gatherer {
   void finish() {
     double sum = 0.0, expected = 0.0, irradiance = 0.0;
     for (const Contribution& each : light_.contributions) sum += each.share;
-    const Light& light = frame_.scene().lights[static_cast<std::size_t>(light_.light)];
+    const auto number = static_cast<std::size_t>(light_.light);
+    const glm::dvec3 intensity(
+        caustic_intensity(frame_.scene().lights[number], frame_.effects().lights[number]));
     for (const auto& [texture, flux] : flux_)
       for (int c = 0; c < 3; ++c) {
         if (c < channels_) expected += flux[static_cast<std::size_t>(c)];
-        irradiance += flux[static_cast<std::size_t>(c)] * static_cast<double>(light.intensity) *
-                      static_cast<double>(light.color[c]);
+        irradiance += flux[static_cast<std::size_t>(c)] * intensity[c];
       }
     const double shaded = static_cast<double>(light_.caustic[0]) + static_cast<double>(light_.caustic[1]) +
                           static_cast<double>(light_.caustic[2]);

@@ -40,10 +40,8 @@ inline std140::LightCone shader_cone(const Light& light) {
   return cone;
 }
 
-// Of a light's caustic, which may stand for those of others. Lux (directional) or candela, by channel.
 inline glm::vec3 caustic_intensity(const PassContext& context) {
-  const glm::vec3 own = context.light->color * context.light->intensity;
-  return context.of_light ? own + context.of_light->of_others : own;
+  return caustic_intensity(*context.light, context.of_light ? *context.of_light : LightEffects{});
 }
 
 // `direction`: the way a directional light shines, as its views have it.

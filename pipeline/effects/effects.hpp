@@ -171,6 +171,11 @@ struct NamedEffect {
 };
 std::span<const NamedEffect> named_effects();
 
+// Of a light's caustic, which may stand for those of others. Lux (directional) or candela, by channel.
+inline glm::vec3 caustic_intensity(const Light& light, const LightEffects& of_light) {
+  return light.color * light.intensity + of_light.of_others;
+}
+
 // Does the light throw a caustic, through any caster?
 bool throws_caustic(const Effects& effects, int light);
 // Does anything that the camera sees depend on the light?
