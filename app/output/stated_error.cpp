@@ -15,7 +15,7 @@ bool shows_receiver(const Image& first, const Image& receiver, int x, int y) {
   return same;
 }
 
-// Of all of a source's samples.
+// The sum over a source's samples.
 glm::dvec3 caustic_intensity_of(const RenderedFrame& frame, int source) {
   const Light& light = frame.scene().sources[static_cast<std::size_t>(source)];
   glm::dvec3 intensity = static_cast<double>(light.intensity) * glm::dvec3(light.color);

@@ -171,7 +171,8 @@ struct NamedEffect {
 };
 std::span<const NamedEffect> named_effects();
 
-// Of a light's caustic, which may stand for those of others. Lux (directional) or candela, by channel.
+// The intensity that a light's caustic has, which may stand for those of others: lux (directional) or
+// candela, by channel.
 inline glm::vec3 caustic_intensity(const Light& light, const LightEffects& of_light) {
   return light.color * light.intensity + of_light.of_others;
 }

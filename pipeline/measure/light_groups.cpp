@@ -14,7 +14,7 @@ namespace {
 // farther.
 constexpr double kFar = 1.0, kOfAnotherKind = 4.0;
 
-// What is known of a source of light.
+// A source of light that throws caustics.
 struct Source {
   int number = 0;             // by Scene::sources
   const Light* light;         // its first sample
@@ -100,7 +100,7 @@ Groups farthest_apart(const std::vector<Source>& sources, std::size_t most) {
   return groups;
 }
 
-// Of each group the source to which all of it is nearest.
+// Chooses in each group the source to which all of it is nearest.
 void choose_middles(const std::vector<Source>& sources, Groups& groups) {
   std::vector<std::vector<std::size_t>> members(groups.chosen.size());
   for (std::size_t i = 0; i < sources.size(); ++i) members[groups.of[i]].push_back(i);
@@ -121,7 +121,7 @@ void choose_middles(const std::vector<Source>& sources, Groups& groups) {
   }
 }
 
-// What reaches the casters for each lux or candela.
+// The light that reaches the casters for each lux or candela.
 double reach(const Source& source) { return source.on_casters / brightest(source.intensity); }
 
 }  // namespace

@@ -135,8 +135,8 @@ enum class DrawSet : std::uint8_t {
   Beams,         // beams * beams quadrilaterals of two triangles
 };
 
-// Of the sets that are meshes: is one with such a surface among them? `light`: whose pass it is, null: the
-// frame's.
+// Is a mesh with such a surface in the set? No mesh is in sets that draw none. `light`: whose pass it is,
+// null: the frame's.
 bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role, const LightEffects* light);
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.

@@ -106,6 +106,18 @@ Scene slab_scene(double incidence) {
   return scene;
 }
 
+// A lamp that shines down from so many metres above the middle, so wide along x and z.
+Light panel_above(double height, float candela, double along_x, double along_z) {
+  Light panel{.name = "panel", .type = LightType::Point, .intensity = candela};
+  panel.position = {0.0, height, 0.0};
+  panel.direction = {0.0, -1.0, 0.0};
+  panel.lambertian = true;
+  panel.shape = LightShape::Rectangle;
+  panel.width = {along_x, 0.0, 0.0};
+  panel.height = {0.0, 0.0, along_z};
+  return panel;
+}
+
 }  // namespace
 
 TEST_CASE("tracer truth: a slab passes what Fresnel's equations say, once and with all bounces") {
@@ -305,13 +317,7 @@ TEST_CASE("tracer truth: from a point all light within a sphere's cone enters it
 TEST_CASE("tracer truth: a lamp of some size sheds on a caster what its middle does, but for its size") {
   test::need_ray_queries();
   Scene scene = test::sphere_scene(1.5f, 5);
-  Light panel{.name = "panel", .type = LightType::Point, .intensity = 1.0f};
-  panel.position = {0.0, 3.0, 0.0};
-  panel.direction = {0.0, -1.0, 0.0};
-  panel.lambertian = true;
-  panel.shape = LightShape::Rectangle;
-  panel.width = {0.2, 0.0, 0.0};
-  panel.height = {0.0, 0.0, 0.2};
+  const Light panel = panel_above(3.0, 1.0f, 0.2, 0.2);
   scene.lights = {panel};
   const Run run(std::move(scene), 16, 200, 2);
   // The cosine over a cone of half-angle t integrates to pi sin(t)^2. To second order in the lamp's size.
@@ -436,13 +442,7 @@ TEST_CASE("tracer: a body's colour tints light once, from outside and from withi
 TEST_CASE("tracer truth: a long panel lights the floor by its form factor") {
   test::need_ray_queries();
   // 4 m x 0.5 m, a metre above the floor, of luminance 1.
-  Light panel{.name = "panel", .type = LightType::Point, .intensity = 2.0f};
-  panel.position = {0.0, 1.0, 0.0};
-  panel.direction = {0.0, -1.0, 0.0};
-  panel.lambertian = true;
-  panel.shape = LightShape::Rectangle;
-  panel.width = {4.0, 0.0, 0.0};
-  panel.height = {0.0, 0.0, 0.5};
+  const Light panel = panel_above(1.0, 2.0f, 4.0, 0.5);
   Scene scene;
   scene.materials = {test::diffuse(0.8f), test::glass(1.5f)};
   scene.meshes = {test::floor(9.0, 0.0, 0), test::sphere({8.0, 0.2, 8.0}, 0.1, 2, 1)};
