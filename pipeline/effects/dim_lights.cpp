@@ -24,9 +24,8 @@ int divided_by(double share, double full) {
 std::string percent(float share) { return rounded_text(100.0 * static_cast<double>(share), 3) + " %"; }
 
 std::string source_name(const Scene& scene, int source) {
-  const Light& light =
-      (scene.sources.empty() ? scene.lights : scene.sources)[static_cast<std::size_t>(source)];
-  return light.name.empty() ? "light " + std::to_string(source) : "'" + light.name + "'";
+  const auto index = static_cast<std::size_t>(source);
+  return quoted_name("light", (scene.sources.empty() ? scene.lights : scene.sources)[index].name, index);
 }
 
 std::string counted(std::size_t lights) { return grouped(lights) + (lights == 1 ? " light" : " lights"); }

@@ -5,53 +5,13 @@
 #include "lab/reference/closed_forms.hpp"
 #include "lab/reference/half_ring.hpp"
 #include "lab/reference/tracer/direct.hpp"
-#include "lab/reference/tracer/state_file.hpp"
 #include "pipeline/effects/spectrum.hpp"
-#include "pipeline/gpu/error.hpp"
-#include "pipeline/scene/light_samples.hpp"
-#include "tests/support/catch.hpp"
-#include "tests/support/ray_queries.hpp"
-#include "tests/support/scenes.hpp"
 #include "tests/truth/prism.hpp"
+#include "tests/truth/tracer_run.hpp"
 
 namespace caustics::tracer {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-// A scene, what it calls for, and a tracer on it.
-struct Run {
-  Scene scene;
-  Settings settings;
-  Effects effects;
-  TraceSettings trace;
-  std::unique_ptr<Tracer> tracer;
-
-  Run(Scene from, int pixels, int side, int batches, Physics physics = Physics::Single, Settings with = {},
-      int threads = 0)
-      : scene(std::move(from)), settings(std::move(with)) {
-    settings.width = settings.height = pixels;
-    sample_lights(scene, 1);
-    effects = effects_of(scene, settings);
-    trace.width = trace.height = pixels;
-    trace.side = side;
-    trace.physics = physics;
-    trace.threads = threads;
-    tracer = std::make_unique<Tracer>(scene, effects, scene.cameras.at(0), trace);
-    for (int i = 0; i < batches; ++i) REQUIRE(tracer->run_batch());
-  }
-  const Account& account() const { return tracer->state().accounts.at(0); }
-  double batches() const { return static_cast<double>(tracer->state().batches); }
-  std::string request() const { return request_text(scene, effects, scene.cameras.at(0), trace); }
-};
-
-// Red of each pixel.
-std::vector<double> red(const std::vector<float>& values) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < values.size(); i += 3) result.push_back(static_cast<double>(values[i]));
-  return result;
-}
 
 // How the picture differs from the truth, in its own standard errors, over the pixels that `counts`.
 // Normal errors give |difference| = 0.80 of the standard error on the mean.
@@ -77,46 +37,6 @@ Agreement agreement(const Tracer& tracer, const std::vector<double>& truth, Coun
 }
 
 bool everywhere(std::size_t) { return true; }
-
-void check_closed(const Account& a) {
-  const glm::dvec3 gap = a.gap();
-  CHECK(std::max({std::fabs(gap.x), std::fabs(gap.y), std::fabs(gap.z)}) < 1e-12 * a.entered.x);
-}
-
-// The line with which something is refused; empty where it is not.
-template <class Act>
-std::string refusal(Act act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
-bool says(const std::string& line, const std::string& part) { return line.find(part) != std::string::npos; }
-
-// Light at an angle through a wide slab; the camera sees where it entered through the top alone.
-Scene slab_scene(double incidence) {
-  Scene scene;
-  scene.materials = {test::diffuse(0.8f), test::glass(1.5f)};
-  scene.meshes = {test::floor(3.0, 0.0, 0), test::box({-1.5, 0.5, -1.5}, {1.5, 0.7, 1.5}, 1)};
-  scene.lights = {test::sun({std::sin(incidence), -std::cos(incidence), 0.0}, 1.0f)};
-  scene.cameras = {test::camera_down(0.3, 0.3)};
-  return scene;
-}
-
-// A lamp that shines down from so many metres above the middle, so wide along x and z.
-Light panel_above(double height, float candela, double along_x, double along_z) {
-  Light panel{.name = "panel", .type = LightType::Point, .intensity = candela};
-  panel.position = {0.0, height, 0.0};
-  panel.direction = {0.0, -1.0, 0.0};
-  panel.lambertian = true;
-  panel.shape = LightShape::Rectangle;
-  panel.width = {along_x, 0.0, 0.0};
-  panel.height = {0.0, 0.0, along_z};
-  return panel;
-}
 
 }  // namespace
 
@@ -339,169 +259,6 @@ TEST_CASE("tracer truth: direct light is shadowed by casters, and dims as it sho
   CHECK(direct[33 * 16 + 16] == 0.0);
   const double x = 2.0 * 0.5 / 33 - 1.0, r = std::sqrt(9.0 + 2.0 * x * x);
   CHECK(direct[0] == Approx(10.0 * 3.0 / (r * r * r)).epsilon(1e-6));
-}
-
-TEST_CASE("tracer: the picture has the same bits for one thread and for three") {
-  test::need_ray_queries();
-  for (const Physics physics : {Physics::Single, Physics::Full}) {
-    const Run one(test::sphere_scene(1.5f, 4), 24, 200, 3, physics, {}, 1);
-    const Run three(test::sphere_scene(1.5f, 4), 24, 200, 3, physics, {}, 3);
-    CHECK(one.tracer->state().sum == three.tracer->state().sum);
-    CHECK(one.tracer->state().squares == three.tracer->state().squares);
-    CHECK(to_bytes(one.tracer->state(), "") == to_bytes(three.tracer->state(), ""));
-    check_closed(one.account());
-  }
-}
-
-TEST_CASE("tracer: a run that was broken off goes on to the same bits") {
-  test::need_ray_queries();
-  const Run whole(test::sphere_scene(1.5f, 4), 24, 64, 5);
-  const Run first(test::sphere_scene(1.5f, 4), 24, 64, 2);
-  Run then(test::sphere_scene(1.5f, 4), 24, 64, 0);
-  const std::string kept = to_bytes(first.tracer->state(), first.request());
-  then.tracer->restore(from_bytes(kept, then.request(), then.tracer->state()));
-  // A batch that is broken off leaves nothing.
-  CHECK_FALSE(then.tracer->run_batch([] { return true; }));
-  for (int i = 0; i < 3; ++i) REQUIRE(then.tracer->run_batch());
-  CHECK(to_bytes(then.tracer->state(), "") == to_bytes(whole.tracer->state(), ""));
-}
-
-TEST_CASE("tracer: the state of another request is refused, and says what differs") {
-  test::need_ray_queries();
-  const Run run(test::sphere_scene(1.5f, 3), 8, 8, 1);
-  const std::string kept = to_bytes(run.tracer->state(), run.request());
-  const auto refused = [&](const Run& other, const std::string& why) {
-    const std::string line = refusal([&] { from_bytes(kept, other.request(), other.tracer->state()); });
-    INFO(line);
-    CHECK(says(line, why));
-  };
-  refused(Run(test::sphere_scene(1.5f, 3), 9, 8, 0), "size: 8x8 there, size: 9x9 here");
-  refused(Run(test::sphere_scene(1.5f, 3), 8, 9, 0), "rays: 8 there, rays: 9 here");
-  refused(Run(test::sphere_scene(1.5f, 3), 8, 8, 0, Physics::Full), "physics: single there");
-  refused(Run(test::sphere_scene(1.6f, 3), 8, 8, 0), "scene: ");
-  const auto of = [&](const std::string& bytes) {
-    return refusal([&] { from_bytes(bytes, run.request(), run.tracer->state()); });
-  };
-  CHECK(of(kept).empty());
-  CHECK(says(of(kept.substr(0, kept.size() - 1)), "damaged"));
-  CHECK(says(of("nonsense"), "no state"));
-}
-
-TEST_CASE("tracer: what glass mirrors lands where that is asked for, and the ledger closes") {
-  test::need_ray_queries();
-  Settings with;
-  with.reflections = true;
-  const Run off(test::sphere_scene(1.5f, 4), 8, 128, 2),
-      on(test::sphere_scene(1.5f, 4), 8, 128, 2, Physics::Single, with);
-  check_closed(on.account());
-  // What is followed now is no longer lost to Fresnel.
-  const auto reached = [](const Account& a) { return a.landed.x + a.missed.x; };
-  CHECK(off.account().fresnel.x - on.account().fresnel.x ==
-        Approx(reached(on.account()) - reached(off.account())).epsilon(1e-9));
-  // That is what the first surface mirrors, in the mean over a sphere's disc; the second's is not followed.
-  CHECK((off.account().fresnel.x - on.account().fresnel.x) / on.account().entered.x ==
-        Approx(0.09178).epsilon(5e-3));
-}
-
-TEST_CASE("tracer: a tinted solid absorbs as Beer and Lambert say") {
-  test::need_ray_queries();
-  Scene scene = test::sphere_scene(1.0f, 6);
-  scene.materials[1].attenuation_color = {0.5f, 1.0f, 0.25f};
-  scene.materials[1].attenuation_distance = 1.0f;
-  const Run run(std::move(scene), 8, 256, 2);
-  // With n = 1 the chords are straight; no interface takes anything.
-  const GlassSphere sphere{.radius = 0.5, .index = 1.0, .distance = 0.8, .absorption = std::log(2.0)};
-  CHECK(run.account().landed.x / run.account().entered.x == Approx(mean_absorption(sphere)).epsilon(2e-3));
-  CHECK(run.account().landed.y == Approx(run.account().entered.y).epsilon(1e-9));
-  check_closed(run.account());
-}
-
-TEST_CASE("tracer: a body's colour tints light once, from outside and from within") {
-  test::need_ray_queries();
-  Scene scene = slab_scene(0.0);
-  scene.materials[1] = test::glass(1.0f);  // so that nothing else takes any
-  scene.materials[1].base_color = {0.5f, 1.0f, 0.25f, 1.0f};
-  Light lamp{.name = "lamp", .type = LightType::Point, .intensity = 1.0f};
-  lamp.position = {0.1, 0.6, 0.2};  // between the slab's faces
-  for (const Light& light : {scene.lights[0], lamp}) {
-    scene.lights = {light};
-    for (const Physics physics : {Physics::Single, Physics::Full}) {
-      const Run run(scene, 4, 32, 2, physics);
-      const Account& a = run.account();
-      REQUIRE(a.entered.x > 0.0);
-      const glm::dvec3 left = (a.landed + a.missed) / a.entered;
-      INFO(light.name << " " << int(physics));
-      CHECK(left.x == Approx(0.5).epsilon(1e-9));
-      CHECK(left.y == Approx(1.0).epsilon(1e-9));
-      CHECK(left.z == Approx(0.25).epsilon(1e-9));
-      check_closed(a);
-    }
-  }
-}
-
-TEST_CASE("tracer truth: a long panel lights the floor by its form factor") {
-  test::need_ray_queries();
-  // 4 m x 0.5 m, a metre above the floor, of luminance 1.
-  const Light panel = panel_above(1.0, 2.0f, 4.0, 0.5);
-  Scene scene;
-  scene.materials = {test::diffuse(0.8f), test::glass(1.5f)};
-  scene.meshes = {test::floor(9.0, 0.0, 0), test::sphere({8.0, 0.2, 8.0}, 0.1, 2, 1)};
-  scene.lights = {panel};
-  scene.cameras = {test::camera_down(0.5, 1e-3)};
-  const Run run(std::move(scene), 5, 8, 0);
-  // A quarter of it from beneath a corner, a by b at a distance of 1 (Siegel and Howell's configuration 3).
-  const double a = 2.0, b = 0.25, x = std::hypot(1.0, a), y = std::hypot(1.0, b);
-  const double expected = 4.0 * 0.5 * (a / x * std::atan(b / x) + b / y * std::atan(a / y));
-  double sum = 0.0;
-  for (const double value : red(direct_light(run.tracer->world(), run.tracer->film(), 0)))
-    sum += value / 25.0;
-  CHECK(sum == Approx(expected).epsilon(5e-3));
-}
-
-TEST_CASE("tracer: what stands before a caster keeps its light away") {
-  if (!has_ray_queries()) return;
-  // A board over the half of the sphere that lies at x > 0.
-  Scene scene = test::sphere_scene(1.5f, 4);
-  scene.meshes.push_back(test::box({0.0, 2.0, -1.0}, {1.0, 2.1, 1.0}, 0));
-  const Run half(std::move(scene), 8, 128, 2), whole(test::sphere_scene(1.5f, 4), 8, 128, 2);
-  CHECK(half.account().entered.x == Approx(0.5 * whole.account().entered.x).epsilon(5e-3));
-}
-
-TEST_CASE("tracer: a spot light falls off by the square of a ramp of the cosine") {
-  Light spot{.name = "spot", .type = LightType::Spot};
-  spot.inner_cone = 0.2f;
-  spot.outer_cone = 0.6f;
-  const auto at = [&](double cosine) {
-    return Falloff(spot).at({std::sqrt(1.0 - cosine * cosine), 0.0, -cosine}, {0.0, 0.0, -1.0});
-  };
-  CHECK(at(std::cos(0.1)) == 1.0);
-  CHECK(at(0.5 * (std::cos(0.2) + std::cos(0.6))) == Approx(0.25));
-  CHECK(at(std::cos(0.7)) == 0.0);
-}
-
-TEST_CASE("tracer: a thin pane passes direct light less what both its faces mirror") {
-  if (!has_ray_queries()) return;
-  Scene scene;
-  scene.materials = {test::diffuse(0.8f), test::glass(1.5f)};
-  scene.materials[1].thickness = 0.0f;
-  scene.meshes = {test::floor(3.0, 0.0, 0), test::floor(2.0, 1.0, 1)};
-  scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
-  scene.cameras = {test::camera_down(0.3, 0.3)};
-  const Run run(std::move(scene), 4, 8, 1);
-  // R = 0.04 at either face: (1 - R) / (1 + R).
-  for (const double value : red(direct_light(run.tracer->world(), run.tracer->film(), 0)))
-    CHECK(value == Approx(0.96 / 1.04).epsilon(1e-6));
-}
-
-TEST_CASE("tracer: what is not simulated is refused by name") {
-  test::need_ray_queries();
-  Scene hazy = test::sphere_scene(1.5f, 2);
-  hazy.medium.scattering = glm::vec3(0.1f);
-  CHECK(says(refusal([&] { Run(hazy, 8, 8, 0); }), "does not trace medium"));
-  Scene cut_out = test::sphere_scene(1.5f, 2);
-  cut_out.materials[1].alpha_mode = AlphaMode::Mask;
-  cut_out.materials[1].base_color.a = 0.0f;
-  CHECK(says(refusal([&] { Run(cut_out, 8, 8, 0); }), "does not trace cut-out casters"));
 }
 
 }  // namespace caustics::tracer
