@@ -100,6 +100,16 @@ TEST_CASE("study plot: marks reach from below the least to above the most") {
   check_marks(0.002, 700.0, {0.001, 0.01, 0.1, 1.0, 10.0, 100.0, 1000.0});
 }
 
+TEST_CASE("study plot: every mark of both axes has its number and its line across the plot") {
+  // From 3 to 40 the marks are 2, 5, 10, 20 and 50; from 0.01 to 0.03 they are 0.01, 0.02 and 0.05.
+  const std::string svg = draw(labelled({{3.0, 0.011}, {40.0, 0.03}}));
+  for (const char* mark : {"2", "5", "10", "20", "50", "0.01", "0.02", "0.05"}) {
+    INFO(mark);
+    CHECK(svg.find(">" + std::string(mark) + "</text>") != std::string::npos);
+  }
+  CHECK(tags(svg, "gridline").size() == 8);
+}
+
 TEST_CASE("study plot: names are escaped and every point has its words") {
   Plot plot{.title = "a < b", .groups = {"grid & map"}};
   plot.points.push_back({10.0, 0.1, 9.0, 12.0, 0, false, "\"one\"", "first"});

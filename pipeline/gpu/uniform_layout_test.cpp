@@ -39,7 +39,9 @@ TEST_CASE("uniform layout: a text without a block has none, and what a condition
   const std::string text = "UNIFORMS_BEGIN\n#ifdef HAZE\nfloat thick;\n#endif\nfloat share;\nUNIFORMS_END\n";
   CHECK(reflect_uniforms(text).variables.size() == 1);
   CHECK(reflect_uniforms("#define HAZE 1\n" + text).variables.size() == 2);
-  CHECK_THROWS_AS(reflect_uniforms("UNIFORMS_BEGIN\nbool wrong;\nUNIFORMS_END\n"), Error);
+  CHECK_THROWS_WITH(reflect_uniforms("UNIFORMS_BEGIN\nbool wrong;\nUNIFORMS_END\n"),
+                    "uniform 'wrong' has the type 'bool': use int, float, vec2, vec3, vec4, mat4 or a "
+                    "struct of these");
 }
 
 TEST_CASE("uniform layout: of every pass it is as long as C++ has the block, and its choices lie alike") {

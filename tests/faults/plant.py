@@ -123,8 +123,19 @@ def draw_for(folder, wanted, taken):
     return drawn_as(known, taken)
 
 
+class Wired:
+    """A place that WIRING changes, which no drawn fault may alter."""
+
+    def __init__(self, path, text):
+        self.file, self.text = path, text
+
+    def place(self, source):
+        return source.index(self.text)
+
+
 def drawn_as(known, taken):
-    return drawn(known['count'], known['seed'], set(known['refused']), taken, known['rooms'])
+    wired = [Wired(path, before) for path, (before, _) in WIRING.items()]
+    return drawn(known['count'], known['seed'], set(known['refused']), taken + wired, known['rooms'])
 
 
 def drawn_in(folder):
