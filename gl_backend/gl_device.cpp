@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "gl_backend/egl_context.hpp"
+#include "gl_backend/gl_backlog.hpp"
 #include "gl_backend/gl_debug.hpp"
 #include "gl_backend/gl_framebuffer.hpp"
 #include "gl_backend/gl_mesh.hpp"
@@ -221,7 +222,10 @@ class OpenGlDevice final : public GlDevice {
     }
     occlusion_.end_condition();
     occlusion_.end();
-    meter_.end(result);
+    if (meter_.measures())
+      meter_.end(result);
+    else
+      backlog_.add();
     // What the driver counts are corners of quadrilaterals, none where it left them out.
     const bool rectangles = run.definition->topology == Topology::Rectangles;
     if (result.vertices != 0 && (as_quads(*run.definition) || rectangles)) {
@@ -239,6 +243,7 @@ class OpenGlDevice final : public GlDevice {
   void drop_what_runs_made() {
     occlusion_.drop();
     meter_.end_queries();
+    backlog_.forget();
     framebuffers_.clear();
     for (auto& [id, mesh] : meshes_) mesh.arrays.clear();
     uniforms_.drop_buffer();
@@ -382,6 +387,7 @@ class OpenGlDevice final : public GlDevice {
   GlLimits limits_;
   std::function<void(std::string_view)> compiling_;
   RunMeter meter_;
+  Backlog backlog_;
   OcclusionQueries occlusion_;
   VertexArrayObject no_vertices_;
   UniformBuffer uniforms_;

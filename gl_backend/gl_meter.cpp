@@ -55,7 +55,7 @@ void RunMeter::end_queries() {
 }
 
 void RunMeter::end(PassResult& result) {
-  if (!measures_) return glFlush();
+  if (!measures_) return;
   end_queries();
   if (wall_clock_) {
     glFinish();

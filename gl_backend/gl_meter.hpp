@@ -10,7 +10,7 @@ namespace caustics::gl {
 // drawn, so there the clock runs until glFinish returns, and processor time is that of their threads too.
 class RunMeter {
  public:
-  // One that does not measure does nothing, but to hand each run on to the driver at once.
+  // One that does not measure does nothing.
   RunMeter(bool measures, bool software_renderer);
   void begin();
   // Fills in what was counted since begin(), and leaves what the driver does not count as it is. Waits for

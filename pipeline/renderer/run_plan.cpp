@@ -11,6 +11,7 @@ namespace caustics {
 
 FrameTargets::FrameTargets(const FramePlan& plan, Device& device) : device_(device) {
   for (const TextureMemory& each : plan.memory) {
+    stop_if_interrupted();  // software renderers of OpenGL fill what they make with zeros
     OwnedTexture texture(device, device.create_texture(each.format, each.width, each.height));
     memory_.push_back(std::move(texture));
   }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "pipeline/gpu/interrupt.hpp"
 #include "tests/gl/faulty_driver.hpp"
 #include "tests/gl/gl_or_skip.hpp"
+#include "tests/support/device_contracts.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -187,6 +189,30 @@ TEST_CASE("gl: a frame waits, counts and hears the driver's messages only on req
     CHECK((calls.count("glDebugMessageCallback") == 1) == requested);
     CHECK((calls.count("glFinish") + calls.count("glGetQueryObjectui64v") > 0) == requested);
   }
+}
+
+TEST_CASE("gl: at most two runs are ahead of the driver, and waiting for it ends when work is to stop") {
+  const auto device = gl_or_skip({});
+  PassDefinition definition{.name = "clear",
+                            .purpose = "test",
+                            .writes = {{.name = "a", .meaning = "m"}},
+                            .shader = &raster_probe_shader};
+  const PassRun run{.definition = &definition,
+                    .colors = {device->create_texture(definition.writes[0].format, 3, 2)}};
+  FaultyDriver driver;
+  driver.stall();
+  device->run(run);
+  device->run(run);
+  CHECK(driver.calls().count("glClientWaitSync") == 0);
+  ask_to_stop(ExitCode::Terminated);
+  CHECK_THROWS_WITH(device->run(run), "interrupted");
+  ask_to_stop(ExitCode::Done);
+  CHECK(driver.calls().at("glClientWaitSync") == 1);
+  // What was under way is forgotten; a driver that goes on is waited for once a run.
+  driver.mend();
+  for (int i = 0; i < 5; ++i) device->run(run);
+  CHECK(driver.calls().at("glClientWaitSync") == 3);
+  CHECK(driver.calls().at("glDeleteSync") == 3);
 }
 
 TEST_CASE("gl: each shader is told before it is compiled, once for each of its programs") {

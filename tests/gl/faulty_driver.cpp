@@ -28,7 +28,7 @@ struct State {
   std::array<int, kFunctions> calls{};
   std::size_t failing = kFunctions;  // none
   int at = 0;
-  bool out_of_memory = false, extensions_hidden = false;
+  bool out_of_memory = false, extensions_hidden = false, stalled = false;
   int questions = 0, reset_at = -1;
   bool was_reset() const { return reset_at >= 0 && questions > reset_at; }
 } state;
@@ -63,6 +63,7 @@ struct Through<R (*)(Arguments...)> {
         ++state.questions;
         if (std::exchange(state.out_of_memory, false)) return GL_OUT_OF_MEMORY;
       }
+      if (is(kFunction, "glClientWaitSync") && state.stalled) return GL_TIMEOUT_EXPIRED;
       if (is(kFunction, "glGetGraphicsResetStatus") && state.was_reset()) return GL_UNKNOWN_CONTEXT_RESET;
     }
     if constexpr (std::is_same_v<R, const char*>) {
@@ -131,6 +132,8 @@ void FaultyDriver::reset_at(int n) {
   mend();
   state.reset_at = n;
 }
+
+void FaultyDriver::stall() { state.stalled = true; }
 
 void FaultyDriver::hide_display_extensions() { state.extensions_hidden = true; }
 

@@ -20,6 +20,8 @@ class FaultyDriver {
   void fail(const std::string& function, int n);
   // From the n-th question after errors on, 0 the next, the driver says that it was reset.
   void reset_at(int n);
+  // What the driver is asked to wait for is never done.
+  void stall();
   // EGL tells no extension of a display.
   void hide_display_extensions();
   void mend();
