@@ -1,6 +1,7 @@
 // What a scene is completed with: ground, sun, camera, sky.
 #include "pipeline/renderer/stage.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/scene/defaults.hpp"
@@ -130,6 +131,27 @@ TEST_CASE("stage: the added camera shows all of every scene but its floor, at an
       CHECK(std::max(most.x, most.y) > 0.3);  // and not from afar
       if (scene.meshes.back().name == kGroundName) CHECK(nearest > camera.near);
     }
+}
+
+TEST_CASE("stage: the added camera stands inside a room whose walls would hide the scene") {
+  for (const bool double_sided : {true, false}) {
+    INFO(double_sided);
+    Scene scene = ball({box({-2.5, -1, -2.5}, {2.5, 3, 2.5}, 0)});
+    scene.materials[0].double_sided = double_sided;
+    std::reverse(scene.meshes[0].indices.begin(), scene.meshes[0].indices.end());  // it faces inward
+    complete_scene(scene, {});
+    const Camera& camera = scene.cameras.at(0);
+    const glm::dvec3 from_middle = glm::abs(camera.position);
+    const bool inside = std::max(from_middle.x, from_middle.z) < 2.5 && camera.position.y < 3.0;
+    CHECK(inside == double_sided);
+    CHECK(std::any_of(scene.notes.begin(), scene.notes.end(), [](const std::string& note) {
+            return note.find("before the wall") != std::string::npos;
+          }) == double_sided);
+    for (const Vertex& vertex : scene.meshes[1].vertices) {
+      const glm::dvec2 shown = glm::abs(shown_at(camera, glm::dvec3(vertex.position)));
+      REQUIRE(std::max(shown.x, shown.y) < 1.0);
+    }
+  }
 }
 
 TEST_CASE("stage: the added camera shows the shadow on an added ground") {
