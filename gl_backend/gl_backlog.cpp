@@ -6,8 +6,8 @@ namespace caustics::gl {
 
 namespace {
 
-// Whether the wish to stop is to be looked at again: waiting went on for a twentieth of a second. A driver that
-// fails to wait sets an error flag, which whoever checks the run finds.
+// Whether the wish to stop is to be looked at again: waiting went on for a twentieth of a second. A driver
+// that fails to wait sets an error flag, which whoever checks the run finds.
 bool still_waits(GLsync end) {
   constexpr GLuint64 kNanoseconds = 50'000'000;
   return glClientWaitSync(end, GL_SYNC_FLUSH_COMMANDS_BIT, kNanoseconds) == GL_TIMEOUT_EXPIRED;

@@ -36,7 +36,8 @@ constexpr double kFov = 0.6;  // radians
 // The camera goes down by these until it sees what shines, by this sine over its plane at least.
 constexpr float kElevations[] = {24.0f, 16.0f, 10.0f, 6.0f, 3.0f};
 constexpr double kSeenFromBelow = 0.06;
-// A camera that a wall would hide the scene from stands this share of the way to the wall, and sees this wide.
+// A camera that a wall would hide the scene from stands this share of the way to the wall, and sees this
+// wide.
 constexpr double kBeforeWall = 0.9, kWidestFov = 1.4;
 
 std::string lux_text(float lux) {
