@@ -143,14 +143,16 @@ TEST_CASE("walked_glass: two rays that bring the same are enough, of four that d
   CHECK(bench.seen() == Approx(0.96 * 1.0 + 0.04 * 0.5));
   bench.ior = 1.0f;
   bench.at = {-2.5f, -2.0f};
-  const auto lit_to = [&](float x) {
+  const auto lit = [&](float from, float to) {
     bench.shown = Image(Format::RGBA32F, 64, 1);
-    for (int texel = 0; texel < 64; ++texel)
-      for (int c = 0; c < 4; ++c)
-        bench.shown.at(texel, 0, c) = -4.0f + (static_cast<float>(texel) + 0.5f) / 8.0f < x ? 1.0f : 0.0f;
+    for (int texel = 0; texel < 64; ++texel) {
+      const float x = -4.0f + (static_cast<float>(texel) + 0.5f) / 8.0f;
+      for (int c = 0; c < 4; ++c) bench.shown.at(texel, 0, c) = x > from && x < to ? 1.0f : 0.0f;
+    }
     return bench.seen();
   };
-  CHECK(lit_to(-2.5f) == Approx(0.5));
-  CHECK(lit_to(-1.5f) == Approx(1.0));
-  CHECK(lit_to(-3.5f) == 0.0f);
+  CHECK(lit(-9.0f, -2.5f) == Approx(0.5));
+  CHECK(lit(-2.5f, -1.5f) == Approx(0.25));
+  CHECK(lit(-9.0f, -1.5f) == Approx(1.0));
+  CHECK(lit(-9.0f, -3.5f) == 0.0f);
 }

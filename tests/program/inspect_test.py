@@ -56,13 +56,14 @@ class Inspect(ProgramTest):
         rendered = pictures.Exr((self.folder / "ball.exr").read_bytes())
         found = next(a for a in run["attachments"] if a["texture"] == "caustic")
         values = page.array(found["data"])
-        red = [values[4 * i] for i in range(found["width"] * found["height"])]
+        self.assertTrue(found["data"]["beside"], "the channels of a grey light's caustic are alike")
         # The layer is 0 on casters, the pass's attachment is what lies behind them.
-        layer = rendered.values()["caustic.R"]
-        top_first = [red[(47 - y) * 64 + x] for y in range(48) for x in range(64)]
-        self.assertTrue(any(value > 0 for value in layer))
-        for a, b in zip(top_first, layer):
-            self.assertTrue(a == b or b == 0.0)
+        for channel, name in enumerate(("caustic.R", "caustic.G", "caustic.B")):
+            layer = rendered.values()[name]
+            top_first = [values[4 * ((47 - y) * 64 + x) + channel] for y in range(48) for x in range(64)]
+            self.assertTrue(any(value > 0 for value in layer))
+            for a, b in zip(top_first, layer):
+                self.assertTrue(a == b or b == 0.0)
 
     def test_shares_in_the_page_add_up_to_the_map(self):
         page = self.page("-D", "cascades=off")
