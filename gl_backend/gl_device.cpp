@@ -222,10 +222,8 @@ class OpenGlDevice final : public GlDevice {
     }
     occlusion_.end_condition();
     occlusion_.end();
-    if (meter_.measures())
-      meter_.end(result);
-    else
-      backlog_.add();
+    meter_.end(result);
+    if (!meter_.measures()) backlog_.add();
     // What the driver counts are corners of quadrilaterals, none where it left them out.
     const bool rectangles = run.definition->topology == Topology::Rectangles;
     if (result.vertices != 0 && (as_quads(*run.definition) || rectangles)) {

@@ -10,6 +10,7 @@
 
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/gpu/text.hpp"
+#include "pipeline/renderer/camera_inside.hpp"
 #include "pipeline/renderer/landed_light.hpp"
 #include "pipeline/renderer/sun_side.hpp"
 #include "pipeline/scene/defaults.hpp"
@@ -36,9 +37,6 @@ constexpr double kFov = 0.6;  // radians
 // The camera goes down by these until it sees what shines, by this sine over its plane at least.
 constexpr float kElevations[] = {24.0f, 16.0f, 10.0f, 6.0f, 3.0f};
 constexpr double kSeenFromBelow = 0.06;
-// A camera that a wall would hide the scene from stands this share of the way to the wall, and sees this
-// wide.
-constexpr double kBeforeWall = 0.9, kWidestFov = 1.4;
 
 std::string lux_text(float lux) {
   return lux < 100.0f ? significant(static_cast<double>(lux), 2) : grouped(static_cast<std::uint64_t>(lux));
@@ -230,44 +228,12 @@ class Stage {
       const Camera lower = framed({from.azimuth, elevation});
       if (shows_what_shines(lower)) camera = lower;
     }
-    const bool inside = come_inside(camera);
+    const bool inside = come_inside(camera, scene_, around_.around, subject_, settings_);
     camera.name = settings_.view ? "view " + text_of(settings_.view) : "three-quarter view (added)";
     if (!settings_.view)
       say(kAddedCamera, std::string("The scene has no camera: a three-quarter view from above was added") +
                             (inside ? ", before the wall that would hide the scene." : "."));
     scene_.cameras = {camera};
-  }
-
-  // Before a wall whose outside the camera would see: of one side it sees through those that face inward.
-  bool come_inside(Camera& camera) const {
-    const auto material_of = [&](int mesh) -> const Material& {
-      const Mesh& of = scene_.meshes[static_cast<std::size_t>(mesh)];
-      return scene_.materials[static_cast<std::size_t>(of.material)];
-    };
-    std::vector<int> walls;
-    for (int m = 0; m < static_cast<int>(around_.around.size()); ++m)
-      if (around_.around[static_cast<std::size_t>(m)] && material_of(m).alpha_mode == AlphaMode::Opaque)
-        walls.push_back(m);
-    const TriangleTree tree(scene_, walls);
-    const glm::dvec3 middle = subject_.centre(), way = camera.position - middle;
-    const double whole = exact::length(way);
-    double distance = 0.0;
-    std::optional<TriangleHit> wall;
-    do {
-      const glm::dvec3 from = middle + way * (distance / whole);
-      wall = tree.nearest(from, way / whole, wall ? wall->id : TriangleId{});
-      if (!wall || (distance += wall->distance) > whole) return false;
-    } while (wall->front && !material_of(wall->id.mesh).double_sided);
-    const double away = kBeforeWall * distance, radius = subject_.radius();
-    if (away < 1.1 * radius) return false;
-    camera.position = middle + way * (away / whole);
-    camera.near *= away / whole;
-    // As much of the thing as it showed from outside.
-    const double aspect = std::min(1.0, static_cast<double>(settings_.width) / settings_.height);
-    const double slope = radius / std::sqrt(away * away - radius * radius) / (1.0 - kFramingMargin) / aspect;
-    if (!settings_.fov)
-      camera.vertical_fov = std::clamp(2.0 * exact::arctangent(slope), camera.vertical_fov, kWidestFov);
-    return true;
   }
 
   // Where meshes alone light the scene: is the camera on the side to which one of them shines? From behind a

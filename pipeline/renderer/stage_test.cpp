@@ -134,19 +134,34 @@ TEST_CASE("stage: the added camera shows all of every scene but its floor, at an
 }
 
 TEST_CASE("stage: the added camera stands inside a room whose walls would hide the scene") {
-  for (const bool double_sided : {true, false}) {
-    INFO(double_sided);
-    Scene scene = ball({box({-2.5, -1, -2.5}, {2.5, 3, 2.5}, 0)});
-    scene.materials[0].double_sided = double_sided;
-    std::reverse(scene.meshes[0].indices.begin(), scene.meshes[0].indices.end());  // it faces inward
+  struct Walls {
+    const char* name;
+    bool double_sided, inside_out, doubled, outward;
+    bool hide;
+  };
+  // A closed body that winds inward is drawn from both sides; of two coincident walls the outer one hides.
+  for (const Walls& walls : {Walls{"one-sided, inward", false, false, false, false, false},
+                             {"double-sided", true, false, false, false, true},
+                             {"a closed body inside out", false, true, false, false, true},
+                             {"one-sided, inward, twice", false, false, true, false, false},
+                             {"one-sided, inward and outward", false, false, true, true, true}}) {
+    INFO(walls.name);
+    Mesh room = box({-2.5, -1, -2.5}, {2.5, 3, 2.5}, 0);
+    const std::vector<std::uint32_t> outward = room.indices;
+    std::reverse(room.indices.begin(), room.indices.end());
+    const std::vector<std::uint32_t> more = walls.outward ? outward : room.indices;
+    if (walls.doubled) room.indices.insert(room.indices.end(), more.begin(), more.end());
+    room.inside_out = walls.inside_out;
+    Scene scene = ball({room});
+    scene.materials[0].double_sided = walls.double_sided;
     complete_scene(scene, {});
     const Camera& camera = scene.cameras.at(0);
     const glm::dvec3 from_middle = glm::abs(camera.position);
     const bool inside = std::max(from_middle.x, from_middle.z) < 2.5 && camera.position.y < 3.0;
-    CHECK(inside == double_sided);
+    CHECK(inside == walls.hide);
     CHECK(std::any_of(scene.notes.begin(), scene.notes.end(), [](const std::string& note) {
             return note.find("before the wall") != std::string::npos;
-          }) == double_sided);
+          }) == walls.hide);
     for (const Vertex& vertex : scene.meshes[1].vertices) {
       const glm::dvec2 shown = glm::abs(shown_at(camera, glm::dvec3(vertex.position)));
       REQUIRE(std::max(shown.x, shown.y) < 1.0);

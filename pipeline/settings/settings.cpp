@@ -290,7 +290,8 @@ constexpr Setting kTable[] = {
         "from +z towards +x, and above the horizon; auto: 37,34 where there is no camera"),
     number<&S::zoom>("zoom", Part::View, {0.01, 100}, "how much larger the camera shows what it looks at"),
     optional_number<&S::fov>("fov", Part::View, {1, 170, "degrees"},
-                             "the camera's vertical angle of view; auto: its own, else 34"),
+                             "the camera's vertical angle of view; auto: its own, else 34, wider inside a "
+                             "room"),
     staged<&S::ground>(
         "ground", Part::Light, "auto|on|off|HEIGHT",
         "a grey ground below the scene, or at this height, metres; auto: where no floor reaches well "
