@@ -22,7 +22,7 @@ SLOW_CASES = (
 SLOW_FILES = {
     'animation_test.py', 'compare_metrics_test.py', 'faults_test.py', 'frame_costs_test.py', 'gl_test.py',
     'inspect_page_test.py', 'inspect_test.py', 'lights_test.py', 'memory_test.py', 'on_demand_test.py',
-    'paper_test.py', 'probe_test.py', 'study_test.py', 'water_test.py'}
+    'paper_test.py', 'probe_test.py', 'study_test.py', 'water_test.py', 'written_page_test.py'}
 # Tests that compare with kept files, which they write with `--update`.
 KEPT = ('golden_test.py', 'outputs_test.py')
 

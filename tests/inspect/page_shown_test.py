@@ -8,7 +8,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "program")]
-from inspect_page_test import PANELS, BrowserTest  # noqa: E402
+from browser import PANELS, BrowserTest  # noqa: E402
 from page_file import page  # noqa: E402
 from program import main  # noqa: E402
 from tiny_recording import tiny_recording  # noqa: E402

@@ -43,7 +43,7 @@ def view_surfaces(maker):
         (WIDTH, HEIGHT),
         [v for _ in pixels() for v in (0, 1, 0, 3)],
         [{"name": n, "meaning": "unit normal", "unit": ""} for n in "xyz"]
-        + [{"name": "w", "meaning": "depth along the camera's axis", "meaning": "metres"}],
+        + [{"name": "w", "meaning": "depth along the camera's axis", "unit": "metres"}],
         "xyz: unit shading normal; w: depth, metres",
     )
 

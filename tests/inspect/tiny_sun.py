@@ -116,7 +116,7 @@ def sun_grid(maker, wrong):
         "flux",
         size,
         flux,
-        FLUX + [{"name": "w", "meaning": "gap at the end", "meaning": "metres"}],
+        FLUX + [{"name": "w", "meaning": "gap at the end", "unit": "metres"}],
         "rgb: flux that is left; w: gap between ray and surface at the end, metres",
     )
     return ways, {"name": "", "landing": [landing], "entry": entry, "exit": leaves}
