@@ -12,57 +12,12 @@
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/gpu/text.hpp"
-#include "pipeline/plan/light_order.hpp"
 #include "pipeline/plan/needed_passes.hpp"
 #include "pipeline/plan/sample_passes.hpp"
 #include "pipeline/plan/texture_memory.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
-
-std::vector<int> PlannedPass::attachments() const {
-  std::vector<int> result;
-  for (const int texture : writes)
-    if (texture != kNothing) result.push_back(texture);
-  if (depth >= 0) result.push_back(depth);
-  return result;
-}
-
-std::string_view why_left_out(const PlannedPass& pass) {
-  return pass.drawn_for->layer > 0 ? "the picture has no such layer of blended surfaces"
-                                   : "no light comes here";
-}
-
-int FramePlan::find(std::string_view name) const {
-  if (!by_name.empty()) {
-    const auto found = by_name.find(name);
-    return found == by_name.end() ? -1 : found->second;
-  }
-  for (std::size_t i = 0; i < textures.size(); ++i)
-    if (textures[i].name == name) return static_cast<int>(i);
-  return -1;
-}
-
-std::size_t FramePlan::bytes() const {
-  std::size_t sum = 0;
-  for (const TextureMemory& each : memory)
-    sum += bytes_per_texel(each.format) * static_cast<std::size_t>(each.width) *
-           static_cast<std::size_t>(each.height);
-  return sum;
-}
-
-std::string light_texture(std::string_view name, int light) {
-  return std::string(name) + "[" + std::to_string(light) + "]";
-}
-
-std::string branch_texture(std::string_view name, int light, const Branch& branch) {
-  if (branch.name.empty()) return light_texture(name, light);
-  return std::string(name) + "[" + std::to_string(light) + " " + branch.name + "]";
-}
-
-std::string water_texture(std::string_view name, std::size_t water) {
-  return std::string(name) + "[water " + std::to_string(water) + "]";
-}
 
 namespace {
 
@@ -528,25 +483,6 @@ class Planner {
   std::map<std::pair<int, int>, int> branch_queries_;
 };
 
-// A light's maps are needed until the last sample is drawn, or else, light by light, what all samples have
-// seen of the lights before: the bits are the same. Without samples both orders are one.
-FramePlan in_least_memory(FramePlan plan) {
-  const bool samples = std::any_of(plan.passes.begin(), plan.passes.end(),
-                                   [](const PlannedPass& pass) { return pass.sample > 0; });
-  FramePlan by_light;
-  if (samples) by_light = plan;
-  order_by_light(plan, SampleOrder::SampleBySample);
-  share_memory(plan);
-  if (samples) {
-    order_by_light(by_light, SampleOrder::LightByLight);
-    share_memory(by_light);
-    if (by_light.bytes() < plan.bytes()) plan = std::move(by_light);
-  }
-  for (std::size_t i = 0; i < plan.textures.size(); ++i)
-    plan.by_name.emplace(plan.textures[i].name, static_cast<int>(i));
-  return plan;
-}
-
 }  // namespace
 
 FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& settings,
@@ -557,7 +493,10 @@ FramePlan make_plan(const Scene& scene, const Effects& effects, const Settings& 
     texture.kept_for_light = goal.light_by_light && texture.light >= 0 && texture.kept;
     texture.kept = texture.kept && !texture.kept_for_light;
   }
-  return in_least_memory(with_samples(std::move(plan), registry, samples_a_pixel(settings), goal));
+  plan = in_least_memory(with_samples(std::move(plan), registry, samples_a_pixel(settings), goal));
+  for (std::size_t i = 0; i < plan.textures.size(); ++i)
+    plan.by_name.emplace(plan.textures[i].name, static_cast<int>(i));
+  return plan;
 }
 
 }  // namespace caustics

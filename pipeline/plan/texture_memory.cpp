@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pipeline/gpu/interrupt.hpp"
+#include "pipeline/plan/light_order.hpp"
 
 namespace caustics {
 
@@ -71,6 +72,21 @@ class Memory {
 void share_memory(FramePlan& plan) {
   find_ends(plan);
   Memory(plan).share();
+}
+
+FramePlan in_least_memory(FramePlan plan) {
+  const bool samples = std::any_of(plan.passes.begin(), plan.passes.end(),
+                                   [](const PlannedPass& pass) { return pass.sample > 0; });
+  FramePlan by_light;
+  if (samples) by_light = plan;
+  order_by_light(plan, SampleOrder::SampleBySample);
+  share_memory(plan);
+  if (samples) {
+    order_by_light(by_light, SampleOrder::LightByLight);
+    share_memory(by_light);
+    if (by_light.bytes() < plan.bytes()) plan = std::move(by_light);
+  }
+  return plan;
 }
 
 }  // namespace caustics
