@@ -2,6 +2,7 @@
 are skipped where these are missing. SHOTS=DIR keeps screenshots."""
 import os
 import pathlib
+import shutil
 import tempfile
 import unittest
 
@@ -29,6 +30,9 @@ def start_browser():
     options = webdriver.ChromeOptions()
     for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1440,1000"):
         options.add_argument(argument)
+    # Containers give shared memory 64 MB, too little for a page; files in its place are slow.
+    if shutil.disk_usage("/dev/shm").total < 2**28:
+        options.add_argument("--disable-dev-shm-usage")
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     return webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
 
@@ -71,13 +75,26 @@ class BrowserTest(unittest.TestCase):
         self.wait(lambda: self.find("main .panel"))
 
     def wait(self, condition, what="the page did not get there"):
+        """Until the page shows all that it was asked for, and the condition holds."""
+
         def quietly(_):
             try:
-                return condition()
+                return self.find("main").get_attribute("aria-busy") == "false" and condition()
             except Exception:  # not there yet
                 return False
 
-        return WebDriverWait(self.browser, 15, 0.05).until(quietly, what)
+        return WebDriverWait(self.browser, 60, 0.05).until(quietly, what)
+
+    def go(self, state):
+        """To another state of the page that is open, until all of it is shown."""
+        self.browser.execute_async_script(
+            "const [state, done] = arguments;"
+            "if (decodeURIComponent(location.hash) === decodeURIComponent('#' + state)) return done();"
+            "window.addEventListener('hashchange', () => done(), {once: true});"
+            "location.hash = state;",
+            state,
+        )
+        self.wait(lambda: True)
 
     def find(self, selector):
         return self.browser.find_element(By.CSS_SELECTOR, selector)

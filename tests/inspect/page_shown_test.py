@@ -51,7 +51,7 @@ Object.assign(CanvasRenderingContext2D.prototype, {
 });
 })();
 """
-# What is shown, once it has been still for some frames.
+# What is shown, once the page says that all is and it has been still for some frames.
 SHOW = """
 const [state, act, done] = arguments;
 const words = () => {
@@ -76,7 +76,8 @@ const frame = () => new Promise((then) => requestAnimationFrame(() => setTimeout
   for (let i = 0; i < 200 && still < 3; i++) {
     await frame();
     const now = words();
-    still = now === before ? still + 1 : 0;
+    const busy = document.querySelector("main").getAttribute("aria-busy") === "true";
+    still = !busy && now === before ? still + 1 : 0;
     before = now;
   }
   done(before);

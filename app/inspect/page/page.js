@@ -52,7 +52,12 @@ class Page {
     const panel = this.panel();
     this.showBar();
     if (this.place.firstChild !== panel.element) this.place.replaceChildren(panel.element);
-    this.shown = Promise.resolve(panel.show(this.state)).catch((error) => this.sayFailure(error));
+    // Screen readers wait while an element is busy; so do the tests.
+    this.place.setAttribute("aria-busy", "true");
+    const shown = Promise.resolve(panel.show(this.state)).catch((error) => this.sayFailure(error)).then(() => {
+      if (this.shown === shown) this.place.setAttribute("aria-busy", "false");
+    });
+    this.shown = shown;
   }
 
   showBar() {

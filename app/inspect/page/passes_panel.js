@@ -24,9 +24,10 @@ class PassesPanel {
     this.graph.show(run, this.number);
     this.showFacts(run);
     this.showTabs(attachments, attachment);
-    this.history.show(run, this.number, state.texel);
+    const history = this.history.show(run, this.number, state.texel);
     await this.view.show(run, attachment, "this pass writes no texture that is kept");
     if (this.view.attachment === attachment) this.showTexel(state.texel);
+    await history;
   }
 
   showFacts(run) {

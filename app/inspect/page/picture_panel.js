@@ -27,7 +27,9 @@ class PicturePanel {
     this.element.classList.toggle("wide", picture?.width > 1.3 * picture?.height);
     await this.picture.show(run, picture, "the recording has no picture");
     if (turn !== this.turn) return;
-    this.lightIndex = await this.chooseLight(run, state);
+    const lightIndex = await this.chooseLight(run, state);
+    if (turn !== this.turn) return;
+    this.lightIndex = lightIndex;
     const light = run.lights[this.lightIndex];
     if (!light) return this.sayNoLight(run);
     this.links = new LightLinks(run, light);
