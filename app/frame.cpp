@@ -16,15 +16,34 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
   return make_software_device({.threads = backend.threads});
 }
 
+namespace {
+
+// Of Mesa's llvmpipe, whose code generator is most of it: a context, and the shaders of a frame's passes.
+constexpr std::uint64_t kOpenGlContext = 60'000'000, kOpenGlShaders = 85'000'000;
+
+// What the driver will have taken for a frame, beside its textures, that is not taken yet.
+std::uint64_t driver_bytes(const FrameRequest& request, const Scene& scene, bool device_is_made) {
+  if (request.backend.backend != Backend::OpenGl) return 0;
+  if (device_is_made) return kOpenGlShaders;
+  std::uint64_t images = 0;
+  for (const Image& image : scene.images) images += image.values.size() * sizeof(float);
+  return kOpenGlContext + images + kOpenGlShaders;
+}
+
+}  // namespace
+
 MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame,
-                             const OutputBytes& outputs) {
+                             bool device_is_made, const OutputBytes& outputs) {
   MemoryJudgement judged;
   judged.needed = memory_needed({.plan = frame.plan,
                                  .registry = pass_registry(),
                                  .scene = scene,
                                  .effects = frame.effects,
                                  .settings = frame.settings,
-                                 .device = {draw_bytes, kMostKeptOfDraws},
+                                 .device = {.draw = draw_bytes,
+                                            .kept = kMostKeptOfDraws,
+                                            .driver = driver_bytes(request, scene, device_is_made),
+                                            .copies_looks = request.backend.backend == Backend::OpenGl},
                                  .taken = frame.taken,
                                  .outputs = outputs ? outputs(frame) : 0});
   judged.budget = request.budget();
@@ -57,7 +76,7 @@ RenderedFrame::RenderedFrame(const FrameRequest& request, std::shared_ptr<Loaded
                    .without = without,
                    .pilot = pilot_device_.get(),
                    .accept = [this, request, outputs = std::move(outputs)](const PlannedFrame& frame) {
-                     memory_ = judge_memory(request, loaded_->scene(), frame, outputs);
+                     memory_ = judge_memory(request, loaded_->scene(), frame, true, outputs);
                      if (!memory_.refusal.empty()) throw Error(ExitCode::WrongUsage, memory_.refusal);
                    }});
 }

@@ -21,10 +21,11 @@ struct MemoryJudgement {
   MemoryBudget budget;
   std::string refusal;  // empty: it fits
 };
-// FrameCost::outputs of a frame that is planned.
+// FrameCost::outputs of a frame that is planned. `device_is_made`: what the device takes before it draws is
+// taken.
 using OutputBytes = std::function<std::uint64_t(const PlannedFrame& frame)>;
 MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame,
-                             const OutputBytes& outputs = {});
+                             bool device_is_made, const OutputBytes& outputs = {});
 
 // Throws Error (WrongUsage) where the scene's waters would have to make more steps from rest to this moment
 // than LoadOptions::max_water_updates allows before time 0.

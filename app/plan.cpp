@@ -46,7 +46,7 @@ PlannedFrame planned_picture(const Scene& scene, const PlannedFrame& planned) {
 
 MemoryJudgement judge_picture(const FrameRequest& request, const Scene& scene, const PlannedFrame& frame) {
   const OutputRequest picture{.files = {"picture.png"}, .layers = {}};
-  return judge_memory(request, scene, frame,
+  return judge_memory(request, scene, frame, false,
                       [&](const PlannedFrame& shown) { return writing_bytes(shown, picture); });
 }
 

@@ -1,6 +1,9 @@
 #include "pipeline/measure/frame_memory.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "pipeline/gpu/text.hpp"
@@ -89,24 +92,59 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
   return waiting > cost.device.kept ? waiting : 0;
 }
 
-// By light: what its ledger takes when its last pass has run, beside its textures, which are looked at where
-// they lie: its landings merged, where the farthest receivers are searched; what counts the splats in a texel
-// (SplatCounts); and the error estimate's planes of one double a texel for each map that shading looks up:
-// what the grid has wrong, the map itself, what is coarser (a quarter), and the difference.
+// Whether a light's ledger looks at a texture, and the texture's name without the light's.
+std::optional<std::string> name_in_ledger(const PlannedTexture& texture) {
+  static const std::vector<std::string> looked_at = ledger_textures();
+  if (texture.light < 0 || !texture.kept_for_light) return std::nullopt;
+  std::string name = texture.name.substr(0, texture.name.find('['));
+  if (std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end()) return std::nullopt;
+  return name;
+}
+
+// Bytes of each light's ledger that are copies of textures, on a device that copies what is looked at: the
+// maps, all that one branch has, and of each branch what rays are compared with (ModelError).
+std::vector<std::uint64_t> copied_bytes(const FramePlan& plan, std::size_t lights) {
+  struct Copies {
+    std::uint64_t maps = 0, compared = 0;
+    std::map<int, std::uint64_t> branches;
+  };
+  std::vector<Copies> copies(lights);
+  for (const PlannedPass& pass : plan.passes) {
+    for (const int index : pass.attachments()) {
+      const PlannedTexture& texture = plan.textures[static_cast<std::size_t>(index)];
+      const std::optional<std::string> name = name_in_ledger(texture);
+      if (!name) continue;
+      Copies& of_light = copies[static_cast<std::size_t>(texture.light)];
+      (pass.branch < 0 ? of_light.maps : of_light.branches[pass.branch]) += float_bytes(texture);
+      if (*name == kLanding || *name == kLandingFlux || *name == kLandingFresnel)
+        of_light.compared += float_bytes(texture);
+    }
+  }
+  std::vector<std::uint64_t> bytes;
+  for (const auto& [maps, compared, branches] : copies) {
+    std::uint64_t branch = 0;
+    for (const auto& [_, of_branch] : branches) branch = std::max(branch, of_branch);
+    bytes.push_back(maps + compared + branch);
+  }
+  return bytes;
+}
+
+// By light: what its ledger takes when its last pass has run, beside its textures, where these are looked at
+// where they lie: its landings merged, where the farthest receivers are searched; what counts the splats in a
+// texel (SplatCounts); and the error estimate's planes of one double a texel for each map that shading looks
+// up: what the grid has wrong, the map itself, what is coarser (a quarter), and the difference.
 std::vector<std::uint64_t> ledgers_bytes(const FramePlan& plan, std::size_t lights) {
   struct Books {
     std::uint64_t images = 0, quarter_planes = 0, texels = 0;
   };
-  const std::vector<std::string> looked_at = ledger_textures();
   std::vector<Books> books(lights);
   for (const PlannedTexture& texture : plan.textures) {
-    if (texture.light < 0 || !texture.kept_for_light) continue;
+    const std::optional<std::string> name = name_in_ledger(texture);
+    if (!name) continue;
     auto& [images, quarter_planes, texels] = books[static_cast<std::size_t>(texture.light)];
-    const std::string name = texture.name.substr(0, texture.name.find('['));
-    if (std::find(looked_at.begin(), looked_at.end(), name) == looked_at.end()) continue;
-    if (name.ends_with(".far") && name != far_texture(kCausticMap)) images += float_bytes(texture);
-    if (name == kCausticMap || name == kCascadeMap) quarter_planes += 13;
-    if (name == kCausticMap)
+    if (name->ends_with(".far") && *name != far_texture(kCausticMap)) images += float_bytes(texture);
+    if (*name == kCausticMap || *name == kCascadeMap) quarter_planes += 13;
+    if (*name == kCausticMap)
       texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   }
   std::vector<std::uint64_t> bytes;
@@ -120,8 +158,13 @@ std::vector<std::uint64_t> ledgers_bytes(const FramePlan& plan, std::size_t ligh
 
 std::uint64_t memory_needed(const FrameCost& cost) {
   const FramePlan& plan = cost.plan;
-  std::uint64_t held = cost.taken.now, most = std::max(held, cost.taken.peak), drawing = 0;
-  const std::vector<std::uint64_t> ledgers = ledgers_bytes(plan, cost.scene.lights.size());
+  std::uint64_t held = cost.taken.now + cost.device.driver, most = std::max(held, cost.taken.peak),
+                drawing = 0;
+  std::vector<std::uint64_t> ledgers = ledgers_bytes(plan, cost.scene.lights.size());
+  if (cost.device.copies_looks) {
+    const std::vector<std::uint64_t> copies = copied_bytes(plan, cost.scene.lights.size());
+    for (std::size_t i = 0; i < ledgers.size(); ++i) ledgers[i] += copies[i];
+  }
   std::vector<bool> drawn_into(plan.memory.size());
   const HierarchyBytes hierarchy = hierarchy_bytes(cost);
   most = std::max(most, held + hierarchy.held + hierarchy.making);

@@ -45,3 +45,50 @@ TEST_CASE("frame memory: meshes' draws wait together, the largest and what the d
   CHECK(needed(1'000'000) == 3'000'000);
   CHECK(needed(3'000'000) == 4'000'000);
 }
+
+TEST_CASE("frame memory: a device that copies what is looked at takes a ledger's textures again") {
+  // 10 x 10 texels of 4 floats: 1,600 bytes. Two branches have a landing and a medium each, the light a map.
+  FramePlan plan;
+  const auto add = [&](const std::string& name, int branch) {
+    const int index = static_cast<int>(plan.textures.size());
+    plan.textures.push_back({.name = name + "[sun]",
+                             .width = 10,
+                             .height = 10,
+                             .light = 0,
+                             .kept_for_light = true,
+                             .memory = index});
+    plan.memory.push_back({.width = 10, .height = 10});
+    PlannedPass planned;
+    planned.drawn_for = &kFrame;
+    planned.definition = std::make_shared<const PassDefinition>();
+    planned.light = 0;
+    planned.branch = branch;
+    planned.writes = {index};
+    plan.passes.push_back(planned);
+  };
+  for (const int branch : {0, 1})
+    for (const char* name : {kLanding, kLandingMedium}) add(name, branch);
+  add(kCasterNormal, -1);
+  plan.passes.back().ends_light = true;
+  Scene scene;
+  scene.lights.emplace_back();
+  const Settings settings;
+  const Effects effects;
+  const Registry registry = {Pass{}};
+  const auto needed = [&](const DeviceMemory& device) {
+    return memory_needed({.plan = plan,
+                          .registry = registry,
+                          .scene = scene,
+                          .effects = effects,
+                          .settings = settings,
+                          .device = device,
+                          .taken = {}});
+  };
+  DeviceMemory device{.draw = [](const PassDefinition&, std::size_t, std::size_t) { return std::size_t{0}; }};
+  CHECK(needed(device) == 5 * 1600);
+  device.driver = 1000;
+  CHECK(needed(device) == 5 * 1600 + 1000);
+  // The map, both textures of one branch, and both landings.
+  device.copies_looks = true;
+  CHECK(needed(device) == 10 * 1600 + 1000);
+}
