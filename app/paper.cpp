@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/json.hpp"
+#include "app/output/report_folder.hpp"
 #include "app/output/stats.hpp"
 #include "app/paper_shots.hpp"
 #include "app/shell/atomic_file.hpp"
@@ -23,6 +24,8 @@ using paper::Row;
 using paper::Shot;
 
 namespace {
+
+constexpr char kReport[] = "paper.json";
 
 struct PaperRequest {
   std::string folder = "paper";
@@ -108,11 +111,10 @@ ExitCode run_paper(const Arguments& arguments) {
   const std::vector<Row> rows = wanted_rows(request);
   const fs::path folder = request.folder;
   refuse_standard_output(folder, "-o", "the report is a folder of files");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  require_writable(folder / "paper.md");
+  make_report_folder(folder, kReport, [](const fs::path&) { return true; });
   RenderedShots shots(folder);
   std::vector<Done> done;
+  write_atomically(folder / kReport, json(done, shots));  // the folder is the report's, finished or not
   Stopwatch watch;
   for (const Row& row : rows) {
     for (const Shot& shot : row.shots) {
@@ -128,7 +130,7 @@ ExitCode run_paper(const Arguments& arguments) {
     std::fflush(stdout);
   }
   write_atomically(folder / "paper.md", markdown(done, shots));
-  write_atomically(folder / "paper.json", json(done, shots));
+  write_atomically(folder / kReport, json(done, shots));
   const auto fails = std::count_if(done.begin(), done.end(), [](const Done& d) { return !d.finding.holds; });
   std::printf("%zu rows, %td do not hold; %s\n", done.size(), fails,
               one_line((folder / "paper.md").string()).c_str());

@@ -7,6 +7,7 @@
 #include "app/json.hpp"
 #include "app/output/display_pair.hpp"
 #include "app/output/image_file.hpp"
+#include "app/output/report_folder.hpp"
 #include "app/output/stats.hpp"
 #include "app/shell/atomic_file.hpp"
 #include "app/shell/interrupt.hpp"
@@ -204,11 +205,21 @@ class StudyRun {
     identity["mask"] = print_of(request_.mask);
   }
 
-  void make_folder() {
+  bool would_replace(const fs::path& path) const {
+    if (request_.resume) return false;  // it is called a study's
+    const fs::path name = path.filename();
     std::error_code error;
-    made_folder_ |= fs::create_directories(request_.folder, error);
-    if (error)
-      throw Error(ExitCode::CannotWrite, one_line(request_.folder.string()) + ": " + error.message());
+    if (name == "img") return !fs::is_empty(path, error);
+    if (name == "truth.exr") return request_.traced.wanted;
+    return std::find(std::begin(kStudyFiles), std::end(kStudyFiles), name) != std::end(kStudyFiles);
+  }
+
+  void make_folder() {
+    if (has_folder_) return;
+    made_folder_ = make_report_folder(request_.folder, "study.json",
+                                      [&](const fs::path& path) { return would_replace(path); });
+    has_folder_ = true;
+    std::error_code error;
     fs::create_directories(request_.folder / "img", error);
     require_writable(request_.folder / "img" / "truth.png");
     for (const char* file : kStudyFiles) require_writable(request_.folder / file);
@@ -411,7 +422,7 @@ class StudyRun {
   std::optional<EarlierStudy> earlier_;
   std::optional<Truth> truth_;
   std::vector<std::optional<StudyRow>> slots_;  // by jobs_
-  bool made_folder_ = false;
+  bool has_folder_ = false, made_folder_ = false;
   std::size_t reused_ = 0;
   std::string head_;                // of the progress line
   double done_ = 0.0, left_ = 0.0;  // work

@@ -50,6 +50,18 @@ class Paper(ProgramTest):
         self.assertIn("FAILS", result.stdout)
         self.assertIn("does not hold", (self.folder / "out/paper.md").read_text())
 
+    def test_a_folder_of_somebody_elses_files_is_left_alone(self):
+        own = self.folder / "own"
+        own.mkdir()
+        (own / "notes.txt").write_text("mine")
+        self.fails(4, "paper", "-o", "own", "--row", "21", saying="notes.txt: is not of an earlier report")
+        # Nor does a file of the report's name make the folder a report's.
+        (own / "notes.txt").rename(own / "paper.json")
+        self.fails(4, "paper", "-o", "own", "--row", "21", saying="paper.json: is not of an earlier report")
+        self.assertEqual([f.read_text() for f in own.iterdir()], ["mine"])
+        (own / "paper.json").write_text('{"program": "caustics 0.0.1 (g++)"}')
+        self.succeeds("paper", "-o", "own", "--row", "21")
+
     def test_an_unknown_row_is_refused_before_anything_is_made(self):
         self.fails(2, "paper", "-o", "out", "--row", "99", saying="there is no row '99'")
         self.assertFalse((self.folder / "out").exists())

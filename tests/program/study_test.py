@@ -282,6 +282,18 @@ class Refusals(StudyTest):
         (self.folder / "file").write_text("")
         self.fails(4, "study", "ball.glb", *SMALL, *GRIDS, "-o", "file/out")
 
+    def test_files_of_somebody_else_are_left_alone(self):
+        (self.folder / "study").mkdir()
+        report = self.folder / "study/report.html"
+        report.write_text("mine")
+        saying = "report.html: is not of an earlier report"
+        self.fails(4, "study", "ball.glb", *SMALL, *GRIDS, "-o", "study", saying=saying)
+        self.assertEqual(report.read_text(), "mine")
+        report.rename(self.folder / "study/page.html")  # in nobody's way
+        self.study(*GRIDS)
+        self.study(*GRIDS)
+        self.assertEqual((self.folder / "study/page.html").read_text(), "mine")
+
 
 class GoingOn(StudyTest):
     def test_rows_that_still_hold_are_kept(self):
