@@ -14,6 +14,7 @@
 #include "app/shell/terminal.hpp"
 #include "lab/reference/tracer/state_file.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/image_io/image_io.hpp"
 #include "pipeline/measure/frame_memory.hpp"
 
 namespace caustics::app {
@@ -23,9 +24,20 @@ namespace {
 constexpr double kBetweenSaves = 60'000.0;  // milliseconds
 // With fewer the spread of the batches tells little of the error.
 constexpr std::uint64_t kLeastForError = 4;
-// A pixel's surface, its sums, a batch's, all layers, and the state's bytes.
+// A pixel's surface, its sums, their squares and a batch's; and all layers, while they are written.
 constexpr std::uint64_t kBytesPerPixel =
-    sizeof(tracer::Seen) + 15 * sizeof(double) + std::uint64_t{32} * sizeof(float);
+    sizeof(tracer::Seen) + 9 * sizeof(double) + std::uint64_t{32} * sizeof(float);
+constexpr std::uint64_t kBytesPerTriangle = 150;  // of Embree's trees, measured
+
+std::uint64_t bytes_needed(const Scene& scene, const tracer::TraceSettings& trace) {
+  return_freed_memory();
+  std::uint64_t indices = 0;
+  for (const Mesh& mesh : scene.meshes) indices += mesh.indices.size();
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(trace.width) * static_cast<std::uint64_t>(trace.height);
+  return resident_memory().now + indices / 3 * kBytesPerTriangle + pixels * kBytesPerPixel +
+         (is_image_io_loaded() ? 0 : kImageIoBytes);
+}
 
 bool is_exr(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -51,10 +63,9 @@ class ReferenceRun {
     effects_ = effects_of(loaded_->scene(), request_.frame.settings);
     request_.trace.exact = exact_shapes(loaded_->scene(), request_.exact);
     progress_.show("what the camera sees");
-    const std::uint64_t needed =
-        resident_memory().now + static_cast<std::uint64_t>(request_.trace.width) *
-                                    static_cast<std::uint64_t>(request_.trace.height) * kBytesPerPixel;
-    if (const std::string refusal = memory_refusal(needed, request_.frame.budget(), "-r"); !refusal.empty())
+    if (const std::string refusal =
+            memory_refusal(bytes_needed(loaded_->scene(), request_.trace), request_.frame.budget(), "-r");
+        !refusal.empty())
       throw Error(ExitCode::WrongUsage, refusal);
     tracer_ = std::make_unique<tracer::Tracer>(loaded_->scene(), effects_, loaded_->camera(), request_.trace);
     stop_if_interrupted();

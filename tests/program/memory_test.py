@@ -246,6 +246,18 @@ class Memory(ProgramTest):
         self.assertIn("render would refuse it: these sizes need", self.succeeds("plan", *sizes).stdout)
         self.assertIsNone(json.loads(self.succeeds("plan", "ball.glb", *SMALL, "--json").stdout)["refused"])
 
+    def test_what_the_reference_needs_is_taken(self):
+        self.need_ray_queries()
+        (self.folder / "fine.glb").write_bytes(with_triangles(220))
+        for scene, size in (("ball.glb", "64x48"), ("fine.glb", "64x48"), ("ball.glb", "1280x720")):
+            with self.subTest(scene=scene, size=size):
+                traced = ["reference", scene, "-r", size, "-q", "-t", 2, "-o", "a.exr", "--batches", 2]
+                taken, code = peak(self.folder, *traced)
+                self.assertEqual(code, 0)
+                enough = math.ceil((1 + SHARE) * taken / MB)
+                self.assertEqual(peak(self.folder, *traced, "--memory", enough)[1], 0)
+                self.fails(2, *traced, "--memory", int((1 - SHARE) * taken / MB), saying="lower -r")
+
     def test_images_are_refused_by_their_heads(self):
         head = only_a_head(16384, 8192, 16)
         document, blob = glb.unpack(with_textures(4, 3))
