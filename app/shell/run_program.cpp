@@ -1,5 +1,8 @@
 #include "app/shell/run_program.hpp"
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <new>
@@ -19,6 +22,12 @@ int fail(ExitCode code, const std::string& line) {
   }
   complain(line);
   return static_cast<int>(code);
+}
+
+// Has whoever read from our pipe had enough? `head` does so, and nobody wants to hear of it.
+bool reader_has_gone() {
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&out, 1, 0) > 0 && (out.revents & POLLERR) != 0;
 }
 
 }  // namespace
@@ -46,7 +55,7 @@ int run_program(int count, char** values, ExitCode (*work)(const Arguments& argu
   const bool answered =
       code == static_cast<int>(ExitCode::Done) || code == static_cast<int>(ExitCode::AnswerIsNo);
   if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && answered) {
-    complain("standard output cannot be written");
+    if (!reader_has_gone()) complain("standard output cannot be written");
     return static_cast<int>(ExitCode::CannotWrite);
   }
   return code;

@@ -256,6 +256,15 @@ class Unwritable(ProgramTest):
             result = subprocess.run([PROGRAM, "plan", "ball.glb"], cwd=self.folder, stdout=full,
                                     stderr=subprocess.PIPE, text=True)
         self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("standard output cannot be written", result.stderr)
+
+    def test_a_reader_that_has_had_enough_is_no_news(self):
+        reading, writing = os.pipe()
+        os.close(reading)
+        with os.fdopen(writing, "w") as pipe:
+            result = subprocess.run([PROGRAM, "plan", "ball.glb"], cwd=self.folder, stdout=pipe,
+                                    stderr=subprocess.PIPE, text=True)
+        self.assertEqual((result.returncode, result.stderr), (4, ""))
 
 
 def wait_until_it_listens(process, number):
