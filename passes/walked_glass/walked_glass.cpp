@@ -34,6 +34,7 @@ std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
       .surfaces = bends,
       .most_surfaces = bends + kMostPassed,
       .forward = context.camera->forward,
+      .bend = 0.0f,
       .most_steps = several_rays(context) != 0 ? kMostStepsOfSeveral : kMostStepsInGlass,
       .first_receiver = context.first_receiver,
       .touch = context.touch,
