@@ -86,7 +86,8 @@ def write(path, data):
 
 
 def refused_by_the_compiler(folder, faults, log):
-    """The names of the drawn faults on whose lines of the copy the log has an error."""
+    """The names of the drawn faults on whose lines of the copy the log has an error; where there is none, of
+    all that stand in the files that it names: a member's default value shows where the member is used."""
     errors = {}
     place = rf'^{re.escape(str(folder))}/(\S+?):(\d+):(?:\d+:)? (?:fatal )?(?:error|note|.*required)'
     for path, line in re.findall(place, log, re.M):
@@ -98,7 +99,7 @@ def refused_by_the_compiler(folder, faults, log):
             here = [i for i, text in enumerate(texts, 1) if f'FAULT({fault.number()})' in text]
             if fault.file == path and lines.intersection(here):
                 names.append(fault.name)
-    return names
+    return names or [fault.name for fault in faults if fault.file in errors]
 
 
 def draw_for(folder, wanted, taken):
