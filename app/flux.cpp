@@ -185,6 +185,15 @@ std::vector<LightLedger> LedgerReader::ledgers() const {
   return all;
 }
 
+glm::dvec3 caustic_intensity_of(const RenderedFrame& frame, int source) {
+  const Light& light = frame.scene().sources[static_cast<std::size_t>(source)];
+  glm::dvec3 intensity = static_cast<double>(light.intensity) * glm::dvec3(light.color);
+  for (std::size_t l = 0; l < frame.scene().lights.size(); ++l)
+    if (frame.scene().lights[l].source == source)
+      intensity += glm::dvec3(frame.effects().lights[l].of_others);
+  return intensity;
+}
+
 std::vector<std::pair<const char*, FluxRgb>> accounts(const Ledger& ledger) {
   return {{"entered", ledger.entered},
           {"in_map", ledger.in_map},

@@ -57,6 +57,10 @@ class LedgerReader {
   double milliseconds_ = 0.0, of_texels_ = 0.0, of_rays_ = 0.0;
 };
 
+// The intensity that a source's caustic has, by channel: its samples' sum (caustic_intensity), with those of
+// the lights that they stand for.
+glm::dvec3 caustic_intensity_of(const RenderedFrame& frame, int source);
+
 // Why no rays are followed to judge the frame's caustics by (ErrorEstimate::judged); empty where they are.
 std::string why_not_judged(const RenderedFrame& frame);
 

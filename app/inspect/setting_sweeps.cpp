@@ -41,7 +41,7 @@ Json sweep(const FrameRequest& request, const std::shared_ptr<LoadedScene>& load
       if (picture.channels() < 4 || i % 4 != 3)
         bytes.push_back(static_cast<std::uint8_t>(std::lround(picture.values[i] * 255.0f)));
     pictures.push_back(blobs.add(std::span<const std::uint8_t>(bytes)));
-    const ErrorEstimate error = error_of(frame.scene(), ledgers.ledgers());
+    const ErrorEstimate error = error_of(frame, ledgers.ledgers());
     errors.push_back(error.landed > 0.0 ? Json(error.total()) : Json());
   }
   return {{"setting", row.setting},

@@ -55,13 +55,11 @@ std::string thrown_by(const RenderedFrame& frame) {
 }
 
 // Of all lights together, lumen.
-double lumens(const Scene& scene, const std::vector<LightLedger>& ledgers, FluxRgb Ledger::*account) {
+double lumens(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers, FluxRgb Ledger::*account) {
   double all = 0.0;
   for (const LightLedger& entry : ledgers) {
-    const Light& light = scene.sources[static_cast<std::size_t>(entry.light)];
-    for (int c = 0; c < 3; ++c)
-      all += (entry.ledger.*account)[static_cast<std::size_t>(c)] * static_cast<double>(light.color[c]) *
-             static_cast<double>(light.intensity);
+    const glm::dvec3 intensity = caustic_intensity_of(frame, entry.light);
+    for (int c = 0; c < 3; ++c) all += (entry.ledger.*account)[static_cast<std::size_t>(c)] * intensity[c];
   }
   return all;
 }
@@ -127,8 +125,8 @@ std::string caustic_line(const RenderedFrame& frame, const std::vector<LightLedg
   if (ledgers.empty() && !seen) return "caustic: not told, as nothing that is asked for depends on it\n";
   if (ledgers.empty() && !(seen->beside + seen->through > 0.0))
     return "caustic: none in the picture; without --preview more is known\n";
-  const double entered = lumens(frame.scene(), ledgers, &Ledger::entered);
-  const double landed = lumens(frame.scene(), ledgers, &Ledger::in_map);
+  const double entered = lumens(frame, ledgers, &Ledger::entered);
+  const double landed = lumens(frame, ledgers, &Ledger::in_map);
   const std::string share = entered > 0.0 ? percent(landed / entered) + " of the light onto " : "";
   const std::string by = thrown_by(frame);
   std::string line =
@@ -138,7 +136,7 @@ std::string caustic_line(const RenderedFrame& frame, const std::vector<LightLedg
 }
 
 std::string error_line(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers) {
-  const ErrorEstimate error = error_of(frame.scene(), ledgers);
+  const ErrorEstimate error = error_of(frame, ledgers);
   if (!(error.landed > 0.0)) return "error: not estimated\n";
   const std::array<std::pair<double, const char*>, 4> parts{
       {{error.map, "the map's texels (--map)"},
@@ -159,8 +157,8 @@ std::string error_line(const RenderedFrame& frame, const std::vector<LightLedger
 
 bool shows_none(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers) {
   if (!frame.effects().caustics.active) return true;
-  return !ledgers.empty() && !(lumens(frame.scene(), ledgers, &Ledger::in_map) >
-                               kLeastShare * lumens(frame.scene(), ledgers, &Ledger::entered));
+  return !ledgers.empty() &&
+         !(lumens(frame, ledgers, &Ledger::in_map) > kLeastShare * lumens(frame, ledgers, &Ledger::entered));
 }
 
 std::string first_lines(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,

@@ -15,16 +15,6 @@ bool shows_receiver(const Image& first, const Image& receiver, int x, int y) {
   return same;
 }
 
-// The sum over a source's samples.
-glm::dvec3 caustic_intensity_of(const RenderedFrame& frame, int source) {
-  const Light& light = frame.scene().sources[static_cast<std::size_t>(source)];
-  glm::dvec3 intensity = static_cast<double>(light.intensity) * glm::dvec3(light.color);
-  for (std::size_t l = 0; l < frame.scene().lights.size(); ++l)
-    if (frame.scene().lights[l].source == source)
-      intensity += glm::dvec3(frame.effects().lights[l].of_others);
-  return intensity;
-}
-
 void add_surplus(Image& error, const std::vector<bool>& shown, const Surplus& surplus,
                  const glm::dvec3& intensity) {
   std::vector<int> pixels(surplus.values.size() / 3, 0);
@@ -49,7 +39,7 @@ Image stated_error(const RenderedFrame& frame, const std::vector<LightLedger>& l
   const Image first = frame.read("aov_position"), receiver = frame.read("view_position");
   const Image caustic = frame.read("aov_caustic");
   Image error(Format::RGBA32F, caustic.width(), caustic.height());
-  const ErrorEstimate all = error_of(frame.scene(), ledgers);
+  const ErrorEstimate all = error_of(frame, ledgers);
   const double of_sizes = all.relative(all.map + all.grid + all.missing);
   std::vector<bool> shown;
   for (int y = 0; y < error.height(); ++y)

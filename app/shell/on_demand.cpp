@@ -45,17 +45,18 @@ double sum_of_passes(const std::vector<PassReport>& reports) {
   return sum;
 }
 
-ErrorEstimate error_of(const Scene& scene, const std::vector<LightLedger>& ledgers) {
+ErrorEstimate error_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers) {
   ErrorEstimate all;
-  for (const LightLedger& entry : ledgers)
-    add(all, entry.error,
-        static_cast<double>(scene.sources[static_cast<std::size_t>(entry.light)].intensity));
+  for (const LightLedger& entry : ledgers) {
+    const glm::dvec3 intensity = caustic_intensity_of(frame, entry.light);
+    add(all, entry.error, (intensity.x + intensity.y + intensity.z) / 3.0);
+  }
   return all;
 }
 
 std::optional<Trial> trial_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
                               double milliseconds) {
-  const ErrorEstimate error = error_of(frame.scene(), ledgers);
+  const ErrorEstimate error = error_of(frame, ledgers);
   if (!(error.landed > 0.0)) return {};
   return Trial{.grid = frame.settings().grid,
                .map = frame.settings().map,

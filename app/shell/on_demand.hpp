@@ -15,8 +15,8 @@ namespace caustics::app {
 // What a frame that has been run turned out to be. None where its light sees all around or throws no caustic.
 std::optional<Trial> trial_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
                               double milliseconds);
-// Of all lights together, in lumens.
-ErrorEstimate error_of(const Scene& scene, const std::vector<LightLedger>& ledgers);
+// Of all lights together, each by its caustic's intensity.
+ErrorEstimate error_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers);
 double sum_of_passes(const std::vector<PassReport>& reports);
 
 // A frame of the request with these sizes: its estimated error, and its passes' time, where that is demanded

@@ -1,6 +1,8 @@
 """Lights with a size: drawn by samples, shown as the one light that they are."""
 
 import json
+import math
+import re
 
 import glb
 from program import SMALL, ProgramTest, main
@@ -100,6 +102,32 @@ class AreaLights(ProgramTest):
         for extras in ({"angular_diameter": -1}, {"angular_diameter": "wide"}):
             self.scene("bad.glb", extras)
             self.fails(3, "bad.glb", *SMALL, saying="extras.angular_diameter")
+
+
+class ManyLights(ProgramTest):
+    def said(self, name, lights, *options):
+        """What render says of a ball under suns, [(lux, lean)]: the share of their light that makes a caustic,
+        and its stated error, in percent."""
+        document, blob = glb.unpack(glb.scene())
+        document["extensions"]["KHR_lights_punctual"]["lights"] = [
+            {"type": "directional", "intensity": lux} for lux, _ in lights]
+        nodes, scene = document["nodes"], document["scenes"][0]
+        scene["nodes"] = [i for i in scene["nodes"] if "KHR_lights_punctual" not in nodes[i].get("extensions", {})]
+        for i, (_, lean) in enumerate(lights):
+            half = (lean - math.pi / 2) / 2
+            scene["nodes"].append(len(nodes))
+            nodes.append({"rotation": [math.sin(half), 0, 0, math.cos(half)],
+                          "extensions": {"KHR_lights_punctual": {"light": i}}})
+        (self.folder / name).write_bytes(glb.pack(document, blob))
+        said = self.succeeds(name, *SMALL, "-D", "light.full=0", *options, "-v").stderr
+        return [float(re.search(words, said)[1]) for words in (r"caustic: ([\d.]+)% of", r"estimated ([\d.]+)%")]
+
+    def test_what_is_said_of_all_weighs_a_caustic_with_those_that_it_stands_for(self):
+        # One sun from above, and eighteen of half its strength from the side, as the caustic of one.
+        many = self.said("many.glb", [(100, 0)] + [(50, 0.9 + 0.0005 * i) for i in range(18)], "-D", "light.most=2")
+        two = self.said("two.glb", [(100, 0), (900, 0.904)])
+        self.assertAlmostEqual(many[0], two[0], delta=1.5)
+        self.assertAlmostEqual(many[1], two[1], delta=0.05 * two[1])
 
 
 class EmissiveMeshes(ProgramTest):
