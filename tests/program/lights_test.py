@@ -124,7 +124,8 @@ class ManyLights(ProgramTest):
 
     def test_what_is_said_of_all_weighs_a_caustic_with_those_that_it_stands_for(self):
         # One sun from above, and eighteen of half its strength from the side, as the caustic of one.
-        many = self.said("many.glb", [(100, 0)] + [(50, 0.9 + 0.0005 * i) for i in range(18)], "-D", "light.most=2")
+        lights = [(100, 0)] + [(50, 0.9 + 0.0005 * i) for i in range(18)]
+        many = self.said("many.glb", lights, "-D", "light.most=2")
         two = self.said("two.glb", [(100, 0), (900, 0.904)])
         self.assertAlmostEqual(many[0], two[0], delta=1.5)
         self.assertAlmostEqual(many[1], two[1], delta=0.05 * two[1])
