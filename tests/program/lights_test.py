@@ -106,13 +106,14 @@ class AreaLights(ProgramTest):
 
 class ManyLights(ProgramTest):
     def said(self, name, lights, *options):
-        """What render says of a ball under suns, [(lux, lean)]: the share of their light that makes a caustic,
-        and its stated error, in percent."""
+        """What render says of a ball under suns, [(lux, lean)]: the share of their light that makes a
+        caustic, and its stated error, in percent."""
         document, blob = glb.unpack(glb.scene())
         document["extensions"]["KHR_lights_punctual"]["lights"] = [
             {"type": "directional", "intensity": lux} for lux, _ in lights]
         nodes, scene = document["nodes"], document["scenes"][0]
-        scene["nodes"] = [i for i in scene["nodes"] if "KHR_lights_punctual" not in nodes[i].get("extensions", {})]
+        shines = lambda i: "KHR_lights_punctual" in nodes[i].get("extensions", {})
+        scene["nodes"] = [i for i in scene["nodes"] if not shines(i)]
         for i, (_, lean) in enumerate(lights):
             half = (lean - math.pi / 2) / 2
             scene["nodes"].append(len(nodes))
@@ -120,7 +121,8 @@ class ManyLights(ProgramTest):
                           "extensions": {"KHR_lights_punctual": {"light": i}}})
         (self.folder / name).write_bytes(glb.pack(document, blob))
         said = self.succeeds(name, *SMALL, "-D", "light.full=0", *options, "-v").stderr
-        return [float(re.search(words, said)[1]) for words in (r"caustic: ([\d.]+)% of", r"estimated ([\d.]+)%")]
+        words = (r"caustic: ([\d.]+)% of", r"estimated ([\d.]+)%")
+        return [float(re.search(each, said)[1]) for each in words]
 
     def test_what_is_said_of_all_weighs_a_caustic_with_those_that_it_stands_for(self):
         # One sun from above, and eighteen of half its strength from the side, as the caustic of one.
