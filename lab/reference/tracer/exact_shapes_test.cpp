@@ -129,6 +129,32 @@ TEST_CASE("exact shapes: a rod's lids are whole discs, and half a wall ends wher
   CHECK_FALSE(half.nearest({{0.0, 0.9, 0.0}, {1.0, 0.0, 0.0}}, 0.0, kFar));
 }
 
+TEST_CASE("exact shapes: a shape's box holds the mesh that it stands for, and hardly more") {
+  const Mesh sphere = test::sphere({0.3, 0.8, -0.2}, 0.5, 3, 0);
+  const Mesh ring = test::ring(0.5, 0.54, 0.18, 96, 0), half = test::half_ring(1.0, 0.8, 96, 0);
+  const auto compare = [](const Bounds& box, const Bounds& mesh, double more) {
+    for (int i = 0; i < 3; ++i) {
+      CHECK(box.lower[i] <= mesh.lower[i] + 1e-6);
+      CHECK(box.lower[i] >= mesh.lower[i] - more);
+      CHECK(box.upper[i] >= mesh.upper[i] - 1e-6);
+      CHECK(box.upper[i] <= mesh.upper[i] + more);
+    }
+  };
+  compare(exact_shape_of(scene_of(sphere), 0, ShapeKind::Sphere).bounds(), bounds_of(sphere), 0.01);
+  compare(exact_shape_of(scene_of(ring), 0, ShapeKind::Cylinder).bounds(), bounds_of(ring), 0.01);
+  // Of half a wall the whole one's box.
+  const Bounds whole = exact_shape_of(scene_of(half), 0, ShapeKind::Cylinder).bounds();
+  compare(whole, bounds_of(test::ring(0.9, 1.0, 0.8, 96, 0)), 0.01);
+  const ExactWaves waves{
+      .field = {.level = 0.1, .waves = {{0.05, {7.0, 2.0}, 0.3}, {0.02, {-3.0, 11.0}, 1.0}}},
+      .lower = {-1.0, -2.0},
+      .upper = {1.0, 3.0}};
+  CHECK(waves.bounds().lower.y == Approx(0.03).margin(0.01));
+  CHECK(waves.bounds().upper.y == Approx(0.17).margin(0.01));
+  CHECK(waves.bounds().lower.z == Approx(-2.0));
+  CHECK(waves.bounds().upper.x == Approx(1.0));
+}
+
 TEST_CASE("exact shapes: what is no cylinder is refused, and says why") {
   const auto why = [](const Mesh& mesh) { return refusal(scene_of(mesh), ShapeKind::Cylinder); };
   CHECK(says(why(test::sphere({0.0, 0.0, 0.0}, 1.0, 2, 0)), "along one axis or across it"));
