@@ -1,5 +1,7 @@
 #include "pipeline/measure/brightness_bound.hpp"
 
+#include <cmath>
+
 #include "pipeline/scene/light_samples.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
@@ -67,6 +69,31 @@ TEST_CASE("brightness bound: the sharpest focus stays below it, what is 1e5 time
   CHECK(radiance <= bound.radiance);
   CHECK(bound.caustic < 1e5 * most);
   CHECK(bound.radiance < 1e12);
+}
+
+TEST_CASE("brightness bound: all that a caustic's lamp sends may lie in the smallest texel, in a corner") {
+  const Scene scene = sphere_scene(1.5f);
+  Settings settings;
+  settings.map = 100;
+  LightViews views;
+  views.caster.window_lower = glm::dvec2(-0.5);
+  views.caster.window_upper = glm::dvec2(0.5);
+  views.caustic.window_lower = glm::dvec2(-1.0);
+  views.caustic.window_upper = glm::dvec2(1.0);
+  const auto times_direct = [&] {
+    const BrightnessBound bound =
+        brightness_bound(scene, effects_of(scene, settings), settings, {views}, BoundBy::Triangles);
+    return bound.caustic / bound.direct;
+  };
+  // A window of 1 in one of 100 x 100 texels of 4.
+  views.caustic.perspective = false;
+  CHECK(times_direct() == Approx(2500.0));
+  // In the corner (1, 1) of a perspective window a texel is seen under 3^(-3/2) of the middle's angle.
+  views.caustic.perspective = true;
+  CHECK(times_direct() == Approx(2500.0 * 3.0 * std::sqrt(3.0)));
+  views.cascade = views.caustic;
+  views.cascade->window_upper = glm::dvec2(0.0);
+  CHECK(times_direct() == Approx(10000.0 * 3.0 * std::sqrt(3.0)));
 }
 
 TEST_CASE("brightness bound: what shines and what is around count, a studio by what the lights give") {
