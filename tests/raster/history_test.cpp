@@ -77,6 +77,7 @@ TEST_CASE("history: what is added, with the values before and after") {
     CHECK(f[i].y == 5);
     CHECK(f[i].primitive == i);
     CHECK(f[i].outcome == FragmentOutcome::Passed);
+    CHECK(f[i].depth == 0.0f);  // without a depth attachment
     CHECK(f[i].before[0][0] == before[i]);
     CHECK(f[i].given[0][0] == given[i]);
     CHECK(f[i].after[0][0] == before[i] + given[i]);

@@ -1,4 +1,5 @@
 // Files that cannot be scenes: each must end in one line that says where the fault is.
+#include "pipeline/scene/gltf/context.hpp"
 #include "tests/scene/gltf_builder.hpp"
 
 using namespace caustics;
@@ -22,6 +23,13 @@ Gltf indexed(const std::vector<std::uint16_t>& indices) {
 }
 
 }  // namespace
+
+TEST_CASE("A long name shows its beginning and its end, each with whole characters") {
+  CHECK(gltf::printable("0123456789", 10) == "0123456789");
+  CHECK(gltf::printable("0123456789a", 10) == "01234...6789a");
+  // Of two bytes each: half of 9 is cut within one.
+  CHECK(gltf::printable("\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4", 9) == "\u00e4\u00e4...\u00e4\u00e4");
+}
 
 TEST_CASE("What is no JSON object is no glTF file") {
   CHECK(contains(refusal(""), "is empty"));
