@@ -196,11 +196,42 @@ class InspectPage(BrowserTest):
         for number, panel in enumerate(PANELS, 1):
             self.press(str(number))
             self.wait(lambda: self.find(f".{panel}-panel"))
+            current = [button.get_attribute("id") for button in self.all("nav [aria-current=page]")]
+            self.assertEqual(current, [f"panel-{panel}"])
         self.press("?")
         self.wait(lambda: self.find("dialog[open]"))
         self.press(Keys.ESCAPE)
         self.press("p")
         self.wait(lambda: "projector" in self.find("html").get_attribute("class"))
+
+    def test_brackets_change_the_exposure_by_half_a_stop(self):
+        self.open("panel=passes&pass=compose")
+        stops = lambda: float(self.find("[data-control=exposure]").get_attribute("value"))
+        for key, wanted in (("]", 0.5), ("]", 1), ("[", 0.5), ("[", 0), ("[", -0.5)):
+            self.press(key)
+            self.assertEqual(stops(), wanted)
+
+    def test_a_light_is_chosen_and_left_to_the_page_again(self):
+        self.open("pick=pixel:2,2")
+        choice = "select[aria-label=Light] option"
+        self.wait(lambda: len(self.all(choice)) == 3)
+        for number, state in ((2, "light=1"), (1, "light=0"), (0, None)):
+            self.all(choice)[number].click()
+            self.wait(lambda: self.all(choice)[number].is_selected())
+            if state:
+                self.assertIn(state, self.browser.current_url)
+            else:
+                self.assertNotIn("light=", self.browser.current_url)
+
+    def test_small_changes_are_in_the_address_and_not_in_the_history(self):
+        self.open("panel=passes&pass=landing[lamp]&texel=1,1")
+        length = self.browser.execute_script("return history.length")
+        self.browser.execute_script(
+            "document.body.dispatchEvent(new KeyboardEvent('keydown',"
+            " {key: 'ArrowRight', shiftKey: true, bubbles: true}))"
+        )
+        self.wait(lambda: "texel=2" in self.browser.current_url)
+        self.assertEqual(self.browser.execute_script("return history.length"), length)
 
     def test_arrows_move_between_passes_and_textures(self):
         self.press("2")

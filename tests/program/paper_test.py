@@ -21,7 +21,9 @@ class Paper(ProgramTest):
         # The command is one that a person can type.
         self.assertTrue(rows[0]["commands"][0].startswith("caustics render scenes/glass_sphere.glb"))
         self.assertTrue((self.folder / "out/paper_weights.png").exists())
-        self.assertIn("| 21 |", (self.folder / "out/paper.md").read_text())
+        report = (self.folder / "out/paper.md").read_text()
+        self.assertIn("| 21 |", report)
+        self.assertIn("\n    " + rows[0]["commands"][0] + "\n", report)
 
     def test_rays_through_a_slab_land_where_the_page_says(self):
         self.succeeds("paper", "-o", "out", "--row", "3", "--row", "35")

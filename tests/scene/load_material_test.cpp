@@ -123,6 +123,7 @@ TEST_CASE("Specular-glossiness is read as metallic-roughness: no diffuse colour 
   CHECK(cloth.base_color == glm::vec4(0.2f, 0.4f, 0.6f, 0.5f));
   CHECK(cloth.metallic == 0.0f);
   CHECK(cloth.roughness == 0.75f);
+  CHECK(cloth.roughness_factor == 0.75f);
   const Material gold = read(R"("diffuseFactor":[0,0,0,1],"specularFactor":[1,0.8,0.3])");
   CHECK(gold.base_color == glm::vec4(1.0f, 0.8f, 0.3f, 1.0f));
   CHECK(gold.metallic == 1.0f);
