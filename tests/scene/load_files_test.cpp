@@ -54,8 +54,7 @@ TEST_CASE("A .glb is recognised by its content, whatever its name") {
 TEST_CASE("A damaged .glb is refused") {
   const Folder folder;
   const std::string good = binary_triangle();
-  const std::string said =
-      "the .glb header says " + std::to_string(good.size()) + " bytes, the file has 200";
+  const std::string said = "the .glb header says " + std::to_string(good.size()) + " bytes, the file has 200";
   CHECK(contains(outcome(folder.write("a.glb", good.substr(0, 200))), said));
   CHECK(contains(outcome(folder.write("a.glb", good.substr(0, 12))), "too short"));
   std::string bad = good;
