@@ -81,7 +81,7 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
     run_side_by_side(
         {[&] { ledger_sum.add(images, cells); }, [&] { error_sum.add(images, cells); },
          [&] { add_outcomes(outcomes_of({images}, maps.caster_normal, casters), share, sum.outcomes); }});
-    // Without what it does not look at, of which some devices make copies.
+    // Only what it looks at: some devices have made copies.
     if (model) judged.push_back({branch, images.landing, images.flux, images.fresnel, {}, {}, {}, {}});
   }
   Ledger ledger;

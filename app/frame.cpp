@@ -18,10 +18,10 @@ std::unique_ptr<Device> make_pilot_device(const BackendRequest& backend) {
 
 namespace {
 
-// Of Mesa's llvmpipe, whose code generator is most of it: a context, and the shaders of a frame's passes.
+// Measured with Mesa's llvmpipe, whose code generator is most of it: a context, and a frame's shaders.
 constexpr std::uint64_t kOpenGlContext = 60'000'000, kOpenGlShaders = 85'000'000;
 
-// What the driver will have taken for a frame, beside its textures, that is not taken yet.
+// The driver takes these bytes for a frame, beside its textures, and has not taken them yet.
 std::uint64_t driver_bytes(const FrameRequest& request, const Scene& scene, bool device_is_made) {
   if (request.backend.backend != Backend::OpenGl) return 0;
   if (device_is_made) return kOpenGlShaders;

@@ -112,6 +112,7 @@ ExitCode run_paper(const Arguments& arguments) {
   const fs::path folder = request.folder;
   refuse_standard_output(folder, "-o", "the report is a folder of files");
   make_report_folder(folder, kReport, [](const fs::path&) { return true; });
+  require_writable(folder / "paper.md");
   RenderedShots shots(folder);
   std::vector<Done> done;
   write_atomically(folder / kReport, json(done, shots));  // the folder is the report's, finished or not

@@ -15,7 +15,7 @@ namespace caustics::app {
 // What a frame that has been run turned out to be. None where its light sees all around or throws no caustic.
 std::optional<Trial> trial_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers,
                               double milliseconds);
-// Of all lights together, each by its caustic's intensity.
+// The error of all lights together, each weighed by its caustic's intensity.
 ErrorEstimate error_of(const RenderedFrame& frame, const std::vector<LightLedger>& ledgers);
 double sum_of_passes(const std::vector<PassReport>& reports);
 

@@ -129,10 +129,10 @@ std::vector<std::uint64_t> copied_bytes(const FramePlan& plan, std::size_t light
   return bytes;
 }
 
-// By light: what its ledger takes when its last pass has run, beside its textures, where these are looked at
-// where they lie: its landings merged, where the farthest receivers are searched; what counts the splats in a
-// texel (SplatCounts); and the error estimate's planes of one double a texel for each map that shading looks
-// up: what the grid has wrong, the map itself, what is coarser (a quarter), and the difference.
+// The bytes that each light's ledger takes when its last pass has run, where textures are looked at where
+// they lie: its landings merged, where the farthest receivers are searched; what counts the splats in a texel
+// (SplatCounts); and the error estimate's planes of one double a texel for each map that shading looks up:
+// what the grid has wrong, the map itself, what is coarser (a quarter), and the difference.
 std::vector<std::uint64_t> ledgers_bytes(const FramePlan& plan, std::size_t lights) {
   struct Books {
     std::uint64_t images = 0, quarter_planes = 0, texels = 0;

@@ -1,7 +1,6 @@
 #include "pipeline/plan/frame_plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <unordered_map>

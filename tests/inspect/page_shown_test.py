@@ -51,7 +51,7 @@ Object.assign(CanvasRenderingContext2D.prototype, {
 });
 })();
 """
-# What is shown, once the page says that all is and it has been still for some frames.
+# Reads what is shown, once the page says that all is and it has been still for some frames.
 SHOW = """
 const [state, act, done] = arguments;
 const words = () => {

@@ -27,7 +27,7 @@ Gltf indexed(const std::vector<std::uint16_t>& indices) {
 TEST_CASE("A long name shows its beginning and its end, each with whole characters") {
   CHECK(gltf::printable("0123456789", 10) == "0123456789");
   CHECK(gltf::printable("0123456789a", 10) == "01234...6789a");
-  // Of two bytes each: half of 9 is cut within one.
+  // These letters have two bytes each: half of 9 would cut one.
   CHECK(gltf::printable("\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4", 9) == "\u00e4\u00e4...\u00e4\u00e4");
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("exact shapes: a shape's box holds the mesh that it stands for, and ha
   };
   compare(exact_shape_of(scene_of(sphere), 0, ShapeKind::Sphere).bounds(), bounds_of(sphere), 0.01);
   compare(exact_shape_of(scene_of(ring), 0, ShapeKind::Cylinder).bounds(), bounds_of(ring), 0.01);
-  // Of half a wall the whole one's box.
+  // Half a wall has the whole one's box.
   const Bounds whole = exact_shape_of(scene_of(half), 0, ShapeKind::Cylinder).bounds();
   compare(whole, bounds_of(test::ring(0.9, 1.0, 0.8, 96, 0)), 0.01);
   const ExactWaves waves{
