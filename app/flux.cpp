@@ -15,7 +15,7 @@ namespace {
 // The statement is of means over squares of so many pixels a side.
 constexpr double kJudgedPixels = 4.0;
 // Followed through the scene for each light; fewer for one that adds little (LightEffects::divide).
-constexpr int kRays = 8192;
+constexpr int kRaysOfJudge = 8192;
 }  // namespace
 
 PlanGoal goal_with_ledgers(std::vector<std::string> images) {
@@ -142,7 +142,7 @@ ModelError* LedgerReader::model_of(const RenderedFrame& frame, int source, int d
     if (!why_not_judged(frame).empty()) return nullptr;
     judge_ = std::make_unique<Judge>(frame);
   }
-  return &judge_->models.try_emplace(source, judge_->paths, judge_->blocks, kRays / (divide * divide))
+  return &judge_->models.try_emplace(source, judge_->paths, judge_->blocks, kRaysOfJudge / (divide * divide))
               .first->second;
 }
 

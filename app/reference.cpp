@@ -14,6 +14,7 @@
 #include "app/shell/terminal.hpp"
 #include "lab/reference/tracer/state_file.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 #include "pipeline/image_io/image_io.hpp"
 #include "pipeline/measure/frame_memory.hpp"
 
@@ -37,12 +38,6 @@ std::uint64_t bytes_needed(const Scene& scene, const tracer::TraceSettings& trac
       static_cast<std::uint64_t>(trace.width) * static_cast<std::uint64_t>(trace.height);
   return resident_memory().now + indices / 3 * kBytesPerTriangle + pixels * kBytesPerPixel +
          (is_image_io_loaded() ? 0 : kImageIoBytes);
-}
-
-bool is_exr(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension == ".exr";
 }
 
 class ReferenceRun {
@@ -205,7 +200,7 @@ class ReferenceRun {
 ExitCode run_reference(const Arguments& arguments) {
   ReferenceRequest request;
   if (!parse_reference(arguments, request)) return ExitCode::Done;
-  if (!is_standard_output(request.output) && !is_exr(request.output))
+  if (!is_standard_output(request.output) && lower_extension(request.output) != ".exr")
     throw Error(ExitCode::WrongUsage,
                 request.output.string() + ": the reference is light in lux, written as .exr only");
   RunFiles& files = request.frame.files;

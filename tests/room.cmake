@@ -70,7 +70,7 @@ catch_discover_tests(caustics_tests PROPERTIES SKIP_RETURN_CODE 4)
 
 add_test(NAME determinism.matrix
   COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/determinism/matrix_test.py)
-foreach(rule include_arrows test_names shader_functions passes pages format)
+foreach(rule include_arrows unnamed_names test_names shader_functions passes pages format)
   add_test(NAME architecture.${rule}
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/${rule}.py)
 endforeach()

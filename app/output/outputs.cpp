@@ -54,12 +54,6 @@ const Layer& find_layer(const std::string& name) {
   throw Error(ExitCode::WrongUsage, "--aov has no layer " + in_quotes(name) + suggestion(name, names));
 }
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension;
-}
-
 enum class Encoding { Png, Jpeg, Tiff, Exr, Hdr };
 
 // By the file's extension; those of four characters are told.

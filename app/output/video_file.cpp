@@ -5,6 +5,7 @@
 #include "app/shell/interrupt.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/gpu/text.hpp"
 
 namespace caustics::app {
 
@@ -54,9 +55,8 @@ const std::vector<VideoFormat>& formats() {
   return list;
 }
 
-const VideoFormat* format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+const VideoFormat* video_format_of(const std::filesystem::path& file) {
+  const std::string extension = lower_extension(file);
   const auto found = std::find_if(formats().begin(), formats().end(),
                                   [&](const VideoFormat& format) { return extension == format.extension; });
   return found == formats().end() ? nullptr : &*found;
@@ -98,7 +98,7 @@ int even(int size, bool wanted) { return wanted ? size + size % 2 : size; }
 
 }  // namespace
 
-bool is_video(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+bool is_video(const std::filesystem::path& file) { return video_format_of(file) != nullptr; }
 
 void require_ffmpeg(const std::filesystem::path& file) {
   if (!find_program("ffmpeg").empty()) return;
@@ -109,11 +109,11 @@ void require_ffmpeg(const std::filesystem::path& file) {
 
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height, double rate)
     : file_(file),
-      width_(even(width, format_of(file)->even)),
-      height_(even(height, format_of(file)->even)),
+      width_(even(width, video_format_of(file)->even)),
+      height_(even(height, video_format_of(file)->even)),
       pending_(file) {
   require_ffmpeg(file);
-  ffmpeg_.emplace(arguments_for(*format_of(file), pending_.name(), width_, height_, rate));
+  ffmpeg_.emplace(arguments_for(*video_format_of(file), pending_.name(), width_, height_, rate));
 }
 
 void VideoFile::fail() {

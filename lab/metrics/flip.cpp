@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/metrics/flip_color.hpp"
+#include "pipeline/scene/exact.hpp"
 
 namespace caustics {
 
@@ -13,7 +14,6 @@ namespace {
 
 using flip::Color;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kColorExponent = 0.7, kFeatureExponent = 0.5;
 // The colour difference at 0.4 of the largest becomes 0.95.
 constexpr double kKnee = 0.4, kKneeValue = 0.95;
@@ -95,14 +95,15 @@ struct Sensitivity {
 // The filter of one opponent channel: a sum of round Gaussians, whose weights add up to 1.
 Field blurred(const Field& field, const std::vector<Sensitivity>& gaussians, double per_degree) {
   // All filters are as wide as the widest one: three standard deviations of b = 0.04.
-  const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * kPi * kPi)) * per_degree));
+  const int radius =
+      static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * exact::kPi * exact::kPi)) * per_degree));
   Field result(field.width, field.height);
   double total = 0.0;
   for (const Sensitivity& each : gaussians) {
     const Kernel kernel = sampled(radius, [&](double x) {
-      return std::exp(-kPi * kPi * (x / per_degree) * (x / per_degree) / each.b);
+      return std::exp(-exact::kPi * exact::kPi * (x / per_degree) * (x / per_degree) / each.b);
     });
-    const double weight = each.a * std::sqrt(kPi / each.b), sum = sum_of(kernel);
+    const double weight = each.a * std::sqrt(exact::kPi / each.b), sum = sum_of(kernel);
     const Field part = convolved(field, kernel, kernel);
     for (std::size_t i = 0; i < part.values.size(); ++i) {
       result.values[i] += weight * part.values[i];

@@ -5,12 +5,11 @@
 
 #include "lab/reference/closed_forms.hpp"
 #include "lab/reference/squared.hpp"
+#include "pipeline/scene/exact.hpp"
 
 namespace caustics {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Simpson's rule for the mean of f(b) over the disc of impact parameters up to `largest` of a
 // sphere: with b = R sin(alpha), b db / R^2 = sin(alpha) cos(alpha) dalpha, which is smooth up to
@@ -62,7 +61,7 @@ void book_rays(const GlassSphere& sphere, int ray_rings, Rings& rings) {
   for (int i = 1; i <= ray_rings; ++i) {
     const double b1 = sphere.radius * std::sin(end * i / ray_rings * (1.0 - 1e-12));
     const double r1 = sphere.landing(b1);
-    const double amount = kPi * (b1 - b0) * (b1 + b0) * sphere.transmittance(0.5 * (b0 + b1));
+    const double amount = exact::kPi * (b1 - b0) * (b1 + b0) * sphere.transmittance(0.5 * (b0 + b1));
     if (r0 * r1 >= 0.0) {
       rings.add(std::fabs(r0), std::fabs(r1), amount);
     } else {  // crosses the axis: two parts, as long as the landing is near a straight line in b
@@ -110,7 +109,7 @@ double flux_in_box(const Rings& rings, const glm::dvec2& lower, const glm::dvec2
   for (std::size_t k = first; k < last; ++k) {
     const double inner = rings.width * static_cast<double>(k), outer = inner + rings.width;
     const double outer_area = disc_in_box(outer, lower, upper);
-    sum += rings.flux[k] * (outer_area - inner_area) / (kPi * (outer - inner) * (outer + inner));
+    sum += rings.flux[k] * (outer_area - inner_area) / (exact::kPi * (outer - inner) * (outer + inner));
     inner_area = outer_area;
   }
   return sum;
@@ -164,7 +163,7 @@ double GlassSphere::largest_impact() const {
   double low = 0.0, high = radius;  // the deviation grows with b
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
-    (deviation(middle) < 0.5 * kPi ? low : high) = middle;
+    (deviation(middle) < 0.5 * exact::kPi ? low : high) = middle;
   }
   return low;
 }
@@ -230,7 +229,7 @@ double annulus_average(const GlassSphere& sphere, double inner, double outer, in
     book_rays(sphere, ray_rings, disc);
     return disc.flux[0];
   };
-  return (flux_within(outer) - flux_within(inner)) / (kPi * (outer - inner) * (outer + inner));
+  return (flux_within(outer) - flux_within(inner)) / (exact::kPi * (outer - inner) * (outer + inner));
 }
 
 }  // namespace caustics

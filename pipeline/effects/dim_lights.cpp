@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostDivided = 8;
 // No side becomes smaller than these; a cube's six faces need the larger one.
-constexpr int kLeastSide = 32, kLeastCube = 64, kLeastShadow = 256;
+constexpr int kLeastMap = 32, kLeastCube = 64, kLeastShadow = 256;
 
 // A light of full / n^2 has sides of 1 / n: all lights' grids together are about as many vertices as those of
 // 1 / full lights in full.
@@ -93,7 +93,7 @@ LightSettings::LightSettings(const Settings& settings, const Effects& effects)
   for (const LightEffects& light : effects.lights) {
     if (light.divide <= 1 || smaller_.contains(key(light))) continue;
     Settings& own = smaller_.emplace(key(light), settings).first->second;
-    const int least = light.all_around.empty() ? kLeastSide : kLeastCube;
+    const int least = light.all_around.empty() ? kLeastMap : kLeastCube;
     for (Side* side : {&own.grid, &own.map})
       side->count = std::max(std::min(side->count, least), side->count / light.divide);
     own.shadow = std::max(std::min(own.shadow, kLeastShadow), own.shadow / light.divide);

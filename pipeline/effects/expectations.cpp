@@ -84,9 +84,7 @@ std::optional<double> farthest_receiver(const Scene& scene, const Light& light,
 
 }  // namespace
 
-bool is_dark(const Light& light) {
-  return !(light.intensity > 0.0f) || !(std::max({light.color.x, light.color.y, light.color.z}) > 0.0f);
-}
+bool is_dark(const Light& light) { return !(brightness(light) > 0.0); }
 
 std::string why_not_lit(const Scene& scene, const Light& light, std::size_t index) {
   const Mesh& mesh = scene.meshes[index];

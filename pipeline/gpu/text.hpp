@@ -1,6 +1,7 @@
 // Numbers and names as messages, reports and pages show them, the same in every locale.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -25,5 +26,7 @@ std::string grouped(std::uint64_t number);
 std::string significant(double value, int digits);
 // "82.1%", "1234.5%": rounded down, so never up to 100.0%.
 std::string percent(double share);
+// "a/B.EXR" -> ".exr": ASCII letters alone change.
+std::string lower_extension(const std::filesystem::path& path);
 
 }  // namespace caustics

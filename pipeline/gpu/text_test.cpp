@@ -65,3 +65,11 @@ TEST_CASE("A share is rounded down to a tenth of a percent") {
   CHECK(percent(0.0) == "0.0%");
   CHECK(percent(std::nan("")) == "nan%");
 }
+
+TEST_CASE("A path's extension is compared in lower case, letters beyond ASCII as they are") {
+  CHECK(lower_extension("folder.EXR/picture.Png") == ".png");
+  CHECK(lower_extension("A.TAR.GZ") == ".gz");
+  CHECK(lower_extension("name.[Z@A]") == ".[z@a]");
+  CHECK(lower_extension("name.\xc3\x84") == ".\xc3\x84");
+  CHECK(lower_extension("name").empty());
+}

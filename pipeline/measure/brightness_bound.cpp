@@ -12,7 +12,7 @@ namespace caustics {
 
 namespace {
 
-constexpr double kSlack = 4.0;
+constexpr double kSafety = 4.0;
 constexpr double kGuessedNearest = 0.1;  // of the scene's radius
 constexpr double kLeastRoughness = 0.2;  // passes/shared/highlight.glsl
 constexpr double kBrightestStudio = 100.0;
@@ -116,16 +116,16 @@ BrightnessBound brightness_bound(const Scene& scene, const Effects& effects, con
   const double texels = static_cast<double>(settings.map) * static_cast<double>(settings.map);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const double most = strength(scene.lights[i]) / least_spread(scene, scene.lights[i], by);
-    bound.direct += kSlack * most;
+    bound.direct += kSafety * most;
     if (i < views.size() && throws_caustic(effects, static_cast<int>(i)))
-      bound.caustic += kSlack * most * concentration(views[i], texels);
+      bound.caustic += kSafety * most * concentration(views[i], texels);
   }
   if (settings.weights == Weights::Paper && bound.caustic > 0.0)
     bound.caustic = std::numeric_limits<double>::infinity();
   const double arriving = bound.direct + bound.caustic;
   // All around once behind, once mirrored, once scattered.
   bound.radiance =
-      kSlack * (brightest_surface(scene) + 3.0 * brightest_around(scene.environment, bound.direct, by)) +
+      kSafety * (brightest_surface(scene) + 3.0 * brightest_around(scene.environment, bound.direct, by)) +
       arriving / exact::kPi + scattered(scene, arriving) + bound.direct * most_mirrored(0.0) +
       bound.caustic * most_mirrored(smoothest_receiver(scene, effects));
   return bound;

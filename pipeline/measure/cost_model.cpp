@@ -17,7 +17,7 @@ double order(double error, int side, double other_error, int other_side, double 
 double squared(double side) { return side * side; }
 
 constexpr int kRounds = 2000;
-constexpr double kShortest = 1e-6;  // milliseconds
+constexpr double kLeastTime = 1e-6;  // milliseconds
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void CostModel::fit_costs() {
       double along = 0.0, across = 0.0;
       for (const Trial& trial : trials_) {
         const Amounts row = amounts(trial.grid, trial.map);
-        const double weight = 1.0 / squared(std::max(trial.milliseconds, kShortest));
+        const double weight = 1.0 / squared(std::max(trial.milliseconds, kLeastTime));
         along += weight * row[k] * (trial.milliseconds - time(row) + costs_[k] * row[k]);
         across += weight * row[k] * row[k];
       }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFar = 1.0, kOfAnotherKind = 4.0;
 
 // A source of light that throws caustics.
-struct Source {
+struct DrawnSource {
   int number = 0;             // by Scene::sources
   const Light* light;         // its first sample
   double to_casters = 1.0;    // metres to the nearest caster
@@ -38,16 +38,16 @@ double to_nearest_caster(const Scene& scene, const Effects& effects, const Light
   return std::max(nearest, 1e-15);
 }
 
-std::vector<Source> sources_of(const Scene& scene, const Effects& effects,
-                               const std::vector<LightShare>& shares) {
-  std::vector<Source> found(shares.size());
+std::vector<DrawnSource> sources_of(const Scene& scene, const Effects& effects,
+                                    const std::vector<LightShare>& shares) {
+  std::vector<DrawnSource> found(shares.size());
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     const Light& light = scene.lights[l];
-    Source& source = found[light.source < 0 ? l : static_cast<std::size_t>(light.source)];
+    DrawnSource& source = found[light.source < 0 ? l : static_cast<std::size_t>(light.source)];
     if (source.samples++ == 0) source.light = &light;
     source.intensity += glm::dvec3(light.color) * static_cast<double>(light.intensity);
   }
-  std::vector<Source> drawn;
+  std::vector<DrawnSource> drawn;
   for (std::size_t s = 0; s < shares.size(); ++s) {
     if (shares[s].left_out || !(shares[s].on_casters > 0.0) || !(brightest(found[s].intensity) > 0.0))
       continue;
@@ -59,7 +59,7 @@ std::vector<Source> sources_of(const Scene& scene, const Effects& effects,
   return drawn;
 }
 
-double distance(const Source& a, const Source& b) {
+double distance(const DrawnSource& a, const DrawnSource& b) {
   const Light &one = *a.light, &other = *b.light;
   if (one.type != other.type || one.lambertian != other.lambertian) return kOfAnotherKind;
   const double turned =
@@ -74,7 +74,7 @@ struct Groups {
   std::vector<std::size_t> of;  // index into chosen
 };
 
-Groups farthest_apart(const std::vector<Source>& sources, std::size_t most) {
+Groups farthest_apart(const std::vector<DrawnSource>& sources, std::size_t most) {
   Groups groups{{}, std::vector<std::size_t>(sources.size(), 0)};
   std::vector<double> nearest(sources.size(), kOfAnotherKind);
   for (;;) {
@@ -101,7 +101,7 @@ Groups farthest_apart(const std::vector<Source>& sources, std::size_t most) {
 }
 
 // Chooses in each group the source to which all of it is nearest.
-void choose_middles(const std::vector<Source>& sources, Groups& groups) {
+void choose_middles(const std::vector<DrawnSource>& sources, Groups& groups) {
   std::vector<std::vector<std::size_t>> members(groups.chosen.size());
   for (std::size_t i = 0; i < sources.size(); ++i) members[groups.of[i]].push_back(i);
   for (std::size_t g = 0; g < members.size(); ++g) {
@@ -122,18 +122,18 @@ void choose_middles(const std::vector<Source>& sources, Groups& groups) {
 }
 
 // The light that reaches the casters for each lux or candela.
-double reach(const Source& source) { return source.on_casters / brightest(source.intensity); }
+double reach(const DrawnSource& source) { return source.on_casters / brightest(source.intensity); }
 
 }  // namespace
 
 void group_lights(const Scene& scene, const Effects& effects, int most, std::vector<LightShare>& shares) {
   if (most <= 0 || shares.size() <= static_cast<std::size_t>(most)) return;
-  const std::vector<Source> sources = sources_of(scene, effects, shares);
+  const std::vector<DrawnSource> sources = sources_of(scene, effects, shares);
   if (sources.size() <= static_cast<std::size_t>(most)) return;
   Groups groups = farthest_apart(sources, static_cast<std::size_t>(most));
   choose_middles(sources, groups);
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    const Source& middle = sources[groups.chosen[groups.of[i]]];
+    const DrawnSource& middle = sources[groups.chosen[groups.of[i]]];
     if (middle.number == sources[i].number) continue;
     LightShare &own = shares[static_cast<std::size_t>(sources[i].number)],
                &other = shares[static_cast<std::size_t>(middle.number)];

@@ -13,18 +13,13 @@ namespace caustics {
 
 namespace {
 
-constexpr std::size_t kPoints = 16;
+constexpr std::size_t kPointsOfMesh = 16;
 // A light among its casters is not taken to be nearer than this share of a caster's radius.
 constexpr double kNearest = 0.1;
 
 std::size_t source_of(const Scene& scene, std::size_t light) {
   const int source = scene.lights[light].source;
   return source < 0 ? light : static_cast<std::size_t>(source);
-}
-
-double brightness(const Light& light) {
-  return static_cast<double>(light.intensity) *
-         static_cast<double>(std::max({light.color.x, light.color.y, light.color.z}));
 }
 
 // What a light gives a point, or less: of a spot light only within its inner cone. Lux.
@@ -59,7 +54,8 @@ struct CasterLight {
 CasterLight light_on(const Scene& scene, const Effects& effects, const MeshesInTheWay& ways, int mesh,
                      std::size_t sources) {
   CasterLight found{.seen = std::vector<double>(sources), .most = std::vector<double>(sources)};
-  const std::vector<glm::dvec3> points = some_points(scene.meshes[static_cast<std::size_t>(mesh)], kPoints);
+  const std::vector<glm::dvec3> points =
+      some_points(scene.meshes[static_cast<std::size_t>(mesh)], kPointsOfMesh);
   for (const Expectation& e : effects.expectations) {
     if (e.mesh != mesh || !e.expected || points.empty()) continue;
     stop_if_interrupted();

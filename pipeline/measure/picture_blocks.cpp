@@ -11,7 +11,7 @@ namespace caustics {
 
 namespace {
 
-constexpr int kLeastSide = 4, kMostBlocks = 64;
+constexpr int kLeastBlock = 4, kMostBlocks = 64;
 
 int blocks(int pixels, int side) { return (pixels + side - 1) / side; }
 
@@ -20,7 +20,7 @@ int blocks(int pixels, int side) { return (pixels + side - 1) / side; }
 PictureBlocks::PictureBlocks(ImageView view_position, const View& camera)
     : position_(std::move(view_position)),
       camera_(camera),
-      side_(std::max(kLeastSide, blocks(std::max(position_.width(), position_.height()), kMostBlocks))),
+      side_(std::max(kLeastBlock, blocks(std::max(position_.width(), position_.height()), kMostBlocks))),
       across_(static_cast<std::size_t>(blocks(position_.width(), side_))),
       upward_(static_cast<std::size_t>(blocks(position_.height(), side_))) {}
 

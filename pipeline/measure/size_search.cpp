@@ -7,7 +7,7 @@ namespace caustics {
 namespace {
 
 // Sizes of grid and maps that are chosen from.
-constexpr int kSides[] = {64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
+constexpr int kTriedSides[] = {64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
 constexpr std::size_t kMostTrials = 8;
 // Room for what a cost model gets wrong, until something has met the demand.
 constexpr double kMargin = 0.85;
@@ -27,12 +27,12 @@ constexpr double kBesideModel = 0.25;
 SizeSearch::SizeSearch(const CostModel& model, const Demand& demand) : model_(model), demand_(demand) {}
 
 bool SizeSearch::only_model() const {
-  return demand_.error && model_.expect(kSides[0], kSides[0]).model >= *demand_.error;
+  return demand_.error && model_.expect(kTriedSides[0], kTriedSides[0]).model >= *demand_.error;
 }
 
 double SizeSearch::bound() const {
   if (!demand_.error) return demand_.milliseconds.value_or(std::numeric_limits<double>::infinity());
-  const double of_model = model_.expect(kSides[0], kSides[0]).model;
+  const double of_model = model_.expect(kTriedSides[0], kTriedSides[0]).model;
   return only_model() ? std::max(*demand_.error, kBesideModel * of_model) : *demand_.error - of_model;
 }
 
@@ -63,8 +63,8 @@ bool SizeSearch::is_ruled_out(int grid, int map) const {
 
 std::optional<Trial> SizeSearch::better_than(const Trial& best) const {
   std::optional<Candidate> found;
-  for (const int grid : kSides)
-    for (const int map : kSides) {
+  for (const int grid : kTriedSides)
+    for (const int map : kTriedSides) {
       const Candidate c = candidate(model_.expect(grid, map));
       if (c.demanded > bound() || is_ruled_out(grid, map)) continue;
       if (c.wanted > (1.0 - kWorthTrying) * candidate(best).wanted) continue;
@@ -76,8 +76,8 @@ std::optional<Trial> SizeSearch::better_than(const Trial& best) const {
 std::optional<Trial> SizeSearch::first_to_meet(double longest) const {
   std::optional<Candidate> best, closest;
   double least = std::numeric_limits<double>::infinity();
-  for (const int grid : kSides)
-    for (const int map : kSides) {
+  for (const int grid : kTriedSides)
+    for (const int map : kTriedSides) {
       const Candidate c = candidate(model_.expect(grid, map));
       if (c.expected.milliseconds > longest || is_ruled_out(grid, map)) continue;
       least = std::min(least, c.demanded);
@@ -85,8 +85,8 @@ std::optional<Trial> SizeSearch::first_to_meet(double longest) const {
     }
   if (best) return best->expected;
   // Nothing is expected to meet it: of what comes about as close as anything, the best.
-  for (const int grid : kSides)
-    for (const int map : kSides) {
+  for (const int grid : kTriedSides)
+    for (const int map : kTriedSides) {
       const Candidate c = candidate(model_.expect(grid, map));
       if (c.expected.milliseconds > longest || is_ruled_out(grid, map)) continue;
       if (c.demanded <= (1.0 + kWorthTrying) * least && (!closest || c.wanted < closest->wanted)) closest = c;
@@ -96,7 +96,8 @@ std::optional<Trial> SizeSearch::first_to_meet(double longest) const {
 
 std::optional<Trial> SizeSearch::next() const {
   if (trials_.size() >= kMostTrials) return {};
-  if (trials_.empty()) return first_to_meet(kFarther * model_.expect(2 * kSides[2], kSides[2]).milliseconds);
+  if (trials_.empty())
+    return first_to_meet(kFarther * model_.expect(2 * kTriedSides[2], kTriedSides[2]).milliseconds);
   const std::optional<Trial> best = chosen();
   if (is_met(*best)) return better_than(*best);
   const std::optional<Trial> trial = first_to_meet(kFarther * trials_.back().milliseconds);

@@ -12,7 +12,7 @@ namespace caustics {
 namespace {
 
 // How a pass uses a texture. An addition comes to the same before and after another light's.
-enum class Use : std::uint8_t { Read, Addition, Write };
+enum class Access : std::uint8_t { Read, Addition, Write };
 
 // The latest phase in which each light's passes, or the frame's (-1), have used a texture, by how.
 using Accesses = std::array<std::map<int, int>, 3>;
@@ -32,10 +32,10 @@ class Phases {
     int phase = pass.sample > 0 ? first_of_sample_ : 0;
     // A light's passes keep their order among each other.
     if (pass.light >= 0) phase = std::max(phase, light_phases_[pass.light]);
-    for_each_use(pass, [&](std::size_t texture, Use use) {
+    for_each_use(pass, [&](std::size_t texture, Access use) {
       phase = std::max(phase, earliest(accesses_[texture], pass, use));
     });
-    for_each_use(pass, [&](std::size_t texture, Use use) {
+    for_each_use(pass, [&](std::size_t texture, Access use) {
       int& latest = accesses_[texture][static_cast<std::size_t>(use)][pass.light];
       latest = std::max(latest, phase);
     });
@@ -45,11 +45,11 @@ class Phases {
   }
 
  private:
-  static int earliest(const Accesses& accesses, const PlannedPass& pass, Use use) {
+  static int earliest(const Accesses& accesses, const PlannedPass& pass, Access use) {
     int phase = 0;
-    for (const Use before : {Use::Read, Use::Addition, Use::Write}) {
-      if (before == Use::Read && use == Use::Read) continue;
-      const bool additions = before == Use::Addition && use == Use::Addition;
+    for (const Access before : {Access::Read, Access::Addition, Access::Write}) {
+      if (before == Access::Read && use == Access::Read) continue;
+      const bool additions = before == Access::Addition && use == Access::Addition;
       for (const auto& [light, latest] : accesses[static_cast<std::size_t>(before)]) {
         const bool in_turn = light < 0 || (pass.light >= 0 && light <= pass.light);
         if (in_turn)
@@ -63,13 +63,13 @@ class Phases {
 
   static void for_each_use(const PlannedPass& pass, const auto& visit) {
     for (const int texture : pass.reads)
-      if (texture >= 0) visit(static_cast<std::size_t>(texture), Use::Read);
+      if (texture >= 0) visit(static_cast<std::size_t>(texture), Access::Read);
     for (std::size_t a = 0; a < pass.writes.size(); ++a) {
       if (pass.writes[a] < 0) continue;
       const bool adds = pass.keep[a] && pass.definition->writes[a].blend == kAccumulate;
-      visit(static_cast<std::size_t>(pass.writes[a]), adds ? Use::Addition : Use::Write);
+      visit(static_cast<std::size_t>(pass.writes[a]), adds ? Access::Addition : Access::Write);
     }
-    if (pass.depth >= 0) visit(static_cast<std::size_t>(pass.depth), Use::Write);
+    if (pass.depth >= 0) visit(static_cast<std::size_t>(pass.depth), Access::Write);
   }
 
   SampleOrder order_;
@@ -78,14 +78,14 @@ class Phases {
   std::map<int, int> light_phases_;                    // by light: of its latest pass
 };
 
-struct Place {
+struct PlaceInOrder {
   int phase, light;
   std::size_t pass;
 };
 
 // Samples' passes that read no textures, as of the glass that the camera sees, wait for the first phase that
 // uses what they draw.
-void wait_for_users(const FramePlan& plan, std::vector<Place>& places) {
+void wait_for_users(const FramePlan& plan, std::vector<PlaceInOrder>& places) {
   std::map<int, int> used;  // by texture: in which phase for the first time
   for (auto place = places.rbegin(); place != places.rend(); ++place) {
     const PlannedPass& pass = plan.passes[place->pass];
@@ -107,16 +107,16 @@ void wait_for_users(const FramePlan& plan, std::vector<Place>& places) {
 
 void order_by_light(FramePlan& plan, SampleOrder order) {
   Phases phases(plan, order);
-  std::vector<Place> places;
+  std::vector<PlaceInOrder> places;
   for (std::size_t i = 0; i < plan.passes.size(); ++i)
     places.push_back({phases.of(plan.passes[i]), plan.passes[i].light, i});
   if (order == SampleOrder::LightByLight) wait_for_users(plan, places);
-  std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+  std::stable_sort(places.begin(), places.end(), [](const PlaceInOrder& a, const PlaceInOrder& b) {
     return a.phase != b.phase ? a.phase < b.phase : a.light < b.light;
   });
   std::vector<PlannedPass> ordered;
   std::map<int, std::size_t> last;
-  for (const Place& place : places) {
+  for (const PlaceInOrder& place : places) {
     if (plan.passes[place.pass].sample == 0) last[place.light] = ordered.size();
     ordered.push_back(std::move(plan.passes[place.pass]));
   }

@@ -21,7 +21,7 @@ constexpr double kMostBlurred = 0.004;
 // covers, relative to each other: nanoseconds of the software device on two cores.
 constexpr double kPerPixel = 1200.0, kPerVertex = 1100.0, kPerCascadeCell = 600.0, kPerTexel = 21.0;
 // Times the least sides' time; twice is the bound, and what is expected can be wrong.
-constexpr double kLongest = 1.85;
+constexpr double kMostTime = 1.85;
 
 double expected_time(const Settings& settings, const Sides& sides, const std::vector<LandingSurvey>& surveys,
                      const std::vector<LightViews>& views) {
@@ -36,10 +36,6 @@ double expected_time(const Settings& settings, const Sides& sides, const std::ve
     sum += kPerTexel * covered_texels(surveys[i], *views[i].cascade, sides.grid, sides.map);
   }
   return sum;
-}
-
-double brightness(const Light& light) {
-  return static_cast<double>(light.intensity * std::max({light.color.x, light.color.y, light.color.z}));
 }
 
 bool has_soft_edges(const Scene& scene, std::size_t light) {
@@ -83,7 +79,7 @@ Settings with_sides_for_picture(Settings settings, const Scene& scene, bool is_f
   const Sides* chosen = std::begin(sides);
   const double least = expected_time(settings, *chosen, surveys, views);
   for (const Sides* finer = chosen + 1; finer != std::end(sides) && blurs(chosen->map); ++finer) {
-    if (expected_time(settings, *finer, surveys, views) > kLongest * least) break;
+    if (expected_time(settings, *finer, surveys, views) > kMostTime * least) break;
     chosen = finer;
   }
   settings.map = chosen->map;

@@ -38,7 +38,7 @@ Cover cover_of(int texel, int finer, int coarser) {
 }
 
 // A rectangle of texels within an image.
-struct Part {
+struct Area {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
@@ -60,7 +60,7 @@ std::array<double, 4> mean_of(const Image& image, int x, int y, const Cover& col
   return sum;
 }
 
-void fill_level(const Image& from, const Part& finer, Image& to, const Part& coarser) {
+void fill_level(const Image& from, const Area& finer, Image& to, const Area& coarser) {
   std::vector<Cover> columns;
   columns.reserve(static_cast<std::size_t>(coarser.width));
   for (int x = 0; x < coarser.width; ++x) columns.push_back(cover_of(x, finer.width, coarser.width));
@@ -91,9 +91,9 @@ Image coarser_levels(const Image& image) {
   const int beside = count > 2 ? halved(image.width(), 2) : 0;
   Image levels(image.shape.format, halved(image.width(), 1) + beside,
                std::max(halved(image.height(), 1), stacked));
-  Part finer{0, 0, image.width(), image.height()};
+  Area finer{0, 0, image.width(), image.height()};
   for (int level = 1; level < count; ++level) {
-    Part coarser{0, 0, halved(image.width(), level), halved(image.height(), level)};
+    Area coarser{0, 0, halved(image.width(), level), halved(image.height(), level)};
     if (level > 1) coarser.x = halved(image.width(), 1);
     if (level > 2) coarser.y = finer.y + finer.height;
     fill_level(level > 1 ? levels : image, finer, levels, coarser);

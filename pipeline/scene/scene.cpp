@@ -1,6 +1,13 @@
 #include "pipeline/scene/scene.hpp"
 
+#include <algorithm>
+
 namespace caustics {
+
+double brightness(const Light& light) {
+  return static_cast<double>(light.intensity) *
+         static_cast<double>(std::max({light.color.x, light.color.y, light.color.z}));
+}
 
 const Light& source_of(const Scene& scene, int light) {
   const Light& drawn = scene.lights[static_cast<std::size_t>(light)];

@@ -144,6 +144,9 @@ struct Light {
   int source = -1;  // index into Scene::sources, once sample_lights has run
 };
 
+// Its intensity in the brightest of its channels, lux or candela.
+double brightness(const Light& light);
+
 // A mesh that shines, but does not light the scene.
 struct DimMesh {
   int mesh = -1;    // index into Scene::meshes

@@ -1,7 +1,6 @@
 // Recognises the circular cylinder that a mesh stands for.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "lab/reference/tracer/exact_cylinder.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -12,7 +11,6 @@ namespace caustics::tracer {
 namespace {
 
 constexpr double kThousandth = 1e-3;
-constexpr double kPi = std::numbers::pi;
 // Cosine of the most by which a smooth wall's normals may lean: facets of a prism lean more.
 constexpr double kSmooth = 0.99;
 // A lid's polygon has less area than its circle: of eight corners 0.90 of it.
@@ -195,13 +193,13 @@ class CylinderFit {
     double arcs[2] = {};
     for (const Face& face : walls_) {
       const Corner a = corner_of(face, 0), b = corner_of(face, 1), c = corner_of(face, 2);
-      const double ab = std::remainder(b.turn - a.turn, 2.0 * kPi),
-                   ac = std::remainder(c.turn - a.turn, 2.0 * kPi);
+      const double ab = std::remainder(b.turn - a.turn, 2.0 * exact::kPi),
+                   ac = std::remainder(c.turn - a.turn, 2.0 * exact::kPi);
       arcs[wall_of(face)] += 0.5 * std::fabs(ab * (c.height - a.height) - ac * (b.height - a.height));
     }
     for (std::size_t wall = 0; wall < cylinder_.walls.size(); ++wall) {
       const double arc = arcs[wall] / (highest_ - lowest_);
-      if (std::fabs(arc - 2.0 * kPi) <= kThousandth * 2.0 * kPi) continue;
+      if (std::fabs(arc - 2.0 * exact::kPi) <= kThousandth * 2.0 * exact::kPi) continue;
       if (cylinder_.walls.size() > 1 || !lids_.empty() || !lies_between_gap(arc))
         refuse("its walls must reach from one height to another without holes, and around the axis");
     }
@@ -213,22 +211,22 @@ class CylinderFit {
     for (const Face& face : walls_)
       for (std::size_t c = 0; c < 3; ++c) turns.push_back(corner_of(face, c).turn);
     std::sort(turns.begin(), turns.end());
-    double gap = turns.front() + 2.0 * kPi - turns.back(), behind = turns.back();
+    double gap = turns.front() + 2.0 * exact::kPi - turns.back(), behind = turns.back();
     for (std::size_t i = 1; i < turns.size(); ++i)
       if (turns[i] - turns[i - 1] > gap) {
         gap = turns[i] - turns[i - 1];
         behind = turns[i - 1];
       }
-    if (!(std::fabs(2.0 * kPi - gap - arc) <= kThousandth * arc)) return false;
+    if (!(std::fabs(2.0 * exact::kPi - gap - arc) <= kThousandth * arc)) return false;
     const double opposite = behind + 0.5 * gap;  // the gap's middle
     cylinder_.middle = -(x_ * std::cos(opposite) + y_ * std::sin(opposite));
-    cylinder_.least_cosine = std::cos(kPi - 0.5 * gap);
+    cylinder_.least_cosine = std::cos(exact::kPi - 0.5 * gap);
     return true;
   }
 
   void find_lids() {
     const double inner = cylinder_.walls.size() > 1 ? cylinder_.walls[1].radius : 0.0;
-    const double outer = cylinder_.walls[0].radius, whole = kPi * (outer * outer - inner * inner);
+    const double outer = cylinder_.walls[0].radius, whole = exact::kPi * (outer * outer - inner * inner);
     double areas[2] = {};
     for (const Face& face : lids_) {
       const bool upper = exact::dot(face.normal, cylinder_.axis) > 0.0;

@@ -45,14 +45,14 @@ struct Source {
 
 // A primitive in its place. Of one that moves, `body` is what is placed anew for each moment, and
 // `shape` a copy at rest in its own coordinates, which is judged in its stead.
-struct Part {
+struct MeshPart {
   Shape shape;
   std::optional<gltf::Body> body;
 };
 
 // One primitive, read and placed.
-std::optional<Part> read_part(const Source& source, std::size_t placement, std::size_t primitive,
-                              int material, gltf::GeometryBudget& budget) {
+std::optional<MeshPart> read_part(const Source& source, std::size_t placement, std::size_t primitive,
+                                  int material, gltf::GeometryBudget& budget) {
   const gltf::Placement& place = source.placements.meshes[placement];
   const int uv_set = source.materials.uv_sets[static_cast<std::size_t>(material)];
   const std::size_t joints =
@@ -62,7 +62,7 @@ std::optional<Part> read_part(const Source& source, std::size_t placement, std::
   if (!body) return std::nullopt;
   std::vector<exact::Affine> matrices;
   gltf::Pose pose = gltf::pose_of(place, source.skins, source.rest, *body, matrices);
-  Part part;
+  MeshPart part;
   if (source.moving[placement]) {
     pose = {.to_world = {}, .morph = pose.morph};
     part.shape = gltf::posed(source.context, *body, pose);
@@ -74,9 +74,9 @@ std::optional<Part> read_part(const Source& source, std::size_t placement, std::
 }
 
 // Joins the parts of each material, which exporters split solid glass into.
-void join_parts(const Source& source, std::vector<Part>& parts) {
+void join_parts(const Source& source, std::vector<MeshPart>& parts) {
   std::map<int, std::vector<Shape*>> groups;
-  for (Part& part : parts) groups[part.shape.material].push_back(&part.shape);
+  for (MeshPart& part : parts) groups[part.shape.material].push_back(&part.shape);
   for (const auto& [material, group] : groups) {
     const Material& m = source.materials.list[static_cast<std::size_t>(material)];
     gltf::join_group(source.context, group, m.transmission > 0);
@@ -93,7 +93,7 @@ void hand_over(const Shape& shape, gltf::Body& body) {
 }
 
 // Vertex colours count where the camera sees a diffuse surface, and take the tangents' place.
-void keep_colors(const Source& source, const Material& material, Part& part) {
+void keep_colors(const Source& source, const Material& material, MeshPart& part) {
   const bool all_white = std::all_of(part.shape.colors.begin(), part.shape.colors.end(),
                                      [](const glm::vec4& color) { return color == glm::vec4(1); });
   const char* other = material.normal_texture.present() ? "beside a normal texture"
@@ -106,11 +106,11 @@ void keep_colors(const Source& source, const Material& material, Part& part) {
 }
 
 // One node's primitives: read, cleaned, joined by material, with normals and tangents.
-std::vector<Part> parts_of(const Source& source, std::size_t placement, int object,
-                           gltf::GeometryBudget& budget, std::size_t& degenerate) {
+std::vector<MeshPart> parts_of(const Source& source, std::size_t placement, int object,
+                               gltf::GeometryBudget& budget, std::size_t& degenerate) {
   const auto mesh = static_cast<std::size_t>(source.placements.meshes[placement].index);
   const auto& primitives = source.model.meshes[mesh].primitives;
-  std::vector<Part> parts;
+  std::vector<MeshPart> parts;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const int material = primitives[i].material < 0 ? source.materials.fallback() : primitives[i].material;
     auto part = read_part(source, placement, i, material, budget);
@@ -121,7 +121,7 @@ std::vector<Part> parts_of(const Source& source, std::size_t placement, int obje
     if (!part->shape.triangles.empty()) parts.push_back(std::move(*part));
   }
   join_parts(source, parts);
-  for (Part& part : parts) {
+  for (MeshPart& part : parts) {
     Shape& shape = part.shape;
     const Material& m = source.materials.list[static_cast<std::size_t>(shape.material)];
     keep_colors(source, m, part);
@@ -160,7 +160,7 @@ Geometry read_geometry(const Source& source) {
   gltf::GeometryBudget budget;
   std::size_t degenerate = 0;
   for (std::size_t i = 0; i < source.placements.meshes.size(); ++i) {
-    for (Part& part : parts_of(source, i, static_cast<int>(i), budget, degenerate)) {
+    for (MeshPart& part : parts_of(source, i, static_cast<int>(i), budget, degenerate)) {
       geometry.order.push_back(part.body.has_value());
       if (!part.body) {
         geometry.shapes.push_back(std::move(part.shape));

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/gpu/text.hpp"
+
 namespace caustics::gltf {
 
 namespace {
@@ -57,13 +59,6 @@ std::string advice_for(Family family) {
       return reads + "unpack it and name the glTF file in it";
   }
   return reads;
-}
-
-std::string lower_extension(const fs::path& path) {
-  std::string text = path.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
 }
 
 bool is_gltf_name(const fs::path& path) {
