@@ -169,3 +169,15 @@ TEST_CASE("study pictures: large ones are averaged in boxes") {
   CHECK(small.at(0, 0, 0) == 1.0f);
   CHECK(small.at(213, 0, 0) == 639.5f);
 }
+
+TEST_CASE("study plot: a label stays within the plot at each of its four borders") {
+  // Marks from 2 to 50 and from 0.01 to 0.05, the plot's corners: points close to them.
+  const std::string svg =
+      draw(labelled({{2.001, 0.01001}, {49.9, 0.01001}, {2.001, 0.0499}, {49.9, 0.0499}}));
+  for (const Placed& label : placed_labels(svg)) {
+    INFO(label.x << " " << label.y);
+    CHECK((label.x >= 84.0 && label.x + 14.0 <= 936.0));
+    CHECK((label.y >= 31.0 && label.y <= 502.0));
+    CHECK(std::max(std::fabs(label.x - label.point_x), std::fabs(label.y - label.point_y)) < 30.0);
+  }
+}

@@ -61,3 +61,18 @@ TEST_CASE("cost model: errors that do not fall, and times that do not rise, are 
   CHECK(flat.expect(2048, 2048).milliseconds == Approx(5.0));
   CHECK(flat.expect(2048, 2048).grid_error < 0.1);
 }
+
+TEST_CASE(
+    "cost model: what a coarser grid states of its model's error replaces nothing that a finer one stated") {
+  CostModel learned = model();
+  Trial fine = exact(512, 512), coarse = exact(256, 512);
+  fine.model = 0.03;
+  coarse.model = 0.09;
+  learned.learn(fine);
+  learned.learn(coarse);
+  CHECK(learned.expect(256, 512).model == 0.03);
+  Trial finer = exact(1024, 512);
+  finer.model = 0.02;
+  learned.learn(finer);
+  CHECK(learned.expect(256, 512).model == 0.02);
+}

@@ -73,5 +73,6 @@ TEST_CASE("environment: its strength is a factor on image, gradient and ambient 
   adjust(sky, 0.5, 0.0);
   CHECK(sky.zenith == glm::vec3(0.5f));
   CHECK(sky.horizon == glm::vec3(1.0f));
-  CHECK(under(3e38f, 1e6).environment.image->at(0, 0, 0) < INFINITY);
+  CHECK(under(3e38f, 1e6).environment.image->at(0, 0, 0) == std::numeric_limits<float>::max());
+  CHECK(under(3e38f, 1.1).environment.image->at(0, 0, 0) == Approx(3.3e38f));
 }

@@ -52,3 +52,26 @@ TEST_CASE("The light's level with a caster is that on it, though an added ground
   add_ground(scene, subject_of(scene), -1.0);
   CHECK(light_level(scene) == Approx(4.0));
 }
+
+TEST_CASE(
+    "The light's level is that of its lamps' distance and side, never from nearer than what they light is "
+    "wide") {
+  Scene scene;
+  scene.materials = {glass(1.5f)};
+  scene.meshes = {sphere(glm::dvec3(0.0, 1.0, 0.0), 0.5, 2, 0)};
+  Light lamp{.type = LightType::Point, .intensity = 8.0f};
+  lamp.position = {0.0, 3.0, 0.0};
+  scene.lights = {lamp};
+  CHECK(light_level(scene) == Approx(2.0));
+  scene.lights[0].color = {1.0f, 0.0f, 0.0f};  // whose luminance is 0.2126
+  CHECK(light_level(scene) == Approx(2.0 * 0.2126));
+  scene.lights[0] = lamp;
+  scene.lights[0].position = {0.0, 1.1, 0.0};
+  CHECK(light_level(scene) == Approx(8.0 / (subject_of(scene).radius() * subject_of(scene).radius())));
+  scene.lights[0] = lamp;
+  scene.lights[0].lambertian = true;
+  scene.lights[0].direction = {0.6, -0.8, 0.0};
+  CHECK(light_level(scene) == Approx(2.0 * 0.8));
+  scene.lights[0].direction = {0.0, 1.0, 0.0};
+  CHECK(light_level(scene) == 0.0);
+}

@@ -7,6 +7,7 @@ tests that they name, drawn ones with all tests that reach their place, the chea
     --quick               without the tests that compute long
     --promised SHARE      what share of the drawn ones is noticed: it fails with fewer than a sample of
                           so many has but once in a hundred times
+    --patience SECONDS    a drawn fault that its tests have not noticed by then counts as unnoticed
     --jobs N, --json FILE
 Exit 1 when a test fails without a fault, a fault of the lists goes unnoticed, or the drawn ones' score is too
 low."""
@@ -75,15 +76,17 @@ class Tests:
 class DrawnTests:
     """The drawn faults, by the tests that reach their places."""
 
-    def __init__(self, build, source, quick, pool):
-        self.runner = Runner(build, source)
-        self.tests = known_or_found(build, source, quick, pool)
+    def __init__(self, build, source, wanted, pool):
+        self.runner, self.patience = Runner(build, source), wanted.patience
+        self.tests = known_or_found(build, source, wanted.quick, pool)
 
     def judge(self, fault):
         begun = time.monotonic()
         place = fault.number() % (1 << 16)
         reaching = [test for test in self.tests if place in test.places]
         for group in groups(reaching):
+            if time.monotonic() - begun > self.patience:
+                break
             by = self.runner.notices(group, fault.name)
             if by:
                 return by, time.monotonic() - begun
@@ -98,6 +101,7 @@ def arguments():
     parser.add_argument('--drawn', action='store_true')
     parser.add_argument('--quick', action='store_true')
     parser.add_argument('--promised', type=float, default=0.0)
+    parser.add_argument('--patience', type=float, default=math.inf)
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--json', type=pathlib.Path)
     parser.add_argument('--sample', nargs=2, metavar=('COUNT', 'SEED'))
@@ -177,7 +181,7 @@ def main():
             print(table(rows, 'of the lists'))
             good = all(row['noticed_by'] for row in rows)
         if drawn:
-            of_drawn = judged(drawn, DrawnTests(build, source, wanted.quick, pool).judge, pool)
+            of_drawn = judged(drawn, DrawnTests(build, source, wanted, pool).judge, pool)
             noticed = sum(1 for row in of_drawn if row['noticed_by'])
             bound = fewest(len(of_drawn), wanted.promised)
             print(table(of_drawn, 'drawn'))

@@ -127,6 +127,27 @@ class Inspect(ProgramTest):
         self.assertTrue(same["receiver_position[0]"])
         self.assertFalse(same["landing[0]"])
 
+    def test_an_attachment_that_the_run_lacks_is_shown_with_what_its_file_tells(self):
+        self.succeeds("ball.glb", *SMALL, "--dump", "other", "--quiet")
+        manifest = json.loads((self.folder / "other/manifest.json").read_text())
+        foreign = next(a for a in manifest["attachments"] if a["attachment"] == "landing[0]")
+        size = foreign["width"], foreign["height"]
+        foreign["pass"], foreign["attachment"] = "other_pass[moon]", "heat[0]"
+        (self.folder / "other/manifest.json").write_text(json.dumps(manifest))
+        run = self.page("--against", "other").recording["runs"][1]
+        heat = next(a for a in run["attachments"] if a["texture"] == "heat[0]")
+        self.assertEqual((heat["name"], heat["label"], heat["kind"], heat["meaning"], heat["codes"]),
+                         ("heat[0]", "heat[0]", "scalar", "", None))
+        self.assertEqual([(c["name"], c["meaning"], c["unit"]) for c in heat["channels"]],
+                         [(name, "", "") for name in "RGBA"])
+        self.assertEqual((heat["width"], heat["height"]), size)
+        self.assertEqual(run["passes"][heat["pass"]]["label"], "other_pass[moon]")
+        self.assertEqual(run["passes"][heat["pass"]]["writes"], [heat["id"]])
+        self.assertEqual(len(set(a["id"] for a in run["attachments"])), len(run["attachments"]))
+        self.assertEqual(run["device"], "a dump")
+        self.assertEqual((run["histories"], run["lights"], run["meshes"]), ([], [], []))
+        self.assertIsNotNone(heat["data"])
+
     def test_bad_input_is_refused(self):
         (self.folder / "empty").mkdir()
         self.fails(2, "inspect", "ball.glb", "-o", "page.txt", saying=".html")

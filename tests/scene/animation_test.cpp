@@ -214,6 +214,32 @@ TEST_CASE("Weights of joints need not add up to one") {
   CHECK(world(scene, 1) == glm::dvec3(1, 0, 0));
 }
 
+TEST_CASE("A vertex hangs on the joints of all its sets, of which 16 are read") {
+  // Corner 2 hangs on the hip by its first set and on the knee, which has gone 2 m along z, by its second.
+  Gltf gltf = skinned_triangle();
+  const int hip = gltf.add<std::uint8_t>(std::vector<std::uint8_t>(12, 0), 5121, "VEC4", 3);
+  const int knee = gltf.add<std::uint8_t>({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, 5121, "VEC4", 3);
+  const int all = gltf.add<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.25f, 0, 0, 0}, 5126, "VEC4", 3);
+  const int some = gltf.add<float>({0, 0, 0, 0, 0, 0, 0, 0, 0.75f, 0, 0, 0}, 5126, "VEC4", 3);
+  const auto set = [](int n, int joints, int weights) {
+    const std::string number = std::to_string(n);
+    return "\"JOINTS_" + number + "\":" + std::to_string(joints) + ",\"WEIGHTS_" + number +
+           "\":" + std::to_string(weights);
+  };
+  animate(gltf, 3, "translation", {0, 1, 2}, {0, 3, 0, 0, 3, 2, 0, 3, 2}, "VEC3");
+  gltf.mesh = R"("attributes":{"POSITION":0,)" + set(0, hip, all) + "," + set(1, knee, some) + "}";
+  CHECK(world(load_moving(gltf).at(1.5), 2) == glm::dvec3(0, 1, 1.5));
+  for (const int sets : {16, 17}) {
+    gltf.mesh = R"("attributes":{"POSITION":0)";
+    for (int n = 0; n < sets; ++n) gltf.mesh += "," + set(n, n == 15 ? knee : hip, n == 15 ? some : all);
+    gltf.mesh += "}";
+    if (sets == 16)
+      CHECK(world(load_moving(gltf).at(1.5), 2).z == Approx(2.0 * 0.75 / (15 * 0.25 + 0.75)));
+    else
+      CHECK(contains(refusal(gltf), "JOINTS_16: is one set of joints too many"));
+  }
+}
+
 TEST_CASE("An animator's meshes start from the file at every moment") {
   class Wave final : public MeshAnimator {
    public:

@@ -148,3 +148,20 @@ TEST_CASE("lamp meshes: no more than 16 are lights, the strongest") {
   for (std::size_t i = 1; i < lamps.lights.size(); ++i)
     CHECK(lamps.lights[i - 1].intensity >= lamps.lights[i].intensity);
 }
+
+TEST_CASE("lamp meshes: a spot light of the scene counts within its cone, and by its distance, alone") {
+  // Below the panel 450 lux. A spot from 3 m of height gives 1/9 of its intensity where it points.
+  for (const auto& [candela, inner, up, counts] : {std::tuple{90000.0f, 1.5f, false, false},
+                                                   {90000.0f, 0.001f, false, true},
+                                                   {90000.0f, 1.5f, true, true},
+                                                   {900.0f, 1.5f, false, true}}) {
+    Scene scene = under_lamp(20000.0f);
+    Light spot{.type = LightType::Spot, .intensity = candela};
+    spot.position = {0.0, 3.0, 0.0};
+    spot.direction = {0.0, up ? 1.0 : -1.0, 0.0};
+    spot.inner_cone = spot.outer_cone = inner;
+    scene.lights = {spot};
+    INFO(candela << " cd in " << inner << (up ? ", upwards" : ""));
+    CHECK(choose_lamps(scene, kSun, 16).lights.size() == (counts ? 1 : 0));
+  }
+}

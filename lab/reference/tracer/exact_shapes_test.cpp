@@ -129,6 +129,14 @@ TEST_CASE("exact shapes: a rod's lids are whole discs, and half a wall ends wher
   CHECK_FALSE(half.nearest({{0.0, 0.9, 0.0}, {1.0, 0.0, 0.0}}, 0.0, kFar));
 }
 
+TEST_CASE("exact shapes: a wall with a second gap is no part of a cylinder") {
+  Mesh broken = test::half_ring(1.0, 0.8, 16, 0);
+  broken.indices.erase(broken.indices.begin() + 8 * 6, broken.indices.begin() + 9 * 6);
+  test::finish(broken, 0.0f);
+  CHECK(refusal(scene_of(broken), ShapeKind::Cylinder) != "");
+  CHECK(refusal(scene_of(test::half_ring(1.0, 0.8, 16, 0)), ShapeKind::Cylinder) == "");
+}
+
 TEST_CASE("exact shapes: a shape's box holds the mesh that it stands for, and hardly more") {
   const Mesh sphere = test::sphere({0.3, 0.8, -0.2}, 0.5, 3, 0);
   const Mesh ring = test::ring(0.5, 0.54, 0.18, 96, 0), half = test::half_ring(1.0, 0.8, 96, 0);
