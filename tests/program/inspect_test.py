@@ -3,6 +3,7 @@ page itself is driven in a browser by tests/inspect."""
 
 import base64
 import json
+import pathlib
 import re
 import struct
 import zlib
@@ -109,6 +110,27 @@ class Inspect(ProgramTest):
         left_out = page.recording["runs"][0]["left_out"]
         self.assertTrue(any("picture" in each and "caustics render --dump" in each for each in left_out),
                         left_out)
+
+    def test_of_many_branches_the_map_that_they_come_to_is_kept(self):
+        scene = pathlib.Path(__file__).resolve().parents[2] / "scenes/glass/drinking_glass.glb"
+        self.succeeds("inspect", scene, "-r", "32x24", "--grid", "128", "--map", "32", "-o", "page.html")
+        run = Page((self.folder / "page.html").read_text()).recording["runs"][0]
+        maps = [each for each in run["attachments"] if each["texture"] == "caustic_map[0]"]
+        self.assertEqual([each["data"] is not None for each in maps], [False] * (len(maps) - 1) + [True])
+        self.assertIn("earlier branches of its light fill the page", maps[0]["left_out"])
+        kept = [each for each in run["attachments"] if each["data"] and "left_out" in each]
+        self.assertGreater(sum(run["passes"][each["pass"]]["label"].startswith("land[") for each in kept), 0)
+
+    def test_sections_leave_out_a_mesh_of_too_many_triangles(self):
+        document, blob = glb.unpack(glb.scene(caster=glb.sphere(rings=320, segments=340)))
+        document["meshes"][0]["name"] = "ball"
+        (self.folder / "fine.glb").write_bytes(glb.pack(document, blob))
+        self.succeeds("inspect", "fine.glb", *SMALL, "-o", "page.html")
+        run = Page((self.folder / "page.html").read_text()).recording["runs"][0]
+        shown = [mesh["positions"] is not None for mesh in run["meshes"]]
+        self.assertEqual(sorted(shown), [False, True], [mesh["name"] for mesh in run["meshes"]])
+        left_out = run["meshes"][shown.index(False)]["name"]
+        self.assertIn(f"mesh '{left_out}': sections do not show it, they hold 200000 triangles at most", run["left_out"])
 
     def test_what_two_runs_have_alike_is_there_once(self):
         page = self.page("--against", "iterations=1")
