@@ -314,10 +314,12 @@ class Dumps(CompareTest):
         (self.folder / "a").mkdir()
         self.fails(3, "compare", "a", "a", saying="no manifest.json")
         entry = {"pass": "p", "attachment": "z", "file": "../a.exr"}
-        for text in ("", "[]", "{", '{"attachments": 7}', '{"attachments": [7]}',
-                     '{"attachments": [{}]}', json.dumps({"attachments": [entry]})):
+        for text, saying in (("", ""), ("[]", ""), ("{", ""), ('{"attachments": 7}', ""),
+                             ('{"attachments": [7]}', ": an attachment is no object"),
+                             ('{"attachments": [{}]}', ": an attachment has no text 'file'"),
+                             (json.dumps({"attachments": [entry]}), ": '../a.exr' is no file of this folder")):
             (self.folder / "a" / "manifest.json").write_text(text)
-            self.fails(3, "compare", "a", "a", saying="manifest.json")
+            self.fails(3, "compare", "a", "a", saying="manifest.json" + saying)
 
     def write_dump(self, folder, **attachments):
         """A folder of 2x2 texels of Z each."""

@@ -101,6 +101,20 @@ class Signals(ProgramTest):
                     self.check_whole()
 
 
+class Impatience(ProgramTest):
+    def test_a_second_signal_ends_the_program_at_once_with_that_signals_exit_code(self):
+        for first, second in ((signal.SIGINT, signal.SIGTERM), (signal.SIGTERM, signal.SIGINT)):
+            process = subprocess.Popen([PROGRAM, *LONG["render"]], cwd=self.folder, stderr=subprocess.PIPE)
+            wait_until_it_listens(process, signal.SIGINT)
+            wait_until_it_listens(process, signal.SIGTERM)
+            process.send_signal(first)
+            process.send_signal(second)
+            process.communicate(timeout=120)
+            # Of two that wait together the system chooses which is first.
+            self.assertIn(process.returncode, (130, 143))
+            self.assertEqual([path.name for path in self.folder.rglob("*.tmp*")], [])
+
+
 class Death(ProgramTest):
     def test_a_killed_program_leaves_no_half_written_file_under_its_name(self):
         moments = random.Random(2)

@@ -3,11 +3,14 @@ light."""
 
 import collections
 import json
+import os
 import pathlib
+import pty
 import re
+import subprocess
 
 import glb
-from program import SMALL, ProgramTest, main
+from program import PROGRAM, SMALL, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 GRID, MAP, SHADOW, PICTURE, AROUND, COARSE = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24, 16 * 12
@@ -298,6 +301,33 @@ class ManyLights(ProgramTest):
         plan = self.plan(*[10] * 60, 0.01, options=["-D", "light.least=0", "-D", "light.full=0"])
         self.assertFalse(self.effect(plan)["active"])
         self.assertTrue(all(each["expected"] for each in plan["expectations"]))
+
+
+class Colour(ProgramTest):
+    def shown(self, **environment):
+        ours, its = pty.openpty()
+        with subprocess.Popen([PROGRAM, "plan", "ball.glb"], cwd=self.folder, stdout=its,
+                              env={**os.environ, "TERM": "xterm", **environment}) as run:
+            os.close(its)
+            text = b""
+            try:
+                while block := os.read(ours, 4096):
+                    text += block
+            except OSError:  # the terminal's other end is closed
+                pass
+        os.close(ours)
+        self.assertEqual(run.returncode, 0)
+        return text.decode().replace("\r\n", "\n")
+
+    def test_a_terminal_is_shown_colours_unless_it_has_none_or_they_are_not_wanted(self):
+        plain = self.succeeds("plan", "ball.glb").stdout
+        self.assertNotIn("\x1b", plain)
+        coloured = self.shown()
+        self.assertIn("\x1b[", coloured)
+        passes = [re.sub("\x1b\\[[0-9;]*m", "", line).split("  ")[0] for line in coloured.splitlines()]
+        self.assertEqual(passes, [line.split("  ")[0] for line in plain.splitlines()])
+        for unwanted in ({"TERM": "dumb"}, {"NO_COLOR": "1"}):
+            self.assertNotIn("\x1b", self.shown(**unwanted))
 
 
 if __name__ == "__main__":

@@ -72,7 +72,8 @@ class Water(ProgramTest):
             self.scene("bad.glb", water)
             self.fails(3, "bad.glb", *SMALL, saying=saying)
         self.scene("bad.glb", {}, extensions={})
-        self.fails(3, "bad.glb", *SMALL, saying="is no refractor")
+        self.fails(3, "bad.glb", *SMALL, saying="is no refractor (material ")
+        self.fails(3, "bad.glb", *SMALL, saying=": diffuse); give it a smooth material")
 
     def test_a_moment_that_takes_too_many_steps_is_refused_before_the_first(self):
         for late in (["--time", "1e6", "-o", "out.png"],

@@ -383,6 +383,9 @@ TEST_CASE("Bad skins are refused in one line") {
   const int two = few.add<float>({1, 0, 0, 0, 1, 0, 0, 0}, 5126, "VEC4", 2);
   few.mesh.replace(few.mesh.find("\"WEIGHTS_0\":2"), 13, "\"WEIGHTS_0\":" + std::to_string(two));
   CHECK(contains(refusal(few), "2 elements, POSITION 3"));
+  Gltf floats = skinned_triangle();
+  floats.mesh.replace(floats.mesh.find("\"JOINTS_0\":1"), 12, "\"JOINTS_0\":2");
+  CHECK(contains(refusal(floats), "JOINTS_0: must be unsigned bytes or shorts"));
   Gltf flat = skinned_triangle();
   flat.add<float>(std::vector<float>(18, 1.0f), 5126, "MAT3", 2);
   flat.rest.replace(flat.rest.find("\"inverseBindMatrices\":3"), 23, "\"inverseBindMatrices\":4");
