@@ -130,7 +130,8 @@ class Inspect(ProgramTest):
         shown = [mesh["positions"] is not None for mesh in run["meshes"]]
         self.assertEqual(sorted(shown), [False, True], [mesh["name"] for mesh in run["meshes"]])
         left_out = run["meshes"][shown.index(False)]["name"]
-        self.assertIn(f"mesh '{left_out}': sections do not show it, they hold 200000 triangles at most", run["left_out"])
+        self.assertIn(f"mesh '{left_out}': sections do not show it, they hold 200000 triangles at most",
+                      run["left_out"])
 
     def test_what_two_runs_have_alike_is_there_once(self):
         page = self.page("--against", "iterations=1")
