@@ -317,7 +317,8 @@ class Dumps(CompareTest):
         for text, saying in (("", ""), ("[]", ""), ("{", ""), ('{"attachments": 7}', ""),
                              ('{"attachments": [7]}', ": an attachment is no object"),
                              ('{"attachments": [{}]}', ": an attachment has no text 'file'"),
-                             (json.dumps({"attachments": [entry]}), ": '../a.exr' is no file of this folder")):
+                             (json.dumps({"attachments": [entry]}),
+                              ": '../a.exr' is no file of this folder")):
             (self.folder / "a" / "manifest.json").write_text(text)
             self.fails(3, "compare", "a", "a", saying="manifest.json" + saying)
 

@@ -164,8 +164,9 @@ class FullDisk(ProgramTest):
     def test_of_a_dump_that_does_not_fit_no_file_is_left(self):
         (self.folder / "dumped").mkdir()
         (self.folder / "dumped/notes.txt").write_text("mine")
+        limit = (20000, 20000)
         result = self.run_program("ball.glb", *SMALL, "--dump", "dumped", "--quiet",
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000)))
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limit))
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertNotIn("/00_", result.stderr, "the first files fit")
         self.assertEqual([path.name for path in (self.folder / "dumped").iterdir()], ["notes.txt"])
