@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Keeps the names in unnamed namespaces of one room apart. Sources are compiled in batches (cmake/unity.cmake), of sizes
-that differ between builds and clang-tidy, and two of one batch share their unnamed namespace: a name that two sources
-give to different things may compile today and fail when a file joins the room."""
+"""Keeps the names in unnamed namespaces of one room apart. Sources are compiled in batches (cmake/unity.cmake),
+of sizes that differ between builds and clang-tidy, and two of one batch share their unnamed namespace: a name
+that two sources give to different things may compile today and fail when a file joins the room."""
 import collections
 import pathlib
 import re
@@ -11,7 +11,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ('pipeline', 'passes', 'raster', 'gl_backend', 'lab', 'app')
 
 TYPE = re.compile(r'(?:struct|class|enum class|enum|using) (\w+)')
-FUNCTION = re.compile(r'[\w:<>,&*\[\] ]*[ &*>](\w+)\(([^;{]*)\)(?: const)?(?: noexcept)?(?: ->[^{;]*)? [{;]?', re.S)
+FUNCTION = re.compile(
+    r'[\w:<>,&*\[\] ]*[ &*>](\w+)\(([^;{]*)\)(?: const)?(?: noexcept)?(?: ->[^{;]*)? [{;]?', re.S)
+NAMESPACE = re.compile(
+    r'^namespace ([\w:]+) \{$|^namespace \{\n(.*?)^\}  // namespace$|^\}  // namespace [\w:]+$', re.M | re.S)
 CONSTANT = re.compile(r'[\w:<>,&*() ]*[ &*>](\w+)(?:\[\w*\])* ?[={;]')
 
 
@@ -25,10 +28,9 @@ def parameter_types(parameters):
 
 
 def unnamed_parts(text):
-    """Every enclosing namespace's name with the text of its unnamed namespaces; the format closes each by a comment."""
+    """Every enclosing namespace's name with the text of its unnamed namespaces; a comment closes each."""
     enclosing = []
-    for match in re.finditer(r'^namespace ([\w:]+) \{$|^namespace \{\n(.*?)^\}  // namespace$|^\}  // namespace [\w:]+$',
-                             text, re.M | re.S):
+    for match in NAMESPACE.finditer(text):
         if match.group(1):
             enclosing.append(match.group(1))
         elif match.group(2) is None:
