@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Keeps the names in unnamed namespaces of one room apart. Sources are compiled in batches (cmake/unity.cmake),
-of sizes that differ between builds and clang-tidy, and two of one batch share their unnamed namespace: a name
-that two sources give to different things may compile today and fail when a file joins the room."""
+"""Keeps the names in unnamed namespaces of one room apart. Sources are compiled in batches
+(cmake/unity.cmake), of sizes that differ between builds and clang-tidy, and two of one batch share their unnamed
+namespace: a name that two sources give to different things may compile today and fail when a file joins."""
 import collections
 import pathlib
 import re
@@ -13,6 +13,9 @@ ROOMS = ('pipeline', 'passes', 'raster', 'gl_backend', 'lab', 'app')
 TYPE = re.compile(r'(?:struct|class|enum class|enum|using) (\w+)')
 FUNCTION = re.compile(
     r'[\w:<>,&*\[\] ]*[ &*>](\w+)\(([^;{]*)\)(?: const)?(?: noexcept)?(?: ->[^{;]*)? [{;]?', re.S)
+# A line at the margin, with those that go on with it.
+OUTERMOST = re.compile(r'^(?!namespace|using \w+::)(?=[A-Za-z])(?:template <[^\n]*>\n)?'
+                       r'([^#\n][^\n]*(?:\n {4,}[^\n]*)*)', re.M)
 NAMESPACE = re.compile(
     r'^namespace ([\w:]+) \{$|^namespace \{\n(.*?)^\}  // namespace$|^\}  // namespace [\w:]+$', re.M | re.S)
 CONSTANT = re.compile(r'[\w:<>,&*() ]*[ &*>](\w+)(?:\[\w*\])* ?[={;]')
@@ -42,7 +45,7 @@ def unnamed_parts(text):
 def names_in(part):
     """The names that stand at the outermost level of a part: functions with their parameters' types."""
     part = re.sub(r'//[^\n]*', '', part)
-    for match in re.finditer(r'^(?!namespace|using \w+::)(?=[A-Za-z])(?:template <[^\n]*>\n)?([^#\n][^\n]*(?:\n {4,}[^\n]*)*)', part, re.M):
+    for match in OUTERMOST.finditer(part):
         head = match.group(1)
         kind = TYPE.match(head)
         function = FUNCTION.match(head)
