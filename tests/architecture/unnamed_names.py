@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Keeps the names in unnamed namespaces of one room apart. Sources are compiled in batches
-(cmake/unity.cmake), of sizes that differ between builds and clang-tidy, and two of one batch share their unnamed
-namespace: a name that two sources give to different things may compile today and fail when a file joins."""
+(cmake/unity.cmake), of sizes that differ between builds and clang-tidy, and two of one batch share their
+unnamed namespace: a name of two different things may compile today and fail when a file joins the room."""
 import collections
 import pathlib
 import re
