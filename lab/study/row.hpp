@@ -26,12 +26,12 @@ struct Figures {
 };
 
 struct StudyRow {
-  Point point;
-  std::string backend;              // "software", "gl"
-  std::string device;               // as it describes itself
-  nlohmann::ordered_json settings;  // all of them, as --stats writes them
-  int repeat = 0;                   // frames timed
-  std::string problem{};            // why there are no figures: one line, else ""
+  Point point{};
+  std::string backend;                // "software", "gl"
+  std::string device{};               // as it describes itself
+  nlohmann::ordered_json settings{};  // all of them, as --stats writes them
+  int repeat = 0;                     // frames timed
+  std::string problem{};              // why there are no figures: one line, else ""
   Figures figures{};
   Times frame{}, caustic{};
   std::uint64_t texture_bytes = 0;

@@ -32,7 +32,7 @@ constexpr bool is_diffuse(Role role) { return role == Role::Receiver || role == 
 struct SurfaceRole {
   Role role = Role::Receiver;
   bool two_interfaces = false;  // a Refractor: closed, so the light leaves through a second surface
-  std::string reason;
+  std::string reason{};
   // Some of it is blended over what lies behind: all but what is opaque of a Receiver, all of a Blended.
   bool blended = false;
   bool rough = false;  // a Refractor: its microfacets spread the light
@@ -55,7 +55,7 @@ struct Expectation {
   int light = 0;
   int mesh = 0;
   bool expected = false;
-  std::string reason;
+  std::string reason{};
 };
 
 // One way that a light's flux takes through the casters. Each has its own landings; the caustic map of

@@ -12,6 +12,8 @@ namespace {
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr int kMostNested = 8;
 
+}  // namespace
+
 // A body that the light is in.
 struct Inside {
   int body = -1, mesh = -1;
@@ -44,6 +46,8 @@ struct Media {
     --count;
   }
 };
+
+namespace {
 
 double largest(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
