@@ -31,3 +31,33 @@ TEST_CASE("splat counts: a splat counts in every texel that it touches, and in n
               (std::abs(x - 5) <= reach && std::abs(y - 2) <= reach ? 1u : 0u));
   }
 }
+
+TEST_CASE("splat counts: a cell counts in the rectangle around its four corners, one without light nowhere") {
+  Image landing(Format::RGBA32F, 2, 1), flux(Format::RGBA32F, 2, 1);
+  for (int x = 0; x < 2; ++x) landing.at(x, 0, 3) = STATUS_MISSED;
+  flux.at(0, 0, 3) = 1.0f;
+  Image near(Format::RGBA32F, 2, 1), far(Format::RGBA32F, 2, 1);
+  for (int x = 0; x < 2; ++x) {
+    const float corners[2][4] = {{2.5f, 2.5f, 3.5f, 3.2f}, {1.5f, 4.5f, 2.2f, 5.9f}};
+    for (int c = 0; c < 4; ++c) {
+      near.at(x, 0, c) = corners[0][c];
+      far.at(x, 0, c) = corners[1][c];
+    }
+  }
+  BranchImages branch{};
+  branch.landing = landing;
+  branch.cell_flux = flux;
+  CellImages cells{};
+  cells.near = near;
+  cells.far = far;
+  const View view = down(4.0, 10.0, 20.0);
+  SplatCounts splats(SplatKernel{}, view, 8);
+  splats.add(branch, cells);
+  splats.add(branch, {});
+  const std::vector<std::uint32_t> counts = splats.by_texel();
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      INFO("texel " << x << ", " << y);
+      CHECK(counts[static_cast<std::size_t>(8 * y + x)] == (x >= 1 && x <= 3 && y >= 2 && y <= 5 ? 1u : 0u));
+    }
+}

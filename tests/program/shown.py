@@ -16,7 +16,8 @@ MOST_LINES = 60  # of a JSON file that is shown as it is
 # Keys of what a run takes, and of what is this machine's or this build's.
 MASKED = set("""bandwidth_bytes_per_second deviation operations_per_second peak_memory_bytes
 prepare_milliseconds share_of_bound milliseconds processor_milliseconds seconds peak stated before after
-median least most pareto sentences memory_bytes device program embree path digest""".split())
+median least most pareto sentences memory_bytes memory_budget_bytes device program embree path
+digest""".split())
 
 
 def without_times(value, key=""):
