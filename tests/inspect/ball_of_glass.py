@@ -1,6 +1,8 @@
 """A ball of glass over a floor under slanted parallel light, traced ray by ray: small, and real enough
 to look at."""
+import functools
 import math
+import operator
 
 CENTER, RADIUS, INDEX = (0.0, 1.0, 0.0), 0.7, 1.5
 LIGHT = (0.5, -math.sqrt(0.75), 0.0)
@@ -13,8 +15,13 @@ def plus(a, b, k=1.0):
     return tuple(x + k * y for x, y in zip(a, b))
 
 
+def total(values):
+    """One after the other: sum() rounds otherwise from Python 3.12 on."""
+    return functools.reduce(operator.add, values, 0)
+
+
 def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
+    return total(x * y for x, y in zip(a, b))
 
 
 def refract(way, normal, eta):

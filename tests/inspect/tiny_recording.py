@@ -93,7 +93,7 @@ def lamp_light(maker):
         7 * 8
         + 7: [(0, cell(0, 0), 0, 0, [4.0]), (0, cell(1, 0), 0, 0, [0.5]), (0, cell(2, 0), 0, 0, [0.25])],
     }
-    sums = [sum(event[4][0] for event in events.get(texel, [])) for texel in range(64)]
+    sums = [ball.total(event[4][0] for event in events.get(texel, [])) for texel in range(64)]
     mapped = maker.write(
         "caustic_map[lamp]",
         "flux",

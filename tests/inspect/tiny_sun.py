@@ -165,7 +165,7 @@ def sun_map(maker, ways):
         state={"topology": "rectangles", "blend": "add"},
         draws=[{"mesh": None, "material": None}],
     )
-    sums = [sum(event[4][0] for event in events.get(texel, [])) for texel in range(MAP * MAP)]
+    sums = [ball.total(event[4][0] for event in events.get(texel, [])) for texel in range(MAP * MAP)]
     identity = maker.write(
         "caustic_map[sun]",
         "flux",
@@ -209,7 +209,7 @@ def sun_shading(maker, sums, places):
         shaded = in_shadow(*floor_of_pixel(x, y)) or sees_ball(x, y)
         direct += [0 if shaded else 43000 * k for k in (1, 0.97, 0.9)] + [0]
         x0, y0, x1, y1 = (round(v) for v in places[number] or (0, 0, 0, 0))
-        flux = sum(sums[row * MAP + column] for row in range(y0, y1) for column in range(x0, x1))
+        flux = ball.total(sums[row * MAP + column] for row in range(y0, y1) for column in range(x0, x1))
         lux = 50000 * flux / PIXEL**2 if places[number] else 0
         caustic += [min(60000, lux * k) for k in (1, 0.97, 0.9)] + [0]
     return direct, caustic
