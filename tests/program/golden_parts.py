@@ -17,7 +17,8 @@ CLAMP, MIRROR, REPEAT, NEAREST = 33071, 33648, 10497, 9728
 
 def turn(axis, degrees):
     """The quaternion of a rotation."""
-    length = math.sqrt(sum(c * c for c in axis))
+    x, y, z = axis
+    length = math.sqrt(x * x + y * y + z * z)  # sum() rounds otherwise from Python 3.12 on
     half = math.radians(degrees) / 2
     return [c / length * math.sin(half) for c in axis] + [math.cos(half)]
 
