@@ -59,7 +59,7 @@ TEST_CASE(
   Scene scene;
   scene.materials = {glass(1.5f)};
   scene.meshes = {sphere(glm::dvec3(0.0, 1.0, 0.0), 0.5, 2, 0)};
-  Light lamp{.type = LightType::Point, .intensity = 8.0f};
+  Light lamp{.name = "lamp", .type = LightType::Point, .intensity = 8.0f};
   lamp.position = {0.0, 3.0, 0.0};
   scene.lights = {lamp};
   CHECK(light_level(scene) == Approx(2.0));

@@ -156,7 +156,7 @@ TEST_CASE("lamp meshes: a spot light of the scene counts within its cone, and by
                                                    {90000.0f, 1.5f, true, true},
                                                    {900.0f, 1.5f, false, true}}) {
     Scene scene = under_lamp(20000.0f);
-    Light spot{.type = LightType::Spot, .intensity = candela};
+    Light spot{.name = "spot", .type = LightType::Spot, .intensity = candela};
     spot.position = {0.0, 3.0, 0.0};
     spot.direction = {0.0, up ? 1.0 : -1.0, 0.0};
     spot.inner_cone = spot.outer_cone = inner;
