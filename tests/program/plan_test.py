@@ -5,12 +5,10 @@ import collections
 import json
 import os
 import pathlib
-import pty
 import re
-import subprocess
 
 import glb
-from program import PROGRAM, SMALL, ProgramTest, main
+from program import SMALL, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 GRID, MAP, SHADOW, PICTURE, AROUND, COARSE = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24, 16 * 12
@@ -305,19 +303,10 @@ class ManyLights(ProgramTest):
 
 class Colour(ProgramTest):
     def shown(self, **environment):
-        ours, its = pty.openpty()
-        with subprocess.Popen([PROGRAM, "plan", "ball.glb"], cwd=self.folder, stdout=its,
-                              env={**os.environ, "TERM": "xterm", **environment}) as run:
-            os.close(its)
-            text = b""
-            try:
-                while block := os.read(ours, 4096):
-                    text += block
-            except OSError:  # the terminal's other end is closed
-                pass
-        os.close(ours)
-        self.assertEqual(run.returncode, 0)
-        return text.decode().replace("\r\n", "\n")
+        code, lines = self.on_terminal("plan", "ball.glb", stream="stdout",
+                                       env={**os.environ, "TERM": "xterm", **environment})
+        self.assertEqual(code, 0)
+        return "\n".join(lines)
 
     def test_a_terminal_is_shown_colours_unless_it_has_none_or_they_are_not_wanted(self):
         plain = self.succeeds("plan", "ball.glb").stdout

@@ -63,11 +63,11 @@ class ProgramTest(unittest.TestCase):
         if "not in this build" in line:
             self.skipTest("no Embree: this build traces no rays")
 
-    def on_terminal(self, *arguments, **options):
-        """The exit code of a run whose stderr is a terminal, and each line that it showed there."""
+    def on_terminal(self, *arguments, stream="stderr", **options):
+        """The exit code of a run of which one stream is a terminal, and each line that it showed there."""
         controller, terminal = pty.openpty()
         command = [PROGRAM, *map(str, arguments)]
-        with subprocess.Popen(command, cwd=self.folder, stderr=terminal, **options) as run:
+        with subprocess.Popen(command, cwd=self.folder, **{stream: terminal}, **options) as run:
             os.close(terminal)
             shown = b""
             try:
