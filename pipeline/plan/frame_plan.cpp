@@ -11,6 +11,7 @@
 #include "pipeline/effects/surface_role.hpp"
 #include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/gpu/text.hpp"
+#include "pipeline/plan/called_for.hpp"
 #include "pipeline/plan/needed_passes.hpp"
 #include "pipeline/plan/sample_passes.hpp"
 #include "pipeline/plan/texture_memory.hpp"
@@ -28,29 +29,6 @@ struct Owner {
 
 // Those of some thousand lights; more would plan for minutes and draw for hours.
 constexpr std::size_t kMostPasses = 1'000'000;
-
-std::string named_reason(Effect Effects::*effect, const Effects& effects) {
-  for (const NamedEffect& named : named_effects())
-    if (named.effect == effect) return std::string(named.name) + ": " + (effects.*effect).reason;
-  return (effects.*effect).reason;
-}
-
-// "cells: landings are splatted one by one", or nothing where the effect is active.
-std::optional<std::string> missing(Effect Effects::*wanted, const Effects& effects) {
-  if (!wanted || (effects.*wanted).active) return {};
-  return named_reason(wanted, effects);
-}
-
-// Why the effects do not call for an instance of a pass, or nothing.
-std::optional<std::string> not_called_for(const Pass& pass, const DrawnFor& drawn_for,
-                                          const Effects& effects) {
-  for (Effect Effects::*wanted : pass.when)
-    if (auto reason = missing(wanted, effects)) return reason;
-  if (!pass.unless.empty() && std::all_of(pass.unless.begin(), pass.unless.end(),
-                                          [&](Effect Effects::*other) { return (effects.*other).active; }))
-    return named_reason(pass.unless.back(), effects);
-  return missing(drawn_for.also, effects);
-}
 
 std::string with_label(std::string_view name, std::string_view label) {
   return label.empty() ? std::string(name) : std::string(name) + "." + std::string(label);
