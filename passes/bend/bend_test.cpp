@@ -166,6 +166,17 @@ TEST_CASE("bend: a body tints light once, where it enters") {
   check_near(path_at(leaving.run()).flux, glm::vec3(0.96f));
 }
 
+TEST_CASE("bend: a body lets a share through once, where light enters; what it mirrors stays whole") {
+  Bench bench;
+  bench.materials[0].transmitted = 0.6f;
+  const PassImages out = bench.run();
+  check_near(path_at(out).flux, glm::vec3(0.96f * 0.6f));
+  check_near(glm::vec3(texel(out["landing_absorbed"], 0, 0)), glm::vec3(0.96f * 0.4f));
+  Bench leaving = from_inside(0.0);
+  leaving.materials[0].transmitted = 0.6f;
+  check_near(path_at(leaving.run()).flux, glm::vec3(0.96f));
+}
+
 TEST_CASE("bend: a body within another is entered from that one's index, and counts until it is left") {
   // From 1.5 into 1.25: sin t = 1.5 / 1.25 sin 30 = 0.6.
   Bench bench;

@@ -96,7 +96,7 @@ Pass compose_pass() {
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
       .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},
-                  {"blends", chosen_by<&Effects::blended>},
+                  {"blends", chosen_by<&Effects::layered>},
                   {"mirrors", chosen_by<&Effects::highlights>},
                   {"is_occluded", chosen_by<&Effects::occlusion>},
                   {"has_ambient_occlusion", has_ambient_occlusion}},

@@ -22,6 +22,7 @@ TEXTURE(12, ambient_occlusion)
 #include "passes/shared/full_screen.glsl"
 #else
 OUTPUT(0, Vec4, scene_color)
+#include "passes/shared/directional_albedo.glsl"
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/same_surface.glsl"
 #include "passes/shared/sky_radiance.glsl"
@@ -56,9 +57,7 @@ Vec3 ray_direction() {
 }
 
 // What a surface mirrors of the environment along a camera's ray: between the sharp image and the mean over
-// the cosine by its roughness, times glTF's specular BRDF over all directions. Of that, what a reflectance of
-// 1 sends back is fitted to its integral, to 2 % in the mean and 11 % at grazing view; the share that Fresnel
-// adds to a reflectance of 0 is from Karis, "Physically based shading on mobile", 2014.
+// the cosine by its roughness, times glTF's specular BRDF over all directions.
 Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
   Float cosine = clamp_to(-dot3(n, sight), 0.0f, 1.0f);
   Vec3 onward = normalize_or(sight + n * (2.0f * cosine), n);
@@ -68,14 +67,9 @@ Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
   Vec3 sharp = blurred;
   if (any_lane(smooth_enough)) sharp = sky_radiance(u.sky, onward);
   Vec3 radiance = sel(smooth_enough, sharp * (1.0f - roughness) + blurred * roughness, blurred);
-  Float smoothness = 1.0f - roughness;
-  Float grazing = min_of(smoothness * smoothness, exp_of(cosine * -6.43240f)) * smoothness + 0.0425f -
-                  0.0275f * roughness;
-  Float bias = max_of(grazing * 1.04f + 0.022f * roughness - 0.04f, 0.0f);
-  Float squared = roughness * roughness;
-  Float lost = squared * (0.940f - 1.039f * cosine - 0.371f * roughness + 2.734f * (squared * cosine));
-  Float whole = Float(1.0f) / (1.0f + max_of(lost, 0.0f));
-  return radiance * (Vec3(specular) * (whole - bias) + Vec3(bias));
+  DirectionalAlbedo albedo = directional_albedo(cosine, roughness);
+  Float whitest = max_of(max_of(specular.x, specular.y), specular.z);
+  return radiance * (Vec3(specular) * albedo.scale + Vec3(grazing_reflectance(whitest) * albedo.bias));
 }
 
 // rgb: radiance of the blended surfaces that are nearer, w: how much passes them. The passes that draw glass

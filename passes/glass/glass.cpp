@@ -46,7 +46,7 @@ Pass glass_pass() {
       .purpose = "bends the view through refractive objects and mirrors it at their surface",
       .reason = "the camera may see a refractive object",
       .when = {&Effects::seen_casters},
-      .unless = {&Effects::further_surfaces},
+      .unless = {&Effects::followed_view},
       .reads = {{.name = "scene_color", .meaning = "the picture without glass"},
                 {.name = "view_position", .meaning = "where its surfaces are"},
                 {.name = "wide_color",
@@ -81,7 +81,7 @@ Pass glass_pass() {
                 kReadFirstLayer},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&glass_shader, block_of<glass_uniforms>}},
-      .choices = {{"blends", chosen_by<&Effects::blended>},
+      .choices = {{"blends", chosen_by<&Effects::layered>},
                   {"has_rough", chosen_by<&Effects::rough_glass>},
                   {"has_caster_tint", chosen_by<&Effects::textured_casters>}},
   };

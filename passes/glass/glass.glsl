@@ -148,7 +148,6 @@ struct Exit {
   Ray ray;
   Float inside_length;  // metres
   Bool mirrored;        // inside
-  Float reflectance;    // of the second surface
 };
 
 // `inside`: the ray past the first surface; where the glass is not solid there is no second.
@@ -167,7 +166,6 @@ Exit leave_glass(IN(Ray) inside, Float ior, Bool solid) {
   // What the glass stands on touches the place where the ray leaves: it is to lie before the ray, not behind.
   Float back = 2.0f * texel_extent_at(view_exit_position, u.view, exit.ray.start);
   exit.ray.start = exit.ray.start - exit.ray.direction * sel(solid, back, Float(0.0f));
-  exit.reflectance = sel(solid && !bent.total, bent.reflectance, Float(0.0f));
   return exit;
 }
 
@@ -207,6 +205,7 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
     ior = sel(material.thin, Float(1.0f), ior);
     tint = wall_tint(material, tint, front.from_inside);
   }
+  bent.reflectance = sel(bent.total, Float(1.0f), bent.reflectance * material.fresnel);
   Exit exit = leave_glass(ray_from(front.point, bent.direction), ior, solid);
 
   // A facet that leans by a slope turns what it mirrors by twice that, what passes by (n - 1) times, 1 / n of
@@ -214,17 +213,14 @@ Vec3 radiance_of(IN(Front) front, Bool seen) {
   Float turn = sel(solid, Float(1.41421356f), 1.0f / material.ior) * abs(material.ior - 1.0f);
   if (u.has_rough != 0) {
     turn = sel(material.thin, sel(solid, Float(2.82842712f), Float(2.0f)), turn);
-    exit.reflectance = sel(material.thin && solid, bent.reflectance, exit.reflectance);
   }
   Vec3 behind = radiance_along(exit.ray, turn * width, seen && !material.mirror, exit.mirrored) * tint *
                 transmittance(material.absorption, exit.inside_length);
   Ray back = ray_from(front.point, reflected(sight, normal, bent.cosine));
   Vec3 mirrored = radiance_along(back, sel(material.mirror, Float(0.0f), 2.0f * width), seen, Bool(true));
   Vec3 metal = mirrored * metal_reflectance(material.color, bent.cosine);
-  // The share that the second surface sends back is taken to leave as it would have: nothing is lost to
-  // black.
-  Vec3 glass = mirrored * bent.reflectance +
-               behind * (1.0f - bent.reflectance) * (1.0f - 0.5f * exit.reflectance);
+  // What the second surface sends back is taken to leave as the rest does: nothing is lost to black.
+  Vec3 glass = mirrored * bent.reflectance + behind * (1.0f - bent.reflectance);
   return sel(material.mirror, metal, glass);
 }
 

@@ -338,9 +338,10 @@ Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, Float a
   Vec3 passed = transmittance(entry.material.absorption, absorbing_length);
   if (u.is_reflection == 0) {
     Vec3 color = entry.material.color;
-    Vec3 tint = color;
+    Vec3 passing = color * entry.material.transmitted;
+    Vec3 tint = passing;
     if (u.has_rough != 0)
-      tint = wall_tint(entry.material, color, entry.from_inside) * (first.unmasked * exit.unmasked);
+      tint = wall_tint(entry.material, passing, entry.from_inside) * (first.unmasked * exit.unmasked);
     passed = passed * sel(first.blocked, Vec3(1.0f), tint);
     if (u.has_mirrors != 0)
       passed = sel(entry.material.mirror, metal_reflectance(color, first.cosine), passed);

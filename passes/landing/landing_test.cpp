@@ -234,6 +234,15 @@ TEST_CASE("landing: the base colour tints what glass lets through") {
   CHECK(out["landing_absorbed"].at(0, 0, 2) == Approx(0.25 * 0.96 * 0.75));
 }
 
+TEST_CASE("landing: of what is not mirrored a share is let through, and the rest booked as absorbed") {
+  LandingBench bench;
+  bench.color = {1.0f, 0.5f, 0.25f};
+  bench.transmitted = 0.6f;
+  const PassImages out = bench.run();
+  CHECK(out["landing_flux"].at(0, 0, 1) == Approx(0.25 * 0.96 * 0.5 * 0.6));
+  CHECK(out["landing_absorbed"].at(0, 0, 0) == Approx(0.25 * 0.96 * 0.4));
+}
+
 TEST_CASE("landing: Wyman's thickness is the mean of two, by the angles") {
   // Exit plane 0.5 m below the entry point: d_V = 0.5 straight down. Normal tilted by 30 degrees: d_N = 0.5 /
   // cos 30 = 0.577350; incidence 30, refraction 19.4712 degrees: 0.649040 * 0.5 + 0.350960 * 0.577350 =

@@ -19,7 +19,8 @@ Vec3 receiver_highlight(IN(SurfacePoint) surface, Vec3 irradiance) {
   Vec3 l = -light.travel;
   Vec3 v = towards_camera(surface.position);
   Float lobe = highlight_lobe(surface.normal, v, l, specular.w, half_width(u.light, light));
-  return irradiance * metal_reflectance(Vec3(specular), highlight_cosine(v, l)) * lobe;
+  Float grazing = grazing_reflectance(max_of(max_of(specular.x, specular.y), specular.z));
+  return irradiance * schlick_reflectance(Vec3(specular), grazing, highlight_cosine(v, l)) * lobe;
 }
 
 // Reflectance of a caster at normal incidence.
@@ -35,7 +36,9 @@ Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
   Float lit = Float(1.0f);
   if (u.has_shadow_map != 0) lit = 1.0f - shadow_share(p);
   Vec3 v = towards_camera(caster.position);
-  Vec3 reflectance = metal_reflectance(facing_reflectance(material), highlight_cosine(v, -light.travel));
+  Float grazing = sel(material.mirror, Float(1.0f), material.fresnel);
+  Vec3 reflectance =
+      schlick_reflectance(facing_reflectance(material), grazing, highlight_cosine(v, -light.travel));
   Float size = half_width(u.light, light);
   Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness, size);
   return irradiance_by(light, p, lit) * reflectance * lobe;

@@ -40,6 +40,7 @@ OUTPUT(3, Vec4, caster_highlight)
 #include "passes/shared/incidence.glsl"
 #include "passes/shared/caster_material.glsl"
 #include "passes/shared/optics.glsl"
+#include "passes/shared/directional_albedo.glsl"
 #include "passes/shared/highlight.glsl"
 #include "passes/shared/casters_column.glsl"
 #include "passes/shared/surface_plane.glsl"

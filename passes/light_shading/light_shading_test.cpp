@@ -267,7 +267,7 @@ TEST_CASE("light_shading: glass and metal before a surface show their own highli
   bench.glass = filled(1, 1, {0.5f, 2.0f, -0.5f, 1.0f});
   bench.glass_normal = filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f});
   // Index 1.5, roughness 0.4: alpha^2 = 0.0256.
-  bench.materials = Image(Format::RGBA32F, 3, 1);
+  bench.materials = Image(Format::RGBA32F, 4, 1);
   bench.materials.at(0, 0, 0) = 1.5f;
   for (int c = 0; c < 3; ++c) bench.materials.at(2, 0, c) = 0.9f - 0.3f * static_cast<float>(c);
   bench.materials.at(2, 0, 3) = 0.4f;

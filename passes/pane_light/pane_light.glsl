@@ -9,6 +9,7 @@ UNIFORMS_END
 TEXTURE(0, base_color)
 TEXTURE(1, shadow_depth)
 TEXTURE(2, caster_position)
+TEXTURE(3, transmission_texture)
 #include "passes/shared/pane_surface.glsl"
 
 #ifndef VERTEX_STAGE
@@ -44,6 +45,6 @@ void main() {
   }
   discard_if(left_out);
   pane_transmittance = Vec4(1.0f);
-  if (any_lane(!left_out)) pane_transmittance = Vec4(let_through(ray_direction()), Float(1.0f));
+  if (any_lane(!left_out)) pane_transmittance = Vec4(let_through(ray_direction(), Bool(false)), Float(1.0f));
 }
 #endif

@@ -41,6 +41,19 @@ TEST_CASE("pane_light: a pane passes its colour, less what both faces mirror") {
   check_color(LightBench{}.transmittance(), kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
 }
 
+TEST_CASE("pane_light: a pane passes its transmission's share, and all where its alpha leaves it out") {
+  LightBench bench;
+  bench.material.transmission = 0.4f;
+  check_color(bench.transmittance(), 0.4f * kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
+  bench.material.alpha_mode = AlphaMode::Blend;
+  bench.material.base_color.a = 0.25f;
+  check_color(bench.transmittance(), glm::vec3(0.75f) + 0.1f * kPasses * glm::vec3(1.0f, 0.5f, 0.25f));
+  // KHR_materials_specular takes what both faces mirror away.
+  bench.material = pane_material();
+  bench.material.fresnel_factor = 0.0f;
+  check_color(bench.transmittance(), glm::vec3(1.0f, 0.5f, 0.25f));
+}
+
 TEST_CASE("pane_light: a steep pane passes less") {
   // 60 degrees, sin = 0.8660254, inside cos = sqrt(1 - 0.75 / 2.25) = 0.8164966:
   // rs = ((0.5 - 1.2247449) / 1.7247449)^2 = 0.1765719, rp = ((0.75 - 0.8164966) / 1.5664966)^2 =

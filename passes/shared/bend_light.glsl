@@ -128,7 +128,7 @@ void bend_light(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle) triang
   on.spread_y = sel(both.passes, path.spread_y, on.spread_y);
   Vec3 metal = metal_reflectance(material.color, ways.bent.cosine);
   Bool tints = both.tints && !ways.is_mirrored && !both.passes;
-  Vec3 color = sel(material.mirror, metal, sel(tints, material.color, Vec3(1.0f)));
+  Vec3 color = sel(material.mirror, metal, sel(tints, material.color * material.transmitted, Vec3(1.0f)));
   on.flux = ways.flux * color;
   on.media = sel(ways.is_mirrored, path.media, both.media);
   Float event = sel(both.passes, Float(EVENT_PASSES),

@@ -9,7 +9,8 @@ struct Material {
   Bool solid;        // closed: what enters leaves by a second surface
   Vec3 absorption;   // per metre
   Float roughness;
-  Vec3 color;        // what glass lets through; what metal mirrors at normal incidence
+  Vec3 color;        // what is left of what glass lets through; what metal mirrors at normal incidence
+  Float transmitted; // share of what glass does not mirror that goes through it
 };
 
 Int material_row(Vec4 normal_texel) { return floor_to_int(normal_texel.w + 0.5f); }
@@ -28,5 +29,6 @@ Material fetch_material(Texture materials, Int row) {
   Vec4 color_texel = fetch_clamped(materials, Int(2), row);
   material.color = Vec3(color_texel);
   material.roughness = color_texel.w;
+  material.transmitted = fetch_clamped(materials, Int(3), row).x;
   return material;
 }

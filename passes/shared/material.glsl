@@ -30,10 +30,20 @@ Vec4 fetch_around(Texture t, IN(TexelPair) columns, IN(TexelPair) rows, Int x, I
   return bottom * (1.0f - rows.between) + top * rows.between;
 }
 
-// `uv`: after the transform.
-Vec4 fetch_wrapped(Texture t, IN(TextureTransform) how, Vec2 uv) {
-  Vec2 place = wrapped(how, uv);
+Vec4 fetch_between(Texture t, IN(TextureTransform) how, Vec2 place) {
   TexelPair columns = texels_around(Int(texture_width(t)), place.x, how.wrap_u);
   TexelPair rows = texels_around(Int(texture_height(t)), place.y, how.wrap_v);
   return fetch_around(t, columns, rows, Int(0), Int(0));
+}
+
+// `uv`: after the transform. A sampler may ask for the nearest texel.
+Vec4 fetch_wrapped(Texture t, IN(TextureTransform) how, Vec2 uv) {
+  Vec2 place = wrapped(how, uv);
+  Vec4 texel = Vec4(0.0f);
+  if (how.nearest != 0) {
+    texel = fetch_nearest(t, place.x, place.y);
+  } else {
+    texel = fetch_between(t, how, place);
+  }
+  return texel;
 }

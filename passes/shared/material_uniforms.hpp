@@ -17,12 +17,12 @@ inline TextureTransform texture_transform(const caustics::TextureUse& use) {
   return {.row0 = glm::vec3(m[0][0], m[1][0], m[2][0]),
           .wrap_u = static_cast<int>(use.wrap_u),
           .row1 = glm::vec3(m[0][1], m[1][1], m[2][1]),
-          .wrap_v = static_cast<int>(use.wrap_v)};
+          .wrap_v = static_cast<int>(use.wrap_v),
+          .nearest = use.nearest ? 1 : 0};
 }
 
 inline SurfaceTexture surface_texture(const caustics::TextureUse& use) {
-  return {
-      .uv = texture_transform(use), .levels = use.present() ? use.levels : 0, .nearest = use.nearest ? 1 : 0};
+  return {.uv = texture_transform(use), .levels = use.present() ? use.levels : 0};
 }
 
 // `cutoff`: 0 for no mask.

@@ -17,7 +17,7 @@ Int level_side(int side, Int level) {
 Vec4 fetch_finest(Texture t, IN(SurfaceTexture) use, Vec2 place) {
   TexelPair columns = texels_around(Int(texture_width(t)), place.x, use.uv.wrap_u);
   TexelPair rows = texels_around(Int(texture_height(t)), place.y, use.uv.wrap_v);
-  if (use.nearest != 0) {
+  if (use.uv.nearest != 0) {
     columns.between = floor(columns.between + 0.5f);
     rows.between = floor(rows.between + 0.5f);
   }

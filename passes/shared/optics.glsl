@@ -39,11 +39,15 @@ Float fresnel_reflectance(Float eta, Float ci, Float ct) {
   return sel(sound, 0.5f * (rs * rs + rp * rp), sel(eta == 1.0f, Float(0.0f), Float(1.0f)));
 }
 
-// Reflectance of a metal: Schlick's approximation (1994), as glTF 2.0 has it (appendix B.2).
-Vec3 metal_reflectance(Vec3 normal_incidence, Float ci) {
+// Schlick's approximation (1994), as glTF 2.0 has it (appendix B.2).
+Vec3 schlick_reflectance(Vec3 normal_incidence, Float grazing_incidence, Float ci) {
   Float s = 1.0f - ci;
   Float grazing = (s * s) * (s * s) * s;
-  return normal_incidence * (1.0f - grazing) + Vec3(grazing);
+  return normal_incidence * (1.0f - grazing) + Vec3(grazing_incidence * grazing);
+}
+
+Vec3 metal_reflectance(Vec3 normal_incidence, Float ci) {
+  return schlick_reflectance(normal_incidence, Float(1.0f), ci);
 }
 
 // Beer-Lambert transmittance over a length in metres; absorption per metre and channel.

@@ -33,24 +33,43 @@ Vec3 ray_direction() {
   return forward;
 }
 
+#include "passes/shared/pane_layer.glsl"
+
 // Reflectance of one of the pane's two faces for a ray along d.
 Float face_reflectance(Vec3 d) {
   Float cosine = abs(dot3(normalize_or(surface_normal, d), d));
-  Float eta = Float(1.0f / u.ior);
-  return fresnel_reflectance(eta, cosine, sqrt(max_of(transmitted_cosine_squared(eta, cosine), 0.0f)));
+  return pane_reflectance(cosine, u.ior) * u.fresnel;
 }
 
-// What light keeps on its way through: between two parallel faces the reflections add up to
-// (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once. A blended surface keeps what it
-// covers.
-Vec3 let_through(Vec3 d) {
+Vec4 base_texel() {
   Vec4 texel = Vec4(1.0f);
   if (u.has_base_color != 0)
     texel = fetch_wrapped(base_color, u.base_color_uv, transformed_uv(u.base_color_uv, surface_uv));
+  return texel;
+}
+
+PaneLayer layer_here(Vec4 texel) {
+  PaneLayer layer;
+  layer.there = Float(1.0f);
+  if (u.is_covering != 0) layer.there = u.alpha_mask.opacity * texel.w;
+  layer.transmitted = Float(u.transmitted);
+  if (u.has_transmission != 0) {
+    Vec2 at = transformed_uv(u.transmission_uv, surface_uv);
+    layer.transmitted = layer.transmitted * fetch_wrapped(transmission_texture, u.transmission_uv, at).x;
+  }
+  layer.transmitted = max_of(layer.transmitted, LEAST_TRANSMITTED);
+  return layer;
+}
+
+// What light keeps on its way through. A blended surface keeps what it covers. `in_picture`: where what is not
+// let through has covered its share already.
+Vec3 let_through(Vec3 d, Bool in_picture) {
+  Vec4 texel = base_texel();
   Vec3 passes = Vec3(1.0f - u.alpha_mask.opacity * texel.w);
   if (u.is_blended == 0) {
-    Float r = face_reflectance(d);
-    passes = Vec3(u.color) * Vec3(texel) * ((1.0f - r) / (1.0f + r));
+    PaneLayer layer = layer_here(texel);
+    passes = pane_passes(layer, Vec3(u.color) * Vec3(texel), face_reflectance(d));
+    passes = sel(in_picture, passes * (1.0f / layer_passes(layer)), passes);
   }
   return passes;
 }

@@ -5,8 +5,14 @@ CHOICE(shows_mirror)  // write what the pane mirrors, not what it lets through
 CHOICE(shows_light)   // and of that, what it mirrors of the light, not of all around
 vec3 eye;             // where a perspective view's rays start
 vec3 forward;         // the view's axis, the way of parallel rays
-vec3 color;           // base colour times transmission
+vec3 color;           // base colour
 float ior;
+float fresnel;        // of what Fresnel's equations mirror
+float transmitted;    // share of what is not mirrored that goes through, times the texture
+int has_transmission;
+TextureTransform transmission_uv;
+int is_covering;      // opacity counts as coverage
+int has_layer;        // what is not let through is a layer in the picture (view_surfaces)
 int has_base_color;   // a texture
 TextureTransform base_color_uv;
 AlphaMask alpha_mask;   // of a blended surface: what is not opaque

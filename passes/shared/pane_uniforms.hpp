@@ -17,14 +17,21 @@ struct Pane {
 // Without a light and what shadows it.
 inline std140::Pane pane_uniforms(const View& view, const glm::dvec3& eye, const PassContext& context) {
   const Material& m = *context.material;
-  const bool blended = context.blended();
+  const SurfaceRole role = context.surface_role();
+  const bool blended = role.blended;
   return {.sky = shader_sky(context.scene->environment),
           .view = shader_view(view),
           .map_side = view.cube.value_or(CubeAtlas{}).side,
           .eye = glm::vec3(eye),
           .forward = glm::vec3(view.forward),
-          .color = passing_color(m, true),
+          .color = glm::vec3(m.base_color),
           .ior = m.ior,
+          .fresnel = m.fresnel_factor,
+          .transmitted = transmission_factor(m),
+          .has_transmission = m.transmission_texture.present() ? 1 : 0,
+          .transmission_uv = std140::texture_transform(m.transmission_texture),
+          .is_covering = m.alpha_mode == AlphaMode::Blend ? 1 : 0,
+          .has_layer = role.partly_diffuse ? 1 : 0,
           .has_base_color = m.base_color_texture.present() ? 1 : 0,
           .base_color_uv = std140::texture_transform(m.base_color_texture),
           .alpha_mask = blended ? std140::alpha_mask(m, kCoversAll) : std140::alpha_mask(m),

@@ -6,19 +6,19 @@ CONSTANT(WRAP_REPEAT, 0)
 CONSTANT(WRAP_CLAMP, 1)
 CONSTANT(WRAP_MIRROR, 2)
 
-// KHR_texture_transform, and the sampler's wrap modes.
+// KHR_texture_transform, and the sampler's wrap modes and filter.
 struct TextureTransform {
   vec3 row0;  // u' = row0 . (u, v, 1)
   int wrap_u;
   vec3 row1;  // v' = row1 . (u, v, 1)
   int wrap_v;
+  int nearest;  // 1: near by it is not interpolated
 };
 
 // A texture that the camera sees on a surface.
 struct SurfaceTexture {
   TextureTransform uv;
-  int levels;   // of its mip map; 0: there is no such texture
-  int nearest;  // 1: near by it is not interpolated
+  int levels;  // of its mip map; 0: there is no such texture
 };
 
 // glTF's alpha mask: a surface is cut out where opacity, times the texture's alpha if there is one, is below

@@ -14,10 +14,11 @@ struct TexturedCasters {
 
 namespace caustics {
 
-// `surface`: what the material's colour means, what it lets through or what it mirrors.
+// `surface`: what the material's colour means, what it lets through or what it mirrors. `of_light`: a light
+// sees it, for which the texture of transmission counts; what a camera sees of it is a layer.
 std140::TexturedCasters textured_casters_uniforms(const View& view, const Material& material,
                                                   const SurfaceRole& surface, int material_row,
-                                                  int first_triangle = 0);
+                                                  int first_triangle = 0, bool of_light = true);
 // Of the mesh that is drawn.
 std140::TexturedCasters textured_casters(const PassContext& context);
 

@@ -11,6 +11,7 @@ TEXTURE(1, view_position)
 TEXTURE(2, view_normal)
 TEXTURE(3, view_caster_position)
 TEXTURE(4, environment)
+TEXTURE(5, transmission_texture)
 #include "passes/shared/pane_surface.glsl"
 
 #ifndef VERTEX_STAGE
@@ -50,12 +51,12 @@ Vec3 mirrored(Vec3 n, Vec3 d) {
 void main() {
   discard_if(not_drawn() || hidden());
   Vec3 d = ray_direction();
-  Vec3 color = let_through(d);
+  Vec3 color = let_through(d, Bool(u.has_layer != 0));
   if (u.shows_mirror != 0) {
     // Both faces together mirror 2 r / (1 + r).
     Float r = face_reflectance(d);
     Vec3 n = facing_normal(normalize_or(surface_normal, -d), d, dot3(surface_normal, d) > 0.0f);
-    color = mirrored(n, d) * (2.0f * r / (1.0f + r));
+    color = mirrored(n, d) * (layer_here(base_texel()).there * (2.0f * r / (1.0f + r)));
   }
   beauty = Vec4(color, Float(1.0f));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "passes/shared/material_uniforms.hpp"
+#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/scene/mip_levels.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -31,6 +32,7 @@ float pixel_side(const PassContext& context) {
 
 std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   const Material& m = *context.material;
+  const SurfaceRole role = context.surface_role();
   // What metal mirrors is shown with the highlights; without them it is drawn as diffuse.
   const bool mirrors = context.effects && context.effects->highlights.active;
   const bool textured = mirrors && m.metallic_roughness_texture.present();
@@ -38,7 +40,7 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   return {
       .view = shader_view(*context.camera),
       .base_factor = m.base_color,
-      .alpha_cutoff = std140::opaque_from(m),
+      .alpha_cutoff = role.partly_diffuse ? std140::alpha_mask(m).cutoff : std140::opaque_from(m),
       .pixel_side = pixel_side(context),
       .has_colors = context.mesh && !context.mesh->colors.empty() ? 1 : 0,
       .is_double_sided = m.double_sided || (context.mesh && context.mesh->inside_out) ? 1 : 0,
@@ -48,7 +50,9 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .fade_from = m.fade.from,
       .fade_to = m.fade.to,
       .metallic = mirrors && !m.unlit ? metallic : 0.0f,
-      .dielectric = m.unlit ? 0.0f : ((m.ior - 1.0f) / (m.ior + 1.0f)) * ((m.ior - 1.0f) / (m.ior + 1.0f)),
+      .dielectric = m.unlit ? glm::vec3(0.0f) : dielectric_reflectance(m),
+      .coat = m.fresnel_factor,
+      .is_coated = mirrors && !m.unlit ? 1 : 0,
       .roughness = textured ? m.roughness_factor : m.roughness,
       .base_color_use = std140::surface_texture(m.base_color_texture),
       .normal_use = std140::surface_texture(m.normal_texture),
@@ -57,6 +61,13 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
           std140::surface_texture(textured ? m.metallic_roughness_texture : TextureUse{}),
       .occlusion_use = std140::surface_texture(m.unlit ? TextureUse{} : m.occlusion_texture),
       .occlusion_strength = m.occlusion_strength,
+      .is_partly_diffuse = role.partly_diffuse ? 1 : 0,
+      .is_pane = role.role == Role::ThinPane ? 1 : 0,
+      .pane_ior = m.ior,
+      .is_covering = m.alpha_mode == AlphaMode::Blend ? 1 : 0,
+      .transmitted = transmission_factor(m),
+      .has_transmission = m.transmission_texture.present() ? 1 : 0,
+      .transmission_uv = std140::texture_transform(m.transmission_texture),
   };
 }
 
@@ -94,7 +105,8 @@ Pass view_surfaces_pass() {
                  .meaning = "of a layer: glass and metal",
                  .texture = "caster_position.camera",
                  .optional = true,
-                 .layer = OfLayer::Behind}},
+                 .layer = OfLayer::Behind},
+                {.name = "transmission_texture", .meaning = "r: transmission", .of_material = true}},
       .writes = {{.name = "view_position",
                   .meaning = "xyz: position of the first opaque surface, metres, scene space; w: 1 "
                              "where there is one, else 0; 2: a blended one before glass"},
@@ -106,17 +118,17 @@ Pass view_surfaces_pass() {
                              "less than 1 where an added ground fades or a surface is blended"},
                  {.name = "view_specular",
                   .meaning = "rgb: reflectance at normal incidence; a: roughness",
-                  .needed_with = &Effects::highlights},
+                  .needed_if = with<&Effects::highlights>},
                  {.name = "view_emission",
                   .meaning = "rgb: emitted radiance, nit",
-                  .needed_with = &Effects::emission},
+                  .needed_if = with<&Effects::emission>},
                  {.name = "view_lift",
                   .meaning = "xyz: from the triangle out to the tangent planes of its vertices, metres",
-                  .needed_with = &Effects::smooth_shading},
+                  .needed_if = with<&Effects::smooth_shading>},
                  {.name = "view_ambient",
                   .format = Format::R32F,
                   .meaning = "the share of the environment's light that arrives",
-                  .needed_with = &Effects::occlusion}},
+                  .needed_if = with<&Effects::occlusion>}},
       .depth = DepthWrite{.name = "view_window_depth", .meaning = "window depth"},
       .depth_state = {.compare = Compare::Less, .write = true},
       .count_samples = true,

@@ -16,6 +16,7 @@ TEXTURE(9, occlusion_levels)
 TEXTURE(10, behind)
 TEXTURE(11, before)
 TEXTURE(12, glass)
+TEXTURE(13, transmission_texture)
 #include "passes/shared/tangent_vertex.glsl"
 VARYING_SMOOTH(10, Vec2, surface_uv)
 VARYING_SMOOTH(12, Vec2, surface_uv_density)
@@ -46,6 +47,9 @@ OUTPUT(6, Float, view_ambient)
 #include "passes/shared/transformed_uv.glsl"
 #include "passes/shared/mip_levels.glsl"
 #include "passes/shared/tangent_space.glsl"
+#include "passes/shared/optics.glsl"
+#include "passes/shared/directional_albedo.glsl"
+#include "passes/shared/pane_layer.glsl"
 
 // How large a part of the texture coordinates a pixel sees. At a depth z it is z times as wide as in the
 // view's window; on a surface that leans away longer, by z / |n.q| for a place q in view coordinates, up to
@@ -116,11 +120,11 @@ Vec3 lift_along(Vec3 n, Bool from_behind) {
   return n * sel(towards_viewer > rounding, height, Float(0.0f));
 }
 
-// Does this fragment lie before the glass or metal in its pixel?
+// Does this fragment lie before the glass or metal in its pixel, or on it?
 Bool before_glass(Float z) {
   // What the frame lacks is one texel of zeros.
   Vec4 caster = fetch_clamped(glass, floor_to_int(frag_x()), floor_to_int(frag_y()));
-  return is_covered(caster) && z < view_coordinates(u.view, Vec3(caster)).z;
+  return is_covered(caster) && z <= view_coordinates(u.view, Vec3(caster)).z;
 }
 
 // Is a blended surface not the next behind the layer before, or behind what is opaque? Where that layer lies
@@ -155,6 +159,34 @@ Float finest_opacity() {
   return opacity;
 }
 
+// The share of the surface that there is, and what goes through it.
+PaneLayer layer_here(Vec4 base) {
+  PaneLayer layer;
+  layer.there = sel(Bool(u.is_covering != 0), base.w, Float(1.0f));
+  layer.transmitted = Float(u.transmitted);
+  if (u.has_transmission != 0) {
+    Vec2 at = transformed_uv(u.transmission_uv, surface_uv);
+    layer.transmitted = layer.transmitted * fetch_wrapped(transmission_texture, u.transmission_uv, at).x;
+  }
+  layer.transmitted = max_of(layer.transmitted, LEAST_TRANSMITTED);
+  return layer;
+}
+
+// The cosine between the camera's ray and the normal.
+Float facing_here(Vec3 n) {
+  Vec3 ray = Vec3(0.0f, 0.0f, 1.0f);
+  if (u.view.kind != VIEW_PARALLEL)
+    ray = normalize_or(view_coordinates(u.view, surface_position), ray);
+  return min_of(abs(dot3(normalize_or(transform_vector(u.view.from_scene, n), ray), ray)), Float(1.0f));
+}
+
+// What view_panes will leave of all that the picture shows behind a pane, layers included.
+Vec3 left_by_pane(IN(PaneLayer) layer, Vec3 color, Float cosine) {
+  Float r = pane_reflectance(cosine, u.pane_ior) * u.coat;
+  Vec3 left = pane_passes(layer, color, r) * (1.0f / layer_passes(layer));
+  return Vec3(max_of(left.x, 1.0e-4f), max_of(left.y, 1.0e-4f), max_of(left.z, 1.0e-4f));
+}
+
 // Of a fragment that is drawn.
 void write_surface(Vec3 n, IN(SeenUv) seen, Vec4 base, Float z) {
   Bool from_behind = !front_facing();
@@ -174,10 +206,28 @@ void write_surface(Vec3 n, IN(SeenUv) seen, Vec4 base, Float z) {
   view_normal = Vec4(shading, z);
   Finish finish = finish_here(seen);
   Vec3 albedo = Vec3(base) * (1.0f - finish.metallic);
+  // glTF's fresnel_mix: what is mirrored is not scattered.
+  if (u.is_coated != 0) {
+    DirectionalAlbedo mirrored = directional_albedo(facing_here(shading), finish.roughness);
+    Vec3 facing = Vec3(u.dielectric);
+    Float whitest = max_of(max_of(facing.x, facing.y), facing.z);
+    albedo = albedo * max_of(1.0f - sent_back(mirrored, whitest), Float(0.0f));
+  }
   Float shown = shown_here();
   if (u.layer != 0) shown = base.w;
+  Vec3 reflectance = Vec3(base) * finish.metallic + Vec3(u.dielectric) * (1.0f - finish.metallic);
+  if (u.layer != 0) {
+    if (u.is_partly_diffuse != 0) {
+      PaneLayer layer = layer_here(base);
+      shown = 1.0f - layer_passes(layer);
+      if (u.is_pane != 0) {
+        Vec3 left = left_by_pane(layer, Vec3(base), facing_here(n));
+        albedo = Vec3(albedo.x / left.x, albedo.y / left.y, albedo.z / left.z);
+        reflectance = Vec3(0.0f);
+      }
+    }
+  }
   view_albedo = Vec4(albedo, shown);
-  Vec3 reflectance = Vec3(base) * finish.metallic + Vec3(u.dielectric * (1.0f - finish.metallic));
   view_specular = Vec4(reflectance, finish.roughness);
   view_emission = Vec4(emission, Float(1.0f));
   view_ambient = ambient_share(seen);
@@ -192,7 +242,14 @@ void main() {
   Float z = view_coordinates(u.view, surface_position).z;
   Float coverage = base.w;
   Bool left_out = finest_opacity() < u.alpha_cutoff;
-  if (u.layer != 0) left_out = !left_out || coverage <= 0.0f || not_in_layer(z);
+  if (u.layer != 0) {
+    Bool blended = left_out;
+    if (u.is_partly_diffuse != 0) {
+      coverage = 1.0f - layer_passes(layer_here(base));
+      blended = !left_out;
+    }
+    left_out = !blended || coverage <= 0.0f || not_in_layer(z);
+  }
   if (u.is_double_sided == 0) left_out = left_out || !front_facing();
   discard_if(left_out);
   if (any_lane(!left_out)) write_surface(n, seen, base, z);

@@ -16,19 +16,26 @@ namespace {
 struct LayerBench {
   std::vector<float> heights;
   float alpha = 0.25f, behind = 0.0f, before = 0.0f, glass = 0.0f;
+  SurfaceRole role{.role = Role::Blended, .blended = true};
+  AlphaMode mode = AlphaMode::Blend;
+  glm::vec3 color{1.0f};
+  float transmission = 0.0f;
 
   PassImages layer(int number) const {
     const Pass pass = view_surfaces_pass();
     const auto is_layer = [&](const DrawnFor& each) { return each.layer == number; };
     const DrawnFor& drawn_for = *std::find_if(pass.drawn_for.begin(), pass.drawn_for.end(), is_layer);
     Material material;
-    material.alpha_mode = AlphaMode::Blend;
-    material.base_color.a = alpha;
+    material.metallic = 0.0f;
+    material.alpha_mode = mode;
+    material.base_color = glm::vec4(color, alpha);
+    material.transmission = transmission;
     material.double_sided = true;
     MeshData mesh = level(heights[0]);
     for (std::size_t i = 1; i < heights.size(); ++i) mesh = both(mesh, level(heights[i]));
     const View view = down(2.0, 10.0, 20.0);
-    const Effects effects;
+    Effects effects;
+    effects.surfaces = {role};
     return run_pass(
         definition_of(pass, {}, drawn_for),
         {.uniforms = pass.uniforms(
@@ -64,6 +71,38 @@ TEST_CASE("view_surfaces: a layer leaves out what is hidden, opaque or not there
   CHECK(LayerBench{{4.0f}, 0.25f, 5.0f}.depth(1) == 0.0f);
   CHECK(LayerBench{{4.0f}, 1.0f}.depth(1) == 0.0f);
   CHECK(LayerBench{{4.0f}, 0.0f}.depth(1) == 0.0f);
+}
+
+TEST_CASE("view_surfaces: of glass that lets a share through the rest is a layer on it, before what lies behind") {
+  LayerBench bench{{4.0f}};
+  bench.role = {.role = Role::Refractor, .partly_diffuse = true};
+  bench.mode = AlphaMode::Opaque;
+  bench.color = {0.8f, 0.4f, 0.2f};
+  bench.transmission = 0.75f;
+  bench.glass = 4.0f;
+  const PassImages out = bench.layer(1);
+  CHECK(out["view_position"].at(0, 0, 3) == 2.0f);
+  CHECK(out["view_albedo"].at(0, 0, 0) == 0.8f);
+  CHECK(out["view_albedo"].at(0, 0, 3) == 0.25f);
+}
+
+TEST_CASE("view_surfaces: a pane's layer is brighter by what the pane will take of it") {
+  // A pane leaves 0.96 / 1.04 of its colour: a layer of the same colour is 1 over that, whatever the colour.
+  LayerBench bench{{4.0f}};
+  bench.role = {.role = Role::ThinPane, .partly_diffuse = true};
+  bench.mode = AlphaMode::Opaque;
+  bench.color = {0.8f, 0.4f, 0.2f};
+  bench.transmission = 0.4f;
+  const Image albedo = bench.layer(1)["view_albedo"];
+  CHECK(albedo.at(0, 0, 3) == Approx(0.6));
+  // All but 0.6 of the picture behind is left: 0.4 times colour and faces, over 0.4.
+  for (int c = 0; c < 3; ++c) CHECK(albedo.at(0, 0, c) == Approx(1.04 / 0.96).epsilon(1e-5));
+  // Where only half of it is there: 0.5 + 0.5 0.4 colour 0.96 / 1.04 of light, over 1 - 0.5 0.6.
+  bench.mode = AlphaMode::Blend;
+  bench.alpha = 0.5f;
+  const Image half = bench.layer(1)["view_albedo"];
+  CHECK(half.at(0, 0, 3) == Approx(0.3));
+  CHECK(half.at(0, 0, 1) == Approx(0.4 / ((0.5 + 0.5 * 0.4 * 0.4 * 0.96 / 1.04) / 0.7)).epsilon(1e-5));
 }
 
 TEST_CASE("view_surfaces: layers before glass are marked, and those behind it left out with them") {

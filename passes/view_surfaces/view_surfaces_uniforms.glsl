@@ -12,7 +12,9 @@ vec3 fade_centre;       // from all of the surface to none of it, by the distanc
 float fade_from;
 float fade_to;          // 0: no fade
 float metallic;         // of all of it, or what the texture is multiplied with; roughness likewise
-float dielectric;       // reflectance at normal incidence of what is not metal
+vec3 dielectric;        // reflectance at normal incidence of what is not metal,
+float coat;             // and at grazing incidence
+int is_coated;          // 1: what the dielectric mirrors is taken from what it scatters
 float roughness;
 SurfaceTexture base_color_use;
 SurfaceTexture normal_use;
@@ -20,3 +22,10 @@ SurfaceTexture emissive_use;
 SurfaceTexture metallic_roughness_use;
 SurfaceTexture occlusion_use;
 float occlusion_strength;
+int is_partly_diffuse;  // of a layer: glass, or a pane, of which only what is not let through is drawn
+int is_pane;
+float pane_ior;
+int is_covering;        // of a pane: opacity counts as coverage
+float transmitted;      // share of what is not mirrored that goes through, times the texture
+int has_transmission;
+TextureTransform transmission_uv;

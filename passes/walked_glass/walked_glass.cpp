@@ -48,7 +48,7 @@ Pass walked_glass_pass() {
       .name = "walked_glass",
       .purpose = "follows the view through refractive and mirroring objects from surface to surface",
       .reason = "the camera may see what lies behind more than two surfaces",
-      .when = {&Effects::seen_casters, &Effects::further_surfaces},
+      .when = {&Effects::seen_casters, &Effects::followed_view},
       .reads = {{.name = "scene_color", .meaning = "the picture without glass"},
                 {.name = "view_position", .meaning = "where its surfaces are"},
                 {.name = "wide_color",
@@ -77,7 +77,7 @@ Pass walked_glass_pass() {
                 kReadFirstLayer},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&walked_glass_shader, block_of<walked_glass_uniforms>}},
-      .choices = {{"blends", chosen_by<&Effects::blended>}, {"several_rays", several_rays}},
+      .choices = {{"blends", chosen_by<&Effects::layered>}, {"several_rays", several_rays}},
   };
 }
 

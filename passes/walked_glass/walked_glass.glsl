@@ -55,10 +55,22 @@ Vec3 shown_color(Texture colors, IN(View) view, Vec3 p) {
   return Vec3(fetch_bilinear(colors, uv.x, uv.y));
 }
 
+// What the picture shows in a direction where it shows no opaque surface: layers over the sky. They count as far
+// away.
+Vec3 shown_far_away(Vec3 direction, Vec3 otherwise) {
+  Vec3 q = transform_vector(u.view.from_scene, direction);
+  Vec2 uv = view_uv(u.view, q);
+  Bool there = q.z > 1.0e-3f && inside_unit(uv.x, uv.y) && !is_covered(fetch_nearest(view_position, uv.x, uv.y));
+  return sel(there, Vec3(fetch_nearest(scene_color, uv.x, uv.y)), otherwise);
+}
+
 // Radiance of a receiver at p towards the camera, which stands for that towards the ray; of what neither view
 // shows, the sky's in the ray's direction.
 Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands, Bool mirrored) {
   Vec3 color = sky_in_glass(u.sky, direction, mirrored);
+  if (u.blends != 0) {
+    if (u.view.kind != VIEW_PARALLEL) color = sel(mirrored, color, shown_far_away(direction, color));
+  }
   Bool wide = lands && shows_point(wide_position, u.surroundings, p);
   color = sel(wide, shown_color(wide_color, u.surroundings, p), color);
   Bool seen = lands && shows_point(view_position, u.view, p);
@@ -81,7 +93,7 @@ void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, Bool 
   sight.media = sel(back, sight.media, both.media);
   Vec3 metal = metal_reflectance(material.color, bent.cosine);
   Bool tints = both.tints && !back && !both.passes;
-  sight.through = sight.through * sel(material.mirror, metal, sel(tints, material.color, Vec3(1.0f)));
+  sight.through = sight.through * sel(material.mirror, metal, sel(tints, material.color * material.transmitted, Vec3(1.0f)));
   sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
 }
 

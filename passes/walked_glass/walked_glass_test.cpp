@@ -44,11 +44,12 @@ struct Bench {
     hierarchy.caster(mesh_of(plates));
     if (floor) hierarchy.receiver(mesh_of(ground));
     const HierarchyTables tables = hierarchy.tables();
-    Image materials(Format::RGBA32F, 3, 1);
-    const float texels[3][4] = {{ior, 0.0f, 0.0f, mirror ? 1.0f : 0.0f},
+    Image materials(Format::RGBA32F, 4, 1);
+    const float texels[4][4] = {{ior, 0.0f, 0.0f, mirror ? 1.0f : 0.0f},
                                 {absorption, absorption, absorption, 1.0f},
-                                {mirror ? 0.9f : 1.0f, mirror ? 0.9f : 1.0f, mirror ? 0.9f : 1.0f, 0.0f}};
-    for (int x = 0; x < 3; ++x)
+                                {mirror ? 0.9f : 1.0f, mirror ? 0.9f : 1.0f, mirror ? 0.9f : 1.0f, 0.0f},
+                                {1.0f, 0.0f, 0.0f, 0.0f}};
+    for (int x = 0; x < 4; ++x)
       for (int c = 0; c < 4; ++c) materials.at(x, 0, c) = texels[x][c];
     const glm::vec3 sky(0.5f);
     Environment environment;

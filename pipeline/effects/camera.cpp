@@ -37,7 +37,7 @@ bool is_black(const Material& material) {
 void add_reflecting_receivers(const Scene& scene, Effects& effects) {
   std::size_t reflecting = 0;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (is_diffuse(effects.surfaces[i].role) &&
+    if (has_diffuse(effects.surfaces[i]) &&
         !is_black(scene.materials[static_cast<std::size_t>(scene.meshes[i].material)]))
       ++reflecting;
   effects.reflecting_receivers = {
@@ -50,7 +50,7 @@ std::vector<std::size_t> seen_receivers(const Scene& scene, const View* camera, 
   const View seen = camera ? seen_view(effects, *camera) : View{};
   std::vector<std::size_t> receivers;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (is_diffuse(effects.surfaces[i].role) && (!camera || may_see(seen, bounds_of(scene.meshes[i]))))
+    if (has_diffuse(effects.surfaces[i]) && (!camera || may_see(seen, bounds_of(scene.meshes[i]))))
       receivers.push_back(i);
   return receivers;
 }

@@ -130,23 +130,29 @@ void add_light_effects(const Scene& scene, const Settings& settings, Effects& ef
 
 // Surfaces of two triangles are taken to be flat.
 void add_blended(const Scene& scene, Effects& effects) {
-  std::size_t blended = 0, triangles = 0;
+  std::size_t blended = 0, layered = 0, triangles = 0;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (!effects.surfaces[i].blended) continue;
-    ++blended;
+    if (!is_layered(effects.surfaces[i])) continue;
+    blended += effects.surfaces[i].blended ? 1u : 0u;
+    ++layered;
     triangles += scene.meshes[i].indices.size() / 3;
   }
+  const std::string none = "none in the scene";
   const std::string found = count(blended, "surface", "surfaces") + " blended over what lies behind";
-  effects.blended = {blended > 0, blended > 0 ? found : "none in the scene"};
-  const bool layers = blended > 1 || triangles > 2;
-  effects.blended_layers = {layers, layers ? found + ": where more than " + std::to_string(kMostLayers) +
-                                                 " lie behind one another, the nearest are shown"
-                                    : blended > 0 ? "one flat surface is blended"
-                                                  : "none in the scene"};
-  const bool tinted = blended > 0 || effects.thin_panes.active;
-  effects.tinted_light = {tinted, effects.thin_panes.active ? effects.thin_panes.reason
-                                  : blended > 0             ? found
-                                                            : "no thin pane, nothing blended"};
+  const std::string over =
+      count(layered, "surface", "surfaces") + " of which a share lies over what is behind";
+  effects.blended = {blended > 0, blended > 0 ? found : none};
+  effects.layered = {layered > 0, layered > blended ? over : effects.blended.reason};
+  const bool several = layered > 1 || triangles > 2;
+  effects.blended_layers = {several, several ? effects.layered.reason + ": where more than " +
+                                                   std::to_string(kMostLayers) +
+                                                   " lie behind one another, the nearest are shown"
+                                     : layered > 0 ? "one flat surface is a layer"
+                                                   : none};
+  effects.tinted_light = {blended > 0 || effects.thin_panes.active,
+                          effects.thin_panes.active ? effects.thin_panes.reason
+                          : blended > 0             ? found
+                                                    : "no thin pane, nothing blended"};
 }
 
 std::string mesh_name(const Scene& scene, int mesh) {
@@ -204,7 +210,7 @@ void add_occlusion(const Scene& scene, Effects& effects) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Material& m = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
     occluded +=
-        is_diffuse(effects.surfaces[i].role) && m.occlusion_texture.present() && m.occlusion_strength > 0.0f;
+        has_diffuse(effects.surfaces[i]) && m.occlusion_texture.present() && m.occlusion_strength > 0.0f;
   }
   effects.occlusion = {occluded > 0, occluded > 0 ? count(occluded, "surface", "surfaces") +
                                                         " whose texture keeps the environment's light away"
@@ -319,6 +325,7 @@ std::span<const NamedEffect> named_effects() {
       {"smooth shading", &Effects::smooth_shading},
       {"thin panes", &Effects::thin_panes},
       {"blended", &Effects::blended},
+      {"layered", &Effects::layered},
       {"blended layers", &Effects::blended_layers},
       {"tinted light", &Effects::tinted_light},
       {"mirrors", &Effects::mirrors},
@@ -331,6 +338,7 @@ std::span<const NamedEffect> named_effects() {
       {"dispersion", &Effects::dispersion},
       {"reflections", &Effects::reflections},
       {"further surfaces", &Effects::further_surfaces},
+      {"followed view", &Effects::followed_view},
       {"coloured caustics", &Effects::coloured_caustics},
       {"water waves", &Effects::water_waves},
       {"medium", &Effects::medium},
@@ -377,6 +385,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   effects.dim_lights = {false, "there are few lights"};
   effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
   add_camera(scene, camera, effects);
+  add_followed_view(scene, settings, effects);
   add_ambient_occlusion(scene, settings, effects);
   return effects;
 }

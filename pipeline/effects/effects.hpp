@@ -37,7 +37,16 @@ struct SurfaceRole {
   bool blended = false;
   bool rough = false;  // a Refractor: its microfacets spread the light
   bool thin = false;   // a rough Refractor without a volume: a wall that spreads light, but bends none
+  // A Refractor or ThinPane that lets a share through: the rest is a diffuse surface in the same place.
+  bool partly_diffuse = false;
 };
+
+// Is any of it shaded by what light falls on it?
+inline bool has_diffuse(const SurfaceRole& surface) {
+  return is_diffuse(surface.role) || surface.partly_diffuse;
+}
+// Is some of it a layer over what lies behind, of which it covers a share?
+inline bool is_layered(const SurfaceRole& surface) { return surface.blended || surface.partly_diffuse; }
 
 // Does it take a share of the light that passes straight through?
 inline bool tints_light(const SurfaceRole& surface) {
@@ -136,6 +145,7 @@ struct Effects {
   Effect smooth_shading;         // of a diffuse surface: normals that vary over its triangles
   Effect thin_panes;             // a transmissive surface without a volume
   Effect blended;                // a surface that alphaMode BLEND shows over what lies behind
+  Effect layered;                // one of those, or glass of which a share is diffuse
   Effect blended_layers;         // several of these in one place
   Effect tinted_light;           // light passes straight through panes or blended surfaces
   Effect mirrors;                // smooth metal, which reflects light and view
@@ -148,6 +158,7 @@ struct Effects {
   Effect dispersion;             // a refractor whose index depends on the wavelength
   Effect reflections;            // what refractors mirror, on request
   Effect further_surfaces;       // light is followed from surface to surface, as a pilot has found
+  Effect followed_view;          // so are the camera's rays
   Effect coloured_caustics;   // a caster that tints them: the caustic map has three channels instead of one
   Effect water_waves;         // a mesh that `extras` make water
   Effect medium;              // haze in the air, which takes light on its way

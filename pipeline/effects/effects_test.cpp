@@ -125,20 +125,55 @@ TEST_CASE("materials that look like glass but throw no caustic say why") {
   opaque_index.ior = 0.0f;
   mentions(judged(glass_over_floor(opaque_index)).expectations[0].reason, "never refracts");
 
-  Material milky = solid_glass();
-  milky.transmission = 0.4f;
-  mentions(judged(glass_over_floor(milky)).expectations[0].reason, "transmission 0.4 is below 0.5");
+  Material milk = solid_glass();
+  milk.transmission = 0.005f;
+  mentions(judged(glass_over_floor(milk)).expectations[0].reason, "transmission 0.005 is below 0.01");
 
-  Material half_metal = solid_glass();
-  half_metal.metallic = 0.6f;
-  half_metal.roughness = 0.21f;
-  mentions(judged(glass_over_floor(half_metal)).surfaces[0].reason, "transmission 0.4 is left beside");
+  Material nearly_metal = solid_glass();
+  nearly_metal.metallic = 0.995f;
+  nearly_metal.roughness = 0.21f;
+  mentions(judged(glass_over_floor(nearly_metal)).surfaces[0].reason, "is left beside the metal");
 
   Material blended = solid_glass();
   blended.transmission = 0.0f;
   blended.alpha_mode = AlphaMode::Blend;
   blended.base_color.a = 0.5f;
   mentions(judged(glass_over_floor(blended)).expectations[0].reason, "coverage, not glass");
+}
+
+TEST_CASE("a material that lets a share through is glass, and for the rest a diffuse surface in the same place") {
+  Material milky = solid_glass();
+  milky.transmission = 0.4f;
+  Effects effects = judged(glass_over_floor(milky));
+  CHECK(effects.surfaces[0].role == Role::Refractor);
+  CHECK(effects.surfaces[0].partly_diffuse);
+  mentions(effects.surfaces[0].reason, ", 60.0% diffuse");
+  CHECK(effects.layered.active);
+  CHECK_FALSE(effects.blended.active);
+  CHECK_FALSE(effects.tinted_light.active);  // casters take their share of light themselves
+  milky.thickness = 0.0f;
+  effects = judged(glass_over_floor(milky));
+  CHECK(effects.surfaces[0].role == Role::ThinPane);
+  CHECK(effects.surfaces[0].partly_diffuse);
+  CHECK(effects.tinted_light.active);
+  // Metal lets nothing through: 0.5 of what is half metal.
+  Material half_metal = solid_glass();
+  half_metal.metallic = 0.5f;
+  half_metal.roughness = 0.21f;
+  mentions(judged(glass_over_floor(half_metal)).surfaces[0].reason, ", 50.0% diffuse or metal");
+  CHECK_FALSE(judged(glass_over_floor()).surfaces[0].partly_diffuse);
+  CHECK_FALSE(judged(glass_over_floor()).layered.active);
+}
+
+TEST_CASE("a pane's alpha is coverage: a share of it is not there") {
+  Material pane = solid_glass();
+  pane.thickness = 0.0f;
+  pane.alpha_mode = AlphaMode::Blend;
+  pane.base_color.a = 0.25f;
+  const SurfaceRole surface = judged(glass_over_floor(pane)).surfaces[0];
+  CHECK(surface.role == Role::ThinPane);
+  CHECK(surface.partly_diffuse);
+  mentions(surface.reason, "alpha 0.25 of it is there");
 }
 
 TEST_CASE("alphaMode BLEND is coverage where it is not glass, metal or opaque all over") {

@@ -101,20 +101,20 @@ TEST_CASE("further surfaces: they take the place of what glass mirrors at its fi
 }
 
 TEST_CASE("further surfaces: light is followed where more than a named share of a light's meets them") {
-  // 0.05 by default. A tenth of what one caster throws is 0.04 of a light to which it throws 0.4.
+  // 0.03 by default. A tenth of what one caster throws is 0.02 of a light to which it throws 0.2.
   const auto judged = [](double share, double of_light) {
     return followed(2, with_branches({{}, {.name = "reflected", .reflected = true}}),
                     {{.light = 0, .mesh = 1, .share = share, .of_light = of_light}});
   };
-  const Effects little = judged(0.1, 0.4);
+  const Effects little = judged(0.1, 0.2);
   CHECK_FALSE(little.further_surfaces.active);
   CHECK(little.further_surfaces.reason ==
-        "4.0% of the light that lands meets more than two surfaces, no more than 5.0%");
+        "2.0% of the light that lands goes other ways than through two surfaces, no more than 3.0%");
   CHECK(names_of(little) == std::vector<std::string>{"", "reflected"});
   const Effects more = judged(0.1, 0.6);
   CHECK(more.further_surfaces.active);
   CHECK(more.further_surfaces.reason ==
-        "6.0% of the light that lands meets more than two surfaces, more than 5.0%");
+        "6.0% of the light that lands goes other ways than through two surfaces, more than 3.0%");
   CHECK(more.further_shares.size() == 1);
   CHECK_FALSE(judged(0.0, 1.0).further_surfaces.active);
 }

@@ -22,9 +22,10 @@ Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {
     return o;
   }
   o.spread = static_cast<double>(main_dispersion(material));
-  o.color = glm::dvec3(passing_color(material, surface.thin));
+  o.color = glm::dvec3(glm::vec3(material.base_color) * transmitted_share(material));
   if (surface.role == Role::Refractor && surface.rough)
     o.alpha = static_cast<double>(material.roughness) * static_cast<double>(material.roughness);
+  o.fresnel = static_cast<double>(material.fresnel_factor);
   o.thin = surface.thin;
   if (surface.role == Role::Refractor && !surface.thin) o.absorption = glm::dvec3(absorption_of(material));
   return o;

@@ -13,6 +13,7 @@ struct Optics {
   bool solid = false;          // light leaves through a second surface
   double ior;                  // at the d line
   double spread = 0.0;         // n_F - n_C
+  double fresnel = 1.0;        // of what Fresnel's equations mirror
   double alpha = 0.0;          // of rough glass: GGX's width, its roughness squared
   glm::dvec3 absorption{0.0};  // per metre
   glm::dvec3 color{1.0};       // of what passes; of a mirror its reflectance straight on

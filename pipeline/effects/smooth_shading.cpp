@@ -24,7 +24,7 @@ bool is_smooth(const Mesh& mesh) {
 void add_smooth_shading(const Scene& scene, Effects& effects) {
   bool smooth = false;
   for (std::size_t m = 0; m < scene.meshes.size() && !smooth; ++m)
-    smooth = is_diffuse(effects.surfaces[m].role) && is_smooth(scene.meshes[m]);
+    smooth = has_diffuse(effects.surfaces[m]) && is_smooth(scene.meshes[m]);
   effects.smooth_shading = {effects.occluders.active && smooth,
                             !effects.occluders.active ? effects.occluders.reason
                             : smooth ? "shadows end by diffuse surfaces' normals, not by their triangles"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/gpu/text.hpp"
+#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
@@ -18,9 +19,9 @@ std::string quoted_name(const std::string& kind, const std::string& name, std::s
 
 namespace {
 
-// A material that lets less than this share of the light through is drawn as a diffuse surface.
-// Transmission and diffuse reflection are not mixed, so the larger share decides.
-constexpr float kMostlyTransmissive = 0.5f;
+// A material that lets less than this share of the light through is drawn as a diffuse surface alone; one
+// that keeps less than this share, as glass alone.
+constexpr float kLeastShare = 0.01f;
 
 Judgement diffuse(const std::string& material, const std::string& why) {
   return {{Role::Receiver, false, material + ": " + why}, false, {}};
@@ -113,13 +114,20 @@ Judgement judge_unblended(const Mesh& mesh, const Material& material, const Sett
             {}};
   }
   // Metal lets nothing through, so only the other part transmits (KHR_materials_transmission).
-  const float transmissive = material.transmission * (1.0f - material.metallic);
-  if (transmissive >= kMostlyTransmissive) return judge_glass(mesh, material, name, settings);
+  const float transmissive = transmitted_share(material);
+  if (transmissive >= kLeastShare) {
+    Judgement judged = judge_glass(mesh, material, name, settings);
+    if (judged.role.role == Role::Receiver || transmissive > 1.0f - kLeastShare) return judged;
+    judged.role.partly_diffuse = true;
+    judged.role.reason += ", " + percent(1.0 - static_cast<double>(transmissive)) +
+                          (material.metallic > 0.0f ? " diffuse or metal" : " diffuse");
+    return judged;
+  }
   if (material.transmission > 0.0f) {
     const std::string left = "transmission " + rounded_text(transmissive);
     return diffuse_instead(name, material.metallic > 0.0f
-                                     ? left + " is left beside the metal, below 0.5: glass has metallic 0"
-                                     : left + " is below 0.5: more diffuse than clear");
+                                     ? left + " is left beside the metal, below 0.01: glass has metallic 0"
+                                     : left + " is below 0.01");
   }
   return diffuse(name, "diffuse");
 }
@@ -134,7 +142,12 @@ void blend(const Mesh& mesh, const Material& material, const std::string& name, 
   }
   least *= material.base_color.a * material.least_alpha;
   most *= material.base_color.a * material.most_alpha;
-  if (surface.role != Role::Receiver) {
+  if (surface.role == Role::ThinPane) {
+    if (least < kCoversAll) {
+      surface.partly_diffuse = true;
+      surface.reason += ", alphaMode BLEND: alpha " + rounded_text(most) + " of it is there";
+    }
+  } else if (surface.role != Role::Receiver) {
     surface.reason += ", alphaMode BLEND ignored";
   } else if (least >= kCoversAll) {
     surface.reason += ", alphaMode BLEND with alpha 1 all over: opaque";

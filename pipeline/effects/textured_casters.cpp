@@ -13,7 +13,7 @@ namespace {
 
 // Does a transmission texture tint it texel by texel?
 bool partly_opaque(const Material& material, const SurfaceRole& surface) {
-  return surface.role == Role::Refractor && !surface.thin && material.transmission_texture.present();
+  return surface.role == Role::Refractor && material.transmission_texture.present();
 }
 
 bool colored(const Material& material, const SurfaceRole& surface) {

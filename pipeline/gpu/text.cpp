@@ -103,7 +103,7 @@ std::string grouped(std::uint64_t number) {
 }
 
 std::string percent(double share) {
-  const double percents = std::floor(share * 1000.0) / 10.0;
+  const double percents = std::floor(share * 1000.0 + 1e-5) / 10.0;
   if (!(std::fabs(percents) < 1e15)) return significant(percents, 4) + "%";
   char buffer[64];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, percents, std::chars_format::fixed, 1).ptr;

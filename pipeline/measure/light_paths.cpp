@@ -212,7 +212,7 @@ bool LightPaths::advance(const LightRay& light, Moving& moving, TriangleHit& met
                               lands ? to_receiver : caster->distance);
   if (lands) {
     landings.push_back(
-        {position_of(scene_, *receiver), moving.flux, moving.followed, moving.surfaces, receiver->id.mesh});
+        {position_of(scene_, *receiver), moving.flux, moving.let_go, moving.surfaces, receiver->id.mesh});
     return false;
   }
   if (receiver && moving.let_go && astray) *astray += moving.flux;
@@ -262,7 +262,7 @@ void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend,
     n1 = absolute_index(o.index(bend), n2);
   }
   const Interface at(d, normal, n1, n2);
-  const double r = at.reflectance;
+  const double r = at.total ? 1.0 : at.reflectance * o.fresnel;
   const double weaker = std::min(r, 1.0 - r) * largest(moving.flux);
   const bool both = weaker > kWeakShare * moving.first && next.surfaces <= kBothWays;
   const bool mirrors = both || at.total || draws.next() < r;

@@ -197,3 +197,30 @@ TEST_CASE(
   REQUIRE(!once.empty());
   for (std::size_t i = 0; i < once.size(); ++i) CHECK(once[i].position == again[i].position);
 }
+
+TEST_CASE("light paths: the passes do not follow light to a thing within glass, nor what glass mirrors") {
+  // A floor within the slab, 0.1 m under its top: 0.96 lands there by one surface, which the passes that know
+  // two would carry on.
+  Bench inside({box({-1, 0.5, -1}, {1, 0.8, 1}, 1)});
+  inside.scene.meshes.push_back(floor(0.5, 0.7, 0));
+  const auto landings = inside.follow({0.3, 2.0, 0.2}, {0, -1, 0});
+  REQUIRE_FALSE(landings.empty());
+  CHECK(landings.front().surfaces == 1);
+  CHECK(followed_flux(landings, true) == 0.0);
+  CHECK(followed_flux(landings, false) == Approx(0.96));
+  // Mirrored by a slab at 45 degrees onto a wall.
+  Bench mirrored({box({-1, 0.5, -1}, {1, 0.8, 1}, 1)});
+  mirrored.scene.meshes.front() = floor(10.0, 5.0, 0);
+  const auto off = mirrored.follow({0.0, 2.0, 0.0}, glm::normalize(glm::dvec3(0.6, -0.8, 0.0)));
+  CHECK(followed_flux(off, true) == 0.0);
+  CHECK(followed_flux(off, false) > 0.04);
+}
+
+TEST_CASE("light paths: KHR_materials_specular scales what a surface mirrors, but not total reflection") {
+  Material clear = glass(1.5f);
+  clear.fresnel_factor = 0.0f;
+  const Bench bench({box({-1, 0.5, -1}, {1, 0.8, 1}, 1)}, clear);
+  const auto landings = bench.follow({0.3, 2.0, 0.2}, {0, -1, 0});
+  REQUIRE(landings.size() == 1);
+  CHECK(landings.front().flux.x == 1.0);
+}

@@ -269,7 +269,8 @@ TEST_CASE("followed light: a light that throws no caustic is not followed") {
 TEST_CASE("followed light: passes for two surfaces are left out, with the effect's reason") {
   const FramePlan plan = Bench(3, 0).plan();
   const std::string reason =
-      "further surfaces: 50.0% of the light that lands meets more than two surfaces, more than 5.0%";
+      "further surfaces: 50.0% of the light that lands goes other ways than through two surfaces, more than "
+      "3.0%";
   for (const char* name : {"landing", "landing.far", "caustic_map", "caustic_map.cascade"})
     CHECK(why_skipped(plan, name) == reason);
   for (const char* name : {kHierarchyNodes, kHierarchyTriangles, kHierarchyNormals}) {
@@ -283,7 +284,8 @@ TEST_CASE("followed light: where little meets further surfaces nothing of it is 
   const FramePlan plan = make_plan(bench.scene, bench.effects(0.01), bench.settings, pass_registry());
   CHECK(labels_of(plan) == Names{"landing[sun]", "cells[sun]", "caustic_cells[sun]", "caustic_map[sun]"});
   const std::string reason =
-      "further surfaces: 1.0% of the light that lands meets more than two surfaces, no more than 5.0%";
+      "further surfaces: 1.0% of the light that lands goes other ways than through two surfaces, no more "
+      "than 3.0%";
   for (const char* name : {"enter", "next_surface", "land", "bend", "caustic_footprints"})
     CHECK(why_skipped(plan, name) == reason);
   CHECK(plan.find(kHierarchyNodes) < 0);

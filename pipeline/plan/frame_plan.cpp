@@ -49,7 +49,7 @@ class Planner {
     for (int i = 0; i < static_cast<int>(registry.size()); ++i)
       if (pass_of(i).has_layers()) last_with_layers_ = i;
     if (scene.environment.image) add_external(kEnvironment);
-    if (effects.further_surfaces.active || effects.ambient_occlusion.active)
+    if (effects.further_surfaces.active || effects.followed_view.active || effects.ambient_occlusion.active)
       for (const char* name : {kHierarchyNodes, kHierarchyTriangles, kHierarchyNormals}) add_external(name);
   }
 
@@ -252,7 +252,7 @@ class Planner {
     for (const Write& write : pass.writes) {
       if (write.only_with && !write.only_with(effects_)) continue;
       const Format format = planned.definition->writes[written++].format;
-      if (!called_for(write.needed_with)) {
+      if (write.needed_if && !write.needed_if(effects_)) {
         planned.writes.push_back(PlannedPass::kNothing);
         planned.keep.push_back(false);
         continue;

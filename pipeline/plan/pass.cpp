@@ -13,7 +13,7 @@ bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& rol
                 const LightEffects* light) {
   switch (draws) {
     case DrawSet::Receivers:
-      return drawn_for.layer > 0 ? role.blended : role.role == Role::Receiver;
+      return drawn_for.layer > 0 ? is_layered(role) : role.role == Role::Receiver;
     case DrawSet::Casters:
       return is_caster(role.role);
     case DrawSet::Shadowing:
@@ -108,7 +108,7 @@ std::vector<DrawnFor> with_layers(std::vector<DrawnFor> drawn_for) {
     drawn_for.push_back({.each = each,
                          .label = layer_label(layer),
                          .layer = layer,
-                         .also = layer > 1 ? &Effects::blended_layers : &Effects::blended,
+                         .also = layer > 1 ? &Effects::blended_layers : &Effects::layered,
                          .reason = "the camera sees blended surfaces"});
   return drawn_for;
 }

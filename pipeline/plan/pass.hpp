@@ -72,6 +72,11 @@ bool with(const Effects& effects) {
   return (effects.*effect).active;
 }
 
+template <Effect Effects::*... effects>
+bool with_any(const Effects& of_frame) {
+  return ((of_frame.*effects).active || ...);
+}
+
 inline bool sees_through_window(const LightEffects& light) { return light.all_around.empty(); }
 inline bool has_cascade(const LightEffects& light) { return !light.cascade.empty(); }
 
@@ -170,9 +175,10 @@ struct PassContext {
   // What sees the casters that are drawn: the light, or the camera.
   const View& sees_casters() const { return views ? views->caster : *camera; }
   int layer() const { return drawn_for ? drawn_for->layer : 0; }
-  bool blended() const {
+  // Of the mesh that is drawn.
+  SurfaceRole surface_role() const {
     const auto i = static_cast<std::size_t>(mesh_index);
-    return effects && i < effects->surfaces.size() && effects->surfaces[i].blended;
+    return effects && i < effects->surfaces.size() ? effects->surfaces[i] : SurfaceRole{};
   }
   bool cascade() const { return drawn_for && drawn_for->window == MapWindow::Cascade; }
 };
@@ -246,7 +252,7 @@ struct Write {
   Format (*format_by)(const Effects&) = nullptr;             // where effects choose the format
   std::string_view (*texture_by)(const Effects&) = nullptr;  // where effects choose the texture's name
   Condition only_with = nullptr;                             // the shader declares it only then
-  Effect Effects::*needed_with = nullptr;                    // otherwise nobody needs what is in it
+  Condition needed_if = nullptr;                             // otherwise nobody needs what is in it
 };
 
 // The pass's shader text compiled for what effects add; the last one whose condition holds is taken.

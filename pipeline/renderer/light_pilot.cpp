@@ -136,7 +136,7 @@ namespace {
 void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster, int step,
                 std::vector<FurtherShare>& shares) {
   struct Landed {
-    double all = 0.0, simple = 0.0;  // through two surfaces or one, or off the first
+    double all = 0.0, simple = 0.0;  // on the ways that the passes take which know two surfaces
   };
   std::map<int, Landed> landed;
   double whole = 0.0;
@@ -152,7 +152,7 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
     for (const LightLanding& landing : landings) {
       const double flux = (landing.flux.x + landing.flux.y) + landing.flux.z;
       landed[mesh].all += flux;
-      if (landing.followed || landing.surfaces == 1) landed[mesh].simple += flux;
+      if (landing.followed) landed[mesh].simple += flux;
       whole += flux;
     }
   }

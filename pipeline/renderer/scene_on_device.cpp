@@ -19,6 +19,7 @@ namespace {
 
 // Casters that get a row each in kCasterMaterials: as many as any device's textures are high.
 constexpr std::ptrdiff_t kMostOwnRows = 4096;
+constexpr int kTexelsOfMaterial = 4;
 
 MeshData mesh_data(const Scene& scene, std::size_t index) {
   const Mesh& mesh = scene.meshes[index];
@@ -140,20 +141,22 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
                 .first->second;
     rows_.push_back(row);
   }
-  Image table(Format::RGBA32F, 3, std::max(1, static_cast<int>(row_of.size())));
+  Image table(Format::RGBA32F, kTexelsOfMaterial, std::max(1, static_cast<int>(row_of.size())));
   for (const auto& [key, row] : row_of) {
     const auto& [own, index, two_interfaces, role, thin] = key;
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
     const bool mirror = role == Role::Mirror;
     const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
-    const glm::vec3 color = mirror ? metal_reflectance(material) : passing_color(material, thin);
-    const float texels[3][4] = {{material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
-                                 mirror ? 1.0f
-                                 : thin ? -1.0f
-                                        : 0.0f},
-                                {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
-                                {color.x, color.y, color.z, material.roughness}};
-    for (int x = 0; x < 3; ++x)
+    const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
+    const float texels[kTexelsOfMaterial][4] = {
+        {material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
+         mirror ? 1.0f
+         : thin ? -1.0f
+                : 0.0f},
+        {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
+        {color.x, color.y, color.z, material.roughness},
+        {mirror ? 0.0f : transmission_factor(material), 0.0f, 0.0f, 0.0f}};
+    for (int x = 0; x < kTexelsOfMaterial; ++x)
       for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
   }
   externals_[kCasterMaterials] = {device_, device_.upload(table)};

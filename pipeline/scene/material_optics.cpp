@@ -19,12 +19,22 @@ glm::vec3 absorption_of(const Material& material) {
   return absorption;
 }
 
-glm::vec3 passing_color(const Material& material, bool thin) {
-  return glm::vec3(material.base_color) * (thin ? material.transmission : 1.0f);
+float transmitted_share(const Material& material) {
+  return material.transmission * (1.0f - material.metallic);
+}
+
+float transmission_factor(const Material& material) {
+  const bool textured = material.transmission_texture.present();
+  return (textured ? material.transmission_factor : material.transmission) * (1.0f - material.metallic);
 }
 
 float main_dispersion(const Material& material) {
   return (material.ior - 1.0f) * material.dispersion / 20.0f;
+}
+
+glm::vec3 dielectric_reflectance(const Material& material) {
+  const float r = (material.ior - 1.0f) / (material.ior + 1.0f);
+  return glm::min(material.specular_color * (r * r), glm::vec3(1.0f)) * material.fresnel_factor;
 }
 
 glm::vec3 metal_reflectance(const Material& material) {

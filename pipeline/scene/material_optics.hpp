@@ -10,13 +10,18 @@ namespace caustics {
 // (KHR_materials_volume). A colour of 0 absorbs everything within a billionth of the distance.
 glm::vec3 absorption_of(const Material& material);
 
-// What glass lets through of each channel besides: its base colour. A thin wall's transmission counts by its
-// mean, which a solid's does not: there it decides the role, and its texture tints texel by texel.
-glm::vec3 passing_color(const Material& material, bool thin);
+// Of the light that is not mirrored, the share that goes through the material instead of being scattered by
+// it or meeting metal: KHR_materials_transmission, by the mean of its texture.
+float transmitted_share(const Material& material);
+// The same without its texture, by which it may be multiplied texel by texel.
+float transmission_factor(const Material& material);
 
 // Main dispersion n_F - n_C = (n_d - 1) / V with the Abbe number V = 20 / dispersion
 // (KHR_materials_dispersion).
 float main_dispersion(const Material& material);
+
+// Of a dielectric at normal incidence: ((n - 1) / (n + 1))^2, times KHR_materials_specular's colour and factor.
+glm::vec3 dielectric_reflectance(const Material& material);
 
 // Reflectance of a metal at normal incidence: its base colour, and 0.04 of the dielectric share (glTF 2.0,
 // appendix B.2).

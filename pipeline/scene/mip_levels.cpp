@@ -110,7 +110,7 @@ bool has_mip_map(const Material& material) {
 void add_mip_levels(Scene& scene) {
   scene.coarser.resize(scene.images.size());
   for (Material& material : scene.materials) {
-    if (material.transmission >= 0.5f) continue;
+    if (material.transmission >= 0.99f) continue;
     for (TextureUse Material::*use : kSeenByCamera) {
       TextureUse& texture = material.*use;
       if (!texture.present()) continue;

@@ -70,14 +70,17 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;
   float transmission = 0.0f;        // KHR_materials_transmission: 0..1; mean over its texture
-  TextureUse transmission_texture;  // r: 0..1
-  float ior = 1.5f;                 // KHR_materials_ior: 0 (never refracts), else > 0
-  float thickness = 0.0f;           // KHR_materials_volume: > 0 means a solid
+  TextureUse transmission_texture;  // r: 0..1, times
+  float transmission_factor = 0.0f;
+  float ior = 1.5f;        // KHR_materials_ior: 0 (never refracts), else > 0
+  float thickness = 0.0f;  // KHR_materials_volume: > 0 means a solid
   glm::vec3 attenuation_color{1.0f};
   float attenuation_distance = std::numeric_limits<float>::infinity();  // metres
   float dispersion = 0.0f;  // KHR_materials_dispersion: 20 / Abbe number
-  // Of what Fresnel's equations mirror off glass on the light's way: 1, or 0 to tell what they bring.
+  // KHR_materials_specular: of what Fresnel's equations mirror, 0..1; and of a diffuse surface's reflectance at
+  // normal incidence, by channel.
   float fresnel_factor = 1.0f;
+  glm::vec3 specular_color{1.0f};
   Fade fade;  // of an added ground
 };
 

@@ -25,6 +25,7 @@ constexpr PresetValue kPaper[] = {
     {"hidden_receivers", "off"},
     {"highlights", "off"},
     {"ambient.occlusion", "off"},
+    {"further.share", "1"},
 };
 
 constexpr Preset kPresets[] = {{"paper", "the frame of Shah, Konttinen and Pattanaik (2007)", kPaper}};

@@ -244,7 +244,8 @@ constexpr Setting kTable[] = {
                                     "light that glass and water mirror throws caustics too"),
     number<&S::further_share>("further.share", Part::Light, {0, 1},
                               "light is followed from surface to surface where more than this share of what "
-                              "lands meets more than two"),
+                              "lands goes other ways than through two; 1: nothing is followed, nor are the "
+                              "camera's rays"),
     number<&S::bounces>("bounces", Part::Maps, {2, 64}, "surfaces that light is followed through at most"),
     number<&S::splits>("splits", Part::Maps, {0, 4},
                        "surfaces at which light is followed both ways, mirrored and let through"),

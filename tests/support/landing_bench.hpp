@@ -61,6 +61,7 @@ struct LandingBench {
   bool reflected = false;
   std::optional<glm::vec3> tint;  // the grid vertices' own colour, in place of `color`
   float roughness = 0.0f;
+  float transmitted = 1.0f;
   glm::vec4 facets{0.0f};
   bool beside_rough = false;  // other casters are rough glass
   float smooth_light = 1.0f;
@@ -100,7 +101,7 @@ struct LandingBench {
 
   // The row of caster_materials.
   Image materials() const {
-    Image image(Format::RGBA32F, 3, 1);
+    Image image(Format::RGBA32F, 4, 1);
     for (int c = 0; c < 3; ++c) {
       image.at(1, 0, c) = absorption[c];
       image.at(2, 0, c) = color[c];
@@ -110,6 +111,7 @@ struct LandingBench {
     image.at(0, 0, 3) = mirror ? 1.0f : thin ? -1.0f : 0.0f;
     image.at(1, 0, 3) = solid ? 1.0f : 0.0f;
     image.at(2, 0, 3) = roughness;
+    image.at(3, 0, 0) = transmitted;
     return image;
   }
 

@@ -69,15 +69,17 @@ struct BenchMaterial {
   bool mirror = false;
   glm::vec3 absorption{0.0f};  // per metre
   glm::vec3 color{1.0f};
+  float transmitted = 1.0f;
 };
 
 inline Image caster_materials(const std::vector<BenchMaterial>& materials) {
-  Image image(Format::RGBA32F, 3, static_cast<int>(materials.size()));
+  Image image(Format::RGBA32F, 4, static_cast<int>(materials.size()));
   for (int row = 0; row < image.height(); ++row) {
     const BenchMaterial& material = materials[static_cast<std::size_t>(row)];
     image.at(0, row, 0) = material.ior;
     image.at(0, row, 1) = material.dispersion;
     image.at(0, row, 3) = material.mirror ? 1.0f : 0.0f;
+    image.at(3, row, 0) = material.transmitted;
     for (int c = 0; c < 3; ++c) {
       image.at(1, row, c) = material.absorption[c];
       image.at(2, row, c) = material.color[c];

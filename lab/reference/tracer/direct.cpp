@@ -7,6 +7,7 @@
 #include "lab/reference/tracer/emission.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/in_pieces.hpp"
+#include "pipeline/scene/material_optics.hpp"
 
 namespace caustics::tracer {
 
@@ -76,9 +77,11 @@ class Lamp {
         continue;
       }
       const double r =
-          fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior)).mean();
-      left *=
-          glm::dvec3(glm::vec3(m.base_color)) * (static_cast<double>(m.transmission) * (1.0 - r) / (1.0 + r));
+          fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior)).mean() *
+          static_cast<double>(m.fresnel_factor);
+      const double there = m.alpha_mode == AlphaMode::Blend ? static_cast<double>(m.base_color.a) : 1.0;
+      const double through = static_cast<double>(transmitted_share(m)) * (1.0 - r) / (1.0 + r);
+      left *= (1.0 - there) + glm::dvec3(glm::vec3(m.base_color)) * (there * through);
     }
     return left;
   }

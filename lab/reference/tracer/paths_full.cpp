@@ -218,6 +218,7 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
   const auto bent = optics.thin ? std::optional(past_wall(d, smooth.normal, f.normal))
                                 : refract_direction(d, f.normal, n1 / n2);
   double r = bent ? fresnel(f.cosine, n1, n2).mean() : 1.0;
+  if (bent) r *= optics.fresnel;
   if (optics.thin) r = 2.0 * r / (1.0 + r);  // both faces
   // The tint counts once for each body, as light gets in; or out, where it began inside; and at each wall.
   const glm::dvec3 tint = met.front || within < 0 ? optics.color : glm::dvec3(1.0);

@@ -9,7 +9,8 @@ namespace caustics::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 18> kSupported = {"KHR_materials_transmission",
+constexpr std::array<std::string_view, 19> kSupported = {"KHR_materials_transmission",
+                                                         "KHR_materials_specular",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_volume",
                                                          "KHR_materials_dispersion",
@@ -35,9 +36,8 @@ struct Harmless {
 
 // Extensions that change how light looks on a surface but neither geometry nor refraction: a file
 // that requires them still makes a meaningful scene.
-constexpr std::array<Harmless, 10> kHarmless = {
-    {{"KHR_materials_specular", "Specular strength and colour are left out: surfaces mirror by their ior"},
-     {"KHR_materials_clearcoat", "Clear coat is left out"},
+constexpr std::array<Harmless, 9> kHarmless = {
+    {{"KHR_materials_clearcoat", "Clear coat is left out"},
      {"KHR_materials_sheen", "Sheen is left out: cloth has no bright rim"},
      {"KHR_materials_iridescence", "Iridescence is left out: thin films show no colours"},
      {"KHR_materials_anisotropy", "Anisotropy is left out: highlights are round"},

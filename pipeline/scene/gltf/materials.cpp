@@ -48,6 +48,7 @@ class Reader {
     read_alpha();
     read_transmission();
     read_ior();
+    read_specular();
     read_volume();
     uv_set = read_textures();
     return result_;
@@ -69,6 +70,7 @@ class Reader {
   void read_alpha();
   void read_transmission();
   void read_ior();
+  void read_specular();
   void read_volume();
   int read_textures();
   void read_coverage();
@@ -145,17 +147,14 @@ void Reader::read_alpha() {
 void Reader::read_transmission() {
   const Cursor extension = extensions_.member("KHR_materials_transmission");
   result_.transmission = factor(context_, extension.member("transmissionFactor"), 0, 0, 1);
+  result_.transmission_factor = result_.transmission;
   const auto mean = textures_.mean(extension.member("transmissionTexture"), 0);
   // What decides whether a material is glass or a mirror is one number a material.
   const Cursor both = material_.member("pbrMetallicRoughness").member("metallicRoughnessTexture");
   if (both.present() && (result_.transmission > 0 || result_.metallic >= 0.5f)) {
     context_.note(both.path() + ": its means decide what the whole material is.");
   }
-  if (!mean) return;
-  result_.transmission *= static_cast<float>(*mean);
-  if (result_.transmission > 0) {
-    context_.note(extension.path() + ": the mean of its texture decides what the whole material is.");
-  }
+  if (mean) result_.transmission *= static_cast<float>(*mean);
 }
 
 void Reader::read_ior() {
@@ -172,6 +171,19 @@ void Reader::read_ior() {
   result_.ior = static_cast<float>(clamped(context_, ior.path(), value, 0, 100));
   // Below this, a tiny index would overflow when divided by.
   if (result_.ior > 0 && result_.ior < 0.01f) result_.ior = 0.01f;
+}
+
+// Its textures count by their means.
+void Reader::read_specular() {
+  const Cursor specular = extensions_.member("KHR_materials_specular");
+  result_.fresnel_factor = factor(context_, specular.member("specularFactor"), 1, 0, 1) *
+                           static_cast<float>(textures_.mean(specular.member("specularTexture"), 3).value_or(1.0));
+  const Cursor color = specular.member("specularColorFactor");
+  const Cursor texture = specular.member("specularColorTexture");
+  for (std::size_t c = 0; c < 3; ++c)
+    result_.specular_color[static_cast<int>(c)] =
+        (color.present() ? factor(context_, color.element(c), 1, 0, 1000) : 1.0f) *
+        static_cast<float>(textures_.mean(texture, static_cast<int>(c)).value_or(1.0));
 }
 
 void Reader::read_volume() {
