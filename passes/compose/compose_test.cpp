@@ -337,7 +337,7 @@ glm::vec4 composed(int number, const glm::vec4& nearer, float first) {
   Scene scene;
   scene.environment.zenith = scene.environment.horizon = scene.environment.ground = glm::vec3(0.0f);
   Effects effects;
-  effects.blended.active = true;
+  effects.layered.active = true;
   const View view = down(1.0, 10.0, 20.0);
   const auto all = [](const glm::vec4& value) { return filled(1, 1, value); };
   // Irradiance pi on the opaque surface's albedo 1.

@@ -75,6 +75,7 @@ std140::LightShading light_shading_uniforms(const PassContext& context) {
       .caster_view = shader_view(views.caster),
       .receiver_view = shader_view(views.receiver),
       .caustic_view = shader_view(views.caustic),
+      .caustic_side = static_cast<float>(context.settings->map),
       .cascade_view = shader_view(cascade_view),
       .pane_view = shader_view(views.panes),
       .column = shader_view(views.column),

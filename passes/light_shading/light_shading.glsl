@@ -99,26 +99,24 @@ CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(Incidence) light, 
   return sum;
 }
 
-// Of points that take a caustic's light, where the map reaches; elsewhere the casters only keep light.
+// Of points that take a caustic's light, where the map reaches; elsewhere the casters only keep light. How much
+// does not depend on what takes it: direct light is the same where no caustic is asked for.
 CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(Incidence) light) {
   CasterLight casters = nothing_of_casters();
   if (u.has_caustic != 0) {
     Reception takes = reception_of(surface, p);
-    Bool reached = takes.near || takes.far;
-    if (any_lane(reached)) {
-      if (u.samples_across > 0) {
-        Footprint f = footprint_at(surface, p.at, reached);
-        reached = f.in_map;
-        if (any_lane(reached)) casters = mean_over(f, p, light, takes);
-      } else {
-        casters.shadowed = caster_share(p.at, p.face);
-        casters.caustic = caustic_at(p.at, p.q, light, takes);
-      }
+    Bool in_map = surface.visible;
+    if (u.samples_across > 0) {
+      Footprint f = footprint_at(surface, p.at, surface.visible);
+      in_map = f.in_map;
+      if (any_lane(in_map)) casters = mean_over(f, p, light, takes);
+    } else {
+      casters.shadowed = caster_share(p.at, p.face);
+      casters.caustic = caustic_at(p.at, p.q, light, takes);
     }
-    if (any_lane(!reached)) {
-      casters.shadowed = sel(reached, casters.shadowed, caster_share(p.at, p.face));
-      casters.caustic = sel(reached, casters.caustic, Vec3(0.0f));
-    }
+    Bool takes_light = in_map && (takes.near || takes.far);
+    casters.caustic = sel(takes_light, casters.caustic, Vec3(0.0f));
+    if (any_lane(!in_map)) casters.shadowed = sel(in_map, casters.shadowed, caster_share(p.at, p.face));
   }
   return casters;
 }

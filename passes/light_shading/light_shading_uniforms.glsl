@@ -4,6 +4,7 @@ View shadow_view;              // all views of the light have the same origin an
 View caster_view;
 View receiver_view;
 View caustic_view;
+float caustic_side;            // of its map and the cascade's, texels
 View cascade_view;             // a window within the caustic map's
 View pane_view;
 View column;                   // the window that receivers leave free before the casters

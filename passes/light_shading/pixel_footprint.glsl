@@ -19,7 +19,7 @@ Vec3 step_on_surface(IN(SurfacePoint) surface, int dx, int dy) {
 
 // The larger side in a map of a step from a point, texels of the face that sees the point; 0 where the step
 // ends behind the light.
-Float texels_along(Texture map, IN(View) view, Vec3 at, Vec3 step) {
+Float texels_along(IN(View) view, Vec3 at, Vec3 step) {
   Int face = view_face(view, at);
   Vec3 from = in_face(view, at, face);
   Vec3 to = in_face(view, at + step, face);
@@ -34,7 +34,7 @@ Float texels_along(Texture map, IN(View) view, Vec3 at, Vec3 step) {
                                 abs(to.y / far - from.y / near) * view.scale.y),
                  Float(0.0f));
   }
-  return min_of(texels * float(texture_width(map)), Float(16384.0f));
+  return min_of(texels * u.caustic_side, Float(16384.0f));
 }
 
 // How much of a pixel's side of so many texels is averaged over: a texel is already the mean over itself, and
@@ -55,16 +55,16 @@ Footprint footprint_at(IN(SurfacePoint) surface, Vec3 at, Bool receives) {
   Footprint f;
   f.across = step_on_surface(surface, 1, 0);
   f.upward = step_on_surface(surface, 0, 1);
-  Float columns = texels_along(caustic_map, u.caustic_view, at, f.across);
-  Float rows = texels_along(caustic_map, u.caustic_view, at, f.upward);
+  Float columns = texels_along(u.caustic_view, at, f.across);
+  Float rows = texels_along(u.caustic_view, at, f.upward);
   Bool finer = Bool(false);
   if (u.has_cascade != 0) {
     finer = in_cascade(at);
-    columns = sel(finer, texels_along(caustic_map, u.cascade_view, at, f.across), columns);
-    rows = sel(finer, texels_along(caustic_map, u.cascade_view, at, f.upward), rows);
+    columns = sel(finer, texels_along(u.cascade_view, at, f.across), columns);
+    rows = sel(finer, texels_along(u.cascade_view, at, f.upward), rows);
   }
   Vec2 uv = view_uv(u.caustic_view, at);
-  Float reach = (columns + rows) / float(texture_width(caustic_map));
+  Float reach = (columns + rows) / u.caustic_side;
   Bool counts = receives && uv.x > -reach && uv.y > -reach && uv.x < reach + 1.0f && uv.y < reach + 1.0f;
   Float wide = sel(counts, spread_of(columns), Float(0.0f));
   Float high = sel(counts, spread_of(rows), Float(0.0f));

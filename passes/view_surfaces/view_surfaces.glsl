@@ -180,11 +180,52 @@ Float facing_here(Vec3 n) {
   return min_of(abs(dot3(normalize_or(transform_vector(u.view.from_scene, n), ray), ray)), Float(1.0f));
 }
 
-// What view_panes will leave of all that the picture shows behind a pane, layers included.
-Vec3 left_by_pane(IN(PaneLayer) layer, Vec3 color, Float cosine) {
-  Float r = pane_reflectance(cosine, u.pane_ior) * u.coat;
-  Vec3 left = pane_passes(layer, color, r) * (1.0f / layer_passes(layer));
-  return Vec3(max_of(left.x, 1.0e-4f), max_of(left.y, 1.0e-4f), max_of(left.z, 1.0e-4f));
+// How a surface answers light: scattered, and mirrored at normal incidence; how much of it there is.
+struct Answer {
+  Vec3 albedo;
+  Vec3 reflectance;
+  Float shown;
+};
+
+// glTF's fresnel_mix: what the coat mirrors is not scattered.
+Answer coated(Vec3 base, IN(Finish) finish, Vec3 shading) {
+  Answer answer;
+  answer.albedo = base * (1.0f - finish.metallic);
+  answer.reflectance = base * finish.metallic + Vec3(u.dielectric) * (1.0f - finish.metallic);
+  answer.shown = Float(1.0f);
+  if (u.is_coated != 0) {
+    DirectionalAlbedo mirrored = directional_albedo(facing_here(shading), finish.roughness);
+    Vec3 facing = Vec3(u.dielectric);
+    Float whitest = max_of(max_of(facing.x, facing.y), facing.z);
+    answer.albedo = answer.albedo * max_of(1.0f - sent_back(mirrored, whitest), Float(0.0f));
+  }
+  return answer;
+}
+
+// A pane's layer: view_panes takes its share of it as of all that the picture shows behind the pane, and adds
+// what both faces mirror.
+Answer under_pane(IN(PaneLayer) layer, Vec3 base, IN(Finish) finish, Vec3 n) {
+  Float r = pane_reflectance(facing_here(n), u.pane_ior) * u.coat;
+  Vec3 left = pane_passes(layer, base, r) * (1.0f / layer_passes(layer));
+  Vec3 scattered = base * ((1.0f - finish.metallic) * ((1.0f - r) / (1.0f + r)));
+  Answer answer;
+  answer.albedo = Vec3(scattered.x / max_of(left.x, 1.0e-4f), scattered.y / max_of(left.y, 1.0e-4f),
+                       scattered.z / max_of(left.z, 1.0e-4f));
+  answer.reflectance = Vec3(0.0f);
+  answer.shown = Float(1.0f);
+  return answer;
+}
+
+// What of a surface is shown in its layer.
+Answer in_layer(IN(Answer) whole, Vec4 base, IN(Finish) finish, Vec3 n) {
+  Answer answer = whole;
+  answer.shown = base.w;
+  if (u.is_partly_diffuse != 0) {
+    PaneLayer layer = layer_here(base);
+    if (u.is_pane != 0) answer = under_pane(layer, Vec3(base), finish, n);
+    answer.shown = 1.0f - layer_passes(layer);
+  }
+  return answer;
 }
 
 // Of a fragment that is drawn.
@@ -205,30 +246,11 @@ void write_surface(Vec3 n, IN(SeenUv) seen, Vec4 base, Float z) {
   view_position = Vec4(surface_position, place);
   view_normal = Vec4(shading, z);
   Finish finish = finish_here(seen);
-  Vec3 albedo = Vec3(base) * (1.0f - finish.metallic);
-  // glTF's fresnel_mix: what is mirrored is not scattered.
-  if (u.is_coated != 0) {
-    DirectionalAlbedo mirrored = directional_albedo(facing_here(shading), finish.roughness);
-    Vec3 facing = Vec3(u.dielectric);
-    Float whitest = max_of(max_of(facing.x, facing.y), facing.z);
-    albedo = albedo * max_of(1.0f - sent_back(mirrored, whitest), Float(0.0f));
-  }
-  Float shown = shown_here();
-  if (u.layer != 0) shown = base.w;
-  Vec3 reflectance = Vec3(base) * finish.metallic + Vec3(u.dielectric) * (1.0f - finish.metallic);
-  if (u.layer != 0) {
-    if (u.is_partly_diffuse != 0) {
-      PaneLayer layer = layer_here(base);
-      shown = 1.0f - layer_passes(layer);
-      if (u.is_pane != 0) {
-        Vec3 left = left_by_pane(layer, Vec3(base), facing_here(n));
-        albedo = Vec3(albedo.x / left.x, albedo.y / left.y, albedo.z / left.z);
-        reflectance = Vec3(0.0f);
-      }
-    }
-  }
-  view_albedo = Vec4(albedo, shown);
-  view_specular = Vec4(reflectance, finish.roughness);
+  Answer answer = coated(Vec3(base), finish, shading);
+  answer.shown = shown_here();
+  if (u.layer != 0) answer = in_layer(answer, base, finish, n);
+  view_albedo = Vec4(answer.albedo, answer.shown);
+  view_specular = Vec4(answer.reflectance, finish.roughness);
   view_emission = Vec4(emission, Float(1.0f));
   view_ambient = ambient_share(seen);
 }

@@ -73,7 +73,8 @@ TEST_CASE("view_surfaces: a layer leaves out what is hidden, opaque or not there
   CHECK(LayerBench{{4.0f}, 0.0f}.depth(1) == 0.0f);
 }
 
-TEST_CASE("view_surfaces: of glass that lets a share through the rest is a layer on it, before what lies behind") {
+TEST_CASE(
+    "view_surfaces: of glass that lets a share through the rest is a layer on it, before what lies behind") {
   LayerBench bench{{4.0f}};
   bench.role = {.role = Role::Refractor, .partly_diffuse = true};
   bench.mode = AlphaMode::Opaque;
@@ -87,7 +88,8 @@ TEST_CASE("view_surfaces: of glass that lets a share through the rest is a layer
 }
 
 TEST_CASE("view_surfaces: a pane's layer is brighter by what the pane will take of it") {
-  // A pane leaves 0.96 / 1.04 of its colour: a layer of the same colour is 1 over that, whatever the colour.
+  // Under its faces, which leave 0.96 / 1.04, a pane's layer has its colour; so has what the pane leaves of
+  // it.
   LayerBench bench{{4.0f}};
   bench.role = {.role = Role::ThinPane, .partly_diffuse = true};
   bench.mode = AlphaMode::Opaque;
@@ -96,13 +98,14 @@ TEST_CASE("view_surfaces: a pane's layer is brighter by what the pane will take 
   const Image albedo = bench.layer(1)["view_albedo"];
   CHECK(albedo.at(0, 0, 3) == Approx(0.6));
   // All but 0.6 of the picture behind is left: 0.4 times colour and faces, over 0.4.
-  for (int c = 0; c < 3; ++c) CHECK(albedo.at(0, 0, c) == Approx(1.04 / 0.96).epsilon(1e-5));
+  for (int c = 0; c < 3; ++c) CHECK(albedo.at(0, 0, c) == Approx(1.0).epsilon(1e-5));
   // Where only half of it is there: 0.5 + 0.5 0.4 colour 0.96 / 1.04 of light, over 1 - 0.5 0.6.
   bench.mode = AlphaMode::Blend;
   bench.alpha = 0.5f;
   const Image half = bench.layer(1)["view_albedo"];
   CHECK(half.at(0, 0, 3) == Approx(0.3));
-  CHECK(half.at(0, 0, 1) == Approx(0.4 / ((0.5 + 0.5 * 0.4 * 0.4 * 0.96 / 1.04) / 0.7)).epsilon(1e-5));
+  CHECK(half.at(0, 0, 1) ==
+        Approx(0.4 * 0.96 / 1.04 / ((0.5 + 0.5 * 0.4 * 0.4 * 0.96 / 1.04) / 0.7)).epsilon(1e-5));
 }
 
 TEST_CASE("view_surfaces: layers before glass are marked, and those behind it left out with them") {

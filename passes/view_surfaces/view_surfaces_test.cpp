@@ -293,7 +293,8 @@ TEST_CASE("view_surfaces: what is not metal mirrors 0.04 at index 1.5, metal its
   CHECK(seen("view_albedo").y == 0.0f);
   material.metallic = 0.5f;
   CHECK(seen("view_specular").y == Approx(0.22));
-  CHECK(seen("view_albedo").y == 0.2f);
+  // Half of 0.4; less what the coat of reflectance 0.04 mirrors, seen straight on, 0.043650.
+  CHECK(seen("view_albedo").y == Approx(0.2 * 0.956350).epsilon(1e-5));
   // Nothing shows what it mirrors: it is drawn as diffuse.
   CHECK(seen("view_albedo", false).y == 0.4f);
 }
@@ -318,11 +319,12 @@ TEST_CASE("view_surfaces: roughness is green, metal is blue, texel by texel, tim
   };
   CHECK(seen("view_specular", 0).w == Approx(0.75));
   CHECK(seen("view_specular", 0).x == Approx(0.04));
-  CHECK(seen("view_albedo", 0).x == Approx(0.8));
+  // The coat mirrors 0.0242 at roughness 0.75, 0.04187 at 0.375.
+  CHECK(seen("view_albedo", 0).x == Approx(0.8 * 0.9758).epsilon(1e-3));
   // A quarter of metal: 0.25 x 0.4 + 0.75 x 0.04.
   CHECK(seen("view_specular", 7).w == Approx(0.375));
   CHECK(seen("view_specular", 7).y == Approx(0.13));
-  CHECK(seen("view_albedo", 7).y == Approx(0.3));
+  CHECK(seen("view_albedo", 7).y == Approx(0.3 * 0.95813).epsilon(1e-3));
   // Nothing shows what it mirrors: it is drawn as diffuse.
   CHECK(seen("view_albedo", 7, false).y == 0.4f);
 }

@@ -141,7 +141,8 @@ TEST_CASE("materials that look like glass but throw no caustic say why") {
   mentions(judged(glass_over_floor(blended)).expectations[0].reason, "coverage, not glass");
 }
 
-TEST_CASE("a material that lets a share through is glass, and for the rest a diffuse surface in the same place") {
+TEST_CASE(
+    "a material that lets a share through is glass, and for the rest a diffuse surface in the same place") {
   Material milky = solid_glass();
   milky.transmission = 0.4f;
   Effects effects = judged(glass_over_floor(milky));

@@ -43,11 +43,10 @@ Names of_sample(const FramePlan& plan, int sample) {
   return names;
 }
 
-const Names kOfCamera = {"average_samples",      "caster_exit_map.camera",
-                         "caster_map.camera",    "compose",
-                         "compose.surroundings", "glass",
-                         "light_shading[sun]",   "light_shading[sun].surroundings",
-                         "view_surfaces",        "view_surfaces.surroundings"};
+const Names kOfCamera = {
+    "average_samples",      "caster_map.camera",          "compose",
+    "compose.surroundings", "light_shading[sun]",         "light_shading[sun].surroundings",
+    "view_surfaces",        "view_surfaces.surroundings", "walked_glass"};
 
 bool is_of_camera_by_name(const std::string& label) {
   return label == "tone_map" || std::find(kOfCamera.begin(), kOfCamera.end(), label) != kOfCamera.end();

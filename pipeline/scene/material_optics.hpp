@@ -20,7 +20,8 @@ float transmission_factor(const Material& material);
 // (KHR_materials_dispersion).
 float main_dispersion(const Material& material);
 
-// Of a dielectric at normal incidence: ((n - 1) / (n + 1))^2, times KHR_materials_specular's colour and factor.
+// Of a dielectric at normal incidence: ((n - 1) / (n + 1))^2, times KHR_materials_specular's colour and
+// factor.
 glm::vec3 dielectric_reflectance(const Material& material);
 
 // Reflectance of a metal at normal incidence: its base colour, and 0.04 of the dielectric share (glTF 2.0,

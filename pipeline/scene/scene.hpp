@@ -77,8 +77,8 @@ struct Material {
   glm::vec3 attenuation_color{1.0f};
   float attenuation_distance = std::numeric_limits<float>::infinity();  // metres
   float dispersion = 0.0f;  // KHR_materials_dispersion: 20 / Abbe number
-  // KHR_materials_specular: of what Fresnel's equations mirror, 0..1; and of a diffuse surface's reflectance at
-  // normal incidence, by channel.
+  // KHR_materials_specular: of what Fresnel's equations mirror, 0..1; and of a diffuse surface's reflectance
+  // at normal incidence, by channel.
   float fresnel_factor = 1.0f;
   glm::vec3 specular_color{1.0f};
   Fade fade;  // of an added ground

@@ -13,7 +13,7 @@ namespace {
 
 struct Case {
   Scene scene = sphere_scene(1.5f, 4);
-  Settings settings = small_settings(64, 64, 48);
+  Settings settings = through_two_surfaces(small_settings(64, 64, 48));
 };
 using Change = std::function<void(Case&)>;
 

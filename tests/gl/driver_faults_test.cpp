@@ -15,7 +15,7 @@ using namespace caustics::test;
 
 namespace {
 
-const Settings kSettings = small_settings(16, 16, 8);
+const Settings kSettings = through_two_surfaces(small_settings(16, 16, 8));
 
 std::string frame_on(Device& device) {
   return sha256(render_on(device, sphere_scene(1.5f, 2), kSettings, {})["picture"]);

@@ -31,7 +31,7 @@ struct HardCase {
   std::string name;       // what is hard
   std::string behaviour;  // what happens, for people
   Scene scene;
-  Settings settings = small_settings(48, 64, 24);
+  Settings settings = through_two_surfaces(small_settings(48, 64, 24));
   // The case's own expectation, beside finite texels, closed ledgers and equal backends.
   std::function<void(const DrawnCase&)> expect = [](const DrawnCase&) {};
 };

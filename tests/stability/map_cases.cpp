@@ -10,7 +10,7 @@ namespace {
 
 HardCase splatted(const std::string& name, const std::string& behaviour, Splat splat, int grid, int map) {
   HardCase c{name, behaviour, sphere_scene(1.5f, 4)};
-  c.settings = small_settings(grid, map, 24);
+  c.settings = through_two_surfaces(small_settings(grid, map, 24));
   c.settings.splat = splat;
   return c;
 }

@@ -67,7 +67,7 @@ HardCase index_case(float index, const std::string& behaviour) {
   char text[32];
   std::snprintf(text, sizeof text, "%.7g", static_cast<double>(index));
   HardCase c{"sphere of index " + std::string(text), behaviour, sphere_scene(index, 4)};
-  c.settings = small_settings(96, 64, 24);
+  c.settings = through_two_surfaces(small_settings(96, 64, 24));
   c.settings.interfaces = Interfaces::Two;  // what the closed form counts
   c.expect = [index](const DrawnCase& drawn) {
     CHECK(drawn.leaves() + drawn.share(&Ledger::absorbed) ==
@@ -156,7 +156,7 @@ HardCase dispersing_case(float dispersion, int wavelengths, const std::string& b
                 static_cast<double>(dispersion), 20.0 / static_cast<double>(dispersion), wavelengths);
   HardCase c{text, behaviour, sphere_scene(1.5f, 4)};
   c.scene.materials[1].dispersion = dispersion;
-  c.settings = small_settings(24, 32, 16);
+  c.settings = through_two_surfaces(small_settings(24, 32, 16));
   c.settings.wavelengths = wavelengths;
   return c;
 }

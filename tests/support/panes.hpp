@@ -12,6 +12,7 @@ inline constexpr float kPasses = 0.96f / 1.04f, kMirrors = 0.08f / 1.04f;
 inline Material pane_material() {
   Material m;
   m.base_color = {1.0f, 0.5f, 0.25f, 1.0f};
+  m.metallic = 0.0f;
   m.transmission = 1.0f;
   m.ior = 1.5f;
   return m;

@@ -32,4 +32,10 @@ inline Settings small_settings(int grid, int map, int picture) {
   return settings;
 }
 
+// Neither light nor the camera's rays are followed from surface to surface.
+inline Settings through_two_surfaces(Settings settings) {
+  settings.further_share = 1.0f;
+  return settings;
+}
+
 }  // namespace caustics::test

@@ -45,7 +45,7 @@ Camera camera_at_wall(int wall) {
 }
 
 Settings room_settings(int grid, int map) {
-  Settings settings = small_settings(grid, map, kPixels);
+  Settings settings = through_two_surfaces(small_settings(grid, map, kPixels));
   settings.shadow = 512;
   return settings;
 }

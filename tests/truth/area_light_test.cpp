@@ -33,7 +33,7 @@ Light lamp(const glm::dvec3& position) {
 // The ledger of one light by `count` samples, relative to the light's own intensity.
 Ledger sampled_ledger(Scene scene, int count) {
   sample_lights(scene, count);
-  const Settings settings = small_settings(96, 96, 16);
+  const Settings settings = through_two_surfaces(small_settings(96, 96, 16));
   const Rendering r = render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed});
   Ledger sum;
   for (int i = 0; i < count; ++i) add(sum, ledger_of(r, settings, i), 1.0 / count);

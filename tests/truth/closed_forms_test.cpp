@@ -48,7 +48,7 @@ TEST_CASE("truth: the caustic of a glass sphere, by points, Gaussians and cells"
   // The bounds are what is reached at this size with some room; at grid and map 512 see
   // docs/accuracy.md.
   const int pixels = 128;
-  Settings settings = small_settings(256, 256, pixels);
+  Settings settings = through_two_surfaces(small_settings(256, 256, pixels));
   for (const auto& [splat, bound] :
        {std::pair{Splat::Gaussian, 0.11}, std::pair{Splat::Point, 0.07}, std::pair{Splat::Cell, 0.05}}) {
     settings.splat = splat;
@@ -176,7 +176,8 @@ TEST_CASE("truth: a dispersing prism fans light out by its closed form") {
   Material bk7 = glass(1.5168f);
   bk7.dispersion = static_cast<float>(20.0 / 64.17);
   const Prism prism(bk7);
-  const Rendering r = render(prism.scene, small_settings(128, 128, 8), {kLanding, kCausticMap});
+  const Rendering r =
+      render(prism.scene, through_two_surfaces(small_settings(128, 128, 8)), {kLanding, kCausticMap});
   REQUIRE(r.branches.size() == 3);
   double deviation[3];
   for (std::size_t i = 0; i < 3; ++i) {

@@ -92,7 +92,7 @@ TEST_CASE("floor: a very distant point light is a directional one") {
 
 TEST_CASE("floor: from the centre of a glass sphere light leaves undeviated and loses R0") {
   // R0 = 0.04 for n = 1.5. Right below the light, 0.8 m: E = 0.96 I / 0.64.
-  Settings settings = small_settings(128, 128, 64);
+  Settings settings = through_two_surfaces(small_settings(128, 128, 64));
   Scene scene = sphere_scene(1.5f);
   Light point{.name = "point", .type = LightType::Point, .intensity = 1.0f};
   point.position = {0.0, 0.8, 0.0};

@@ -135,7 +135,7 @@ TEST_CASE(
   using namespace caustics::test;
   const Scene scene = sphere_scene(1.5f, 6);
   const auto error = [&](int map, bool cascades) {
-    Settings settings = small_settings(128, map, 256);
+    Settings settings = through_two_surfaces(small_settings(128, map, 256));
     settings.cascades = cascades;
     return compare(render(scene, settings, kTextures), scene, settings, 1.5, 0.5).error;
   };
@@ -149,7 +149,7 @@ TEST_CASE("truth: the estimated error of a sphere's caustic is honest") {
   std::vector<std::string> textures = kEstimateTextures;
   textures.emplace_back("aov_caustic");
   for (const EstimateCase c : kEstimateCases) {
-    const Settings settings = small_settings(c.grid, c.map, 256);
+    const Settings settings = through_two_surfaces(small_settings(c.grid, c.map, 256));
     const Rendering r = render(scene, settings, textures);
     const double error = compare(r, scene, settings, 1.5, 2.0).error;
     const double estimate = estimate_of(r, settings).total();
@@ -182,7 +182,7 @@ TEST_CASE("truth: light whose exit a bubble hides is not booked as total reflect
   for (std::size_t i = 0; i < bubble.indices.size(); i += 3)
     for (const std::size_t j : {i, i + 2, i + 1}) ball.indices.push_back(first + bubble.indices[j]);
   finish(ball, 1.0f);
-  Settings settings = small_settings(256, 256, 16);
+  Settings settings = through_two_surfaces(small_settings(256, 256, 16));
   settings.interfaces = Interfaces::Two;
   const Ledger l = ledger_of(render(scene, settings, kTextures), settings);
   CHECK(l.total_reflection[0] / l.entered[0] < 0.3125);

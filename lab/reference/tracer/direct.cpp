@@ -77,7 +77,8 @@ class Lamp {
         continue;
       }
       const double r =
-          fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior)).mean() *
+          fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior))
+              .mean() *
           static_cast<double>(m.fresnel_factor);
       const double there = m.alpha_mode == AlphaMode::Blend ? static_cast<double>(m.base_color.a) : 1.0;
       const double through = static_cast<double>(transmitted_share(m)) * (1.0 - r) / (1.0 + r);

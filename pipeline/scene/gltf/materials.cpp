@@ -176,8 +176,9 @@ void Reader::read_ior() {
 // Its textures count by their means.
 void Reader::read_specular() {
   const Cursor specular = extensions_.member("KHR_materials_specular");
-  result_.fresnel_factor = factor(context_, specular.member("specularFactor"), 1, 0, 1) *
-                           static_cast<float>(textures_.mean(specular.member("specularTexture"), 3).value_or(1.0));
+  result_.fresnel_factor =
+      factor(context_, specular.member("specularFactor"), 1, 0, 1) *
+      static_cast<float>(textures_.mean(specular.member("specularTexture"), 3).value_or(1.0));
   const Cursor color = specular.member("specularColorFactor");
   const Cursor texture = specular.member("specularColorTexture");
   for (std::size_t c = 0; c < 3; ++c)
