@@ -34,7 +34,7 @@ Pass bend_pass() {
   return {
       .name = "bend",
       .purpose = "bends light at a further surface of the casters: refracted, totally reflected or mirrored",
-      .reason = "light meets more than two surfaces",
+      .reason = "light goes other ways than through two surfaces",
       .when = {&Effects::caustics, &Effects::further_surfaces},
       .drawn_for = {kFurtherSurface},
       .only_lights_with_caustics = true,

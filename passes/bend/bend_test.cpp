@@ -166,7 +166,7 @@ TEST_CASE("bend: a body tints light once, where it enters") {
   check_near(path_at(leaving.run()).flux, glm::vec3(0.96f));
 }
 
-TEST_CASE("bend: a body lets a share through once, where light enters; what it mirrors stays whole") {
+TEST_CASE("bend: a body lets a share through once, where light enters, and mirrors as before") {
   Bench bench;
   bench.materials[0].transmitted = 0.6f;
   const PassImages out = bench.run();

@@ -23,7 +23,7 @@ Pass enter_pass() {
   return {
       .name = "enter",
       .purpose = "sends each grid vertex's light through the first surface that it meets, or off it",
-      .reason = "light meets more than two surfaces",
+      .reason = "light goes other ways than through two surfaces",
       .when = {&Effects::caustics, &Effects::further_surfaces},
       .drawn_for = {kFirstSurface},
       .only_lights_with_caustics = true,

@@ -34,7 +34,7 @@ Pass land_pass() {
   return {
       .name = "land",
       .purpose = "finds where light lands that meets no further caster",
-      .reason = "light meets more than two surfaces",
+      .reason = "light goes other ways than through two surfaces",
       .when = {&Effects::caustics, &Effects::further_surfaces},
       .drawn_for = {kSurfaceAhead},
       .only_lights_with_caustics = true,

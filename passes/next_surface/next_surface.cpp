@@ -21,7 +21,7 @@ Pass next_surface_pass() {
   return {
       .name = "next_surface",
       .purpose = "finds the next triangle that each ray under way meets",
-      .reason = "light meets more than two surfaces",
+      .reason = "light goes other ways than through two surfaces",
       .when = {&Effects::caustics, &Effects::further_surfaces},
       .drawn_for = {kSurfaceAhead},
       .only_lights_with_caustics = true,

@@ -11,7 +11,7 @@ using namespace caustics::test;
 
 namespace {
 
-// Half of what lands through the one caster meets more than two surfaces.
+// Half of what lands through the one caster goes other ways than through two surfaces.
 const std::vector<FurtherShare> kHalf{{.light = 0, .mesh = 1, .share = 0.5, .of_light = 1.0}};
 
 Effects followed(int splits, Effects effects = {}, const std::vector<FurtherShare>& shares = kHalf) {

@@ -19,7 +19,7 @@ struct Frame {
 std::string no_further_surfaces(const Frame& frame) {
   const Effect& further = frame.effects.further_surfaces;
   if (further.active) return {};
-  return further.reason.empty() ? "no light meets more than two surfaces" : further.reason;
+  return further.reason.empty() ? "all light goes through two surfaces" : further.reason;
 }
 
 // Of the share that decides: what no pilot has measured is not decided by it.

@@ -21,7 +21,7 @@ namespace {
 
 // A material that lets less than this share of the light through is drawn as a diffuse surface alone; one
 // that keeps less than this share, as glass alone.
-constexpr float kLeastShare = 0.01f;
+constexpr float kLeastRoleShare = 0.01f;
 
 Judgement diffuse(const std::string& material, const std::string& why) {
   return {{Role::Receiver, false, material + ": " + why}, false, {}};
@@ -115,9 +115,9 @@ Judgement judge_unblended(const Mesh& mesh, const Material& material, const Sett
   }
   // Metal lets nothing through, so only the other part transmits (KHR_materials_transmission).
   const float transmissive = transmitted_share(material);
-  if (transmissive >= kLeastShare) {
+  if (transmissive >= kLeastRoleShare) {
     Judgement judged = judge_glass(mesh, material, name, settings);
-    if (judged.role.role == Role::Receiver || transmissive > 1.0f - kLeastShare) return judged;
+    if (judged.role.role == Role::Receiver || transmissive > 1.0f - kLeastRoleShare) return judged;
     judged.role.partly_diffuse = true;
     judged.role.reason += ", " + percent(1.0 - static_cast<double>(transmissive)) +
                           (material.metallic > 0.0f ? " diffuse or metal" : " diffuse");

@@ -14,7 +14,7 @@ using namespace caustics::test;
 
 namespace {
 
-// A glass ball over a floor under a sun, half of whose light meets more than two surfaces.
+// A glass ball over a floor under a sun, half of whose light goes other ways than through two surfaces.
 struct Bench {
   Scene scene = sphere_scene(1.5f, 1);
   Settings settings = small_settings(32, 32, 24);

@@ -29,7 +29,8 @@ struct Bench {
 
   int maps() const { return full ? 512 : 256; }    // grid and map, a side
   int pixels() const { return full ? 256 : 128; }  // of the picture
-  Settings settings() const { return small_settings(maps(), maps(), pixels()); }
+  // The closed forms are of two surfaces.
+  Settings settings() const { return through_two_surfaces(small_settings(maps(), maps(), pixels())); }
   Rendering render(const Scene& scene, const Settings& settings,
                    const std::vector<std::string>& textures) const {
     return render_on(device, scene, settings, textures, &pilot);
