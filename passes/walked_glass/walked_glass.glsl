@@ -60,7 +60,8 @@ Vec3 shown_color(Texture colors, IN(View) view, Vec3 p) {
 Vec3 shown_far_away(Vec3 direction, Vec3 otherwise) {
   Vec3 q = transform_vector(u.view.from_scene, direction);
   Vec2 uv = view_uv(u.view, q);
-  Bool there = q.z > 1.0e-3f && inside_unit(uv.x, uv.y) && !is_covered(fetch_nearest(view_position, uv.x, uv.y));
+  Bool sky = !is_covered(fetch_nearest(view_position, uv.x, uv.y));
+  Bool there = sky && q.z > 1.0e-3f && inside_unit(uv.x, uv.y);
   return sel(there, Vec3(fetch_nearest(scene_color, uv.x, uv.y)), otherwise);
 }
 
@@ -93,7 +94,8 @@ void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, Bool 
   sight.media = sel(back, sight.media, both.media);
   Vec3 metal = metal_reflectance(material.color, bent.cosine);
   Bool tints = both.tints && !back && !both.passes;
-  sight.through = sight.through * sel(material.mirror, metal, sel(tints, material.color * material.transmitted, Vec3(1.0f)));
+  Vec3 passing = sel(tints, material.color * material.transmitted, Vec3(1.0f));
+  sight.through = sight.through * sel(material.mirror, metal, passing);
   sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
 }
 

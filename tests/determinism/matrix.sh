@@ -4,7 +4,8 @@
 #   matrix.sh [--builds "g++-O0 clang++-O2"] [ARGUMENT ...]
 # --builds: only these. The other arguments go to matrix.py: --all takes the sizes of `caustics digest`, and
 # programs that
-# exist already join the comparison.
+# exist already join the comparison. CAUSTICS_LANES_BUILT=native: of each build the scalar lanes and the
+# processor's widest alone.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
@@ -19,7 +20,8 @@ for name in $wanted; do
   if ! [[ $name =~ ^(g|clang)\+\+-O[0-3s]$ ]]; then 
     give_up 2 "no such build: '$name'; they are named as g++-O2 is"
   fi
-  digest_build "$name" -DCMAKE_CXX_COMPILER="${name%-*}" -DCMAKE_CXX_FLAGS="-${name#*-}"
+  digest_build "$name" -DCMAKE_CXX_COMPILER="${name%-*}" -DCMAKE_CXX_FLAGS="-${name#*-}" \
+    -DCAUSTICS_LANES="${CAUSTICS_LANES_BUILT:-all}"
   programs+=("$builds/$name/caustics_digest")
 done
 exec "$matrix" "$@" "${programs[@]}"

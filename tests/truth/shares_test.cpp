@@ -1,0 +1,108 @@
+// Light through surfaces that take, scatter, cover or mirror a share of it.
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/render_scene.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979;
+// A pane, or a slab, under 100 lux: (1 - R) / (1 + R) with R = 0.04 in all orders.
+constexpr double kThrough = 0.96 / 1.04;
+
+double mean_of(const Image& image) {
+  double sum = 0.0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) sum += image.at(x, y, 1);
+  return sum / (image.width() * image.height());
+}
+
+// Lux in the middle of a floor, under a square of 2 m of this material half a metre up; slab: 0.1 m thick.
+double lux_under(const Material& material, bool slab) {
+  Scene scene;
+  scene.materials = {diffuse(0.8f), material};
+  scene.meshes = {floor(3.0, 0.0, 0), slab ? box({-1, 0.5, -1}, {1, 0.6, 1}, 1) : floor(1.0, 0.5, 1)};
+  scene.lights = {sun({0.0, -1.0, 0.0}, 100.0f)};
+  scene.cameras = {camera_down(0.4, 0.4)};
+  const Rendering r = render(scene, small_settings(64, 64, 16), {"aov_direct", "aov_caustic"});
+  return mean_of(r["aov_direct"]) + mean_of(r["aov_caustic"]);
+}
+
+Material pane(float transmission) {
+  Material m = glass(1.5f);
+  m.thickness = 0.0f;
+  m.transmission = transmission;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("shares: a slab and a pane let through what their transmission says, once") {
+  Material slab = glass(1.5f);
+  slab.transmission = 0.6f;
+  CHECK(lux_under(slab, true) == Approx(60.0 * kThrough).epsilon(0.003));
+  CHECK(lux_under(pane(0.4f), false) == Approx(40.0 * kThrough).epsilon(0.003));
+  CHECK(lux_under(pane(1.0f), false) == Approx(100.0 * kThrough).epsilon(0.003));
+}
+
+TEST_CASE("shares: where a pane's alpha says that it is not, all light passes") {
+  Material m = pane(0.76f);
+  m.alpha_mode = AlphaMode::Blend;
+  m.base_color = {0.0f, 0.0f, 0.0f, 0.25f};
+  CHECK(lux_under(m, false) == Approx(75.0).epsilon(1e-3));
+}
+
+TEST_CASE("shares: without its specular share a slab takes nothing") {
+  Material slab = glass(1.5f);
+  slab.fresnel_factor = 0.0f;
+  CHECK(lux_under(slab, true) == Approx(100.0).epsilon(0.003));
+}
+
+TEST_CASE("shares: level water lights the wall behind it by Fresnel's share") {
+  // A sun 70 degrees from the vertical: 100 sin 70 = 93.97 lux on the wall. Water of index 1.33 mirrors there
+  // R: cos i = 0.342020, cos t = 0.707687; rs = ((0.342020 - 0.941224) / 1.283244)^2 = 0.218035, rp =
+  // ((0.707687 - 0.454887) / 1.162574)^2 = 0.047284, R = 0.132660: 12.47 lux more.
+  Scene scene;
+  scene.materials = {diffuse(0.8f), glass(1.33f)};
+  Mesh wall = floor(2.0, 0.0, 0);
+  for (Vertex& v : wall.vertices) {
+    v.position = {2.0f, v.position.x + 2.0f, v.position.z};
+    v.normal = {-1.0f, 0.0f, 0.0f};
+  }
+  finish(wall, 0.0f);
+  scene.meshes = {floor(6.0, -1.0, 0), floor(2.0, 0.0, 1), wall};
+  scene.lights = {sun({std::sin(70.0 * kPi / 180.0), -std::cos(70.0 * kPi / 180.0), 0.0}, 100.0f)};
+  Camera camera{.name = "wall", .orthographic = true};
+  camera.position = {1.0, 0.5, 0.0};
+  camera.right = {0.0, 0.0, 1.0};
+  camera.up = {0.0, 1.0, 0.0};
+  camera.forward = {1.0, 0.0, 0.0};
+  camera.half_width = camera.half_height = 0.2;
+  camera.near = 1e-3;
+  camera.far = 100.0;
+  scene.cameras = {camera};
+  const Rendering r = render(scene, small_settings(128, 128, 16), {"aov_direct", "aov_caustic"});
+  CHECK(mean_of(r["aov_direct"]) == Approx(93.97).epsilon(1e-3));
+  CHECK(mean_of(r["aov_caustic"]) == Approx(12.47).epsilon(0.005));
+}
+
+TEST_CASE("shares: an opaque thing in glass takes its light") {
+  // A box over the whole lower half of a slab's middle, 0.8 m wide: under it nothing but what goes round.
+  const auto lux = [](bool with_thing) {
+    Scene scene;
+    scene.materials = {diffuse(0.8f), glass(1.5f)};
+    scene.meshes = {floor(3.0, 0.0, 0), box({-1, 0.5, -1}, {1, 0.9, 1}, 1)};
+    if (with_thing) scene.meshes.push_back(box({-0.4, 0.6, -0.4}, {0.4, 0.8, 0.4}, 0));
+    scene.lights = {sun({0.0, -1.0, 0.0}, 100.0f)};
+    scene.cameras = {camera_down(0.4, 0.3)};
+    const Rendering r = render(scene, small_settings(64, 64, 16), {"aov_direct", "aov_caustic"});
+    CHECK(r.effects.further_surfaces.active == with_thing);
+    return mean_of(r["aov_direct"]) + mean_of(r["aov_caustic"]);
+  };
+  CHECK(lux(false) == Approx(100.0 * kThrough).epsilon(0.003));
+  CHECK(lux(true) < 0.5);
+}
