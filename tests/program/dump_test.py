@@ -84,7 +84,7 @@ class Inputs(DumpTest):
     def test_tables_are_what_passes_read(self):
         self.dump()
         table = next(each for each in self.manifest["tables"] if each["name"] == "caster_materials")
-        self.assertEqual((table["width"], table["height"]), (3, 1))
+        self.assertEqual((table["width"], table["height"]), (4, 1))
         texels = self.texels(table["file"])
         self.assertEqual(texels["R"][0], 1.5)  # index of refraction
         self.assertEqual(texels["A"], [0, 1, 0])  # no mirror, two interfaces

@@ -14,7 +14,8 @@ import glb
 
 PROGRAM = os.environ["CAUSTICS_PROGRAM"]
 # Sizes at which a frame takes a fraction of a second.
-SMALL = ["-r", "64x48", "--grid", "32", "--map", "32", "-D", "shadow=64"]
+# Through two surfaces, in few passes.
+SMALL = ["-r", "64x48", "--grid", "32", "--map", "32", "-D", "shadow=64", "-D", "further.share=1"]
 
 
 # What ctest takes for skipped, as in tests/support/skip.hpp.
