@@ -23,7 +23,7 @@ class AreaLights(ProgramTest):
         return json.loads((self.folder / "s.json").read_text())
 
     def test_plan_shows_one_light_with_its_size(self):
-        text = self.succeeds("plan", "sun.glb").stdout
+        text = self.succeeds("plan", "sun.glb", *SMALL).stdout
         self.assertIn("disk of 5 degrees, 16 samples", text)
         self.assertEqual(text.count("  landing[sun"), 1)
         self.assertIn("landing[sun] x 16", text)

@@ -13,7 +13,7 @@ import pictures
 from program import PROGRAM, SMALL, ProgramTest, main
 
 LAMP = {"name": "lamp", "type": "point", "intensity": 700, "color": [1, 0.5, 0.25]}
-SIZES = ["-r", "64x48", "--grid", "32", "--map", "24", "-D", "shadow=64"]
+SIZES = ["-r", "64x48", "--grid", "32", "--map", "24", "-D", "shadow=64", "-D", "further.share=1"]
 
 
 def scene_of_two_lights():
