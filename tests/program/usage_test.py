@@ -154,8 +154,9 @@ class Plan(ProgramTest):
 
     def test_a_setting_that_changes_nothing_is_named_with_the_reason(self):
         nothing = "splits=4 changes nothing here: "
-        self.assertIn("  " + nothing, self.succeeds("plan", "ball.glb", "-D", "splits=4").stdout)
-        notes = json.loads(self.succeeds("plan", "ball.glb", "-D", "splits=4", "--json").stdout)["notes"]
+        self.assertIn("  " + nothing, self.succeeds("plan", "ball.glb", *SMALL, "-D", "splits=4").stdout)
+        said = self.succeeds("plan", "ball.glb", *SMALL, "-D", "splits=4", "--json").stdout
+        notes = json.loads(said)["notes"]
         self.assertEqual([note.startswith(nothing) for note in notes].count(True), 1)
         self.assertIn("note: " + nothing, self.succeeds("ball.glb", *SMALL, "-D", "splits=4").stderr)
         followed = "-D", "further.share=0", "-D", "splits=4"
