@@ -55,8 +55,8 @@ Vec3 shown_color(Texture colors, IN(View) view, Vec3 p) {
   return Vec3(fetch_bilinear(colors, uv.x, uv.y));
 }
 
-// What the picture shows in a direction where it shows no opaque surface: layers over the sky. They count as far
-// away.
+// What the picture shows in a direction where it shows no opaque surface: layers over the sky, which count as
+// far away.
 Vec3 shown_far_away(Vec3 direction, Vec3 otherwise) {
   Vec3 q = transform_vector(u.view.from_scene, direction);
   Vec2 uv = view_uv(u.view, q);
