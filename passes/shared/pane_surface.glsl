@@ -61,8 +61,8 @@ PaneLayer layer_here(Vec4 texel) {
   return layer;
 }
 
-// What light keeps on its way through. A blended surface keeps what it covers. `in_picture`: where what is not
-// let through has covered its share already.
+// What light keeps on its way through. A blended surface keeps what it covers. `in_picture`: where what is
+// not let through has covered its share already.
 Vec3 let_through(Vec3 d, Bool in_picture) {
   Vec4 texel = base_texel();
   Vec3 passes = Vec3(1.0f - u.alpha_mask.opacity * texel.w);
