@@ -1,7 +1,7 @@
-// Of glTF's specular BRDF, what it sends back of light of 1 from all around: a reflectance at normal incidence
-// times `scale`, plus one at grazing incidence times `bias`. What a reflectance of 1 sends back
-// is fitted to its integral, to 2 % in the mean and 11 % at grazing view; the bias is from Karis, "Physically based
-// shading on mobile", 2014.
+// Of glTF's specular BRDF, what it sends back of light of 1 from all around: a reflectance at normal
+// incidence times `scale`, plus one at grazing incidence times `bias`. What a reflectance of 1 sends back is
+// fitted to its integral, to 2 % in the mean and 11 % at grazing view; the bias is from Karis, "Physically
+// based shading on mobile", 2014.
 struct DirectionalAlbedo {
   Float scale;
   Float bias;

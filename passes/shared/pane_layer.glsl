@@ -16,8 +16,8 @@ Float pane_reflectance(Float cosine, float ior) {
   return fresnel_reflectance(eta, cosine, sqrt(max_of(transmitted_cosine_squared(eta, cosine), 0.0f)));
 }
 
-// What light keeps of each channel that goes straight through. Between two parallel faces of reflectance r the
-// reflections add up to (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once.
+// What light keeps of each channel that goes straight through. Between two parallel faces of reflectance r
+// the reflections add up to (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once.
 Vec3 pane_passes(IN(PaneLayer) layer, Vec3 color, Float r) {
   Vec3 through = color * (layer.transmitted * ((1.0f - r) / (1.0f + r)));
   return Vec3(1.0f - layer.there) + through * layer.there;
