@@ -50,7 +50,8 @@ Float luminance(Vec3 c) { return c.x * 0.2126f + c.y * 0.7152f + c.z * 0.0722f; 
 // Of a caster at the end of a stretch inside or outside of it.
 Float share_of_caster(IN(CasterTriangle) triangle, Bool leaves, Float stretch) {
   Material material = fetch_material(caster_materials, triangle.row);
-  Float inside = exp_of(-(luminance(material.absorption) * stretch)) * luminance(material.color * material.transmitted);
+  Float passing = luminance(material.color * material.transmitted);
+  Float inside = exp_of(-(luminance(material.absorption) * stretch)) * passing;
   Float through = share_through(material) * sel(leaves, inside, Float(1.0f));
   return sel(material.mirror, Float(0.0f), through);
 }
