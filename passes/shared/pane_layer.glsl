@@ -7,6 +7,21 @@ struct PaneLayer {
 // Least share that counts as let through, so that what is divided by it stays finite.
 #define LEAST_TRANSMITTED 1.0e-3f
 
+// The layer at this point, whose base colour has this opacity. Needs material.glsl, transformed_uv.glsl, the
+// varying surface_uv, the texture transmission_texture and the uniforms of a pane.
+PaneLayer layer_here(Float opacity) {
+  PaneLayer layer;
+  layer.there = Float(1.0f);
+  if (u.is_covering != 0) layer.there = opacity;
+  layer.transmitted = Float(u.transmitted);
+  if (u.has_transmission != 0) {
+    Vec2 at = transformed_uv(u.transmission_uv, surface_uv);
+    layer.transmitted = layer.transmitted * fetch_wrapped(transmission_texture, u.transmission_uv, at).x;
+  }
+  layer.transmitted = max_of(layer.transmitted, LEAST_TRANSMITTED);
+  return layer;
+}
+
 // The share of what lies behind that the layer leaves.
 Float layer_passes(IN(PaneLayer) layer) { return 1.0f - layer.there * (1.0f - layer.transmitted); }
 
@@ -16,7 +31,7 @@ Float pane_reflectance(Float cosine, float ior) {
   return fresnel_reflectance(eta, cosine, sqrt(max_of(transmitted_cosine_squared(eta, cosine), 0.0f)));
 }
 
-// What light keeps of each channel that goes straight through. Between two parallel faces of reflectance r
+// The share of each channel that goes straight through. Between two parallel faces of reflectance r
 // the reflections add up to (1 - r) / (1 + r), whatever the pane's thickness; the colour counts once.
 Vec3 pane_passes(IN(PaneLayer) layer, Vec3 color, Float r) {
   Vec3 through = color * (layer.transmitted * ((1.0f - r) / (1.0f + r)));

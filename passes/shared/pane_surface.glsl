@@ -48,26 +48,13 @@ Vec4 base_texel() {
   return texel;
 }
 
-PaneLayer layer_here(Vec4 texel) {
-  PaneLayer layer;
-  layer.there = Float(1.0f);
-  if (u.is_covering != 0) layer.there = u.alpha_mask.opacity * texel.w;
-  layer.transmitted = Float(u.transmitted);
-  if (u.has_transmission != 0) {
-    Vec2 at = transformed_uv(u.transmission_uv, surface_uv);
-    layer.transmitted = layer.transmitted * fetch_wrapped(transmission_texture, u.transmission_uv, at).x;
-  }
-  layer.transmitted = max_of(layer.transmitted, LEAST_TRANSMITTED);
-  return layer;
-}
-
-// What light keeps on its way through. A blended surface keeps what it covers. `in_picture`: where what is
+// The share of light that passes. A blended surface keeps what it covers. `in_picture`: where what is
 // not let through has covered its share already.
 Vec3 let_through(Vec3 d, Bool in_picture) {
   Vec4 texel = base_texel();
   Vec3 passes = Vec3(1.0f - u.alpha_mask.opacity * texel.w);
   if (u.is_blended == 0) {
-    PaneLayer layer = layer_here(texel);
+    PaneLayer layer = layer_here(u.alpha_mask.opacity * texel.w);
     passes = pane_passes(layer, Vec3(u.color) * Vec3(texel), face_reflectance(d));
     passes = sel(in_picture, passes * (1.0f / layer_passes(layer)), passes);
   }

@@ -159,19 +159,6 @@ Float finest_opacity() {
   return opacity;
 }
 
-// The share of the surface that there is, and what goes through it.
-PaneLayer layer_here(Vec4 base) {
-  PaneLayer layer;
-  layer.there = sel(Bool(u.is_covering != 0), base.w, Float(1.0f));
-  layer.transmitted = Float(u.transmitted);
-  if (u.has_transmission != 0) {
-    Vec2 at = transformed_uv(u.transmission_uv, surface_uv);
-    layer.transmitted = layer.transmitted * fetch_wrapped(transmission_texture, u.transmission_uv, at).x;
-  }
-  layer.transmitted = max_of(layer.transmitted, LEAST_TRANSMITTED);
-  return layer;
-}
-
 // The cosine between the camera's ray and the normal.
 Float facing_here(Vec3 n) {
   Vec3 ray = Vec3(0.0f, 0.0f, 1.0f);
@@ -216,12 +203,12 @@ Answer under_pane(IN(PaneLayer) layer, Vec3 base, IN(Finish) finish, Vec3 n) {
   return answer;
 }
 
-// What of a surface is shown in its layer.
+// A surface as its layer shows it.
 Answer in_layer(IN(Answer) whole, Vec4 base, IN(Finish) finish, Vec3 n) {
   Answer answer = whole;
   answer.shown = base.w;
   if (u.is_partly_diffuse != 0) {
-    PaneLayer layer = layer_here(base);
+    PaneLayer layer = layer_here(base.w);
     if (u.is_pane != 0) answer = under_pane(layer, Vec3(base), finish, n);
     answer.shown = 1.0f - layer_passes(layer);
   }
@@ -267,7 +254,7 @@ void main() {
   if (u.layer != 0) {
     Bool blended = left_out;
     if (u.is_partly_diffuse != 0) {
-      coverage = 1.0f - layer_passes(layer_here(base));
+      coverage = 1.0f - layer_passes(layer_here(base.w));
       blended = !left_out;
     }
     left_out = !blended || coverage <= 0.0f || not_in_layer(z);
