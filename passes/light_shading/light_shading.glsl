@@ -99,8 +99,8 @@ CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(Incidence) light, 
   return sum;
 }
 
-// Points that take a caustic's light, where the map reaches, get it; elsewhere the casters only keep light. How
-// much does not depend on what takes it: direct light is the same where no caustic is asked for.
+// Points that take a caustic's light, where the map reaches, get it; elsewhere the casters only keep light.
+// How much does not depend on what takes it: direct light is the same where no caustic is asked for.
 CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(Incidence) light) {
   CasterLight casters = nothing_of_casters();
   if (u.has_caustic != 0) {
