@@ -60,8 +60,8 @@ MEASURED = {'growth'}
 BROWSER = {'inspect', 'inspect_path'}
 
 DUMPS = {  # name: (scene, options): small frames that together run every pass
-    'sphere': ('glass_sphere', '-r 192x108 --grid 128 --map 128'),
-    'step': ('receivers', '-r 192x108 --grid 128 --map 128 -D shadow=128'),
+    'sphere': ('glass_sphere', '-r 192x108 --grid 128 --map 128 -D further.share=1'),
+    'step': ('receivers', '-r 192x108 --grid 128 --map 128 -D shadow=128 -D further.share=1'),
     'paper': ('receivers', '-r 192x108 --preset paper --estimator impostor --map 128 -D shadow=128'),
     'followed': ('receivers', '-r 192x108 --grid 128 --map 128 -D further.share=0 -D bounces=3 -D splits=0'),
     'tumbler': ('glass/drinking_glass', '-r 192x108 --grid 128 --map 128 -D bounces=3 -D splits=0'),

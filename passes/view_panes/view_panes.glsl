@@ -56,8 +56,9 @@ void main() {
     // Both faces together mirror 2 r / (1 + r).
     Float r = face_reflectance(d);
     Vec3 n = facing_normal(normalize_or(surface_normal, -d), d, dot3(surface_normal, d) > 0.0f);
-    Float there = layer_here(u.alpha_mask.opacity * base_texel().w).there;
-    color = mirrored(n, d) * (there * (2.0f * r / (1.0f + r)));
+    Float opacity = u.alpha_mask.opacity * base_texel().w;
+    PaneLayer layer = layer_here(opacity);
+    color = mirrored(n, d) * (layer.there * (2.0f * r / (1.0f + r)));
   }
   beauty = Vec4(color, Float(1.0f));
 }

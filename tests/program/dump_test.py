@@ -87,7 +87,7 @@ class Inputs(DumpTest):
         self.assertEqual((table["width"], table["height"]), (4, 1))
         texels = self.texels(table["file"])
         self.assertEqual(texels["R"][0], 1.5)  # index of refraction
-        self.assertEqual(texels["A"], [0, 1, 0])  # no mirror, two interfaces
+        self.assertEqual(texels["A"], [0, 1, 0, 0])  # no mirror, two interfaces
 
     def test_a_pass_computed_from_its_inputs_gives_its_output(self):
         self.dump()

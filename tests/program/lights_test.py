@@ -28,7 +28,7 @@ class AreaLights(ProgramTest):
         self.assertEqual(text.count("  landing[sun"), 1)
         self.assertIn("landing[sun] x 16", text)
         self.assertIn("caustic_map[sun.00..sun.15] R32F", text)
-        document = json.loads(self.succeeds("plan", "sun.glb", "--json").stdout)
+        document = json.loads(self.succeeds("plan", "sun.glb", "-D", "further.share=1", "--json").stdout)
         self.assertEqual(len(document["lights"]), 1)
         self.assertEqual(document["lights"][0]["samples"], 16)
         self.assertEqual(document["lights"][0]["size"]["shape"], "disk")

@@ -46,7 +46,8 @@ class OnDemand(ProgramTest):
         self.succeeds("compare", "e.exr", "q.exr")
 
     def test_what_the_model_leaves_out_is_not_bought_with_finer_maps(self):
-        result = self.run_program("render", "ball.glb", *VIEW, "--target-error", "0.5%", "-o", "m.png")
+        result = self.run_program("render", "ball.glb", *VIEW, "-D", "further.share=1", "--target-error",
+                                  "0.5%", "-o", "m.png")
         self.assertEqual(result.returncode, 6, result.stderr)
         self.assertIn("is light that takes ways which are not followed", result.stderr)
         grid, map_, _ = self.chosen(result.stderr)

@@ -13,7 +13,7 @@ import glb
 from pictures import exr, png
 from program import PROGRAM, ProgramTest, main
 
-SMALL = ["-r", "64x48", "--repeat", "1", "-D", "shadow=64"]
+SMALL = ["-r", "64x48", "--repeat", "1", "-D", "shadow=64", "-D", "further.share=1"]
 GRIDS = ["--vary", "grid=16,32", "--grid", "32", "--map", "32"]
 FIGURES = ["relative_l1", "rmse", "relative_mse_1", "relative_mse_4", "relative_mse_16", "flux_ratio",
            "flip_mean"]
@@ -117,7 +117,7 @@ class Rows(StudyTest):
             self.assertIn("not an independent truth", where)
 
     def test_a_settings_figures_are_those_of_compare(self):
-        options = ["-r", "64x48", "-D", "shadow=64", "--map", "32"]
+        options = ["-r", "64x48", "-D", "shadow=64", "-D", "further.share=1", "--map", "32"]
         self.succeeds("render", "ball.glb", *options, "--grid", "64", "-o", "truth.exr", "--aov", "caustic")
         self.succeeds("render", "ball.glb", *options, "--grid", "16", "-o", "a.exr", "--aov", "caustic")
         right = [(255 * (i % 64 > 20),) * 3 for i in range(64 * 48)]

@@ -47,7 +47,8 @@ double irradiance(const Rendering& r, int x, int y) {
 
 double brightest(Scene scene, int count, int pixels) {
   sample_lights(scene, count);
-  const Rendering r = render(scene, small_settings(192, 192, pixels), {"aov_direct", "aov_caustic"});
+  const Settings settings = through_two_surfaces(small_settings(192, 192, pixels));
+  const Rendering r = render(scene, settings, {"aov_direct", "aov_caustic"});
   double most = 0.0;
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) most = std::max(most, irradiance(r, x, y));

@@ -65,7 +65,7 @@ TEST_CASE("far receivers: light lands on what a receiver hides from the light") 
 }
 
 TEST_CASE("far receivers: only what has not landed before is followed again") {
-  const Settings settings = small_settings(128, 128, 16);
+  const Settings settings = through_two_surfaces(small_settings(128, 128, 16));
   const Rendering r = render(sphere_above(true), settings, kTextures);
   const Image &near = r[light_texture(kLanding, 0)], &far = r[light_texture(far_texture(kLanding), 0)];
   int again = 0;
