@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <map>
-#include <set>
 #include <tuple>
 
 #include "app/expectations.hpp"
@@ -220,22 +219,6 @@ class TextReport {
     return text;
   }
 
-  // ", surface 2 to 17 of 4 branches"
-  std::string rounds_of(const std::vector<const PlannedPass*>& group) const {
-    if (group.front()->surface == 0) return {};
-    int first = group.front()->surface, last = first;
-    std::set<int> branches;
-    for (const PlannedPass* pass : group) {
-      first = std::min(first, pass->surface);
-      last = std::max(last, pass->surface);
-      branches.insert(pass->branch);
-    }
-    return first == last
-               ? ", its first surface"
-               : ", surfaces " + std::to_string(first) + " to " + std::to_string(last) + " of " +
-                     std::to_string(branches.size()) + (branches.size() == 1 ? " branch" : " branches");
-  }
-
   std::string pass_label(const PlannedPass& pass, std::size_t count) const {
     if (count == 1) return pass.label;
     std::string text(pass_registry()[static_cast<std::size_t>(pass.pass)].name);
@@ -267,7 +250,7 @@ class TextReport {
       table.row({one_line(pass_label(pass, group.size())),
                  std::to_string(pass.width) + "x" + std::to_string(pass.height),
                  report_.draws_nothing(pass) ? "draws nothing: its light reaches no caster (occlusion query)"
-                                             : one_line(pass.reason) + rounds_of(group)});
+                                             : one_line(pass.reason)});
       table.row({"", "", "writes " + one_line(written(pass, *group.back()))});
     }
     text_ += table.text();

@@ -4,7 +4,6 @@
 #include "passes/ambient_rays/ambient_rays.hpp"
 #include "passes/average_samples/average_samples.hpp"
 #include "passes/beams/beams.hpp"
-#include "passes/bend/bend.hpp"
 #include "passes/caster_exit_map/caster_exit_map.hpp"
 #include "passes/caster_flux/caster_flux.hpp"
 #include "passes/caster_map/caster_map.hpp"
@@ -13,18 +12,15 @@
 #include "passes/caustic_map/caustic_map.hpp"
 #include "passes/cells/cells.hpp"
 #include "passes/compose/compose.hpp"
-#include "passes/enter/enter.hpp"
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
 #include "passes/haze/haze.hpp"
 #include "passes/hidden_landings/hidden_landings.hpp"
 #include "passes/impostor_map/impostor_map.hpp"
-#include "passes/land/land.hpp"
 #include "passes/landing/landing.hpp"
 #include "passes/light_haze/light_haze.hpp"
 #include "passes/light_shading/light_shading.hpp"
 #include "passes/light_shafts/light_shafts.hpp"
-#include "passes/next_surface/next_surface.hpp"
 #include "passes/occluder_depth/occluder_depth.hpp"
 #include "passes/pane_light/pane_light.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
@@ -35,6 +31,7 @@
 #include "passes/view_panes/view_panes.hpp"
 #include "passes/view_range/view_range.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
+#include "passes/walk/walk.hpp"
 #include "passes/walked_glass/walked_glass.hpp"
 #include "passes/water_step/water_step.hpp"
 
@@ -57,10 +54,7 @@ Registry registered() {
       shadow_map_pass(),
       pane_light_pass(),
       landing_pass(),
-      enter_pass(),
-      next_surface_pass(),
-      land_pass(),
-      bend_pass(),
+      walk_pass(),
       hidden_landings_pass(),
       beams_pass(),
       cells_pass(),

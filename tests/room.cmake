@@ -64,6 +64,7 @@ target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/catch_
 include(${PROJECT_SOURCE_DIR}/tests/raster/room.cmake OPTIONAL)
 include(${PROJECT_SOURCE_DIR}/tests/gl/room.cmake OPTIONAL)
 include(${PROJECT_SOURCE_DIR}/tests/parity/room.cmake OPTIONAL)
+include(${PROJECT_SOURCE_DIR}/tests/walk/room.cmake OPTIONAL)
 caustics_batch_apart(caustics_tests 10)
 # kSkippedExit of tests/support/skip.hpp; Catch2 3's own code too.
 catch_discover_tests(caustics_tests PROPERTIES SKIP_RETURN_CODE 4)

@@ -36,12 +36,6 @@ class PathReader {
  public:
   void read(const ProbedTexel& texel) {
     for (const NamedValues& v : texel.trace) take(v, {v.values[0], v.values[1], v.values[2]});
-    // Of light that is followed from surface to surface, what leaves this one.
-    for (const NamedValues& v : texel.stored) {
-      if (v.name == "ray_direction") direction_ = {v.values[0], v.values[1], v.values[2]};
-      if (v.name == "ray_media" && !points_.empty())
-        points_.back()["medium"] = v.values[0] > 0.0f ? "inside" : "outside";
-    }
   }
 
   // Errors are those against another way's distances, surface by surface.
@@ -69,6 +63,8 @@ class PathReader {
     } else if (v.name == "landing_point") {
       // Passes that fly to the receiver say it twice.
       if (points_.empty() || points_.back()["surface"] != "landing") arrive(p, "landing", "outside");
+    } else if (v.name == "body" && !points_.empty()) {
+      points_.back()["medium"] = p[0] > 0.0 ? "inside" : "outside";
     } else if (v.name == "inside_direction" || v.name == "outside_direction") {
       direction_ = p;
     } else if (v.name == "distance" && start_ && direction_) {
@@ -112,7 +108,7 @@ int on_lattice(int i, int grid) { return (2 * i + 1) * grid / (2 * kLattice); }
 
 bool is_on_the_way(const RenderedFrame& frame, const PlannedPass& pass) {
   const bool lands = !pass.definition->writes.empty() && pass.definition->writes.front().name == kLanding;
-  return pass.light >= 0 && (pass.surface > 0 || lands) && is_first_sample(frame.scene(), pass.light) &&
+  return pass.light >= 0 && lands && is_first_sample(frame.scene(), pass.light) &&
          pass.drawn_for->receivers == ReceiverLayer::Nearest;
 }
 

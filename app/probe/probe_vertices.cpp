@@ -27,12 +27,6 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const VertexRequest&
                                         " throws no caustic here; 'caustics plan' says why");
 }
 
-// Does light of the grid vertex come to this surface?
-bool comes_to(const RenderedFrame& frame, const PlannedPass& pass, int x, int y) {
-  if (pass.definition->reads.front().name != "path_start") return true;
-  return frame.read(pass.reads.front()).at(x, y, 3) != 0.0f;
-}
-
 }  // namespace
 
 void check_light(const Scene& scene, const VertexRequest& request) {
@@ -58,11 +52,10 @@ std::vector<ProbedVertex> probe_vertices(RenderedFrame& frame, const VertexReque
   const PlannedPass& landing = find_landing(frame, request);
   // As soon as each is drawn: later passes may take the memory of what it read.
   frame.run([&](const PlannedPass& pass, const PassResult&, std::size_t, std::size_t) {
-    const bool on_the_way = pass.light == landing.light && pass.surface > 0;
-    if (&pass != &landing && !on_the_way) return true;
+    if (pass.pass != landing.pass || pass.drawn_for != landing.drawn_for || pass.light != landing.light)
+      return true;
     const ProbedPass probe(frame, pass);
     for (ProbedVertex& vertex : probed) {
-      if (on_the_way && !comes_to(frame, pass, vertex.x, vertex.y)) continue;
       ProbedTexel texel = probe.at(vertex.x, vertex.y);
       if (!texel.discarded) vertex.passes.emplace_back(pass.label, std::move(texel));
     }

@@ -1,4 +1,4 @@
-int most_steps;      // as next_surface has them
+int most_steps;      // of the search for one surface
 int first_receiver;
 float touch;
 float reach;         // metres, from where on a surface keeps nothing from another

@@ -33,10 +33,10 @@ Pass hidden_landings_pass() {
                 {.name = "receiver_position", .meaning = "the farthest receivers"}},
       .writes = {{.name = kLanding,
                   .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
-                 {.name = kLandingFlux, .meaning = "rgb: flux that is left, as land has it"},
-                 {.name = kLandingFresnel, .meaning = "rgb: flux reflected at the surfaces, as bend has it"},
+                 {.name = kLandingFlux, .meaning = "rgb: flux that is left, as walk has it"},
+                 {.name = kLandingFresnel, .meaning = "rgb: flux reflected at the surfaces, likewise"},
                  {.name = kLandingAbsorbed, .meaning = "rgb: flux absorbed in the material"},
-                 {.name = kLandingPath, .meaning = "as land has it"},
+                 {.name = kLandingPath, .meaning = "as walk has it"},
                  {.name = kLandingFootprint, .meaning = "likewise"}},
       .shaders = {{&hidden_landings_shader, block_of<hidden_landings_uniforms>}},
   };

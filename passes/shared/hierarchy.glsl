@@ -1,7 +1,7 @@
 // Which triangle a ray meets first, found in the bounding-volume hierarchy that the textures hierarchy_nodes
 // and hierarchy_triangles hold (pipeline/scene/hierarchy_tables.hpp). The order of the walk is the ray's own
 // and nobody else's, so every device and lane width finds the same. Needs axes_across.glsl, ray.glsl,
-// the texture hierarchy_normals, and the uniforms of next_surface.
+// the texture hierarchy_normals, and the uniforms most_steps, first_receiver and touch.
 
 // A ray as boxes and triangles meet it.
 struct WalkingRay {
@@ -206,4 +206,13 @@ NearestTriangle nearest_triangle(IN(WalkingRay) walking, Bool walks, Float reach
   }
   nearest.given_up = busy;
   return nearest;
+}
+
+// As hit_texel.glsl has it. `own`: number of the triangle that the ray starts on; `media`: the bodies that it
+// is in.
+Vec4 hit_ahead(IN(Ray) ray, Float own, Vec4 media, Bool walks) {
+  NearestTriangle nearest = nearest_triangle(walking_ray(ray, own, media), walks, nothing_met());
+  Float number = sel(nearest.given_up, Float(HIT_GIVEN_UP), nearest.number + 1.0f);
+  Bool met = walks && number != 0.0f;
+  return sel(met, Vec4(nearest.weight1, nearest.weight2, nearest.distance, number), Vec4(0.0f));
 }

@@ -39,6 +39,8 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/media.glsl"
 #include "passes/shared/interface.glsl"
+#include "passes/shared/surface.glsl"
+#include "passes/shared/hit_texel.glsl"
 
 // A ray of sight on its way.
 struct Sight {
@@ -84,18 +86,13 @@ void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, Bool 
   Interface both = interface_at(sight.media, at, triangle, material);
   both.passes = both.passes || straight;
   Vec3 before = sight.ray.direction;
-  Vec3 normal = facing_normal(at.outward, before, !at.front);
-  Refraction bent = refraction_at(before, normal, both.before / both.behind);
-  Bool back = !both.passes && (material.mirror || bent.total || bent.reflectance * material.fresnel > 0.5f);
-  Vec3 onward = sel(both.passes, before, bent.direction);
-  sight.ray = ray_from(at.point, sel(back, reflected(before, normal, bent.cosine), onward));
+  Surface surface = surface_at(before, at, both, material);
+  Bool back = most_is_mirrored(surface, material, surface.mirrored > 0.5f);
+  sight.ray = ray_from(at.point, direction_behind(surface, before, back));
   sight.own = at.number;
   sight.mirrored = sight.mirrored || back;
   sight.media = sel(back, sight.media, both.media);
-  Vec3 metal = metal_reflectance(material.color, bent.cosine);
-  Bool tints = both.tints && !back && !both.passes;
-  Vec3 passing = sel(tints, material.color * material.transmitted, Vec3(1.0f));
-  sight.through = sight.through * sel(material.mirror, metal, passing);
+  sight.through = sight.through * color_behind(surface, material, back);
   sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
 }
 
@@ -118,17 +115,15 @@ Vec3 radiance_along(IN(Sight) from) {
   Vec3 end = sight.ray.start;
   Bool lands = Bool(false);
   for (int k = 0; k < u.most_surfaces && any_lane(sight.under_way); k++) {
-    WalkingRay walking = walking_ray(sight.ray, sight.own, sight.media);
-    NearestTriangle met = nearest_triangle(walking, sight.under_way, nothing_met());
-    Bool caster = sight.under_way && met.number >= 0.0f && met.number < float(u.first_receiver);
-    Bool receiver = sight.under_way && met.number >= float(u.first_receiver);
-    Vec3 taken = left_by(sight.media.x, met.distance);
+    Vec4 hit = hit_ahead(sight.ray, sight.own, sight.media, sight.under_way);
+    Bool caster = sight.under_way && is_on_caster(hit);
+    Bool receiver = sight.under_way && is_surface(hit) && !caster;
+    Vec3 taken = left_by(sight.media.x, hit.z);
     sight.through = sel(caster || receiver, sight.through * taken, sight.through);
-    end = sel(receiver, point_along(sight.ray, met.distance), end);
+    end = sel(receiver, point_along(sight.ray, hit.z), end);
     lands = lands || receiver;
     if (any_lane(caster)) {
-      CasterTriangle triangle = fetch_triangle(sel(caster, met.number, Float(0.0f)));
-      Vec4 hit = Vec4(met.weight1, met.weight2, met.distance, met.number + 1.0f);
+      CasterTriangle triangle = fetch_triangle(sel(caster, hit.w - 1.0f, Float(0.0f)));
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
       Sight next = sight;
       turn(next, at, triangle, Bool(k >= u.surfaces));
@@ -171,26 +166,24 @@ Vec3 sight_to(Vec3 p) {
 Vec3 radiance_of(IN(Front) front, Bool seen) {
   Vec3 sight = sight_to(front.at.point);
   Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
-  Vec3 normal = facing_normal(front.at.outward, sight, !front.at.front);
-  Refraction bent = refraction_at(sight, normal, both.before / both.behind);
-  Float mirrored = sel(bent.total, Float(1.0f), bent.reflectance * front.material.fresnel);
+  Surface surface = surface_at(sight, front.at, both, front.material);
   Sight back;
-  back.ray = ray_from(front.at.point, reflected(sight, normal, bent.cosine));
+  back.ray = ray_from(front.at.point, direction_behind(surface, sight, Bool(true)));
   back.own = front.at.number;
   back.media = Vec4(0.0f);
   back.mirrored = Bool(true);
-  Vec3 metal = metal_reflectance(front.material.color, bent.cosine);
-  back.through = sel(front.material.mirror, metal, Vec3(mirrored));
+  Vec3 color = color_behind(surface, front.material, Bool(true));
+  back.through = sel(front.material.mirror, color, Vec3(surface.mirrored));
   back.under_way = seen;
   Sight on = back;
-  on.ray = ray_from(front.at.point, bent.direction);
+  on.ray = ray_from(front.at.point, surface.bent.direction);
   on.media = both.media;
   on.mirrored = Bool(false);
-  on.through = front.material.color * (1.0f - mirrored);
-  on.under_way = seen && !front.material.mirror && !bent.total;
+  on.through = front.material.color * (1.0f - surface.mirrored);
+  on.under_way = seen && !surface.one_way;
   Vec3 behind = radiance_along(on);
   Vec3 before = radiance_along(back);
-  return before + sel(front.material.mirror || bent.total, Vec3(0.0f), behind);
+  return before + sel(surface.one_way, Vec3(0.0f), behind);
 }
 
 // A pixel's four places, in parts of it from its middle: within what one of several samples stands for.

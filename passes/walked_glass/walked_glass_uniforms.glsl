@@ -6,7 +6,7 @@ int surfaces;        // that bend a ray at most,
 int most_surfaces;   // and that it is followed through
 vec3 forward;        // the way the camera looks
 float bend;          // the branch's index of refraction is n_d + bend (n_F - n_C): 0, the d line
-int most_steps;      // as next_surface has them
+int most_steps;      // of the search for one surface
 int first_receiver;
 float touch;
 CHOICE(blends)           // there are blended surfaces

@@ -13,12 +13,10 @@ namespace caustics {
 namespace {
 
 // A pass as it is found again in another plan: exactly, or as one of its instances, which have no light here.
-using Instance = std::tuple<int, const DrawnFor*, int, int, int>;
-Instance exactly(const PlannedPass& pass) {
-  return {pass.pass, pass.drawn_for, pass.light, pass.branch, pass.surface};
-}
-Instance any_like(const PlannedPass& pass) { return {pass.pass, pass.drawn_for, -2, -2, -2}; }
-Instance any_of(const PlannedPass& pass) { return {pass.pass, nullptr, -2, -2, -2}; }
+using Instance = std::tuple<int, const DrawnFor*, int, int>;
+Instance exactly(const PlannedPass& pass) { return {pass.pass, pass.drawn_for, pass.light, pass.branch}; }
+Instance any_like(const PlannedPass& pass) { return {pass.pass, pass.drawn_for, -2, -2}; }
+Instance any_of(const PlannedPass& pass) { return {pass.pass, nullptr, -2, -2}; }
 
 double texels_of(const PlannedPass& pass) {
   return static_cast<double>(pass.width) * static_cast<double>(pass.height);

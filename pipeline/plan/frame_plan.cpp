@@ -24,7 +24,6 @@ namespace {
 // Who a pass runs for, or a texture belongs to: the frame, a light, or a light's branch.
 struct Owner {
   int light = -1, branch = -1;
-  int surface = 0;  // of a pass: on the branch's way
 };
 
 // Those of some thousand lights; more would plan for minutes and draw for hours.
@@ -90,26 +89,17 @@ class Planner {
   }
 
   const Pass& pass_of(int index) const { return registry_[static_cast<std::size_t>(index)]; }
-  static bool has_rounds(const Pass& pass) { return pass.drawn_for.front().each == Each::Round; }
   static bool follows_branches(const Pass& pass) {
-    return std::all_of(pass.drawn_for.begin(), pass.drawn_for.end(), [](const DrawnFor& drawn_for) {
-      return drawn_for.each == Each::Branch || drawn_for.each == Each::Round;
-    });
+    return std::all_of(pass.drawn_for.begin(), pass.drawn_for.end(),
+                       [](const DrawnFor& drawn_for) { return drawn_for.each == Each::Branch; });
   }
 
-  // Each branch all its way before the next begins, so that what is kept of it is the surfaces where another
-  // branch may part.
+  // Each branch all its way before the next begins, so that they take the same memory in turn.
   void add_by_branch(int first, int end) {
     for (int i = first; i < end; ++i) say_skipped(i);
-    const int surfaces = std::any_of(registry_.begin() + first, registry_.begin() + end, has_rounds)
-                             ? settings_.bounces + 1
-                             : 0;
     for (int light = 0; light < static_cast<int>(scene_.lights.size()); ++light)
-      for (int b = 0; b < static_cast<int>(effects_.branches.size()); ++b) {
-        for (int surface = 1; surface <= surfaces; ++surface)
-          for (int i = first; i < end; ++i) add_of_branch(i, {light, b, surface});
-        for (int i = first; i < end; ++i) add_of_branch(i, {light, b, 0});
-      }
+      for (int b = 0; b < static_cast<int>(effects_.branches.size()); ++b)
+        for (int i = first; i < end; ++i) add_of_branch(i, {light, b});
   }
 
   void say_skipped(int index) {
@@ -127,34 +117,18 @@ class Planner {
   void add_of_branch(int index, Owner user) {
     const Pass& pass = pass_of(index);
     for (const DrawnFor& drawn_for : pass.drawn_for) {
-      if ((drawn_for.each == Each::Round) != (user.surface > 0)) continue;
       if (not_called_for(pass, drawn_for, effects_) || !light_needs(pass, drawn_for, user.light)) continue;
-      if (user.surface == 0 || is_drawn_at(drawn_for, branch_of(user), user.surface))
-        add(index, drawn_for, user);
+      add(index, drawn_for, user);
     }
   }
 
-  // A branch begins at the surface where it parts from another, and ends at the last that it may be bent at.
-  bool is_drawn_at(const DrawnFor& drawn_for, const Branch& branch, int surface) const {
-    switch (drawn_for.surfaces) {
-      case Surfaces::First:
-        return surface == 1 && branch.parts_at() <= 1;
-      case Surfaces::Ahead:
-        return surface > std::max(branch.parts_at(), 1);
-      case Surfaces::Bent:
-        return surface >= std::max(branch.parts_at(), 2) && surface <= settings_.bounces;
-    }
-    return false;
-  }
-
-  // Whom a branch parts from: the branch that is mirrored as it is but at the last surface.
-  int parent_of(int branch) const {
+  // The first branch that comes to the second surface as this one does, and is not mirrored there; -1:
+  // itself.
+  int with_same_start(int branch) const {
     const Branch& own = effects_.branches[static_cast<std::size_t>(branch)];
-    if (own.mirrored == 0) return -1;
-    const unsigned before = own.mirrored & ~(1u << (own.parts_at() - 1));
-    for (std::size_t b = 0; b < effects_.branches.size(); ++b) {
+    for (std::size_t b = 0; own.parts_at() >= 2 && b < effects_.branches.size(); ++b) {
       const Branch& other = effects_.branches[b];
-      if (other.mirrored == before && other.bend == own.bend && other.color == own.color)
+      if (other.mirrored == (own.mirrored & 1u) && other.bend == own.bend && other.color == own.color)
         return static_cast<int>(b);
     }
     return -1;
@@ -236,8 +210,7 @@ class Planner {
         .definition = shared_definition(pass, drawn_for),
         .light = user.light,
         .branch = user.branch,
-        .surface = user.surface,
-        .label = with_label(std::string(pass.name) + label_of(user), label_in(drawn_for, user)),
+        .label = with_label(std::string(pass.name) + label_of(user), std::string(drawn_for.label)),
         .reason = std::string(drawn_for.reason.empty() ? pass.reason : drawn_for.reason),
         .width = size.width,
         .height = size.height};
@@ -245,9 +218,8 @@ class Planner {
       if (!read.only_with || read.only_with(effects_))
         planned.reads.push_back(resolve(pass, read, drawn_for, user));
     const Each owned_by = pass.owner.value_or(drawn_for.each);
-    const bool of_branch = owned_by == Each::Branch || owned_by == Each::Round;
-    const Owner owner{owned_by == Each::Frame ? -1 : user.light, of_branch ? user.branch : -1};
-    const std::string own = drawn_for.own_textures ? label_in(drawn_for, user) : std::string();
+    const Owner owner{owned_by == Each::Frame ? -1 : user.light, owned_by == Each::Branch ? user.branch : -1};
+    const std::string own(drawn_for.own_textures ? drawn_for.label : std::string_view());
     std::size_t written = 0;
     for (const Write& write : pass.writes) {
       if (write.only_with && !write.only_with(effects_)) continue;
@@ -258,7 +230,7 @@ class Planner {
         continue;
       }
       const std::string_view name = write.texture_by && own.empty() ? write.texture_by(effects_) : write.name;
-      planned.writes.push_back(target(planned, with_label(name, write.keeps ? "" : own), format, owner));
+      planned.writes.push_back(target(planned, with_label(name, own), format, owner));
     }
     if (pass.depth)
       planned.depth = target(planned, with_label(pass.depth->name, own), Format::Depth32F, owner);
@@ -277,15 +249,14 @@ class Planner {
   }
 
   // The pass that counts how much of its casters a light reaches comes before those that follow that light;
-  // of light that is followed from surface to surface, the one that counts how much is under way.
+  // of light that is followed from surface to surface, the one that counts how much goes a branch's way.
   void decide_by_query(const Pass& pass, PlannedPass& planned) {
     if (planned.drawn_for->layer > 0) decide_by_layer(planned);
     if (planned.light < 0 || !pass.only_lights_with_caustics) return;
-    planned.only_if = query_before(pass, planned);
+    planned.only_if = query_before(planned);
     if (!pass.count_samples) return;
     planned.counts_into = ++queries_;
-    if (planned.surface > 0) {
-      for (const int texture : planned.writes) counted_in_.try_emplace(texture, queries_);
+    if (planned.branch >= 0) {
       branch_queries_.try_emplace({planned.light, planned.branch}, queries_);
     } else {
       light_queries_.try_emplace(planned.light, queries_);
@@ -304,20 +275,13 @@ class Planner {
       if (texture >= 0) counted_in_.try_emplace(texture, queries_);
   }
 
-  int query_before(const Pass& pass, const PlannedPass& planned) const {
+  int query_before(const PlannedPass& planned) const {
     const auto found_in = [](const auto& map, const auto& key) {
       const auto found = map.find(key);
       return found == map.end() ? 0 : found->second;
     };
-    for (std::size_t r = 0; r < pass.reads.size() && r < planned.reads.size(); ++r)
-      if (pass.reads[r].surface == OfSurface::Before) return found_in(counted_in_, planned.reads[r]);
     const int of_branch = found_in(branch_queries_, std::pair(planned.light, planned.branch));
     return of_branch > 0 ? of_branch : found_in(light_queries_, planned.light);
-  }
-
-  // What an instance is called beside its owner: "far", or the number of its surface.
-  static std::string label_in(const DrawnFor& drawn_for, Owner user) {
-    return user.surface > 0 ? std::to_string(user.surface) : std::string(drawn_for.label);
   }
 
   // The steps of a water, and the last of them once more as a pass of the plan.
@@ -372,7 +336,7 @@ class Planner {
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
     const std::string name(read.texture.empty() ? read.name : read.texture);
     if (read.layer != OfLayer::None) return of_layer(name, read.layer, drawn_for);
-    if (read.surface != OfSurface::None) return of_round(pass, name, read.surface, user);
+    if (read.of_same_start) return of_same_start(name, user);
     // A branch's own comes before what the first branch, which bears the light's name, has under the label.
     // Of thousands of lights each name is looked for once.
     const bool is_branch = user.branch >= 0 && !branch_of(user).name.empty();
@@ -401,14 +365,10 @@ class Planner {
     return PlannedPass::kNothing;
   }
 
-  // Where a branch begins it reads what the branch that it parts from has met.
-  int of_round(const Pass& pass, const std::string& name, OfSurface when, Owner user) {
-    const int surface = when == OfSurface::Here ? user.surface : user.surface - 1;
-    for (int branch = user.branch; branch >= 0; branch = parent_of(branch))
-      if (const int found = find(full_name(with_label(name, std::to_string(surface)), {user.light, branch}));
-          found >= 0)
-        return found;
-    fail_unwritten(pass, name);
+  int of_same_start(const std::string& name, Owner user) const {
+    const int branch = with_same_start(user.branch);
+    const int found = branch < 0 ? -1 : find(full_name(name, {user.light, branch}));
+    return found >= 0 ? found : PlannedPass::kNothing;
   }
 
   [[noreturn]] static void fail_unwritten(const Pass& pass, const std::string& name) {

@@ -43,7 +43,6 @@ struct PlannedPass {
   int light = -1;                                    // index into Scene::lights, -1 for a pass of the frame
   int branch = -1;  // index into Effects::branches, -1 for a pass of the frame or of a light
   int water = -1;   // index into Scene::waters, -1 for all other passes
-  int surface = 0;  // on a branch's way, counted from 1; 0 for passes that follow no light
   int sample =
       0;  // of each pixel, counted from 1; 0 for what the camera's samples share, and for their middle
   std::string label;  // "caustic_map[sun]", "landing[sun].far"

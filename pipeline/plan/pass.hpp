@@ -21,9 +21,8 @@ namespace caustics {
 // How often a pass runs in a frame. What belongs to a Water runs before the frame's passes, as many times
 // as its waves need steps (pipeline/renderer/moving_water.hpp); a plan that is to be looked at in full has
 // the last step again.
-// A Round is one surface on a branch's way, a Sample one of a pixel, after all that the camera's passes see
-// there (pipeline/plan/sample_passes.hpp).
-enum class Each : std::uint8_t { Frame, Light, Branch, Round, Water, Sample };
+// A Sample is one of a pixel, after all that the camera's passes see there (pipeline/plan/sample_passes.hpp).
+enum class Each : std::uint8_t { Frame, Light, Branch, Water, Sample };
 
 // Which of the receivers behind the casters, where one can hide another from the light.
 enum class ReceiverLayer : std::uint8_t { Nearest, Farthest };
@@ -32,14 +31,6 @@ enum class MapWindow : std::uint8_t { Whole, Cascade };
 // What the camera sees: the picture, or its surroundings, three times as wide and high, which glass in it can
 // show.
 enum class CameraView : std::uint8_t { Picture, Surroundings };
-
-// Of light that is followed from surface to surface: which of the surfaces on a branch's way a pass is drawn
-// for. They are counted from 1.
-enum class Surfaces : std::uint8_t {
-  First,  // where it enters the casters
-  Ahead,  // each that may follow: one more than it may be bent at
-  Bent    // each further one that it may be bent at
-};
 
 struct TargetSize {
   int width = 0, height = 0;
@@ -57,7 +48,6 @@ struct DrawnFor {
   ReceiverLayer receivers = ReceiverLayer::Nearest;
   MapWindow window = MapWindow::Whole;
   CameraView camera = CameraView::Picture;
-  Surfaces surfaces = Surfaces::First;                                                 // Each::Round only
   TargetSize (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;  // null: the pass's
   int layer = 0;  // of the blended surfaces in a pixel: 1, the nearest, to kMostLayers; 0: no such
   Effect Effects::*also = nullptr;                // needed beside the pass's own effects
@@ -119,9 +109,6 @@ inline constexpr DrawnFor kBranchCascade{.each = Each::Branch,
                                          .also = &Effects::cascades,
                                          .lights = has_cascade,
                                          .reason = "most of the light falls on little of its map"};
-inline constexpr DrawnFor kFirstSurface{.each = Each::Round, .surfaces = Surfaces::First};
-inline constexpr DrawnFor kSurfaceAhead{.each = Each::Round, .surfaces = Surfaces::Ahead};
-inline constexpr DrawnFor kFurtherSurface{.each = Each::Round, .surfaces = Surfaces::Bent};
 inline constexpr DrawnFor kWater{.each = Each::Water};
 inline constexpr DrawnFor kSample{.each = Each::Sample};
 
@@ -161,7 +148,6 @@ struct PassContext {
   const Material* material = nullptr;
   int material_row = 0;    // row of `caster_materials`: the mesh's material
   int first_triangle = 0;  // of the mesh in the hierarchy (pipeline/scene/hierarchy_tables.hpp), -1: none
-  int surface = 0;         // Each::Round only: on the branch's way, counted from 1
   int first_receiver = 0;  // the hierarchy's first triangle that is no caster's
   float touch = 0.0f;      // metres: surfaces that are as near touch
   int mesh_index = 0;
@@ -220,7 +206,6 @@ int chosen_by(const PassContext& context) {
 int throws_caustic(const PassContext& context);
 
 // A texture that the shader reads: `name` is that of its TEXTURE line.
-enum class OfSurface : std::uint8_t { None, Before, Here };  // of the round before, or of the reader's own
 // In the picture, where blended surfaces lie: of the next nearer layer (of all else: of the farthest), of the
 // nearest layer, or, of layers, what lies behind them all.
 enum class OfLayer : std::uint8_t { None, Before, First, Behind };
@@ -229,7 +214,6 @@ struct Read {
   std::string_view meaning;
   std::string_view texture{};              // another name than the shader has for it
   bool of_material = false;                // the drawn surface's material's, instead of one of the frame
-  OfSurface surface = OfSurface::None;     // Each::Round only: whose round has written it
   bool discards_where_zero = false;        // as TextureRead has it
   bool layers_discard_where_zero = false;  // likewise, of instances of layers
   bool optional = false;                   // the frame may lack it; one texel of zeros is bound then
@@ -238,6 +222,8 @@ struct Read {
   std::string_view only_for{};             // read only by the instance with this label; the others get zeros
   std::string_view only_towards{};         // an optional read: the only attachment that depends on it
   Effect Effects::*needed_with = nullptr;  // an optional read: otherwise what it holds changes nothing
+  // An optional read of Each::Branch: of the branch that comes to the second surface as this one does.
+  bool of_same_start = false;
 };
 
 // A colour attachment: `name` is that of the shader's OUTPUT line.
@@ -248,7 +234,6 @@ struct Write {
   std::array<float, 4> clear{0.0f, 0.0f, 0.0f, 0.0f};
   BlendState blend{};
   ColorMask mask = kAllChannels;
-  bool keeps = false;                                        // Each::Round only: all rounds draw into one
   Format (*format_by)(const Effects&) = nullptr;             // where effects choose the format
   std::string_view (*texture_by)(const Effects&) = nullptr;  // where effects choose the texture's name
   Condition only_with = nullptr;                             // the shader declares it only then

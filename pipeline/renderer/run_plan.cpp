@@ -107,7 +107,6 @@ class PassRunner {
         .exposure = inputs_.exposure.factor,
         .contrast = inputs_.exposure.contrast,
         .drawn_for = planned.drawn_for};
-    context.surface = planned.surface;
     context.first_receiver = scene_.first_receiver();
     context.touch = scene_.touch();
     if (planned.light >= 0) {

@@ -26,9 +26,7 @@ CONSTANT(STATUS_EXIT_NOT_FOUND, 7)
 CONSTANT(STATUS_STOPPED, 8)
 CONSTANT(STATUS_GIVEN_UP, 9)
 
-// Light that is followed from surface to surface: w of ray_start where it has been given up, and of
-// surface_hit where the walk took too many steps.
-CONSTANT(RAY_ENDED, -1)
+// w of what a ray meets (passes/shared/hit_texel.glsl) where the search took too many steps.
 CONSTANT(HIT_GIVEN_UP, -1)
 
 // What befalls light at a surface, in its path.

@@ -1,5 +1,5 @@
 // Times the bounding-volume hierarchy: its making, and the walk through it of light that glass bends and
-// mirrors totally, surface after surface (pass next_surface). Seconds of processor time, the median of
+// mirrors totally, surface after surface. Seconds of processor time, the median of
 // several.
 //   walk_bench [rays=512] [surfaces=16] [finer=0] [repeats=3] [threads=1] [gl=0] [FILE.glb ...]
 // rays: a side, of parallel light over the file's closed meshes, all of them glass of index 1.5; light ends
@@ -26,6 +26,10 @@
 #include "pipeline/scene/triangle_tree.hpp"
 #include "tests/support/light_path_bench.hpp"
 #include "tests/support/shapes.hpp"
+
+namespace caustics {
+extern const Shader bench_walk_hit_shader;
+}
 
 namespace {
 
@@ -195,9 +199,10 @@ class Walker {
  public:
   Walker(Device& device, const HierarchyTables& tables)
       : device_(device),
-        definition_(definition_of(next_surface_pass())),
+        definition_(hit_definition(bench_walk_hit_shader)),
         nodes_(device, device.upload(tables.nodes)),
         triangles_(device, device.upload(tables.triangles)),
+        normals_(device, device.upload(tables.normals)),
         target_(device, device.create_texture(Format::RGBA32F, options["rays"], options["rays"])) {}
 
   // What each ray meets; adds the median seconds.
@@ -214,7 +219,8 @@ class Walker {
     PassRun run{.definition = &definition_, .colors = {target_.id()}};
     run.draws.push_back({.vertex_count = 3,
                          .uniforms = uniform_bytes(kAllCasters),
-                         .textures = {start.id(), direction.id(), nodes_.id(), triangles_.id()}});
+                         .textures = {start.id(), direction.id(), TextureId::None, nodes_.id(),
+                                      triangles_.id(), normals_.id()}});
     std::vector<double> times;
     for (int i = 0; i < options["repeats"]; ++i) {
       device_.finish();
@@ -230,7 +236,7 @@ class Walker {
  private:
   Device& device_;
   PassDefinition definition_;
-  OwnedTexture nodes_, triangles_, target_;
+  OwnedTexture nodes_, triangles_, normals_, target_;
 };
 
 void time_walk(const HierarchyBench& bench, const HierarchyTables& tables) {

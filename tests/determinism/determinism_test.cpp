@@ -72,7 +72,7 @@ TEST_CASE("determinism: light that is followed has the same bits on every lane w
   settings.further_share = 0.0f;
   settings.bounces = 5;
   const auto expected = drawn({.threads = 1, .lanes = Lanes::Scalar}, settings);
-  REQUIRE(expected.count("ray_start.5[0]") == 1);
+  REQUIRE(expected.count("landing_footprint[0 mirrored 1]") == 1);
   for (const Lanes lanes : supported_lanes())
     for (const int threads : {1, 3}) {
       INFO("lanes " << lanes_name(lanes) << ", threads " << threads);

@@ -124,7 +124,7 @@ TEST_CASE("needed passes: light that glass in view could show is not out of view
 TEST_CASE("needed passes: black surfaces need no light, but its layers do") {
   Scene scene = sphere_scene(1.5f, 4);
   scene.materials[0].base_color = {0.0f, 0.0f, 0.0f, 1.0f};
-  for (const char* pass : {"caster_map[", "enter[", "land[", "caustic_cells", "light_shading"}) {
+  for (const char* pass : {"caster_map[", "walk[", "caustic_cells", "light_shading"}) {
     CHECK_FALSE(runs(labels_of(render(scene, without_highlights(), {"picture"})), pass));
     CHECK(runs(passes_towards({"aov_caustic"}, scene), pass));
   }
@@ -139,8 +139,7 @@ TEST_CASE("needed passes: what a wanted picture does not depend on says whose re
   REQUIRE_FALSE(frame.effects.reflecting_receivers.active);
   std::size_t found = 0;
   for (const SkippedPass& skipped : frame.plan.skipped)
-    for (const char* pass :
-         {"caster_map[", "receiver_map[", "enter[", "land[", "caustic_cells[", "light_shading["})
+    for (const char* pass : {"caster_map[", "receiver_map[", "walk[", "caustic_cells[", "light_shading["})
       if (skipped.name.rfind(pass, 0) == 0) {
         CHECK(skipped.reason == frame.effects.reflecting_receivers.reason);
         ++found;

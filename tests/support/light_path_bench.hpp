@@ -1,15 +1,34 @@
-// Passes that follow light from surface to surface, by themselves: triangles in a hierarchy, and light under
-// way as a texel of the ray textures holds it (passes/shared/ray_state.glsl).
+// Parts of the pass walk by themselves (tests/walk): triangles in a hierarchy, and light under way between
+// two surfaces.
 #pragma once
 #include <array>
 #include <vector>
 
-#include "passes/next_surface/next_surface.hpp"
+#include "passes/walk/walk.hpp"
 #include "pipeline/scene/hierarchy_tables.hpp"
 #include "pipeline/shader/constants.hpp"
 #include "tests/support/run_pass.hpp"
 
+namespace caustics {
+extern const Shader walk_enter_shader, walk_bend_shader, walk_land_shader, walk_hit_shader;
+}
+
 namespace caustics::test {
+
+// How tests/walk/shaders/path_outputs.glsl marks light that is followed no further.
+inline constexpr float kEnded = -1.0f;
+inline const std::vector<std::string> kPathOutputs{"path_start", "path_direction", "path_flux", "path_media",
+                                                   "path_width", "path_spread",    "booked",    "absorbed"};
+
+inline PassDefinition part_of_walk(const Shader& shader, const std::vector<std::string>& reads,
+                                   const std::vector<std::string>& writes) {
+  PassDefinition definition{.name = "part", .purpose = "a part of the pass walk", .shader = &shader};
+  for (const std::string& name : reads)
+    definition.reads.push_back({.name = name, .meaning = name, .optional = true});
+  for (const std::string& name : writes)
+    definition.writes.push_back({.name = name, .format = Format::RGBA32F, .meaning = name});
+  return definition;
+}
 
 // Triangles by themselves, three corners each, with flat normals. Corners wind counter-clockwise seen from
 // outside.
@@ -88,7 +107,7 @@ inline Image caster_materials(const std::vector<BenchMaterial>& materials) {
   return image;
 }
 
-// Two unit axes across a direction (Duff and others 2017): the ray textures hold widths and spreads in them.
+// Two unit axes across a direction (Duff and others 2017): the textures hold widths and spreads in them.
 inline std::array<glm::dvec3, 2> axes_across(const glm::dvec3& d) {
   const double sign = d.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (sign + d.z), b = d.x * d.y * a;
   return {{{1.0 + sign * d.x * d.x * a, sign * b, -sign * d.x}, {b, sign + d.y * d.y * a, -d.y}}};
@@ -97,7 +116,7 @@ inline std::array<glm::dvec3, 2> axes_across(const glm::dvec3& d) {
 // The start's triangle of light that starts on none of the hierarchy's, plus 1.
 inline constexpr float kOnNoTriangle = 1e6f;
 
-// Light under way. `mark`: ray_start's w. Widths and spreads have no part along the direction.
+// Light under way. `mark`: path_start's w. Widths and spreads have no part along the direction.
 struct BenchPath {
   glm::vec3 start{0.0f};
   float mark = kOnNoTriangle;
@@ -109,7 +128,7 @@ struct BenchPath {
   glm::vec3 width_x{0.0f}, width_y{0.0f};    // metres
   glm::vec3 spread_x{0.0f}, spread_y{0.0f};  // radians
 
-  // As images of one texel, in the order of the passes' reads.
+  // As images of one texel, in the order in which the shaders of tests/walk read them.
   std::vector<Image> textures() const {
     const auto across = [&](const glm::vec3& x, const glm::vec3& y) {
       const auto axes = axes_across(direction);
@@ -124,19 +143,19 @@ struct BenchPath {
 
 inline BenchPath path_at(const PassImages& out, int x = 0, int y = 0) {
   const auto of = [&](const char* name) { return texel(out[name], x, y); };
-  const glm::vec4 start = of("ray_start"), direction = of("ray_direction"), flux = of("ray_flux");
+  const glm::vec4 start = of("path_start"), direction = of("path_direction"), flux = of("path_flux");
   const auto axes = axes_across(glm::dvec3(direction));
   const auto along = [&](float a, float b) {
     return glm::vec3(axes[0] * static_cast<double>(a) + axes[1] * static_cast<double>(b));
   };
-  const glm::vec4 width = of("ray_width"), spread = of("ray_spread");
+  const glm::vec4 width = of("path_width"), spread = of("path_spread");
   return {.start = glm::vec3(start),
           .mark = start.w,
           .direction = glm::vec3(direction),
           .path = direction.w,
           .flux = glm::vec3(flux),
           .whole = flux.w,
-          .media = of("ray_media"),
+          .media = of("path_media"),
           .width_x = along(width.x, width.y),
           .width_y = along(width.z, width.w),
           .spread_x = along(spread.x, spread.y),
@@ -150,13 +169,26 @@ struct AimedRay {
   glm::vec4 media{0.0f};
 };
 
-// Everything is a caster's triangle; the steps are as many as in a frame.
-inline constexpr std140::NextSurface kAllCasters{
-    .most_steps = 16384, .first_receiver = 1 << 24, .touch = 0.0f};
+// The uniforms of tests/walk/shaders/walk_hit.glsl.
+struct alignas(16) SurfaceSearch {
+  int most_steps = 0;
+  int first_receiver = 0;  // number of the first triangle that is no caster's
+  float touch = 0.0f;      // metres: surfaces that are as near touch
+};
+// Everything is a caster's triangle; the steps are those of light that is bent three times.
+inline constexpr SurfaceSearch kAllCasters{
+    .most_steps = most_steps(3), .first_receiver = 1 << 24, .touch = 0.0f};
 
-// What the pass next_surface writes for each ray.
+inline PassDefinition hit_definition(const Shader& shader) {
+  return part_of_walk(
+      shader,
+      {"ray_start", "ray_direction", "ray_media", "nodes", "hierarchy_triangles", "hierarchy_normals"},
+      {"hit"});
+}
+
+// What each ray meets, as passes/shared/hit_texel.glsl has it.
 inline std::vector<glm::vec4> walk(const HierarchyTables& tables, const std::vector<AimedRay>& rays,
-                                   const std140::NextSurface& uniforms = kAllCasters) {
+                                   const SurfaceSearch& uniforms = kAllCasters) {
   constexpr int kColumns = 256;
   const int rows = (static_cast<int>(rays.size()) + kColumns - 1) / kColumns;
   Image starts(Format::RGBA32F, kColumns, rows), directions(Format::RGBA32F, kColumns, rows),
@@ -168,14 +200,14 @@ inline std::vector<glm::vec4> walk(const HierarchyTables& tables, const std::vec
       media.values[4 * i + static_cast<std::size_t>(c)] = rays[i].media[c];
     }
   const PassImages out =
-      run_pass(definition_of(next_surface_pass()),
+      run_pass(hit_definition(walk_hit_shader),
                {.width = kColumns,
                 .height = rows,
                 .uniforms = uniform_bytes(uniforms),
                 .textures = {starts, directions, media, tables.nodes, tables.triangles, tables.normals}});
   std::vector<glm::vec4> hits;
   for (std::size_t i = 0; i < rays.size(); ++i)
-    hits.push_back(texel(out["surface_hit"], static_cast<int>(i) % kColumns, static_cast<int>(i) / kColumns));
+    hits.push_back(texel(out["hit"], static_cast<int>(i) % kColumns, static_cast<int>(i) / kColumns));
   return hits;
 }
 

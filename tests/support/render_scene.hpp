@@ -36,7 +36,6 @@ inline Rendering rendering_of(FrameRenderer& renderer) {
 }
 
 // Every attachment that the registry's passes have, so that tests can look at all that was drawn on the way.
-// Of light that is followed: at each surface, of as many as `bounces` has by default and the one ahead.
 inline std::vector<std::string> all_attachments() {
   std::vector<std::string> names;
   for (const Pass& pass : pass_registry())
@@ -44,10 +43,6 @@ inline std::vector<std::string> all_attachments() {
       const std::string label = std::string(drawn_for.label.empty() ? "" : ".").append(drawn_for.label);
       for (const Write& write : pass.writes) names.push_back(std::string(write.name) + label);
       if (pass.depth) names.push_back(std::string(pass.depth->name) + label);
-      if (drawn_for.each != Each::Round) continue;
-      for (int surface = 1; surface <= Settings{}.bounces + 1; ++surface)
-        for (const Write& write : pass.writes)
-          names.push_back(std::string(write.name) + "." + std::to_string(surface));
     }
   return names;
 }

@@ -1,5 +1,3 @@
-#include "passes/land/land.hpp"
-
 #include <algorithm>
 
 #include "passes/landing/landing.hpp"
@@ -17,12 +15,11 @@ namespace {
 struct Bench {
   View view = down(4.0, 10.0, 20.0);
   BenchPath path{.start = {0.5f, 1.0f, 0.25f}};
-  glm::vec4 hit{0.25f, 0.25f, 1.0f, 2.0f};  // as next_surface has found it
+  glm::vec4 hit{0.25f, 0.25f, 1.0f, 2.0f};  // as hit_texel.glsl has it
   BenchMaterial material{};                 // of body 1
   Image receiver = level_map(0.0f);
   Corners floor = level_triangle(0.0f, -1.0f, -1.0f);
   glm::vec3 channel_share{1.0f};
-  bool is_last_round = false;
   bool can_be_hidden = false;  // by other receivers, from the light
 
   // What the receiver map holds of a floor at this height.
@@ -41,17 +38,22 @@ struct Bench {
   PassImages run() const {
     const HierarchyTables tables =
         HierarchyBench{}.caster(mesh_of({level_triangle(0.5f)})).receiver(mesh_of({floor})).tables();
-    std140::Land u{};
+    std140::Walk u{};
     u.receiver = u.caustic = shader_view(view);
     u.channel_share = channel_share;
     u.first_receiver = 1;
-    u.is_last_round = is_last_round;
     u.can_be_hidden = can_be_hidden;
     std::vector<Image> textures = path.textures();
     for (const Image& image :
          {filled(1, 1, hit), caster_materials({material}), tables.triangles, tables.normals, receiver})
       textures.push_back(image);
-    return run_pass(definition_of(land_pass()), {.uniforms = uniform_bytes(u), .textures = textures});
+    return run_pass(
+        part_of_walk(walk_land_shader,
+                     {"start_before", "direction_before", "flux_before", "media_before", "width_before",
+                      "spread_before", "hit_ahead", "caster_materials", "hierarchy_triangles",
+                      "hierarchy_normals", "receiver_position"},
+                     {"landing", "landing_flux", "landing_absorbed", "landing_path", "landing_footprint"}),
+        {.uniforms = uniform_bytes(u), .textures = textures});
   }
 };
 
@@ -67,7 +69,8 @@ void check_near(const glm::vec4& found, const glm::vec4& expected, double margin
 
 }  // namespace
 
-TEST_CASE("land: light comes down where the hierarchy has met the floor, with its flux and its path") {
+TEST_CASE(
+    "walk: landed, light comes down where the hierarchy has met the floor, with its flux and its path") {
   Bench bench;
   bench.path.flux = {1.0f, 0.5f, 0.25f};
   bench.path.path = 1234.0f;
@@ -80,7 +83,8 @@ TEST_CASE("land: light comes down where the hierarchy has met the floor, with it
   CHECK(out["landing_path"].at(0, 0, 0) == 1234.0f);
 }
 
-TEST_CASE("land: what lands where the light does not see is told apart where receivers may hide others") {
+TEST_CASE(
+    "walk: landed, what lands where the light does not see is told apart where receivers may hide others") {
   Bench bench;
   bench.can_be_hidden = true;
   CHECK(status(bench.run()) == LandingStatus::Landed);
@@ -96,7 +100,7 @@ TEST_CASE("land: what lands where the light does not see is told apart where rec
   CHECK(status(bench.run()) == LandingStatus::Missed);
 }
 
-TEST_CASE("land: light that meets nothing is missed") {
+TEST_CASE("walk: landed, light that meets nothing is missed") {
   Bench bench;
   bench.hit = glm::vec4(0.0f);
   const PassImages out = bench.run();
@@ -104,19 +108,16 @@ TEST_CASE("land: light that meets nothing is missed") {
   CHECK(out["landing_flux"].at(0, 0, 0) == 1.0f);
 }
 
-TEST_CASE("land: light on its way to a further caster is left to later rounds, and given up in the last") {
+TEST_CASE("walk: landed, light that is left on its way to a further caster is given up") {
   Bench bench;
   bench.hit.w = 1.0f;
-  CHECK(status(bench.run()) == LandingStatus::Empty);
-  CHECK(texel(bench.run()["landing_flux"], 0, 0) == glm::vec4(0.0f));
-  bench.is_last_round = true;
   CHECK(status(bench.run()) == LandingStatus::GivenUp);
   CHECK(bench.run()["landing_flux"].at(0, 0, 0) == 1.0f);
 }
 
-TEST_CASE("land: light that has ended, or whose walk took too long, is given up at once") {
+TEST_CASE("walk: landed, light that has ended, or whose walk took too long, is given up at once") {
   Bench ended;
-  ended.path.mark = RAY_ENDED;
+  ended.path.mark = kEnded;
   CHECK(status(ended.run()) == LandingStatus::GivenUp);
   ended.hit.w = 1.0f;
   CHECK(status(ended.run()) == LandingStatus::GivenUp);
@@ -125,15 +126,7 @@ TEST_CASE("land: light that has ended, or whose walk took too long, is given up 
   CHECK(status(lost.run()) == LandingStatus::GivenUp);
 }
 
-TEST_CASE("land: where no light is under way nothing is written") {
-  Bench bench;
-  bench.path.mark = 0.0f;
-  const PassImages out = bench.run();
-  for (const char* name : {"landing", "landing_flux", "landing_path", "landing_footprint"})
-    CHECK(texel(out[name], 0, 0) == glm::vec4(0.0f));
-}
-
-TEST_CASE("land: light that comes down beside the caustic map is outside") {
+TEST_CASE("walk: landed, light that comes down beside the caustic map is outside") {
   Bench bench;
   bench.path.start.x = 5.0f;
   const PassImages out = bench.run();
@@ -141,7 +134,7 @@ TEST_CASE("land: light that comes down beside the caustic map is outside") {
   CHECK(landing(out) == glm::vec3(5.0f, 0.0f, 0.25f));
 }
 
-TEST_CASE("land: water that lies on the floor absorbs down to the landing, by exp(-a d)") {
+TEST_CASE("walk: landed, water that lies on the floor absorbs down to the landing, by exp(-a d)") {
   Bench bench;
   bench.path.media = {1.0f, 0.0f, 0.0f, 0.0f};
   bench.material.absorption = {0.0f, 1.0f, 4.0f};
@@ -158,7 +151,7 @@ TEST_CASE("land: water that lies on the floor absorbs down to the landing, by ex
   CHECK(out["landing_flux"].at(0, 0, 0) == 1.0f);
 }
 
-TEST_CASE("land: vertical light's footprint is the grid's step in parts of the map, on any slope") {
+TEST_CASE("walk: landed, vertical light's footprint is the grid's step in parts of the map, on any slope") {
   // 0.5 m and 0.25 m of 8; the map's up is -z.
   Bench bench;
   bench.path.width_x = {0.5f, 0.0f, 0.0f};
@@ -168,7 +161,7 @@ TEST_CASE("land: vertical light's footprint is the grid's step in parts of the m
   check_near(texel(bench.run()["landing_footprint"], 0, 0), {0.0625f, 0.0f, 0.0f, 0.03125f});
 }
 
-TEST_CASE("land: a footprint has grown by the spread on the flight, and lies slanted on the floor") {
+TEST_CASE("walk: landed, a footprint has grown by the spread on the flight, and lies slanted on the floor") {
   // 0.5 m less 0.25 rad over 1 m; and turned inside out behind a focus.
   Bench bench;
   bench.path.width_x = {0.5f, 0.0f, 0.0f};
@@ -187,7 +180,7 @@ TEST_CASE("land: a footprint has grown by the spread on the flight, and lies sla
   check_near(texel(slanted.run()["landing_footprint"], 0, 0), {0.0625f / half, 0.0f, 0.0f, 0.03125f}, 1e-5);
 }
 
-TEST_CASE("land: in the map of light from a point a footprint is a part of its tangents") {
+TEST_CASE("walk: landed, in the map of light from a point a footprint is a part of its tangents") {
   // 0.5 m at 10 m, of a window of 2 x 2. Off the axis a step towards the light counts too: on a floor that
   // rises by 1 along x, at x / z = 0.05, it is 0.5 (1 + 0.05) / 10.
   Bench bench;
@@ -222,7 +215,7 @@ constexpr float kTangent = 5.0f / 48.0f;
 
 }  // namespace
 
-TEST_CASE("land: in a cube's map a footprint lies in the axes of the face that sees the landing") {
+TEST_CASE("walk: landed, in a cube's map a footprint lies in the axes of the face that sees the landing") {
   // Below the lamp: x is the view's x, y its forward. 0.5 m and 0.25 m at 10 m.
   Bench below = all_around();
   below.path.start = {0.0f, 1.0f, 0.0f};
@@ -241,7 +234,7 @@ TEST_CASE("land: in a cube's map a footprint lies in the axes of the face that s
              {-0.0025f * kTangent, 0.0125f * kTangent, -0.0125f * kTangent, 0.0f});
 }
 
-TEST_CASE("land: a cube's map has all that a lamp lights, above it too") {
+TEST_CASE("walk: landed, a cube's map has all that a lamp lights, above it too") {
   Bench bench = all_around();
   bench.path.start = {0.5f, 11.0f, 0.25f};
   bench.path.direction = {0.0f, 1.0f, 0.0f};
@@ -251,8 +244,9 @@ TEST_CASE("land: a cube's map has all that a lamp lights, above it too") {
   CHECK(landing(out) == glm::vec3(0.5f, 15.0f, 0.25f));
 }
 
-TEST_CASE("land: what may hide others from the light is looked for where the receivers are no one plane") {
-  const std::vector<Choice> choices = land_pass().choices;
+TEST_CASE(
+    "walk: landed, what may hide others from the light is looked for where the receivers are no one plane") {
+  const std::vector<Choice> choices = walk_pass().choices;
   const auto hidden = std::find_if(choices.begin(), choices.end(),
                                    [](const Choice& choice) { return choice.name == "can_be_hidden"; });
   REQUIRE(hidden != choices.end());

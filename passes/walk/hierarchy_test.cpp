@@ -1,5 +1,3 @@
-#include "passes/next_surface/next_surface.hpp"
-
 #include "tests/support/catch.hpp"
 #include "tests/support/light_path_bench.hpp"
 
@@ -12,8 +10,7 @@ namespace {
 // 2 / 4 and 1 / 4.
 constexpr glm::vec3 kAbove{1.0f, 3.0f, 2.0f};
 
-glm::vec4 hit(const HierarchyBench& bench, const AimedRay& ray,
-              const std140::NextSurface& uniforms = kAllCasters) {
+glm::vec4 hit(const HierarchyBench& bench, const AimedRay& ray, const SurfaceSearch& uniforms = kAllCasters) {
   return walk(bench.tables(), {ray}, uniforms).front();
 }
 
@@ -34,7 +31,7 @@ glm::vec4 touching_hit(float floor, float glass, const AimedRay& ray) {
 
 }  // namespace
 
-TEST_CASE("next_surface: a ray meets the nearer of two triangles, wherever it comes from") {
+TEST_CASE("hierarchy: a ray meets the nearer of two triangles, wherever it comes from") {
   CHECK(hit(two_levels(), {.start = kAbove}) == glm::vec4(0.5f, 0.25f, 2.0f, 2.0f));
   const AimedRay up{.start = {1.0f, -1.5f, 2.0f}, .direction = {0.0f, 1.0f, 0.0f}};
   CHECK(hit(two_levels(), up) == glm::vec4(0.5f, 0.25f, 1.5f, 1.0f));
@@ -42,7 +39,7 @@ TEST_CASE("next_surface: a ray meets the nearer of two triangles, wherever it co
   CHECK(hit(two_levels(), between) == glm::vec4(0.5f, 0.25f, 0.5f, 2.0f));
 }
 
-TEST_CASE("next_surface: a slanted ray's distance is along it") {
+TEST_CASE("hierarchy: a slanted ray's distance is along it") {
   // From (0, 4, 1) by (0.6, -0.8, 0): 5 m to the level 0, at (3, 0, 1).
   const glm::vec4 found = hit(HierarchyBench{}.caster(mesh_of({level_triangle(0.0f)})),
                               {.start = {0.0f, 4.0f, 0.25f}, .direction = {0.6f, -0.8f, 0.0f}});
@@ -52,7 +49,7 @@ TEST_CASE("next_surface: a slanted ray's distance is along it") {
   CHECK(found.y == Approx(3.0 / 4.0).epsilon(1e-6));
 }
 
-TEST_CASE("next_surface: the triangle that a ray starts on is left out, by its number alone") {
+TEST_CASE("hierarchy: the triangle that a ray starts on is left out, by its number alone") {
   // From a point that rounding has put 1/1024 m above the upper triangle; number 1 is marked 2.
   const glm::vec3 start{1.0f, 1.0f + 1.0f / 1024.0f, 2.0f};
   CHECK(hit(two_levels(), {.start = start}).w == 2.0f);
@@ -60,7 +57,7 @@ TEST_CASE("next_surface: the triangle that a ray starts on is left out, by its n
         glm::vec4(0.5f, 0.25f, 1.0f + 1.0f / 1024.0f, 1.0f));
 }
 
-TEST_CASE("next_surface: of triangles in one place the one with the smallest number is met") {
+TEST_CASE("hierarchy: of triangles in one place the one with the smallest number is met") {
   // A dozen, in several leaves: with the first of them left out the second is the one.
   const HierarchyBench same =
       HierarchyBench{}.caster(mesh_of(std::vector<Corners>(12, level_triangle(1.0f))));
@@ -69,7 +66,7 @@ TEST_CASE("next_surface: of triangles in one place the one with the smallest num
   CHECK(hit(same, {.start = kAbove, .mark = 7.0f}).w == 1.0f);
 }
 
-TEST_CASE("next_surface: a ray along a shared edge meets one of both triangles, and none is lost") {
+TEST_CASE("hierarchy: a ray along a shared edge meets one of both triangles, and none is lost") {
   // A square of 4 m, cut from (0, 0) to (4, 4).
   const HierarchyBench square = HierarchyBench{}.caster(
       mesh_of({{{{0, 1, 0}, {4, 1, 4}, {4, 1, 0}}}, {{{0, 1, 0}, {0, 1, 4}, {4, 1, 4}}}}));
@@ -78,7 +75,7 @@ TEST_CASE("next_surface: a ray along a shared edge meets one of both triangles, 
   CHECK(hit(square, {.start = {1.0f, 3.0f, 1.0f}, .mark = 1.0f}).w == 2.0f);
 }
 
-TEST_CASE("next_surface: rays from anywhere through the middle of a fan and its spokes are not lost") {
+TEST_CASE("hierarchy: rays from anywhere through the middle of a fan and its spokes are not lost") {
   // A flat cone of 7 triangles whose corners are no round numbers.
   std::vector<Corners> fan;
   std::vector<glm::vec3> rim;
@@ -106,7 +103,7 @@ TEST_CASE("next_surface: rays from anywhere through the middle of a fan and its 
   CHECK(lost == 0);
 }
 
-TEST_CASE("next_surface: glass that touches a floor is met before the floor") {
+TEST_CASE("hierarchy: glass that touches a floor is met before the floor") {
   // The floor lies 1/128 m above the glass, half as much as counts as touching: 2 - 1/128 m off, and counted
   // as 2 + 1/128. At 3/128 m it is counted as 2 - 3/128 + 1/64 and met first, where it is: 2 - 3/128 m off.
   CHECK(touching_hit(1.0f + 1.0f / 128.0f, 1.0f, {.start = kAbove}) == glm::vec4(0.5f, 0.25f, 2.0f, 1.0f));
@@ -114,7 +111,7 @@ TEST_CASE("next_surface: glass that touches a floor is met before the floor") {
         glm::vec4(0.5f, 0.25f, 2.0f - 3.0f / 128.0f, 2.0f));
 }
 
-TEST_CASE("next_surface: light that starts a little behind a floor's front still meets it, not its back") {
+TEST_CASE("hierarchy: light that starts a little behind a floor's front still meets it, not its back") {
   // From 1/128 m below: counted as -1/128 + 1/64, so it is met where the light starts. From 1/32 m below the
   // floor is behind the ray.
   const auto below = [](float metres, float way) {
@@ -145,7 +142,7 @@ constexpr glm::vec4 kInBody1{1.0f, 0.0f, 0.0f, 0.0f}, kInBoth{2.0f, 1.0f, 0.0f, 
 
 }  // namespace
 
-TEST_CASE("next_surface: where two bodies touch light enters the one before it leaves the other") {
+TEST_CASE("hierarchy: where two bodies touch light enters the one before it leaves the other") {
   // Whichever lies 1/256 m before the other; at 1/64 m apart the nearer is met.
   for (const float apart : {0.0f, 1.0f / 256.0f, -1.0f / 256.0f, 1.0f / 64.0f})
     CHECK(contact_hit(apart, {.start = kAbove, .media = kInBody1}).w == 2.0f);
@@ -154,7 +151,7 @@ TEST_CASE("next_surface: where two bodies touch light enters the one before it l
   CHECK(leaves.z == 2.0f);  // where it is, not where it counts
 }
 
-TEST_CASE("next_surface: from the surface that it has entered light leaves the one that it touches, once") {
+TEST_CASE("hierarchy: from the surface that it has entered light leaves the one that it touches, once") {
   // The back lies 1/256 m before the start or behind it.
   for (const float apart : {1.0f / 256.0f, -1.0f / 256.0f}) {
     const glm::vec3 start{1.0f, 1.0f + apart, 2.0f};
@@ -166,7 +163,7 @@ TEST_CASE("next_surface: from the surface that it has entered light leaves the o
   }
 }
 
-TEST_CASE("next_surface: light that is mirrored where two bodies touch crosses nothing there") {
+TEST_CASE("hierarchy: light that is mirrored where two bodies touch crosses nothing there") {
   // In body 1, mirrored by the skin of body 2; and back in body 2, mirrored by the skin of body 1.
   const glm::vec3 up{0.0f, 1.0f, 0.0f}, start{1.0f, 1.0f, 2.0f};
   for (const float apart : {0.0f, 1.0f / 256.0f, -1.0f / 256.0f}) {
@@ -175,43 +172,43 @@ TEST_CASE("next_surface: light that is mirrored where two bodies touch crosses n
   }
 }
 
-TEST_CASE("next_surface: a plate thinner than a contact is entered and left, once each") {
+TEST_CASE("hierarchy: a plate thinner than a contact is entered and left, once each") {
   // Both skins of body 1, 1/256 m apart, the upper one number 0.
   Corners down = level_triangle(1.0f);
   std::swap(down[1], down[2]);
   HierarchyBench plate;
   plate.touch = kTouch;
   plate.caster(mesh_of({level_triangle(1.0f + 1.0f / 256.0f), down}));
-  const std140::NextSurface frame{.most_steps = 100, .first_receiver = 2, .touch = kTouch};
+  const SurfaceSearch frame{.most_steps = 100, .first_receiver = 2, .touch = kTouch};
   const glm::vec3 upper{1.0f, 1.0f + 1.0f / 256.0f, 2.0f}, lower{1.0f, 1.0f, 2.0f};
   CHECK(hit(plate, {.start = kAbove, .media = kInNone}, frame).w == 1.0f);
   CHECK(hit(plate, {.start = upper, .mark = 1.0f, .media = kInBody1}, frame).w == 2.0f);
   CHECK(hit(plate, {.start = lower, .mark = 2.0f, .media = kInNone}, frame).w == 0.0f);
 }
 
-TEST_CASE("next_surface: light that leaves by an edge leaves by one of its triangles") {
+TEST_CASE("hierarchy: light that leaves by an edge leaves by one of its triangles") {
   // A square of 4 m that faces down, cut from (0, 0) to (4, 4); both halves lie under the ray.
   HierarchyBench square;
   square.touch = kTouch;
   square.caster(mesh_of({{{{0, 1, 0}, {4, 1, 0}, {4, 1, 4}}}, {{{0, 1, 0}, {4, 1, 4}, {0, 1, 4}}}}));
-  const std140::NextSurface frame{.most_steps = 100, .first_receiver = 2, .touch = kTouch};
+  const SurfaceSearch frame{.most_steps = 100, .first_receiver = 2, .touch = kTouch};
   CHECK(hit(square, {.start = {1.0f, 3.0f, 1.0f}, .media = kInBody1}, frame).w == 1.0f);
   CHECK(hit(square, {.start = {1.0f, 1.0f, 1.0f}, .mark = 1.0f, .media = kInNone}, frame).w == 0.0f);
 }
 
-TEST_CASE("next_surface: what meets nothing, or is not under way, has zeros") {
+TEST_CASE("hierarchy: what meets nothing, or is not under way, has zeros") {
   CHECK(hit(two_levels(), {.start = {3.0f, 3.0f, 3.0f}}) == glm::vec4(0.0f));
   CHECK(hit(two_levels(), {.start = kAbove, .direction = {0.0f, 1.0f, 0.0f}}) == glm::vec4(0.0f));
   CHECK(hit(two_levels(), {.start = kAbove, .mark = 0.0f}) == glm::vec4(0.0f));
-  CHECK(hit(two_levels(), {.start = kAbove, .mark = RAY_ENDED}) == glm::vec4(0.0f));
+  CHECK(hit(two_levels(), {.start = kAbove, .mark = kEnded}) == glm::vec4(0.0f));
   CHECK(hit(HierarchyBench{}, {.start = kAbove}) == glm::vec4(0.0f));
 }
 
-TEST_CASE("next_surface: a ray along a triangle's plane does not meet it") {
+TEST_CASE("hierarchy: a ray along a triangle's plane does not meet it") {
   CHECK(hit(two_levels(), {.start = {-1.0f, 1.0f, 1.0f}, .direction = {1.0f, 0.0f, 0.0f}}).w == 0.0f);
 }
 
-TEST_CASE("next_surface: a walk of more steps than it may take is given up") {
+TEST_CASE("hierarchy: a walk of more steps than it may take is given up") {
   // The root, then its one leaf's two triangles: three steps.
   const auto after = [](int steps, const AimedRay& ray) {
     return hit(two_levels(), ray, {.most_steps = steps, .first_receiver = 9, .touch = 0.0f}).w;

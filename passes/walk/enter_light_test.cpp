@@ -1,5 +1,3 @@
-#include "passes/enter/enter.hpp"
-
 #include <cmath>
 
 #include "tests/support/catch.hpp"
@@ -27,7 +25,7 @@ struct Bench {
   PassImages run() const {
     const HierarchyTables tables =
         HierarchyBench{}.caster(mesh_of({level_triangle(9.0f), triangle})).tables();
-    std140::Enter u{};
+    std140::Walk u{};
     u.caster = shader_view(view);
     u.cone = shader_cone(light);
     u.light = glm::vec3(view.perspective ? view.origin : view.forward);
@@ -37,11 +35,13 @@ struct Bench {
     u.tile_width = static_cast<float>(tiles.tile_width());
     u.tile_height = static_cast<float>(tiles.tile_height());
     u.tile_guard = static_cast<float>(tiles.guard);
-    u.channel_share = {1.0f, 1.0f, 1.0f};
     u.least_share = 1e-3f;
-    u.both_ways = both_ways;
-    u.follows_mirrored = follows_mirrored;
-    return run_pass(definition_of(enter_pass()),
+    u.splits = both_ways ? 1 : 0;
+    u.mirrored = follows_mirrored ? 1 : 0;
+    return run_pass(part_of_walk(walk_enter_shader,
+                                 {"caster_position", "caster_normal", "caster_triangle", "caster_materials",
+                                  "hierarchy_triangles", "hierarchy_normals", "reaching"},
+                                 kPathOutputs),
                     {.width = side,
                      .height = side,
                      .uniforms = uniform_bytes(u),
@@ -81,7 +81,7 @@ void check_near(const glm::vec3& found, const glm::vec3& expected, double margin
 
 }  // namespace
 
-TEST_CASE("enter: a cell's light goes in, but for its Fresnel share, and is in the body then") {
+TEST_CASE("walk: entered, a cell's light goes in, but for its Fresnel share, and is in the body then") {
   // 16 square metres, R = 0.04.
   Bench bench;
   bench.number = 2.0f;
@@ -96,11 +96,10 @@ TEST_CASE("enter: a cell's light goes in, but for its Fresnel share, and is in t
     CHECK(on.media == glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
     CHECK(on.path == 5.0f);  // crosses body 1
   }
-  check_near(glm::vec3(texel(out["landing_fresnel"], 0, 0)), glm::vec3(16.0f * 0.04f));
-  CHECK(out["landing_fresnel"].at(0, 0, 3) == 16.0f);
+  check_near(glm::vec3(texel(out["booked"], 0, 0)), glm::vec3(16.0f * 0.04f));
 }
 
-TEST_CASE("enter: a smooth normal bends by Snell's law") {
+TEST_CASE("walk: entered, a smooth normal bends by Snell's law") {
   // Leaning by 30 degrees: sin t = 1/3, t = 19.4712 degrees; light leans by 10.5288 degrees, against the
   // tilt.
   Bench bench;
@@ -108,17 +107,17 @@ TEST_CASE("enter: a smooth normal bends by Snell's law") {
   CHECK(path_at(bench.run()).direction.x == Approx(-std::sin(0.183762)).epsilon(1e-4));
 }
 
-TEST_CASE("enter: where there is no caster, or no triangle of one, nothing goes on") {
+TEST_CASE("walk: entered, where there is no caster, or no triangle of one, nothing goes on") {
   Bench bench;
   bench.facing = 0.0f;
-  CHECK(texel(bench.run()["ray_start"], 0, 0) == glm::vec4(0.0f));
-  CHECK(texel(bench.run()["landing_fresnel"], 0, 0) == glm::vec4(0.0f));
+  CHECK(texel(bench.run()["path_start"], 0, 0) == glm::vec4(0.0f));
+  CHECK(texel(bench.run()["booked"], 0, 0) == glm::vec4(0.0f));
   bench.facing = 1.0f;
   bench.number = 0.0f;
-  CHECK(texel(bench.run()["ray_start"], 1, 1) == glm::vec4(0.0f));
+  CHECK(texel(bench.run()["path_start"], 1, 1) == glm::vec4(0.0f));
 }
 
-TEST_CASE("enter: a surface that is seen from inside is left, and light is in no body then") {
+TEST_CASE("walk: entered, a surface that is seen from inside is left, and light is in no body then") {
   // Leaning by 20 degrees from inside: asin(1.5 sin 20) = 30.866, so 10.866 degrees off the vertical.
   Bench bench;
   bench.facing = -1.0f;
@@ -128,7 +127,7 @@ TEST_CASE("enter: a surface that is seen from inside is left, and light is in no
   CHECK(on.media == glm::vec4(0.0f));
 }
 
-TEST_CASE("enter: a mirror sends light back in its colour, and into no body") {
+TEST_CASE("walk: entered, a mirror sends light back in its colour, and into no body") {
   Bench bench;
   bench.material = {.mirror = true, .color = {0.5f, 0.25f, 1.0f}};
   const BenchPath on = path_at(bench.run());
@@ -137,20 +136,20 @@ TEST_CASE("enter: a mirror sends light back in its colour, and into no body") {
   CHECK(on.media == glm::vec4(0.0f));
 }
 
-TEST_CASE("enter: the branch that is mirrored at once counts no cell's light again") {
+TEST_CASE("walk: entered, the branch that is mirrored at once has what the other leaves, and books nothing") {
   Bench bench;
   bench.both_ways = true;
   const PassImages through = bench.run();
-  CHECK(texel(through["landing_fresnel"], 0, 0) == glm::vec4(0.0f, 0.0f, 0.0f, 16.0f));
+  CHECK(texel(through["booked"], 0, 0) == glm::vec4(0.0f));
   bench.follows_mirrored = true;
   const PassImages mirrored = bench.run();
-  CHECK(texel(mirrored["landing_fresnel"], 0, 0) == glm::vec4(0.0f));
+  CHECK(texel(mirrored["booked"], 0, 0) == glm::vec4(0.0f));
   check_near(path_at(mirrored).flux, glm::vec3(16.0f * 0.04f));
   CHECK(path_at(mirrored).direction == glm::vec3(0.0f, 1.0f, 0.0f));
   CHECK(path_at(mirrored).whole == 16.0f);
 }
 
-TEST_CASE("enter: parallel light moves by a cell from vertex to vertex, and does not turn") {
+TEST_CASE("walk: entered, parallel light moves by a cell from vertex to vertex, and does not turn") {
   // The view's right is +x, its up -z.
   const BenchPath on = path_at(Bench{}.run());
   check_near(on.width_x, {4.0f, 0.0f, 0.0f});
@@ -159,7 +158,7 @@ TEST_CASE("enter: parallel light moves by a cell from vertex to vertex, and does
   CHECK(on.spread_y == glm::vec3(0.0f));
 }
 
-TEST_CASE("enter: light from a point turns by a cell's angle, and moves by that times its way") {
+TEST_CASE("walk: entered, light from a point turns by a cell's angle, and moves by that times its way") {
   // 0.25 at 9 m on the axis.
   const BenchPath on = path_at(from_point().run());
   check_near(on.width_x, {2.25f, 0.0f, 0.0f});
@@ -169,7 +168,7 @@ TEST_CASE("enter: light from a point turns by a cell's angle, and moves by that 
   CHECK(on.whole == Approx(0.0625));  // steradians, by the midpoint form
 }
 
-TEST_CASE("enter: off the axis a point's light turns by the derivative of its direction") {
+TEST_CASE("walk: entered, off the axis a point's light turns by the derivative of its direction") {
   // At 45 degrees the angle is atan(t), so 0.25 of t turn it by 0.125; on the level surface it still moves by
   // 0.25 * 9 m along x, of which cos 45 is across the light. Along y: 0.25 cos 45, and 2.25 m.
   Bench bench = from_point();
@@ -185,7 +184,7 @@ TEST_CASE("enter: off the axis a point's light turns by the derivative of its di
   CHECK(on.whole == Approx(0.0625 * std::pow(0.5, 1.5)));
 }
 
-TEST_CASE("enter: behind the surface a point's light turns by the derivative of Snell's law") {
+TEST_CASE("walk: entered, behind the surface a point's light turns by the derivative of Snell's law") {
   // At 45 degrees and n = 1.5: sin t = 0.4714045, cos t = 0.8819171, and dt = cos 45 / (1.5 cos t) di, so
   // 0.125 becomes 0.0668154.
   Bench bench = from_point();
@@ -197,7 +196,7 @@ TEST_CASE("enter: behind the surface a point's light turns by the derivative of 
   check_near(on.width_x, 2.25f * 0.8819171f * glm::vec3(0.8819171f, 0.4714045f, 0.0f), 1e-5);
 }
 
-TEST_CASE("enter: a spot's cone takes its part of a cell's light") {
+TEST_CASE("walk: entered, a spot's cone takes its part of a cell's light") {
   // Cones of 30 and 60 degrees, at 45: ((cos 45 - cos 60) / (cos 30 - cos 60))^2.
   Bench bench = from_point();
   bench.view.origin.x = -9.0;
@@ -209,7 +208,7 @@ TEST_CASE("enter: a spot's cone takes its part of a cell's light") {
   CHECK(path_at(bench.run()).whole == Approx(0.0625 * std::pow(0.5, 1.5) * ramp * ramp).epsilon(1e-5));
 }
 
-TEST_CASE("enter: a lamp's light goes down by the lower face of its cube, in that face's axes") {
+TEST_CASE("walk: entered, a lamp's light goes down by the lower face of its cube, in that face's axes") {
   // That face is the fourth, in the second row's first tile: its x is the view's x, its y the view's forward.
   // A cell is a third of a tangent wide, so 3 m at 9 m, and 1 / 9 sr.
   Bench bench = all_around({0.0, 10.0, 0.0});
@@ -226,7 +225,8 @@ TEST_CASE("enter: a lamp's light goes down by the lower face of its cube, in tha
   }
 }
 
-TEST_CASE("enter: a lamp's light goes to the right by the first face of its cube, in that face's axes") {
+TEST_CASE(
+    "walk: entered, a lamp's light goes to the right by the first face of its cube, in that face's axes") {
   // Its x is the view's -forward, its y the view's up. An upright triangle 9 m away, at 45 degrees above the
   // axis: the direction's y is turned by a third times cos^2 45, and 3 m up are cos 45 of that across it.
   Bench bench = all_around({-9.0, 0.0, 0.0});
@@ -245,7 +245,8 @@ TEST_CASE("enter: a lamp's light goes to the right by the first face of its cube
 }
 
 TEST_CASE(
-    "enter: beyond a cube's faces a vertex has no light of its own, and beyond its tiles there is none") {
+    "walk: entered, beyond a cube's faces a vertex has no light of its own, and beyond its tiles there is "
+    "none") {
   Bench bench = all_around({0.0, 10.0, 0.0});
   bench.number = 2.0f;
   const PassImages out = bench.run();

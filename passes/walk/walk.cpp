@@ -1,0 +1,93 @@
+#include "passes/walk/walk.hpp"
+
+#include <algorithm>
+
+#include "passes/landing/landing.hpp"
+#include "passes/shared/grid_light_uniforms.hpp"
+#include "passes/shared/hierarchy_reads.hpp"
+
+namespace caustics {
+
+extern const Shader walk_shader;
+
+namespace {
+
+std140::Walk walk_uniforms(const PassContext& context) {
+  std140::Walk block{};
+  set_grid_light(block, context);
+  block.receiver = shader_view(context.views->receiver);
+  block.caustic = shader_view(context.views->caustic);
+  block.channel_share = context.branch->color;
+  block.bend = static_cast<float>(context.branch->bend);
+  block.least_share = context.settings->least_share;
+  block.bounces = context.settings->bounces;
+  block.splits = context.settings->splits;
+  block.mirrored = static_cast<int>(context.branch->mirrored);
+  block.parts_at = context.branch->parts_at();
+  block.most_steps = most_steps(context.settings->bounces);
+  block.first_receiver = context.first_receiver;
+  block.touch = context.touch;
+  return block;
+}
+
+// Does another branch come to the second surface as this one does, and before it?
+int reads_hit(const PassContext& context) { return context.branch->parts_at() >= 2 ? 1 : 0; }
+
+bool some_branch_reads_hits(const Effects& effects) {
+  return std::any_of(effects.branches.begin(), effects.branches.end(),
+                     [](const Branch& branch) { return branch.parts_at() >= 2; });
+}
+
+}  // namespace
+
+Pass walk_pass() {
+  return {
+      .name = "walk",
+      .purpose = "follows each grid vertex's light from surface to surface, to where it lands",
+      .reason = "light goes other ways than through two surfaces",
+      .when = {&Effects::caustics, &Effects::further_surfaces},
+      .drawn_for = {kBranch},
+      .only_lights_with_caustics = true,
+      .size = grid_size,
+      .reads = {{.name = "caster_position", .meaning = "grid vertices", .discards_where_zero = true},
+                {.name = "caster_normal", .meaning = "their normals and materials"},
+                {.name = kCasterTriangle, .meaning = "their triangles"},
+                {.name = kCasterMaterials, .meaning = "a row a material"},
+                kReadHierarchyNodes,
+                kReadHierarchyTriangles,
+                kReadHierarchyNormals,
+                kReadReaching,
+                {.name = "receiver_position", .meaning = "what the light sees that its light can land on"},
+                {.name = "second_surface",
+                 .meaning = "what light meets second, as a branch has found it that comes there alike",
+                 .texture = "second_hit",
+                 .optional = true,
+                 .of_same_start = true}},
+      .writes =
+          {{.name = kLanding, .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
+           {.name = kLandingFlux,
+            .meaning = "rgb: flux that is left, relative to the light's intensity (square metres, or "
+                       "steradians); w: 0"},
+           {.name = kLandingFresnel,
+            .meaning = "rgb: flux reflected at the surfaces and not followed; w: flux that entered the "
+                       "cell"},
+           {.name = kLandingAbsorbed, .meaning = "rgb: flux absorbed in the material"},
+           {.name = kLandingPath, .meaning = "r: a number for the bodies and events on the light's path"},
+           {.name = kLandingFootprint,
+            .meaning = "how the landing moves along the grid's rows (xy) and columns (zw), parts of the "
+                       "caustic map"},
+           {.name = "second_hit",
+            .meaning = "what the light meets second. xy: weights of the triangle's second and third "
+                       "corner; z: metres to it; w: its number plus 1, 0 where nothing is met, -1 where "
+                       "the search took too many steps",
+            .needed_if = some_branch_reads_hits}},
+      .count_samples = true,
+      .shaders = {{&walk_shader, block_of<walk_uniforms>}},
+      .choices = {kIsTinted,
+                  {"can_be_hidden",
+                   [](const PassContext& c) { return c.effects->receivers_are_one_plane ? 0 : 1; }},
+                  {"reads_hit", reads_hit}},
+  };
+}
+
+}  // namespace caustics

@@ -1,0 +1,112 @@
+// Light's whole way on one branch, from its first surface to its landing. walk.md explains.
+#include "passes/shared/light_cone.glsl"
+UNIFORMS_BEGIN
+#include "passes/walk/walk_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, caster_position)
+TEXTURE(1, caster_normal)
+TEXTURE(2, caster_triangle)
+TEXTURE(3, caster_materials)
+TEXTURE(4, hierarchy_nodes)
+TEXTURE(5, hierarchy_triangles)
+TEXTURE(6, hierarchy_normals)
+TEXTURE(7, reaching)
+TEXTURE(8, receiver_position)
+TEXTURE(9, second_surface)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, landing)
+OUTPUT(1, Vec4, landing_flux)
+OUTPUT(2, Vec4, landing_fresnel)
+OUTPUT(3, Vec4, landing_absorbed)
+OUTPUT(4, Vec4, landing_path)
+OUTPUT(5, Vec4, landing_footprint)
+OUTPUT(6, Vec4, second_hit)
+#include "passes/shared/axes_across.glsl"
+#include "passes/shared/caster_material.glsl"
+#include "passes/shared/caster_triangles.glsl"
+#include "passes/shared/cone_falloff.glsl"
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/optics.glsl"
+#include "passes/shared/absorption.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/ray.glsl"
+#include "passes/shared/refraction.glsl"
+#include "passes/shared/view_space.glsl"
+#include "passes/shared/shown_point.glsl"
+#include "passes/shared/grid_light.glsl"
+#include "passes/shared/light_path.glsl"
+#include "passes/shared/media.glsl"
+#include "passes/shared/interface.glsl"
+#include "passes/shared/surface.glsl"
+#include "passes/shared/hierarchy.glsl"
+#include "passes/shared/hit_texel.glsl"
+#include "passes/shared/enter_light.glsl"
+#include "passes/shared/bend_light.glsl"
+#include "passes/shared/land_light.glsl"
+
+// What the branch does at the surface of this number.
+Turn turn_at(int surface) {
+  Turn turn;
+  turn.both_ways = Bool(surface <= u.splits);
+  turn.mirrored = Bool(((u.mirrored >> (surface - 1)) & 1) != 0);
+  return turn;
+}
+
+// Up to where the branch parts from another, that one books.
+void book(IN(BentLight) bent, Bool goes, INOUT(LandedLight) landed) {
+  Vec3 share = Vec3(u.channel_share);
+  landed.fresnel = sel(goes, bent.booked * share + landed.fresnel, landed.fresnel);
+  landed.absorbed = sel(goes, bent.absorbed * share + landed.absorbed, landed.absorbed);
+}
+
+void main() {
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Entry entry = entry_at(column, row);
+  CasterTriangle triangle = entry.triangle;
+  Meeting at = entry.at;
+  Int material_at = entry.material;
+  LightPath path = entry.path;
+  Bool under_way = entry.covered;
+  Bool ended = Bool(false);
+  LandedLight landed = nothing_landed();
+  second_hit = Vec4(0.0f);
+  for (int surface = 1; surface <= u.bounces && any_lane(under_way); surface++) {
+    Material material = fetch_material(caster_materials, material_at);
+    BentLight bent = bend_light(path, at, triangle, material, turn_at(surface));
+    path = bent.path;
+    Bool goes = under_way && bent.goes;
+    TRACE(body, path.media.x);
+    if (surface >= u.parts_at) book(bent, goes, landed);
+    Vec4 hit = Vec4(0.0f);
+    if (surface == 1 && u.reads_hit != 0) {
+      hit = texel_fetch(second_surface, column, row);
+    } else {
+      hit = hit_ahead(path.ray, path.own, path.media, goes && !bent.ends);
+    }
+    if (surface == 1) second_hit = sel(goes, hit, Vec4(0.0f));
+    under_way = goes && is_on_caster(hit) && surface < u.bounces;
+    Bool ends = goes && !under_way && surface >= u.parts_at;
+    if (any_lane(ends)) land_light(path, hit, bent.ends, ends, landed);
+    ended = ended || ends;
+    if (any_lane(under_way)) {
+      triangle = fetch_triangle(sel(under_way, hit.w - 1.0f, Float(0.0f)));
+      at = meeting_at(triangle, hit, path.ray.direction);
+      material_at = triangle.row;
+      TRACE(stretch, at.stretch);
+      TRACE(surface_point, at.point);
+      TRACE(surface_normal, at.outward);
+    }
+  }
+  landing = landed.at;
+  landing_flux = Vec4(landed.flux, Float(0.0f));
+  landing_fresnel = Vec4(landed.fresnel, sel(Bool(u.parts_at == 0), entry.path.whole, Float(0.0f)));
+  landing_absorbed = Vec4(landed.absorbed, Float(0.0f));
+  landing_path = Vec4(landed.path, Float(1.0f), Float(0.0f), Float(0.0f));
+  landing_footprint = landed.footprint;
+  discard_if(!ended);
+}
+#endif

@@ -1,0 +1,30 @@
+// By itself what the pass walk has of light at a grid vertex's surface, as a test looks at it.
+#include "passes/shared/light_cone.glsl"
+UNIFORMS_BEGIN
+#include "passes/walk/walk_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, caster_position)
+TEXTURE(1, caster_normal)
+TEXTURE(2, caster_triangle)
+TEXTURE(3, caster_materials)
+TEXTURE(4, hierarchy_triangles)
+TEXTURE(5, hierarchy_normals)
+TEXTURE(6, reaching)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+#include "tests/walk/shaders/path_outputs.glsl"
+#include "passes/shared/cone_falloff.glsl"
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/view_space.glsl"
+#include "passes/shared/grid_light.glsl"
+#include "passes/shared/enter_light.glsl"
+
+void main() {
+  Entry entry = entry_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
+  Material material = fetch_material(caster_materials, entry.material);
+  write_bent(bend_light(entry.path, entry.at, entry.triangle, material, turn_now()), entry.covered);
+}
+#endif
