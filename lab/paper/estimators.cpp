@@ -98,7 +98,7 @@ Row receivers_row() {
     row.shots.push_back(shot);
   };
   for (const std::string& e : kEstimators) add(e, with_estimator(kPaperEstimates, e));
-  add("beyond", {"--iterations", "3"});
+  add("beyond", {"--iterations", "3", "-D", "further.share=1"});
   row.check = [](const Shots& s) -> Finding {
     const auto error = [&](const std::string& e) {
       return s.relative_l1("receivers_" + e, "receivers_traced", "caustic");
@@ -153,7 +153,10 @@ Row visibility_row() {
             .scene = "receivers.glb",
             .options = {"--camera", "floor", "-r", "360x360", "--batches", "48"},
             .traced = true},
-           {"receivers_default", "receivers.glb", {"--camera", "floor", "-r", "360x360"}, "caustic"}},
+           {"receivers_default",
+            "receivers.glb",
+            {"--camera", "floor", "-r", "360x360", "-D", "further.share=1"},
+            "caustic"}},
           "receivers_default",
           "as much of the light lands on step, ball, ramp and floor as of traced light, within 1 %",
           [](const Shots& s) -> Finding {
@@ -169,8 +172,7 @@ Row secant_row() {
   return {
       "35",
       "future work: a better estimator (participating media: row 30)",
-      // Light that is followed from surface to surface needs no estimator: this row is about one.
-      {dumped_shot("slab_secant", "slab_glass.glb", 64, {"--iterations", "1", "-D", "further.share=1"}),
+      {dumped_shot("slab_secant", "slab_glass.glb", 64, {"--iterations", "1"}),
        dumped_shot("slab_paper", "slab_glass.glb", 64,
                    {"--preset", "paper", "--iterations", "1", "-D", "thickness=map"})},
       "",

@@ -5,7 +5,7 @@
 namespace caustics::paper {
 
 Shot floor_shot(const std::string& name, const std::string& scene, Options options) {
-  options.insert(options.begin(), {"-r", "512x512", "--camera", "floor"});
+  options.insert(options.begin(), {"-r", "512x512", "--camera", "floor", "-D", "further.share=1"});
   return {name, scene, options, "direct,caustic"};
 }
 
@@ -18,8 +18,8 @@ Shot traced_floor(const std::string& name, const std::string& scene) {
 
 Shot dumped_shot(const std::string& name, const std::string& scene, int side, const Options& options) {
   Shot shot{.name = name, .scene = scene, .dumped = true};
-  shot.options = {"-r", "64x64",       "--grid", std::to_string(side), "--map", std::to_string(side),
-                  "-D", "cascades=off"};
+  shot.options = {"-r", "64x64",        "--grid", std::to_string(side), "--map", std::to_string(side),
+                  "-D", "cascades=off", "-D",     "further.share=1"};
   shot.options.insert(shot.options.end(), options.begin(), options.end());
   return shot;
 }

@@ -17,11 +17,12 @@ inline constexpr Slab kSlab{.half = 0.5,
                             .incidence = 0.6981317007977318,
                             .margin = 0.08};
 
-// The floor of a scene whose camera `floor` sees 2 x 2 m of it.
+// The floor of a scene whose camera `floor` sees 2 x 2 m of it. Light is followed through two surfaces, as
+// the paper has it and the closed forms.
 Shot floor_shot(const std::string& name, const std::string& scene, Options options = {});
 // The same by traced light, as the truth of pictures (its own noise: some 2 % of the sphere's caustic).
 Shot traced_floor(const std::string& name, const std::string& scene);
-// A small frame on a grid and maps of `side`, with all attachments.
+// A small frame on a grid and maps of `side`, with all attachments; through two surfaces likewise.
 Shot dumped_shot(const std::string& name, const std::string& scene, int side, const Options& options = {});
 
 std::vector<double> floor_irradiance(const Shots& shots, const std::string& name);

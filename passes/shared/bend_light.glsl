@@ -16,8 +16,8 @@ struct BentLight {
   Vec3 absorbed;
 };
 
-// The way that a branch takes, with its light, and what is booked of the other. Unless it is said, that is the
-// stronger one; total reflection leaves no choice.
+// The way that a branch takes, with its light, and what is booked of the other. Unless it is said, that is
+// the stronger one; total reflection leaves no choice.
 struct Way {
   Bool goes;
   Bool is_mirrored;

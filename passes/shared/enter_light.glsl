@@ -1,6 +1,6 @@
 // Light at a grid vertex, where it meets its first surface. Needs caster_triangles.glsl, grid_light.glsl,
-// light_path.glsl, the textures caster_position, caster_normal, caster_triangle and reaching, and the uniforms
-// of grid_light_uniforms.glsl and is_tinted.
+// light_path.glsl, the textures caster_position, caster_normal, caster_triangle and reaching, and the
+// uniforms of grid_light_uniforms.glsl and is_tinted.
 
 // A direction of the view's axes, as a cube's face turns them, in scene space.
 Vec3 grid_axis(Vec3 axis, Int face) {

@@ -5,7 +5,7 @@ struct LightPath {
   Float path;     // what it has met: the same number for the same sequence of bodies and events
   Vec3 flux;      // relative to the light's intensity
   Float whole;    // the light's flux on the grid vertex's cell
-  Vec4 media;     // the bodies that it is in, the last one entered first: rows of caster_materials plus 1, or 0
+  Vec4 media;     // the bodies that it is in, the last one entered first, as media.glsl has them
   Vec3 width_x;   // of its differential (Igehy 1999): how its start moves along the grid's rows and columns,
   Vec3 width_y;
   Vec3 spread_x;  // and how its direction turns

@@ -151,7 +151,8 @@ class SampleScenes(PlanTest):
         plan = self.plan(SCENES / "glass" / "hollow_ball.glb", *options)
         labels = [p["pass"] for p in plan["passes"] if "sun" in p["pass"]]
         walks = [label for label in labels if label.startswith("walk[")]
-        self.assertEqual(walks, [f"walk[sun{way}]" for way in ("", " mirrored 2", " mirrored 1", " mirrored 1+2")])
+        ways = ("", " mirrored 2", " mirrored 1", " mirrored 1+2")
+        self.assertEqual(walks, [f"walk[sun{way}]" for way in ways])
         self.assertEqual(plan["texture_bytes"], least_bytes(plan["passes"]))
         self.assertGreater(plan["further_shares"][0]["share"], 0.5)
 

@@ -25,6 +25,7 @@ void main() {
   CasterTriangle triangle = fetch_triangle(hit.w - 1.0f);
   LightPath path = path_before();
   Meeting at = meeting_at(triangle, hit, path.ray.direction);
-  write_bent(bend_light(path, at, triangle, fetch_material(caster_materials, triangle.row), turn_now()), Bool(true));
+  Material material = fetch_material(caster_materials, triangle.row);
+  write_bent(bend_light(path, at, triangle, material, turn_now()), Bool(true));
 }
 #endif
