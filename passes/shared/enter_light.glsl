@@ -32,39 +32,40 @@ void set_differential(IN(GridCell) cell, Vec3 point, INOUT(LightPath) path) {
   }
 }
 
-// What a vertex has met, and the light that comes to it.
-struct Entry {
-  Bool covered;  // there is a caster
+// Light that has come to a surface.
+struct Arrival {
+  Bool covered;  // of a grid vertex: there is a caster
   CasterTriangle triangle;
   Meeting at;
   Int material;  // row of caster_materials
   LightPath path;
 };
 
-Entry entry_at(Int column, Int row) {
+// At the grid vertex.
+Arrival arrival_at(Int column, Int row) {
   Vec4 position = texel_fetch(caster_position, column, row);
   Vec4 normal = texel_fetch(caster_normal, column, row);
   Float number = texel_fetch(caster_triangle, column, row).x - 1.0f;
   GridCell cell = cell_of(column, row, is_covered(position) && number >= 0.0f);
-  Entry entry;
-  entry.covered = cell.covered;
-  entry.triangle = fetch_triangle(max_of(number, 0.0f));
-  entry.material = material_row(normal);
-  entry.at.point = Vec3(position);
-  entry.at.outward = Vec3(normal);
-  entry.at.plane = normalize_or(cross3(entry.triangle.edge1, entry.triangle.edge2), entry.at.outward);
-  entry.at.front = !is_back_face(position);
-  entry.at.number = number;
-  entry.at.stretch = Float(0.0f);
-  Incident light = light_onto(cell, entry.at.point);
+  Arrival arrival;
+  arrival.covered = cell.covered;
+  arrival.triangle = fetch_triangle(max_of(number, 0.0f));
+  arrival.material = material_row(normal);
+  arrival.at.point = Vec3(position);
+  arrival.at.outward = Vec3(normal);
+  arrival.at.plane = normalize_or(cross3(arrival.triangle.edge1, arrival.triangle.edge2), arrival.at.outward);
+  arrival.at.front = !is_back_face(position);
+  arrival.at.number = number;
+  arrival.at.stretch = Float(0.0f);
+  Incident light = light_onto(cell, arrival.at.point);
   if (u.is_tinted != 0) light.flux = light.flux * texel_fetch(reaching, column, row).x;
-  entry.path.ray = ray_from(entry.at.point, light.direction);
-  entry.path.own = number;
-  entry.path.path = Float(0.0f);
-  entry.path.flux = Vec3(light.flux);
-  entry.path.whole = light.flux;
-  entry.path.media = Vec4(0.0f);
-  set_differential(cell, entry.at.point, entry.path);
-  TRACE(entry_point, entry.at.point);
-  return entry;
+  arrival.path.ray = ray_from(arrival.at.point, light.direction);
+  arrival.path.own = number;
+  arrival.path.path = Float(0.0f);
+  arrival.path.flux = Vec3(light.flux);
+  arrival.path.whole = light.flux;
+  arrival.path.media = Vec4(0.0f);
+  set_differential(cell, arrival.at.point, arrival.path);
+  TRACE(entry_point, arrival.at.point);
+  return arrival;
 }

@@ -62,51 +62,55 @@ void book(IN(BentLight) bent, Bool goes, INOUT(LandedLight) landed) {
   landed.absorbed = sel(goes, bent.absorbed * share + landed.absorbed, landed.absorbed);
 }
 
+// On to the caster's triangle that the ray meets.
+void go_on(INOUT(Arrival) here, Vec4 hit, Bool on) {
+  here.triangle = fetch_triangle(sel(on, hit.w - 1.0f, Float(0.0f)));
+  here.at = meeting_at(here.triangle, hit, here.path.ray.direction);
+  here.material = here.triangle.row;
+  TRACE(stretch, here.at.stretch);
+  TRACE(surface_point, here.at.point);
+  TRACE(surface_normal, here.at.outward);
+}
+
+void write(IN(LandedLight) landed, Float entered) {
+  landing = landed.at;
+  landing_flux = Vec4(landed.flux, Float(0.0f));
+  landing_fresnel = Vec4(landed.fresnel, sel(Bool(u.parts_at == 0), entered, Float(0.0f)));
+  landing_absorbed = Vec4(landed.absorbed, Float(0.0f));
+  landing_path = Vec4(landed.path, Float(1.0f), Float(0.0f), Float(0.0f));
+  landing_footprint = landed.footprint;
+}
+
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
-  Entry entry = entry_at(column, row);
-  CasterTriangle triangle = entry.triangle;
-  Meeting at = entry.at;
-  Int material_at = entry.material;
-  LightPath path = entry.path;
-  Bool under_way = entry.covered;
+  Arrival here = arrival_at(column, row);
+  Float entered = here.path.whole;
+  Bool under_way = here.covered;
   Bool ended = Bool(false);
   LandedLight landed = nothing_landed();
   second_hit = Vec4(0.0f);
   for (int surface = 1; surface <= u.bounces && any_lane(under_way); surface++) {
-    Material material = fetch_material(caster_materials, material_at);
-    BentLight bent = bend_light(path, at, triangle, material, turn_at(surface));
-    path = bent.path;
+    Material material = fetch_material(caster_materials, here.material);
+    BentLight bent = bend_light(here.path, here.at, here.triangle, material, turn_at(surface));
+    here.path = bent.path;
+    TRACE(body, here.path.media.x);
     Bool goes = under_way && bent.goes;
-    TRACE(body, path.media.x);
     if (surface >= u.parts_at) book(bent, goes, landed);
     Vec4 hit = Vec4(0.0f);
     if (surface == 1 && u.reads_hit != 0) {
       hit = texel_fetch(second_surface, column, row);
     } else {
-      hit = hit_ahead(path.ray, path.own, path.media, goes && !bent.ends);
+      hit = hit_ahead(here.path.ray, here.path.own, here.path.media, goes && !bent.ends);
     }
     if (surface == 1) second_hit = sel(goes, hit, Vec4(0.0f));
     under_way = goes && is_on_caster(hit) && surface < u.bounces;
     Bool ends = goes && !under_way && surface >= u.parts_at;
-    if (any_lane(ends)) land_light(path, hit, bent.ends, ends, landed);
+    if (any_lane(ends)) land_light(here.path, hit, bent.ends, ends, landed);
     ended = ended || ends;
-    if (any_lane(under_way)) {
-      triangle = fetch_triangle(sel(under_way, hit.w - 1.0f, Float(0.0f)));
-      at = meeting_at(triangle, hit, path.ray.direction);
-      material_at = triangle.row;
-      TRACE(stretch, at.stretch);
-      TRACE(surface_point, at.point);
-      TRACE(surface_normal, at.outward);
-    }
+    if (any_lane(under_way)) go_on(here, hit, under_way);
   }
-  landing = landed.at;
-  landing_flux = Vec4(landed.flux, Float(0.0f));
-  landing_fresnel = Vec4(landed.fresnel, sel(Bool(u.parts_at == 0), entry.path.whole, Float(0.0f)));
-  landing_absorbed = Vec4(landed.absorbed, Float(0.0f));
-  landing_path = Vec4(landed.path, Float(1.0f), Float(0.0f), Float(0.0f));
-  landing_footprint = landed.footprint;
+  write(landed, entered);
   discard_if(!ended);
 }
 #endif

@@ -23,8 +23,8 @@ TEXTURE(6, reaching)
 #include "passes/shared/enter_light.glsl"
 
 void main() {
-  Entry entry = entry_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
-  Material material = fetch_material(caster_materials, entry.material);
-  write_bent(bend_light(entry.path, entry.at, entry.triangle, material, turn_now()), entry.covered);
+  Arrival arrival = arrival_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
+  Material material = fetch_material(caster_materials, arrival.material);
+  write_bent(bend_light(arrival.path, arrival.at, arrival.triangle, material, turn_now()), arrival.covered);
 }
 #endif
