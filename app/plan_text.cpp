@@ -211,11 +211,18 @@ class TextReport {
     return label + " " + std::string(format_name(texture.format));
   }
 
-  std::string written(const PlannedPass& first, const PlannedPass& last) const {
-    const std::vector<int> of_first = first.attachments(), of_last = last.attachments();
+  // Of each attachment the first and the last that somebody needs.
+  std::string written(const std::vector<const PlannedPass*>& group) const {
     std::string text;
-    for (std::size_t i = 0; i < of_first.size(); ++i)
-      text += (i == 0 ? "" : ", ") + texture_text(of_first[i], of_last[i]);
+    const std::size_t colors = group.front()->writes.size();
+    for (std::size_t i = 0; i <= colors; ++i) {
+      const auto texture = [&](const PlannedPass* pass) { return i < colors ? pass->writes[i] : pass->depth; };
+      const auto needed = [&](const PlannedPass* pass) { return texture(pass) >= 0; };
+      const auto first = std::find_if(group.begin(), group.end(), needed);
+      if (first == group.end()) continue;
+      const auto last = std::find_if(group.rbegin(), group.rend(), needed);
+      text += (text.empty() ? "" : ", ") + texture_text(texture(*first), texture(*last));
+    }
     return text;
   }
 
@@ -251,7 +258,7 @@ class TextReport {
                  std::to_string(pass.width) + "x" + std::to_string(pass.height),
                  report_.draws_nothing(pass) ? "draws nothing: its light reaches no caster (occlusion query)"
                                              : one_line(pass.reason)});
-      table.row({"", "", "writes " + one_line(written(pass, *group.back()))});
+      table.row({"", "", "writes " + one_line(written(group))});
     }
     text_ += table.text();
   }
