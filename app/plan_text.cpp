@@ -216,7 +216,9 @@ class TextReport {
     std::string text;
     const std::size_t colors = group.front()->writes.size();
     for (std::size_t i = 0; i <= colors; ++i) {
-      const auto texture = [&](const PlannedPass* pass) { return i < colors ? pass->writes[i] : pass->depth; };
+      const auto texture = [&](const PlannedPass* pass) {
+        return i < colors ? pass->writes[i] : pass->depth;
+      };
       const auto needed = [&](const PlannedPass* pass) { return texture(pass) >= 0; };
       const auto first = std::find_if(group.begin(), group.end(), needed);
       if (first == group.end()) continue;
