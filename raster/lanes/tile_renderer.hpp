@@ -181,8 +181,7 @@ class TileRenderer {
   // All pixels there whose texel is not 0, square by square of four a side: what such fragments do is more
   // alike than what sixteen in a row do.
   void draw_squares(int x_first, int x_last, int y_first, int y_last, const TriangleRecord& t) {
-    if (oldest_of_ != &t) flush();
-    oldest_of_ = &t;
+    flush();
     for (int y = y_first; y <= y_last; y += 4)
       for (int x = x_first; x <= x_last; x += 4)
         for (int row = y; row <= smaller(y + 3, y_last); ++row) {
