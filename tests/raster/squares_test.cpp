@@ -22,12 +22,11 @@ Image wanted(int width, int height) {
 }
 
 Image drawn(Device& device, const Image& wanted) {
-  const PassDefinition definition{
-      .name = "test",
-      .purpose = "test",
-      .reads = {{.name = "wanted", .meaning = "m", .discards_where_zero = true}},
-      .writes = {{.name = "numbers", .meaning = "m", .blend = kAccumulate}},
-      .shader = &raster_kept_shader};
+  const PassDefinition definition{.name = "test",
+                                  .purpose = "test",
+                                  .reads = {{.name = "wanted", .meaning = "m", .discards_where_zero = true}},
+                                  .writes = {{.name = "numbers", .meaning = "m", .blend = kAccumulate}},
+                                  .shader = &raster_kept_shader};
   return run_pass(device, definition,
                   {.width = wanted.width(),
                    .height = wanted.height(),
