@@ -125,7 +125,7 @@ CASES = [
     ("200 thousand triangles", lambda: with_triangles(220), SMALL),
     ("40 lights, small", lambda: with_lights(40), SMALL),
     ("samples of a light, 16", lambda: with_lights(1), [*SMALL, "-D", "light.samples=16"]),
-    ("map of 2048", glb.scene, ["-r", "320x180", "--grid", 128, "--map", 2048, "-D", "further.share=1"]),
+    ("map of 2048", glb.scene, ["-r", "320x180", "--grid", 128, "--map", 2048]),
     ("10 lights", lambda: with_lights(10), ["-r", "640x360"]),
     ("100 lights, small", lambda: with_lights(100), SMALL),
     ("1000 meshes", lambda: with_meshes(1000), SMALL),
