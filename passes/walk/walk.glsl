@@ -51,7 +51,7 @@ OUTPUT(6, Vec4, second_hit)
 Turn turn_at(int surface) {
   Turn turn;
   turn.both_ways = Bool(surface <= u.splits);
-  turn.mirrored = Bool(((u.mirrored >> (surface - 1)) & 1) != 0);
+  turn.mirrored = Bool(surface <= u.parts_at && ((u.mirrored >> (surface - 1)) & 1) != 0);
   return turn;
 }
 

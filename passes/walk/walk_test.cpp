@@ -18,6 +18,8 @@ struct Bench {
   unsigned mirrored = 0;
   glm::vec3 channel_share{1.0f};
   Image second_surface{Format::RGBA32F, 1, 1};
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};  // smooth, of the slab's upper side
+  std::vector<Corners> mirrors{};      // beside the slab: of body 2, numbered behind it
 
   // The branch that is mirrored at these surfaces, as bits.
   Bench branch(unsigned mirrored_at, int last) const {
@@ -31,10 +33,11 @@ struct Bench {
   PassImages run() const {
     Corners under = level_triangle(0.0f, -1.0f, -1.0f);
     std::swap(under[1], under[2]);
-    const HierarchyTables tables = HierarchyBench{}
-                                       .caster(mesh_of({level_triangle(1.0f, -1.0f, -1.0f), under}))
-                                       .receiver(mesh_of({level_triangle(-1.0f, -1.0f, -1.0f)}))
-                                       .tables();
+    HierarchyBench bench;
+    bench.caster(mesh_of({level_triangle(1.0f, -1.0f, -1.0f), under}));
+    if (!mirrors.empty()) bench.caster(mesh_of(mirrors), 1);
+    bench.receiver(mesh_of({level_triangle(-1.0f, -1.0f, -1.0f)}));
+    const HierarchyTables tables = bench.tables();
     const View view = down(2.0, 10.0, 20.0);
     std140::Walk u{};
     u.caster = u.receiver = u.caustic = shader_view(view);
@@ -48,14 +51,14 @@ struct Bench {
     u.mirrored = static_cast<int>(mirrored);
     u.parts_at = parts_at;
     u.most_steps = most_steps(bounces);
-    u.first_receiver = 2;
+    u.first_receiver = bench.first_receiver();
     u.reads_hit = parts_at >= 2 ? 1 : 0;
     return run_pass(
         definition_of(walk_pass()),
         {.uniforms = uniform_bytes(u),
-         .textures = {filled(1, 1, {0.5f, 1.0f, 0.25f, 1.0f}), filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}),
-                      filled(1, 1, {1.0f, 0.0f, 0.0f, 0.0f}), caster_materials({material}), tables.nodes,
-                      tables.triangles, tables.normals, Image(Format::RGBA32F, 1, 1),
+         .textures = {filled(1, 1, {0.5f, 1.0f, 0.25f, 1.0f}), filled(1, 1, {normal, 0.0f}),
+                      filled(1, 1, {1.0f, 0.0f, 0.0f, 0.0f}), caster_materials({material, {.mirror = true}}),
+                      tables.nodes, tables.triangles, tables.normals, Image(Format::RGBA32F, 1, 1),
                       Image(Format::RGBA32F, 1, 1), second_surface}});
   }
 };
@@ -141,4 +144,19 @@ TEST_CASE("walk: light that meets a caster still where it may be bent no more is
   const PassImages out = bench.run();
   CHECK(status(out) == LandingStatus::GivenUp);
   CHECK(out["landing_flux"].at(0, 0, 0) == Approx(16.0 * 0.96));
+}
+
+TEST_CASE("walk: what is mirrored at the first surface is not taken for mirrored at the 33rd") {
+  // By 45 degrees aside into a corridor of two mirrors, 6 cm high and some 2 m long: more than 32 surfaces.
+  Bench bench = Bench{}.branch(1, 1);
+  bench.normal = {0.3826834f, 0.9238795f, 0.0f};
+  Corners above = level_triangle(2.06f, 1.0f, -1.0f);
+  std::swap(above[1], above[2]);
+  bench.mirrors = {level_triangle(2.0f, 1.52f, -1.0f), above};
+  bench.bounces = 64;
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Missed);
+  CHECK(out["landing_flux"].at(0, 0, 0) == Approx(16.0 * 0.0401).epsilon(0.01));
+  bench.bounces = 32;
+  CHECK(status(bench.run()) == LandingStatus::GivenUp);
 }
