@@ -211,7 +211,7 @@ class TextReport {
     return label + " " + std::string(format_name(texture.format));
   }
 
-  // Of each attachment the first and the last that somebody needs.
+  // Names the first and the last texture of each attachment that somebody needs.
   std::string written(const std::vector<const PlannedPass*>& group) const {
     std::string text;
     const std::size_t colors = group.front()->writes.size();

@@ -1,4 +1,4 @@
-// What befalls light at a caster's surface. Needs absorption.glsl, light_path.glsl, surface.glsl, and the
+// Bends light at a caster's surface. Needs absorption.glsl, light_path.glsl, surface.glsl, and the
 // uniforms bend and least_share.
 
 // At one surface of a branch's way.

@@ -1,8 +1,8 @@
-// Where light lands that meets no further caster. Needs absorption.glsl, caster_triangles.glsl,
+// Lands light that meets no further caster. Needs absorption.glsl, caster_triangles.glsl,
 // light_path.glsl, ray_hit.glsl, shown_point.glsl, view_space.glsl, the texture receiver_position, and the
 // uniforms receiver, caustic, channel_share, first_receiver and can_be_hidden.
 
-// What the grid vertex's texels say of its light (passes/walk/walk.md).
+// The texels that a grid vertex's light leaves (passes/walk/walk.md).
 struct LandedLight {
   Vec4 at;
   Vec3 flux;
@@ -23,7 +23,7 @@ LandedLight nothing_landed() {
   return landed;
 }
 
-// Where a path ends.
+// The end of a path.
 struct PathEnd {
   Vec3 point;
   Float flight;    // metres

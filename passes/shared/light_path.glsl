@@ -12,7 +12,7 @@ struct LightPath {
   Vec3 spread_y;
 };
 
-// What each grazing surface may widen a thousandfold stays finite.
+// Keeps finite what each grazing surface may widen a thousandfold.
 Float bounded(Float x) { return clamp_to(x, -1.0e6f, 1.0e6f); }
 
 // The part of a differential that lies across the ray.

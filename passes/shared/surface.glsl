@@ -34,8 +34,8 @@ Vec3 direction_behind(IN(Surface) surface, Vec3 direction, Bool is_mirrored) {
   return sel(surface.both.passes, direction, onward);
 }
 
-// Of the way that a ray takes, what is left of each channel: a body tints what enters it, metal what it
-// mirrors.
+// The share of each channel that is left on the way that a ray takes: a body tints what enters it, metal what
+// it mirrors.
 Vec3 color_behind(IN(Surface) surface, IN(Material) material, Bool is_mirrored) {
   Vec3 metal = metal_reflectance(material.color, surface.bent.cosine);
   Bool tints = surface.both.tints && !is_mirrored && !surface.both.passes;

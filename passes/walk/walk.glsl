@@ -47,7 +47,7 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/bend_light.glsl"
 #include "passes/shared/land_light.glsl"
 
-// What the branch does at the surface of this number.
+// The turn that the branch takes at the surface of this number.
 Turn turn_at(int surface) {
   Turn turn;
   turn.both_ways = Bool(surface <= u.splits);
@@ -55,7 +55,7 @@ Turn turn_at(int surface) {
   return turn;
 }
 
-// Up to where the branch parts from another, that one books.
+// Books what stays at a surface. Before a branch parts from another, that other one does.
 void book(IN(BentLight) bent, Bool goes, INOUT(LandedLight) landed) {
   Vec3 share = Vec3(u.channel_share);
   landed.fresnel = sel(goes, bent.booked * share + landed.fresnel, landed.fresnel);

@@ -186,7 +186,7 @@ inline PassDefinition hit_definition(const Shader& shader) {
       {"hit"});
 }
 
-// What each ray meets, as passes/shared/hit_texel.glsl has it.
+// The hit of each ray, as passes/shared/hit_texel.glsl has it.
 inline std::vector<glm::vec4> walk(const HierarchyTables& tables, const std::vector<AimedRay>& rays,
                                    const SurfaceSearch& uniforms = kAllCasters) {
   constexpr int kColumns = 256;

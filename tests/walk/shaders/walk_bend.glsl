@@ -1,4 +1,4 @@
-// By itself what the pass walk does with light at a surface.
+// Shows by itself how the pass walk bends light at a surface.
 #include "passes/shared/light_cone.glsl"
 UNIFORMS_BEGIN
 #include "passes/walk/walk_uniforms.glsl"

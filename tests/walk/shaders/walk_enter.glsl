@@ -1,4 +1,4 @@
-// By itself what the pass walk has of light at a grid vertex's surface, as a test looks at it.
+// Shows by itself how the pass walk begins: the light at a grid vertex's surface.
 #include "passes/shared/light_cone.glsl"
 UNIFORMS_BEGIN
 #include "passes/walk/walk_uniforms.glsl"

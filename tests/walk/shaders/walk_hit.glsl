@@ -1,4 +1,4 @@
-// What rays meet in a hierarchy: by itself how the passes walk and walked_glass find the next surface.
+// Shows by itself how the passes walk and walked_glass find the next surface in the hierarchy.
 UNIFORMS_BEGIN
 int most_steps;
 int first_receiver;

@@ -1,4 +1,4 @@
-// By itself what the pass walk does with light that meets no further caster.
+// Shows by itself how the pass walk lands light that meets no further caster.
 #include "passes/shared/light_cone.glsl"
 UNIFORMS_BEGIN
 #include "passes/walk/walk_uniforms.glsl"
