@@ -1,10 +1,12 @@
 // Bends light at a caster's surface. Needs absorption.glsl, light_path.glsl, surface.glsl, and the
-// uniforms bend and least_share.
+// uniforms bend, draws and least_share.
 
 // At one surface of a branch's way.
 struct Turn {
   Bool both_ways;  // what is mirrored here is followed by another branch
   Bool mirrored;   // this is that branch
+  Float drawn;     // of the branch that draws: between 0 and 1,
+  Float chance;    // and how often it parts here from the others at least
 };
 
 // Light behind the surface, and what stays there.
@@ -12,9 +14,17 @@ struct BentLight {
   LightPath path;
   Bool goes;      // this branch goes on from here
   Bool ends;      // but is followed no further
+  Bool drawn_back;  // it is mirrored where others go through, as has been drawn
   Vec3 booked;    // what is mirrored or let through, and nobody follows
   Vec3 absorbed;
 };
+
+void widen(INOUT(LightPath) path, Float wider) {
+  path.width_x = path.width_x * wider;
+  path.width_y = path.width_y * wider;
+  path.spread_x = path.spread_x * wider;
+  path.spread_y = path.spread_y * wider;
+}
 
 // The way that a branch takes, with its light, and what is booked of the other. Unless it is said, that is
 // the stronger one; total reflection leaves no choice.
@@ -24,6 +34,30 @@ struct Way {
   Vec3 flux;
   Vec3 booked;
 };
+
+// One way is drawn, for the branch that follows what the others leave behind. As long as it has gone where
+// they go, the weaker way is drawn more often than it has light, and weighted by as much less. Light that is
+// drawn seldom stands for that of the vertices around it, and its footprint grows. It is booked as followed
+// where it parts from the others.
+Way drawn_way(IN(Surface) surface, IN(Material) material, IN(Turn) turn, INOUT(LightPath) path) {
+  Bool both_ways = turn.both_ways && !path.aside;
+  Bool parts_here = !both_ways && !path.parted;
+  Float weaker = min_of(surface.mirrored, 1.0f - surface.mirrored);
+  Float chance = sel(parts_here, max_of(weaker, turn.chance), weaker);
+  Bool takes_weaker = !surface.one_way && turn.drawn < chance;
+  Bool back = sel(takes_weaker, surface.mirrored <= 0.5f, surface.mirrored > 0.5f);
+  Float weight = sel(takes_weaker, weaker / max_of(chance, 1.0e-20f), (1.0f - weaker) / (1.0f - chance));
+  Float wider = 1.0f / sqrt(sel(takes_weaker, max_of(chance, 1.0f / 16.0f), 1.0f - chance));
+  Way way;
+  way.goes = Bool(true);
+  way.is_mirrored = most_is_mirrored(surface, material, back);
+  way.flux = sel(surface.one_way, path.flux, path.flux * weight);
+  way.booked = sel(parts_here && takes_weaker, -way.flux, Vec3(0.0f));
+  path.aside = path.aside || (both_ways && back && !surface.one_way);
+  path.parted = path.parted || (parts_here && takes_weaker);
+  widen(path, sel(surface.one_way, Float(1.0f), wider));
+  return way;
+}
 
 Way way_of(IN(LightPath) path, IN(Surface) surface, IN(Material) material, IN(Turn) turn) {
   Float most = max_of(max_of(path.flux.x, path.flux.y), path.flux.z);
@@ -103,6 +137,7 @@ BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) tr
   Vec3 from = before.ray.direction;
   Surface surface = surface_at(from, at, interface_at(before.media, at, triangle, material), material);
   Way way = way_of(bent.path, surface, material, turn);
+  if (u.draws != 0) way = drawn_way(surface, material, turn, bent.path);
   turn_differential(bent.path, at, triangle, surface, way.is_mirrored);
   bent.path.ray.direction = direction_behind(surface, from, way.is_mirrored);
   bent.path.flux = way.flux * color_behind(surface, material, way.is_mirrored);
@@ -115,7 +150,9 @@ BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) tr
   bent.goes = way.goes;
   bent.ends = left < u.least_share * before.whole || astray || overflow;
   bent.booked = way.booked;
+  bent.drawn_back = Bool(u.draws != 0) && way.is_mirrored && !surface.one_way;
   Vec3 absorbed = way.flux - bent.path.flux;
-  bent.absorbed = sel(turn.mirrored, absorbed, absorbed + taken);
+  absorbed = sel(turn.mirrored || !before.parted, absorbed, absorbed + taken);
+  bent.absorbed = sel(bent.path.parted, absorbed, Vec3(0.0f));
   return bent;
 }

@@ -61,6 +61,8 @@ Arrival arrival_at(Int column, Int row) {
   if (u.is_tinted != 0) light.flux = light.flux * texel_fetch(reaching, column, row).x;
   arrival.path.ray = ray_from(arrival.at.point, light.direction);
   arrival.path.own = number;
+  arrival.path.aside = Bool(false);
+  arrival.path.parted = Bool(u.draws == 0);
   arrival.path.path = Float(0.0f);
   arrival.path.flux = Vec3(light.flux);
   arrival.path.whole = light.flux;

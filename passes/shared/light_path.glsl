@@ -2,6 +2,8 @@
 struct LightPath {
   Ray ray;
   Float own;      // number of the triangle that it starts on
+  Bool aside;     // of the branch that draws: it has been mirrored where others go both ways,
+  Bool parted;    // and it is not where another branch's light goes; so is what other branches follow
   Float path;     // what it has met: the same number for the same sequence of bodies and events
   Vec3 flux;      // relative to the light's intensity
   Float whole;    // the light's flux on the grid vertex's cell

@@ -41,7 +41,7 @@ struct Bench {
     u.bend = bend;
     u.least_share = least_share;
     u.splits = both_ways ? 1 : 0;
-    u.mirrored = follows_mirrored ? 1 : 0;
+    u.mirrored_at = follows_mirrored ? 1 : 0;
     std::vector<Image> textures = path.textures();
     textures.push_back(filled(1, 1, {0.25f, 0.25f, metres, 1.0f}));
     textures.push_back(caster_materials(materials));

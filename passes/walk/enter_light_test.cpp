@@ -37,7 +37,7 @@ struct Bench {
     u.tile_guard = static_cast<float>(tiles.guard);
     u.least_share = 1e-3f;
     u.splits = both_ways ? 1 : 0;
-    u.mirrored = follows_mirrored ? 1 : 0;
+    u.mirrored_at = follows_mirrored ? 1 : 0;
     return run_pass(part_of_walk(walk_enter_shader,
                                  {"caster_position", "caster_normal", "caster_triangle", "caster_materials",
                                   "hierarchy_triangles", "hierarchy_normals", "reaching"},

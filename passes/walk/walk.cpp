@@ -22,20 +22,18 @@ std140::Walk walk_uniforms(const PassContext& context) {
   block.least_share = context.settings->least_share;
   block.bounces = context.settings->bounces;
   block.splits = context.settings->splits;
-  block.mirrored = static_cast<int>(context.branch->mirrored);
-  block.parts_at = context.branch->parts_at();
+  block.mirrored_at = context.branch->mirrored_at;
   block.most_steps = most_steps(context.settings->bounces);
   block.first_receiver = context.first_receiver;
   block.touch = context.touch;
   return block;
 }
 
-// Does another branch come to the second surface as this one does, and before it?
-int reads_hit(const PassContext& context) { return context.branch->parts_at() >= 2 ? 1 : 0; }
+int reads_hit(const PassContext& context) { return context.branch->has_same_start() ? 1 : 0; }
 
 bool some_branch_reads_hits(const Effects& effects) {
   return std::any_of(effects.branches.begin(), effects.branches.end(),
-                     [](const Branch& branch) { return branch.parts_at() >= 2; });
+                     [](const Branch& branch) { return branch.has_same_start(); });
 }
 
 }  // namespace
@@ -86,6 +84,7 @@ Pass walk_pass() {
       .choices = {kIsTinted,
                   {"can_be_hidden",
                    [](const PassContext& c) { return c.effects->receivers_are_one_plane ? 0 : 1; }},
+                  {"draws", [](const PassContext& c) { return c.branch->drawn ? 1 : 0; }},
                   {"reads_hit", reads_hit}},
   };
 }

@@ -45,13 +45,25 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/hit_texel.glsl"
 #include "passes/shared/enter_light.glsl"
 #include "passes/shared/bend_light.glsl"
+#include "passes/shared/way_draw.glsl"
 #include "passes/shared/land_light.glsl"
 
+// The number that is drawn at a surface. Where both ways are followed, 4 x 4 vertices draw together, and their
+// light stays together.
+Float draw_at(int surface, Float before, Int column, Int row) {
+  Float draw = next_draw(before);
+  if (surface == 1) draw = first_draw(floor(Float(column) * 0.25f), floor(Float(row) * 0.25f));
+  if (surface == u.splits + 1) draw = first_draw(Float(column), Float(row));
+  return draw;
+}
+
 // The turn that the branch takes at the surface of this number.
-Turn turn_at(int surface) {
+Turn turn_at(int surface, Float draw) {
   Turn turn;
-  turn.both_ways = Bool(surface <= u.splits);
-  turn.mirrored = Bool(surface <= u.parts_at && ((u.mirrored >> (surface - 1)) & 1) != 0);
+  turn.both_ways = Bool(surface <= u.splits && (u.mirrored_at == 0 || surface <= u.mirrored_at));
+  turn.mirrored = Bool(surface == u.mirrored_at);
+  turn.drawn = drawn_share(draw);
+  turn.chance = chance_to_part(surface - u.splits);
   return turn;
 }
 
@@ -75,7 +87,7 @@ void go_on(INOUT(Arrival) here, Vec4 hit, Bool on) {
 void write(IN(LandedLight) landed, Float entered) {
   landing = landed.at;
   landing_flux = Vec4(landed.flux, Float(0.0f));
-  landing_fresnel = Vec4(landed.fresnel, sel(Bool(u.parts_at == 0), entered, Float(0.0f)));
+  landing_fresnel = Vec4(landed.fresnel, sel(Bool(u.mirrored_at == 0 && u.draws == 0), entered, Float(0.0f)));
   landing_absorbed = Vec4(landed.absorbed, Float(0.0f));
   landing_path = Vec4(landed.path, Float(1.0f), Float(0.0f), Float(0.0f));
   landing_footprint = landed.footprint;
@@ -90,22 +102,23 @@ void main() {
   Bool ended = Bool(false);
   LandedLight landed = nothing_landed();
   second_hit = Vec4(0.0f);
+  Float draw = Float(0.0f);
   for (int surface = 1; surface <= u.bounces && any_lane(under_way); surface++) {
     Material material = fetch_material(caster_materials, here.material);
-    BentLight bent = bend_light(here.path, here.at, here.triangle, material, turn_at(surface));
+    draw = draw_at(surface, draw, column, row);
+    BentLight bent = bend_light(here.path, here.at, here.triangle, material, turn_at(surface, draw));
     here.path = bent.path;
     TRACE(body, here.path.media.x);
     Bool goes = under_way && bent.goes;
-    if (surface >= u.parts_at) book(bent, goes, landed);
+    if (surface >= u.mirrored_at) book(bent, goes, landed);
+    Bool has_hit = Bool(surface == 1 && u.reads_hit != 0) && !bent.drawn_back;
+    Bool searches = goes && !bent.ends && !has_hit;
     Vec4 hit = Vec4(0.0f);
-    if (surface == 1 && u.reads_hit != 0) {
-      hit = texel_fetch(second_surface, column, row);
-    } else {
-      hit = hit_ahead(here.path.ray, here.path.own, here.path.media, goes && !bent.ends);
-    }
+    if (any_lane(searches)) hit = hit_ahead(here.path.ray, here.path.own, here.path.media, searches);
+    if (surface == 1) hit = sel(has_hit, texel_fetch(second_surface, column, row), hit);
     if (surface == 1) second_hit = sel(goes, hit, Vec4(0.0f));
     under_way = goes && is_on_caster(hit) && surface < u.bounces;
-    Bool ends = goes && !under_way && surface >= u.parts_at;
+    Bool ends = goes && !under_way && here.path.parted && surface >= u.mirrored_at;
     if (any_lane(ends)) land_light(here.path, hit, bent.ends, ends, landed);
     ended = ended || ends;
     if (any_lane(under_way)) go_on(here, hit, under_way);

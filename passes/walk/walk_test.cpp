@@ -10,22 +10,22 @@ using namespace caustics::test;
 namespace {
 
 // Parallel light falls straight down on a slab of glass between the heights 0 and 1, over a floor at -1: body
-// 1, index 1.5, so that each surface mirrors 0.04. One grid vertex, at (0.5, 1, 0.25), has 16 square metres.
+// 1, index 1.5, so that each surface mirrors 0.04. A grid vertex, at (0.5, 1, 0.25), has 16 square metres.
 // Numbers plus 1: the slab's upper triangle 1, its lower 2, the floor's 3.
 struct Bench {
   BenchMaterial material{};
-  int bounces = 16, splits = 2, parts_at = 0;
-  unsigned mirrored = 0;
+  int bounces = 16, splits = 2, mirrored_at = 0;
+  bool draws = false, reads_hit = false;
+  int side = 1;  // of the grid, whose vertices are all alike
   glm::vec3 channel_share{1.0f};
   Image second_surface{Format::RGBA32F, 1, 1};
   glm::vec3 normal{0.0f, 1.0f, 0.0f};  // smooth, of the slab's upper side
   std::vector<Corners> mirrors{};      // beside the slab: of body 2, numbered behind it
 
-  // The branch that is mirrored at these surfaces, as bits.
-  Bench branch(unsigned mirrored_at, int last) const {
+  // The branch that is mirrored at this surface.
+  Bench branch(int surface) const {
     Bench other = *this;
-    other.mirrored = mirrored_at;
-    other.parts_at = last;
+    other.mirrored_at = surface;
     other.second_surface = run()["second_hit"];
     return other;
   }
@@ -43,21 +43,23 @@ struct Bench {
     u.caster = u.receiver = u.caustic = shader_view(view);
     u.light = glm::vec3(view.forward);
     u.cell_area = 16.0f;
-    u.grid_side = 1;
+    u.grid_side = side;
     u.channel_share = channel_share;
     u.least_share = 1e-4f;
     u.bounces = bounces;
     u.splits = splits;
-    u.mirrored = static_cast<int>(mirrored);
-    u.parts_at = parts_at;
+    u.mirrored_at = mirrored_at;
     u.most_steps = most_steps(bounces);
     u.first_receiver = bench.first_receiver();
-    u.reads_hit = parts_at >= 2 ? 1 : 0;
+    u.draws = draws ? 1 : 0;
+    u.reads_hit = reads_hit || mirrored_at >= 2 ? 1 : 0;
     return run_pass(
         definition_of(walk_pass()),
-        {.uniforms = uniform_bytes(u),
-         .textures = {filled(1, 1, {0.5f, 1.0f, 0.25f, 1.0f}), filled(1, 1, {normal, 0.0f}),
-                      filled(1, 1, {1.0f, 0.0f, 0.0f, 0.0f}), caster_materials({material, {.mirror = true}}),
+        {.width = side,
+         .height = side,
+         .uniforms = uniform_bytes(u),
+         .textures = {filled(side, side, {0.5f, 1.0f, 0.25f, 1.0f}), filled(side, side, {normal, 0.0f}),
+                      filled(side, side, {1.0f, 0.0f, 0.0f, 0.0f}), caster_materials({material, {.mirror = true}}),
                       tables.nodes, tables.triangles, tables.normals, Image(Format::RGBA32F, 1, 1),
                       Image(Format::RGBA32F, 1, 1), second_surface}});
   }
@@ -65,6 +67,13 @@ struct Bench {
 
 LandingStatus status(const PassImages& out) {
   return static_cast<LandingStatus>(static_cast<int>(out["landing"].at(0, 0, 3)));
+}
+
+double sum_of(const Image& image) {
+  double sum = 0.0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) sum += static_cast<double>(image.at(x, y, 0));
+  return sum;
 }
 
 void check_near(const glm::vec4& found, const glm::vec4& expected, double margin = 1e-5) {
@@ -108,7 +117,7 @@ TEST_CASE("walk: a body's absorption on the way is booked, and is missing where 
 }
 
 TEST_CASE("walk: the branch that is mirrored at the first surface goes up and lands nowhere") {
-  const PassImages out = Bench{}.branch(1, 1).run();
+  const PassImages out = Bench{}.branch(1).run();
   CHECK(status(out) == LandingStatus::Missed);
   check_near(texel(out["landing_flux"], 0, 0), {0.64f, 0.64f, 0.64f, 0.0f});
   check_near(texel(out["landing_fresnel"], 0, 0), glm::vec4(0.0f));
@@ -118,21 +127,21 @@ TEST_CASE("walk: the branch that is mirrored at the first surface goes up and la
 TEST_CASE(
     "walk: the branch that is mirrored at the second surface leaves by the first, and books from there") {
   const Bench whole;
-  const PassImages out = whole.branch(2, 2).run();
+  const PassImages out = whole.branch(2).run();
   CHECK(status(out) == LandingStatus::Missed);
   // Behind the splits it takes the stronger way; the weaker is booked.
   const float mirrored = 16.0f * 0.96f * 0.04f;
   check_near(texel(out["landing_flux"], 0, 0), glm::vec4(glm::vec3(0.96f * mirrored), 0.0f));
   check_near(texel(out["landing_fresnel"], 0, 0), glm::vec4(glm::vec3(0.04f * mirrored), 0.0f));
   // Together all branches have what came.
-  const PassImages through = whole.run(), first = whole.branch(1, 1).run();
+  const PassImages through = whole.run(), first = whole.branch(1).run();
   const float sum = through["landing_flux"].at(0, 0, 0) + first["landing_flux"].at(0, 0, 0) +
                     out["landing_flux"].at(0, 0, 0) + out["landing_fresnel"].at(0, 0, 0);
   CHECK(sum == Approx(16.0).epsilon(1e-6));
 }
 
 TEST_CASE("walk: a branch that parts behind the first surface has no light where no second is met") {
-  Bench bench = Bench{}.branch(2, 2);
+  Bench bench = Bench{}.branch(2);
   bench.second_surface = Image(Format::RGBA32F, 1, 1);
   CHECK(status(bench.run()) == LandingStatus::Empty);
   CHECK(texel(bench.run()["landing_fresnel"], 0, 0) == glm::vec4(0.0f));
@@ -146,9 +155,98 @@ TEST_CASE("walk: light that meets a caster still where it may be bent no more is
   CHECK(out["landing_flux"].at(0, 0, 0) == Approx(16.0 * 0.96));
 }
 
+TEST_CASE("walk: light that is mirrored where others go both ways parts nowhere behind, and books the rest") {
+  // Three surfaces may part light; the branch that is mirrored at the second has 0.04 booked at the third.
+  Bench bench;
+  bench.splits = 3;
+  const PassImages out = bench.branch(2).run();
+  check_near(texel(out["landing_fresnel"], 0, 0), glm::vec4(glm::vec3(16.0f * 0.96f * 0.04f * 0.04f), 0.0f));
+}
+
+TEST_CASE("walk: what is drawn adds up to what the other branches leave behind, and is booked as theirs") {
+  Bench bench;
+  bench.splits = 0;
+  bench.side = 64;
+  const double left = sum_of(bench.run()["landing_fresnel"]);
+  bench.draws = true;
+  const PassImages drawn = bench.run();
+  CHECK(sum_of(drawn["landing_fresnel"]) == Approx(-left).epsilon(0.01));
+  CHECK(sum_of(drawn["landing_flux"]) == Approx(left).epsilon(0.01));
+  CHECK(drawn["landing_fresnel"].at(0, 0, 3) == 0.0f);  // what entered is counted by the branch that leads
+}
+
+TEST_CASE("walk: at the first surface where ways part a third of the vertices draw the weaker one, evenly") {
+  Bench bench;
+  bench.splits = 0;
+  bench.side = 64;
+  bench.draws = true;
+  const PassImages out = bench.run();
+  // Mirrored at once: 0.04 of the light, three times.
+  const auto parts = [&](int x, int y) {
+    return out["landing_fresnel"].at(x, y, 0) == Approx(-16.0 * 0.04 * 3.0).epsilon(1e-5);
+  };
+  for (int y = 0; y < 64; y += 8)
+    for (int x = 0; x < 64; x += 8) {
+      int count = 0;
+      for (int i = 0; i < 64; ++i) count += parts(x + i % 8, y + i / 8) ? 1 : 0;
+      CHECK(count >= 18);
+      CHECK(count <= 26);
+    }
+}
+
+TEST_CASE("walk: drawn light is as wide as it is seldom") {
+  // Off the slab, off a mirror above it, and through the slab: 1/3 and twice 0.96 of the vertices, so that
+  // the footprint's area is 3 / 0.96^2 times the cell's.
+  Bench bench;
+  bench.splits = 0;
+  bench.side = 64;
+  bench.draws = true;
+  Corners above = level_triangle(2.0f, -1.0f, -1.0f);
+  std::swap(above[1], above[2]);
+  bench.mirrors = {above};
+  const PassImages out = bench.run();
+  const float path = static_cast<float>(((((6 * 251 + 10) % 65521 * 251) + 5) % 65521 * 251 + 5) % 65521);
+  int found = 0;
+  for (int i = 0; i < 64 * 64; ++i) {
+    if (out["landing_path"].at(i % 64, i / 64, 0) != path) continue;
+    ++found;
+    const glm::vec4 print = texel(out["landing_footprint"], i % 64, i / 64);
+    const double wide = 64.0 * static_cast<double>(print.x);
+    CHECK(wide * wide == Approx(3.0 / (0.96 * 0.96)).epsilon(1e-4));
+    CHECK(out["landing_flux"].at(i % 64, i / 64, 0) == Approx(16.0 * 0.04 * 3.0).epsilon(1e-4));
+  }
+  CHECK(found > 1000);
+}
+
+TEST_CASE("walk: of light that goes where another branch's goes, nothing is drawn") {
+  // At the first vertex the smallest number is drawn: mirrored where both ways are followed, so that it goes up.
+  Bench bench;
+  bench.draws = true;
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Empty);
+  CHECK(texel(out["landing_fresnel"], 0, 0) == glm::vec4(0.0f));
+  CHECK(texel(out["landing_absorbed"], 0, 0) == glm::vec4(0.0f));
+}
+
+TEST_CASE("walk: drawn light finds its second surface where a branch before it has, unless it is mirrored") {
+  Bench bench;
+  bench.splits = 1;
+  bench.side = 64;
+  const Image second = bench.run()["second_hit"];
+  bench.draws = true;
+  const PassImages alone = bench.run();
+  bench.second_surface = second;
+  bench.reads_hit = true;
+  const PassImages shared = bench.run();
+  for (const char* name : {"landing", "landing_flux", "landing_fresnel", "landing_path"})
+    CHECK(shared[name].values == alone[name].values);
+  bench.second_surface = Image(Format::RGBA32F, 64, 64);
+  CHECK(bench.run()["landing"].values != alone["landing"].values);
+}
+
 TEST_CASE("walk: what is mirrored at the first surface is not taken for mirrored at the 33rd") {
   // By 45 degrees aside into a corridor of two mirrors, 6 cm high and some 2 m long: more than 32 surfaces.
-  Bench bench = Bench{}.branch(1, 1);
+  Bench bench = Bench{}.branch(1);
   bench.normal = {0.3826834f, 0.9238795f, 0.0f};
   Corners above = level_triangle(2.06f, 1.0f, -1.0f);
   std::swap(above[1], above[2]);

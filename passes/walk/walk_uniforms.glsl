@@ -6,11 +6,11 @@ float bend;           // the branch's index of refraction is n_d + bend (n_F - n
 float least_share;    // of the light on a cell, below which it is followed no further
 int bounces;          // surfaces that light is bent at, at most
 int splits;           // of them, those where what is mirrored is followed as well, by other branches
-int mirrored;         // where this branch is mirrored: surface k as bit k - 1,
-int parts_at;         // and the last of them; 0: nowhere
+int mirrored_at;      // the one where this branch is mirrored; 0: none
 int most_steps;       // of the search for one surface
 int first_receiver;   // number of the first triangle that is no caster's
 float touch;          // metres: surfaces that are as near touch
 CHOICE(is_tinted)     // 1: blended surfaces may stand before casters
 CHOICE(can_be_hidden) // 1: receivers may hide others from the light
+CHOICE(draws)         // 1: the branch follows what the others leave behind, by ways that are drawn
 CHOICE(reads_hit)     // 1: the second surface has been found by a branch that comes to it alike

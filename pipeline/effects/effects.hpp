@@ -72,14 +72,15 @@ struct Expectation {
 struct Branch {
   std::string name;        // "" where there is one branch only; "656nm", "reflected"
   bool reflected = false;  // what dielectrics mirror at their first surface, instead of what they let in
-  // Of light that is followed from surface to surface: at which surfaces it is mirrored, surface k as bit
-  // k - 1. Behind the last of them it takes the stronger way at each.
-  unsigned mirrored = 0;
-  bool is_mirrored_at(int surface) const {
-    return surface > 0 && surface <= 8 && (mirrored >> (surface - 1) & 1u) != 0;
-  }
-  // The surface where it parts from the branch that is mirrored as long as it, but not there; 0: no such.
-  int parts_at() const;
+  // Of light that is followed from surface to surface: where it is mirrored, instead of let through; 0: nowhere.
+  // Behind that surface it takes the stronger way at each.
+  int mirrored_at = 0;
+  // What the others leave behind: of each vertex' light one way is drawn, which parts from theirs.
+  bool drawn = false;
+  // Do the others part from it? It counts what they have in common.
+  bool leads() const { return mirrored_at == 0 && !drawn; }
+  // Does the branch that leads go the same way from the first surface? Of what is drawn most does.
+  bool has_same_start() const { return mirrored_at >= 2 || drawn; }
   // Index of refraction: n_d + bend * (n_F - n_C). 0 at the d line.
   double bend = 0.0;
   // Of rough glass: which microfacets it meets, 0..1 each: by where the light enters how steep and which way

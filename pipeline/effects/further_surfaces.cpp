@@ -1,7 +1,6 @@
 #include "pipeline/effects/further_surfaces.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 
 #include "pipeline/effects/optics.hpp"
@@ -10,29 +9,26 @@
 
 namespace caustics {
 
-int Branch::parts_at() const { return std::bit_width(mirrored); }
-
 namespace {
 
-// Those that a branch parts into, the last surface first, each followed by its own.
-void add_parts(const Branch& branch, int splits, std::vector<Branch>& branches) {
-  branches.push_back(branch);
-  for (int surface = splits; surface > branch.parts_at(); --surface) {
-    Branch part = branch;
-    part.mirrored |= 1u << (surface - 1);
-    const std::string number = std::to_string(surface);
-    if (branch.mirrored != 0) {
-      part.name += "+" + number;
-    } else {
-      part.name += (branch.name.empty() ? "mirrored " : " mirrored ") + number;
-    }
-    add_parts(part, splits, branches);
-  }
+// Metal mirrors all that it does not absorb: its light never parts.
+bool any_refractor(const Effects& effects) {
+  return std::any_of(effects.surfaces.begin(), effects.surfaces.end(),
+                     [](const SurfaceRole& surface) { return surface.role == Role::Refractor; });
 }
 
-}  // namespace
-
-namespace {
+// Those that part from a branch by being mirrored, the last surface first, and what all of these leave behind.
+void add_parted(const Branch& through, int splits, std::vector<Branch>& branches) {
+  const std::string before = through.name.empty() ? "" : through.name + " ";
+  for (int surface = splits; surface > 0; --surface) {
+    branches.push_back(through);
+    branches.back().name = before + "mirrored " + std::to_string(surface);
+    branches.back().mirrored_at = surface;
+  }
+  branches.push_back(through);
+  branches.back().name = before + "drawn";
+  branches.back().drawn = true;
+}
 
 constexpr const char* kInterfacesAskedFor = "a number of interfaces was asked for";
 
@@ -80,8 +76,12 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
                   (active ? "more than " : "no more than ") + limit};
   if (!active) return effects;
   std::vector<Branch> branches;
+  const bool parts = any_refractor(effects);
   for (const Branch& branch : effects.branches)
-    if (!branch.reflected) add_parts(branch, std::min(settings.splits, settings.bounces), branches);
+    if (!branch.reflected) {
+      branches.push_back(branch);
+      if (parts) add_parted(branch, std::min(settings.splits, settings.bounces), branches);
+    }
   effects.branches = std::move(branches);
   return effects;
 }

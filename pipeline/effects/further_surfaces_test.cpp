@@ -14,7 +14,13 @@ namespace {
 // Half of what lands through the one caster goes other ways than through two surfaces.
 const std::vector<FurtherShare> kHalf{{.light = 0, .mesh = 1, .share = 0.5, .of_light = 1.0}};
 
-Effects followed(int splits, Effects effects = {}, const std::vector<FurtherShare>& shares = kHalf) {
+Effects of_glass() {
+  Effects effects;
+  effects.surfaces = {{.role = Role::Refractor}};
+  return effects;
+}
+
+Effects followed(int splits, Effects effects = of_glass(), const std::vector<FurtherShare>& shares = kHalf) {
   Settings settings;
   settings.splits = splits;
   return with_further_surfaces(std::move(effects), settings, shares);
@@ -27,7 +33,7 @@ std::vector<std::string> names_of(const Effects& effects) {
 }
 
 Effects with_branches(std::vector<Branch> branches) {
-  Effects effects;
+  Effects effects = of_glass();
   effects.branches = std::move(branches);
   return effects;
 }
@@ -39,65 +45,63 @@ std::string why_not(const Settings& settings, Effects effects = {}) {
 
 }  // namespace
 
-TEST_CASE("further surfaces: each surface where light parts doubles its branches") {
+TEST_CASE("further surfaces: at each surface where light parts a branch is mirrored, and one draws the rest") {
   for (int splits = 0; splits <= 4; ++splits) {
     const Effects effects = followed(splits);
-    REQUIRE(effects.branches.size() == std::size_t{1} << splits);
-    // Every choice of surfaces once, and none beyond the last that parts.
-    std::vector<unsigned> mirrored;
-    for (const Branch& branch : effects.branches) mirrored.push_back(branch.mirrored);
-    std::sort(mirrored.begin(), mirrored.end());
-    for (unsigned i = 0; i < mirrored.size(); ++i) CHECK(mirrored[i] == i);
+    REQUIRE(effects.branches.size() == static_cast<std::size_t>(splits) + 2);
+    CHECK(effects.branches.front().leads());
+    CHECK_FALSE(effects.branches.front().has_same_start());
+    for (int i = 1; i <= splits; ++i) {
+      const Branch& branch = effects.branches[static_cast<std::size_t>(i)];
+      CHECK(branch.mirrored_at == splits + 1 - i);
+      CHECK_FALSE(branch.leads());
+      CHECK(branch.has_same_start() == (branch.mirrored_at > 1));
+      CHECK_FALSE(branch.drawn);
+    }
+    CHECK(effects.branches.back().drawn);
+    CHECK(effects.branches.back().has_same_start());
+    CHECK_FALSE(effects.branches.back().leads());
   }
+}
+
+TEST_CASE("further surfaces: light that mirrors alone send on never parts") {
+  Effects effects;
+  effects.branches = {{}};
+  effects.surfaces = {{.role = Role::Mirror}, {.role = Role::Receiver}};
+  CHECK(names_of(followed(4, effects)) == std::vector<std::string>{""});
 }
 
 TEST_CASE("further surfaces: light parts at no more surfaces than it is followed through") {
   Settings settings;
   settings.splits = 4;
   settings.bounces = 2;
-  CHECK(with_further_surfaces({}, settings, kHalf).branches.size() == 4);
+  CHECK(with_further_surfaces(of_glass(), settings, kHalf).branches.size() == 4);
 }
 
-TEST_CASE(
-    "further surfaces: branches are named after the surfaces that mirror them, the last to part first") {
-  CHECK(names_of(followed(0)) == std::vector<std::string>{""});
-  CHECK(names_of(followed(1)) == std::vector<std::string>{"", "mirrored 1"});
-  CHECK(names_of(followed(2)) == std::vector<std::string>{"", "mirrored 2", "mirrored 1", "mirrored 1+2"});
-  CHECK(names_of(followed(3)) == std::vector<std::string>{"", "mirrored 3", "mirrored 2", "mirrored 2+3",
-                                                          "mirrored 1", "mirrored 1+3", "mirrored 1+2",
-                                                          "mirrored 1+2+3"});
-}
-
-TEST_CASE("further surfaces: a branch is mirrored at its surfaces, and parts at the last of them") {
-  const Effects effects = followed(3);
-  const Branch& through = effects.branches[0];
-  CHECK(through.parts_at() == 0);
-  for (int surface = 0; surface <= 40; ++surface) CHECK_FALSE(through.is_mirrored_at(surface));
-  const Branch& branch = effects.branches[5];  // mirrored 1+3
-  CHECK(branch.parts_at() == 3);
-  CHECK(branch.is_mirrored_at(1));
-  CHECK_FALSE(branch.is_mirrored_at(2));
-  CHECK(branch.is_mirrored_at(3));
-  for (int surface = 4; surface <= 40; ++surface) CHECK_FALSE(branch.is_mirrored_at(surface));
+TEST_CASE("further surfaces: branches are named after the surface that mirrors them, the last to part first") {
+  CHECK(names_of(followed(0)) == std::vector<std::string>{"", "drawn"});
+  CHECK(names_of(followed(1)) == std::vector<std::string>{"", "mirrored 1", "drawn"});
+  CHECK(names_of(followed(3)) ==
+        std::vector<std::string>{"", "mirrored 3", "mirrored 2", "mirrored 1", "drawn"});
 }
 
 TEST_CASE("further surfaces: each wavelength has branches of its own, with its index and its colour") {
   const Effects effects = followed(1, with_branches({{.name = "486.1nm", .bend = 1.0, .color = {0, 0, 1}},
                                                      {.name = "656.3nm", .bend = -1.0, .color = {1, 1, 0}}}));
   CHECK(names_of(effects) ==
-        std::vector<std::string>{"486.1nm", "486.1nm mirrored 1", "656.3nm", "656.3nm mirrored 1"});
+        std::vector<std::string>{"486.1nm", "486.1nm mirrored 1", "486.1nm drawn", "656.3nm",
+                                 "656.3nm mirrored 1", "656.3nm drawn"});
   CHECK(effects.branches[1].bend == 1.0);
-  CHECK(effects.branches[1].color == glm::vec3(0, 0, 1));
-  CHECK(effects.branches[3].bend == -1.0);
+  CHECK(effects.branches[2].color == glm::vec3(0, 0, 1));
+  CHECK(effects.branches[5].bend == -1.0);
   CHECK(names_of(followed(2, with_branches({{.name = "486.1nm"}}))) ==
-        std::vector<std::string>{"486.1nm", "486.1nm mirrored 2", "486.1nm mirrored 1",
-                                 "486.1nm mirrored 1+2"});
+        std::vector<std::string>{"486.1nm", "486.1nm mirrored 2", "486.1nm mirrored 1", "486.1nm drawn"});
 }
 
 TEST_CASE("further surfaces: they take the place of what glass mirrors at its first surface") {
   const Branch reflected{.name = "reflected", .reflected = true};
-  CHECK(names_of(followed(1, with_branches({{}, reflected}))) == std::vector<std::string>{"", "mirrored 1"});
-  CHECK(names_of(followed(0, with_branches({{}, reflected}))) == std::vector<std::string>{""});
+  CHECK(names_of(followed(1, with_branches({{}, reflected}))) == std::vector<std::string>{"", "mirrored 1", "drawn"});
+  CHECK(names_of(followed(0, with_branches({{}, reflected}))) == std::vector<std::string>{"", "drawn"});
 }
 
 TEST_CASE("further surfaces: light is followed where more than a named share of a light's meets them") {

@@ -109,9 +109,9 @@ void add_vertex(const BranchImages& images, int x, int y, const std140::View& vi
   const double flux = images.fresnel.at(x, y, 3);
   // The guard vertices of a cube's grid belong to other faces: they carry nothing.
   const bool cube = view.kind == VIEW_CUBE;
-  const bool guard = cube && flux == 0.0 && images.branch.mirrored == 0;
+  const bool guard = cube && flux == 0.0 && images.branch.leads();
   // A vertex without a caster is counted once, not by every branch that parts from the first.
-  if (images.branch.mirrored == 0 || status != LandingStatus::Empty)
+  if (images.branch.leads() || status != LandingStatus::Empty)
     ++ledger.vertices[static_cast<std::size_t>(guard ? LandingStatus::Empty : status)];
   if (status == LandingStatus::Empty || guard) return;
   const glm::vec3& color = images.branch.color;

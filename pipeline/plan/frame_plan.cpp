@@ -122,13 +122,12 @@ class Planner {
     }
   }
 
-  // The first branch that comes to the second surface as this one does, and is not mirrored there; -1:
-  // itself.
+  // The branch that leads, where this one comes to the second surface as it does; -1: itself.
   int with_same_start(int branch) const {
     const Branch& own = effects_.branches[static_cast<std::size_t>(branch)];
-    for (std::size_t b = 0; own.parts_at() >= 2 && b < effects_.branches.size(); ++b) {
+    for (std::size_t b = 0; own.has_same_start() && b < effects_.branches.size(); ++b) {
       const Branch& other = effects_.branches[b];
-      if (other.mirrored == (own.mirrored & 1u) && other.bend == own.bend && other.color == own.color)
+      if (other.leads() && other.bend == own.bend && other.color == own.color)
         return static_cast<int>(b);
     }
     return -1;

@@ -60,7 +60,7 @@ struct Settings {
   int wavelengths = 3;
   bool reflections = false;
   float further_share = 0.03f;
-  int bounces = 16, splits = 2;
+  int bounces = 32, splits = 2;
   float least_share = 1e-3f;
   bool shared_views = false;
   Cube cube = Cube::Auto;

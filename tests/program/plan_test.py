@@ -146,12 +146,12 @@ class SampleScenes(PlanTest):
                 self.check(self.plan(SCENES / f"{scene}.glb", *options), *called_for)
 
     def test_light_is_followed_through_its_surfaces_branch_by_branch(self):
-        # Two splits: nobody, mirrored 2, mirrored 1, mirrored 1+2.
+        # Two splits: nobody, mirrored 2, mirrored 1, drawn.
         options = ["-D", "splits=2", "-D", "bounces=5", "-D", "further.share=0.03"]
         plan = self.plan(SCENES / "glass" / "hollow_ball.glb", *options)
         labels = [p["pass"] for p in plan["passes"] if "sun" in p["pass"]]
         walks = [label for label in labels if label.startswith("walk[")]
-        ways = ("", " mirrored 2", " mirrored 1", " mirrored 1+2")
+        ways = ("", " mirrored 2", " mirrored 1", " drawn")
         self.assertEqual(walks, [f"walk[sun{way}]" for way in ways])
         self.assertEqual(plan["texture_bytes"], least_bytes(plan["passes"]))
         self.assertGreater(plan["further_shares"][0]["share"], 0.5)

@@ -11,6 +11,8 @@ LightPath path_before() {
   path.ray = ray_from(Vec3(start), Vec3(direction));
   AxesAcross axes = axes_across(path.ray.direction);
   path.own = start.w - 1.0f;
+  path.aside = Bool(false);
+  path.parted = Bool(u.draws == 0);
   path.path = direction.w;
   path.flux = Vec3(flux);
   path.whole = flux.w;

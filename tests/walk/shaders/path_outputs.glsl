@@ -24,7 +24,9 @@ OUTPUT(7, Vec4, absorbed)
 Turn turn_now() {
   Turn turn;
   turn.both_ways = Bool(u.splits != 0);
-  turn.mirrored = Bool(u.mirrored != 0);
+  turn.mirrored = Bool(u.mirrored_at != 0);
+  turn.drawn = Float(0.5f);
+  turn.chance = Float(0.25f);
   return turn;
 }
 
