@@ -32,7 +32,7 @@ Vec3 facing_reflectance(IN(Material) material) {
 // A caster's point, its normal on the camera's side.
 Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
   Incidence light = incidence_of(u.light, caster.position, caster.normal);
-  TangentPlane p = tangent_plane(caster.position, caster.normal);
+  TangentPlane p = tangent_plane(u.shadow_view, caster.position, caster.normal);
   Float lit = Float(1.0f);
   if (u.has_shadow_map != 0) lit = 1.0f - shadow_share(p);
   Vec3 v = towards_camera(caster.position);

@@ -35,6 +35,10 @@ int samples_across(const PassContext& context) {
   return of_picture ? kMostSamples : kMostOfSurroundings;
 }
 
+int looks_aside(const PassContext& context) {
+  return throws_caustic(context) && context.views->caustic.forward != context.views->shadow.forward;
+}
+
 int has_finer_map(const PassContext& context) { return context.views->cascade && throws_caustic(context); }
 
 // Not of lights that see all around.
@@ -176,6 +180,7 @@ Pass light_shading_pass() {
                   {"has_lift", chosen_by<&Effects::smooth_shading>},
                   {"has_panes", has_panes},
                   {"has_caustic", throws_caustic},
+                  {"looks_aside", looks_aside},
                   {"has_cascade", has_finer_map},
                   {"receivers_are_layered", receivers_are_layered},
                   {"caustic_is_grey",

@@ -80,16 +80,20 @@ CasterLight nothing_of_casters() {
 }
 
 // The mean over what a pixel sees: at the point alone where that is hardly wider than a texel. The casters'
-// shadow is averaged with their light, so that glass that bends nothing leaves no trace.
-CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(Incidence) light, IN(Reception) takes) {
+// shadow is averaged with their light, so that glass that bends nothing leaves no trace. `map`: the plane in
+// the caustic map's axes, which are the light's but where it looks another way to see its caustic.
+CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(TangentPlane) map, IN(Incidence) light,
+                      IN(Reception) takes) {
   CasterLight sum = nothing_of_casters();
   for (int j = 0; any_lane(float(j) < f.rows); j++) {
     Float along = (float(j) + 0.5f) / f.rows - 0.5f;
     for (int i = 0; any_lane(float(j) < f.rows && float(i) < f.columns); i++) {
       Bool counts = float(j) < f.rows && float(i) < f.columns;
-      Vec3 at = p.at + f.across * ((float(i) + 0.5f) / f.columns - 0.5f) + f.upward * along;
-      Vec3 irradiance = caustic_at(at, p.q, light, takes);
-      sum.shadowed = sum.shadowed + sel(counts, caster_share(at, p.face), Float(0.0f));
+      Vec3 at = map.at + f.across * ((float(i) + 0.5f) / f.columns - 0.5f) + f.upward * along;
+      Vec3 irradiance = caustic_at(at, map.q, light, takes);
+      Vec3 behind = at;
+      if (u.looks_aside != 0) behind = p.at;
+      sum.shadowed = sum.shadowed + sel(counts, caster_share(behind, p.face), Float(0.0f));
       sum.caustic = sum.caustic + sel(counts, irradiance, Vec3(0.0f));
     }
   }
@@ -101,18 +105,19 @@ CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(Incidence) light, 
 
 // Points that take a caustic's light, where the map reaches, get it; elsewhere the casters only keep light.
 // How much does not depend on what takes it: direct light is the same where no caustic is asked for.
-CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(Incidence) light) {
+CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(TangentPlane) map,
+                             IN(Incidence) light) {
   CasterLight casters = nothing_of_casters();
   if (u.has_caustic != 0) {
-    Reception takes = reception_of(surface, p);
+    Reception takes = reception_of(surface, map);
     Bool in_map = surface.visible;
     if (u.samples_across > 0) {
-      Footprint f = footprint_at(surface, p.at, surface.visible);
+      Footprint f = footprint_at(surface, map.at, surface.visible);
       in_map = f.in_map;
-      if (any_lane(in_map)) casters = mean_over(f, p, light, takes);
+      if (any_lane(in_map)) casters = mean_over(f, p, map, light, takes);
     } else {
       casters.shadowed = caster_share(p.at, p.face);
-      casters.caustic = caustic_at(p.at, p.q, light, takes);
+      casters.caustic = caustic_at(map.at, map.q, light, takes);
     }
     Bool takes_light = in_map && (takes.near || takes.far);
     casters.caustic = sel(takes_light, casters.caustic, Vec3(0.0f));
@@ -132,7 +137,7 @@ Float lit_share(IN(SurfacePoint) surface, IN(TangentPlane) triangle, Vec3 triang
     if (u.has_lift != 0) {
       Vec3 lift = Vec3(fetch_clamped(view_lift, surface.column, surface.row));
       normal = normalize_or(lift, triangle_normal);
-      p = tangent_plane(surface.position + lift, normal);
+      p = tangent_plane(u.shadow_view, surface.position + lift, normal);
     }
     Bool away = -dot3(normal, travel) * dot3(normal, surface.normal) <= 0.0f;
     lit = sel(away, Float(0.0f), 1.0f - shadow_share(p));
@@ -167,8 +172,10 @@ struct Arrival {
 Arrival arrival_at(IN(SurfacePoint) surface) {
   Incidence light = incidence_of(u.light, surface.position, surface.normal);
   Vec3 triangle_normal = plane_normal(view_position, surface);
-  TangentPlane p = tangent_plane(surface.position, triangle_normal);
-  CasterLight casters = light_of_casters(surface, p, light);
+  TangentPlane p = tangent_plane(u.shadow_view, surface.position, triangle_normal);
+  TangentPlane map = p;
+  if (u.looks_aside != 0) map = tangent_plane(u.caustic_view, surface.position, triangle_normal);
+  CasterLight casters = light_of_casters(surface, p, map, light);
   Arrival arrival;
   arrival.caustic = Vec3(u.caustic_intensity) * casters.caustic;
 

@@ -8,12 +8,12 @@ struct TangentPlane {
   Vec3 normal;  // the normal in that face's axes; in other views in the view's
 };
 
-TangentPlane tangent_plane(Vec3 position, Vec3 normal) {
+TangentPlane tangent_plane(IN(View) view, Vec3 position, Vec3 normal) {
   TangentPlane p;
-  p.at = view_coordinates(u.shadow_view, position);
-  p.face = view_face(u.shadow_view, p.at);
-  p.q = in_face(u.shadow_view, p.at, p.face);
-  p.normal = in_face(u.shadow_view, transform_vector(u.shadow_view.from_scene, normal), p.face);
+  p.at = view_coordinates(view, position);
+  p.face = view_face(view, p.at);
+  p.q = in_face(view, p.at, p.face);
+  p.normal = in_face(view, transform_vector(view.from_scene, normal), p.face);
   return p;
 }
 

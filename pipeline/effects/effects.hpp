@@ -97,6 +97,8 @@ struct Branch {
 struct LightEffects {
   std::string lights_nothing;  // why its direct light falls on no receiver that the camera sees
   std::string all_around;      // why the light is drawn onto a cube
+  // Which way its caustic map looks, where its casters send its light behind it, or far aside; 0: towards them.
+  glm::dvec3 looks{0.0};
   std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
   int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
   glm::vec3 of_others{0.0f};   // lux or candela by which its caustic is brighter, as it stands for others'
@@ -110,6 +112,7 @@ struct FurtherShare {
   int mesh = 0;
   double share = 0.0;     // 0..1
   double of_light = 0.0;  // how much of the light's landed flux comes through this caster, 0..1
+  glm::dvec3 looks{0.0};  // LightEffects::looks
 };
 
 // What a light adds to the light on the casters (pipeline/measure/light_shares.hpp).

@@ -33,6 +33,8 @@ constexpr double kCascadedShare = 0.25;
 // What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the
 // ledger's kernel_edge has it.
 constexpr double kWidestMargin = 1.0;
+// Less of its light may land where a light's view of its casters does not show it.
+constexpr double kBeyond = 0.1;
 // The coarse run that looks for landings.
 constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
 
@@ -71,8 +73,11 @@ void fit_to_landings(LightViews& views, const std::vector<WeightedPoint>& points
   if (views.cascade && flat)
     set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin,
                shortest);
-  views.receiver.window_lower = glm::min(views.caustic.window_lower, views.caster.window_lower);
-  views.receiver.window_upper = glm::max(views.caustic.window_upper, views.caster.window_upper);
+  const bool apart = views.caustic.forward != views.caster.forward;
+  views.receiver.window_lower =
+      apart ? views.caustic.window_lower : glm::min(views.caustic.window_lower, views.caster.window_lower);
+  views.receiver.window_upper =
+      apart ? views.caustic.window_upper : glm::max(views.caustic.window_upper, views.caster.window_upper);
 }
 
 }  // namespace
@@ -133,6 +138,39 @@ class LandingScout {
 
 namespace {
 
+double flux_of(const LightLanding& landing) { return (landing.flux.x + landing.flux.y) + landing.flux.z; }
+
+// Would its widest window show a point?
+bool shows(const View& view, const glm::dvec3& p) {
+  const glm::dvec3 q = view.coordinates(p);
+  return std::max(std::fabs(q.x), std::fabs(q.y)) <= kWidestTangent * q.z;
+}
+
+// Of the light that lands, what share such a view does not show.
+double share_beyond(const View& view, const std::vector<LightLanding>& landings) {
+  double whole = 0.0, beyond = 0.0;
+  for (const LightLanding& landing : landings) {
+    whole += flux_of(landing);
+    if (!shows(view, landing.position)) beyond += flux_of(landing);
+  }
+  return whole > 0.0 ? beyond / whole : 0.0;
+}
+
+// Which way a light looks that shows more of where its light lands than the view of its casters does; 0: that
+// view shows it. Only light with a place can be sent where it does not look.
+glm::dvec3 way_to_landings(const Light& light, const View& caster, const std::vector<LightLanding>& landings) {
+  if (light.type == LightType::Directional || caster.cube) return glm::dvec3(0.0);
+  const double beyond = share_beyond(caster, landings);
+  if (beyond < kBeyond) return glm::dvec3(0.0);
+  glm::dvec3 sum(0.0);
+  for (const LightLanding& landing : landings)
+    sum += exact::normalise(landing.position - light.position, glm::dvec3(0.0)) * flux_of(landing);
+  const glm::dvec3 way = exact::normalise(sum, caster.forward);
+  View turned = view_along(light.position, way);
+  turned.perspective = true;
+  return share_beyond(turned, landings) < 0.5 * beyond ? way : glm::dvec3(0.0);
+}
+
 void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster, int step,
                 std::vector<FurtherShare>& shares) {
   struct Landed {
@@ -141,23 +179,31 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
   std::map<int, Landed> landed;
   double whole = 0.0;
   std::vector<LightLanding> landings;
+  std::vector<int> meshes;  // by landing: the caster that its light met first
   for (const LightRay& ray : pilot_rays(light, caster, step)) {
-    landings.clear();
     glm::dvec3 astray(0.0);
     const int mesh = paths.follow(ray, landings, &astray);
+    meshes.resize(landings.size(), mesh);
     if (const double flux = (astray.x + astray.y) + astray.z; flux > 0.0) {
       landed[mesh].all += flux;
       whole += flux;
     }
-    for (const LightLanding& landing : landings) {
-      const double flux = (landing.flux.x + landing.flux.y) + landing.flux.z;
-      landed[mesh].all += flux;
-      if (landing.followed) landed[mesh].simple += flux;
-      whole += flux;
-    }
+  }
+  const glm::dvec3 looks = way_to_landings(light, caster, landings);
+  for (std::size_t i = 0; i < landings.size(); ++i) {
+    const double flux = flux_of(landings[i]);
+    Landed& sum = landed[meshes[i]];
+    sum.all += flux;
+    if (landings[i].followed && (looks == glm::dvec3(0.0) || shows(caster, landings[i].position)))
+      sum.simple += flux;
+    whole += flux;
   }
   for (const auto& [mesh, sum] : landed)
-    shares.push_back({number, mesh, 1.0 - sum.simple / sum.all, sum.all / whole});
+    shares.push_back({.light = number,
+                      .mesh = mesh,
+                      .share = 1.0 - sum.simple / sum.all,
+                      .of_light = sum.all / whole,
+                      .looks = looks});
 }
 
 }  // namespace

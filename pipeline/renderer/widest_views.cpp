@@ -81,29 +81,40 @@ void cut_to_cone(Extents& casters, const View& axes, const Light& light) {
   }
 }
 
-LightExtents measure(const Scene& scene, const Effects& effects, int number) {
+// The axes of a light that looks at a point.
+View axes_towards(const Light& light, const glm::dvec3& target) {
+  View axes = view_along(light.position, exact::normalise(target - light.position, light.direction));
+  axes.perspective = true;
+  return axes;
+}
+
+// The light's own: towards the casters, or along its rays.
+View axes_of(const Scene& scene, const Effects& effects, const Light& light) {
+  const Bounds bounds = bounds_of(scene);
+  const double radius = std::max(bounds.radius(), 1e-9);
+  if (light.type == LightType::Directional)
+    return view_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
+  Bounds casters;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    if (is_caster(effects.surfaces[i].role) && light.emitter != static_cast<int>(i))
+      casters.add(bounds_of(scene.meshes[i]));
+  glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
+  // What an emitter turns away from it does not light.
+  if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
+    target = light.position + light.direction * radius;
+  View axes = axes_towards(light, target);
+  axes.near = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
+  return axes;
+}
+
+// `axes`: what lies nearer than its near plane is seen as if on it, at the widest angle.
+LightExtents measure(const Scene& scene, const Effects& effects, int number, const View& axes) {
   const Light& light = scene.lights[static_cast<std::size_t>(number)];
   LightExtents result;
-  const Bounds bounds = bounds_of(scene);
-  Bounds casters;
-  const auto shines = [&](std::size_t mesh) { return light.emitter == static_cast<int>(mesh); };
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (is_caster(effects.surfaces[i].role) && !shines(i)) casters.add(bounds_of(scene.meshes[i]));
-  const double radius = std::max(bounds.radius(), 1e-9);
-  double closest = 0.0;
-  if (light.type == LightType::Directional) {
-    result.axes = view_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
-  } else {
-    glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
-    // What an emitter turns away from it does not light.
-    if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
-      target = light.position + light.direction * radius;
-    result.axes = view_along(light.position, exact::normalise(target - light.position, light.direction));
-    result.axes.perspective = true;
-    closest = 1e-3 * std::max(exact::length(target - light.position), 1e-3 * radius);
-  }
+  result.axes = axes;
+  const double closest = axes.perspective ? axes.near : 0.0;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (shines(i)) continue;
+    if (light.emitter == static_cast<int>(i)) continue;
     const Extents extents = extents_of(scene.meshes[i], result.axes, closest);
     result.everything.add(extents);
     const Role role = effects.surfaces[i].role;
@@ -152,11 +163,31 @@ LightViews through_windows(const LightExtents& extents, const Effects& effects, 
 
 }  // namespace
 
+// The views of where the light lands look another way than that of the casters: everything may be there, and
+// nothing stands between the light and the casters.
+void turn_to_landings(LightViews& views, const LightExtents& turned) {
+  if (turned.receivers.empty()) return;
+  views.receiver = turned.axes;
+  set_window(views.receiver, {turned.receivers.lower, turned.receivers.upper}, 0.01);
+  set_depth(views.receiver, turned.receivers.nearest, turned.receivers.farthest, turned.everything.farthest);
+  views.caustic = views.receiver;
+  views.column = views.receiver;
+  views.casters_nearest = 0.0;
+}
+
 LightViews widest_views(const Scene& scene, const Effects& effects, const Settings& settings, int number) {
   const auto index = static_cast<std::size_t>(number);
   if (!effects.lights[index].all_around.empty())
     return views_all_around(scene, effects, settings, scene.lights[index]);
-  return through_windows(measure(scene, effects, number), effects, settings.grid);
+  const Light& light = scene.lights[index];
+  const View axes = axes_of(scene, effects, light);
+  LightViews views = through_windows(measure(scene, effects, number, axes), effects, settings.grid);
+  if (const glm::dvec3 looks = effects.lights[index].looks; looks != glm::dvec3(0.0)) {
+    View turned = axes_towards(light, light.position + looks);
+    turned.near = axes.near;
+    turn_to_landings(views, measure(scene, effects, number, turned));
+  }
+  return views;
 }
 
 }  // namespace caustics

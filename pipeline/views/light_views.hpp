@@ -6,7 +6,8 @@
 
 namespace caustics {
 
-// The views of one light. All share origin and axes; only the windows and depth ranges differ. All of them
+// The views of one light. All share their origin, and but for `receiver`, `caustic`, `cascade` and `column` of a
+// light that looks aside (LightEffects::looks) their axes; only the windows and depth ranges differ. All of them
 // are cubes, or none is.
 struct LightViews {
   View caster;    // on the casters: caster map, exit map
