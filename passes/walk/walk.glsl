@@ -48,8 +48,8 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/way_draw.glsl"
 #include "passes/shared/land_light.glsl"
 
-// The number that is drawn at a surface. Where both ways are followed, 4 x 4 vertices draw together, and their
-// light stays together.
+// The number that is drawn at a surface. Where both ways are followed 4 x 4 vertices draw together, and their
+// rays stay near one another.
 Float draw_at(int surface, Float before, Int column, Int row) {
   Float draw = next_draw(before);
   if (surface == 1) draw = first_draw(floor(Float(column) * 0.25f), floor(Float(row) * 0.25f));

@@ -59,9 +59,10 @@ struct Bench {
          .height = side,
          .uniforms = uniform_bytes(u),
          .textures = {filled(side, side, {0.5f, 1.0f, 0.25f, 1.0f}), filled(side, side, {normal, 0.0f}),
-                      filled(side, side, {1.0f, 0.0f, 0.0f, 0.0f}), caster_materials({material, {.mirror = true}}),
-                      tables.nodes, tables.triangles, tables.normals, Image(Format::RGBA32F, 1, 1),
-                      Image(Format::RGBA32F, 1, 1), second_surface}});
+                      filled(side, side, {1.0f, 0.0f, 0.0f, 0.0f}),
+                      caster_materials({material, {.mirror = true}}), tables.nodes, tables.triangles,
+                      tables.normals, Image(Format::RGBA32F, 1, 1), Image(Format::RGBA32F, 1, 1),
+                      second_surface}});
   }
 };
 
@@ -219,7 +220,8 @@ TEST_CASE("walk: drawn light is as wide as it is seldom") {
 }
 
 TEST_CASE("walk: of light that goes where another branch's goes, nothing is drawn") {
-  // At the first vertex the smallest number is drawn: mirrored where both ways are followed, so that it goes up.
+  // At the first vertex the smallest number is drawn: mirrored where both ways are followed, so that it goes
+  // up.
   Bench bench;
   bench.draws = true;
   const PassImages out = bench.run();

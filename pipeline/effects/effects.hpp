@@ -72,8 +72,8 @@ struct Expectation {
 struct Branch {
   std::string name;        // "" where there is one branch only; "656nm", "reflected"
   bool reflected = false;  // what dielectrics mirror at their first surface, instead of what they let in
-  // Of light that is followed from surface to surface: where it is mirrored, instead of let through; 0: nowhere.
-  // Behind that surface it takes the stronger way at each.
+  // Of light that is followed from surface to surface: where it is mirrored, instead of let through; 0:
+  // nowhere. Behind that surface it takes the stronger way at each.
   int mirrored_at = 0;
   // What the others leave behind: of each vertex' light one way is drawn, which parts from theirs.
   bool drawn = false;
@@ -97,11 +97,12 @@ struct Branch {
 struct LightEffects {
   std::string lights_nothing;  // why its direct light falls on no receiver that the camera sees
   std::string all_around;      // why the light is drawn onto a cube
-  // Which way its caustic map looks, where its casters send its light behind it, or far aside; 0: towards them.
+  // Which way its caustic map looks, where its casters send its light behind it, or far aside; 0: towards
+  // them.
   glm::dvec3 looks{0.0};
-  std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
-  int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
-  glm::vec3 of_others{0.0f};   // lux or candela by which its caustic is brighter, as it stands for others'
+  std::string cascade;        // why its caustic has a finer second map; known once a pilot has run
+  int divide = 1;             // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
+  glm::vec3 of_others{0.0f};  // lux or candela by which its caustic is brighter, as it stands for others'
   bool casters_shadow = false;  // it throws no caustic that would tell their shadow: its shadow map has them
 };
 

@@ -17,14 +17,16 @@ bool any_refractor(const Effects& effects) {
                      [](const SurfaceRole& surface) { return surface.role == Role::Refractor; });
 }
 
-// Those that part from a branch by being mirrored, the last surface first, and what all of these leave behind.
-void add_parted(const Branch& through, int splits, std::vector<Branch>& branches) {
+// Those that part from a branch by being mirrored, the last surface first, and what all of these leave
+// behind.
+void add_parted(const Branch& through, int splits, bool drawn, std::vector<Branch>& branches) {
   const std::string before = through.name.empty() ? "" : through.name + " ";
   for (int surface = splits; surface > 0; --surface) {
     branches.push_back(through);
     branches.back().name = before + "mirrored " + std::to_string(surface);
     branches.back().mirrored_at = surface;
   }
+  if (!drawn) return;
   branches.push_back(through);
   branches.back().name = before + "drawn";
   branches.back().drawn = true;
@@ -82,7 +84,7 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   for (const Branch& branch : effects.branches)
     if (!branch.reflected) {
       branches.push_back(branch);
-      if (parts) add_parted(branch, std::min(settings.splits, settings.bounces), branches);
+      if (parts) add_parted(branch, std::min(settings.splits, settings.bounces), settings.drawn, branches);
     }
   effects.branches = std::move(branches);
   return effects;

@@ -45,7 +45,8 @@ std::string why_not(const Settings& settings, Effects effects = {}) {
 
 }  // namespace
 
-TEST_CASE("further surfaces: at each surface where light parts a branch is mirrored, and one draws the rest") {
+TEST_CASE(
+    "further surfaces: at each surface where light parts a branch is mirrored, and one draws the rest") {
   for (int splits = 0; splits <= 4; ++splits) {
     const Effects effects = followed(splits);
     REQUIRE(effects.branches.size() == static_cast<std::size_t>(splits) + 2);
@@ -64,6 +65,13 @@ TEST_CASE("further surfaces: at each surface where light parts a branch is mirro
   }
 }
 
+TEST_CASE("further surfaces: nothing is drawn where it is not wanted") {
+  Settings settings;
+  settings.drawn = false;
+  CHECK(names_of(with_further_surfaces(of_glass(), settings, kHalf)) ==
+        std::vector<std::string>{"", "mirrored 2", "mirrored 1"});
+}
+
 TEST_CASE("further surfaces: light that mirrors alone send on never parts") {
   Effects effects;
   effects.branches = {{}};
@@ -78,7 +86,8 @@ TEST_CASE("further surfaces: light parts at no more surfaces than it is followed
   CHECK(with_further_surfaces(of_glass(), settings, kHalf).branches.size() == 4);
 }
 
-TEST_CASE("further surfaces: branches are named after the surface that mirrors them, the last to part first") {
+TEST_CASE(
+    "further surfaces: branches are named after the surface that mirrors them, the last to part first") {
   CHECK(names_of(followed(0)) == std::vector<std::string>{"", "drawn"});
   CHECK(names_of(followed(1)) == std::vector<std::string>{"", "mirrored 1", "drawn"});
   CHECK(names_of(followed(3)) ==
@@ -88,9 +97,8 @@ TEST_CASE("further surfaces: branches are named after the surface that mirrors t
 TEST_CASE("further surfaces: each wavelength has branches of its own, with its index and its colour") {
   const Effects effects = followed(1, with_branches({{.name = "486.1nm", .bend = 1.0, .color = {0, 0, 1}},
                                                      {.name = "656.3nm", .bend = -1.0, .color = {1, 1, 0}}}));
-  CHECK(names_of(effects) ==
-        std::vector<std::string>{"486.1nm", "486.1nm mirrored 1", "486.1nm drawn", "656.3nm",
-                                 "656.3nm mirrored 1", "656.3nm drawn"});
+  CHECK(names_of(effects) == std::vector<std::string>{"486.1nm", "486.1nm mirrored 1", "486.1nm drawn",
+                                                      "656.3nm", "656.3nm mirrored 1", "656.3nm drawn"});
   CHECK(effects.branches[1].bend == 1.0);
   CHECK(effects.branches[2].color == glm::vec3(0, 0, 1));
   CHECK(effects.branches[5].bend == -1.0);
@@ -100,7 +108,8 @@ TEST_CASE("further surfaces: each wavelength has branches of its own, with its i
 
 TEST_CASE("further surfaces: they take the place of what glass mirrors at its first surface") {
   const Branch reflected{.name = "reflected", .reflected = true};
-  CHECK(names_of(followed(1, with_branches({{}, reflected}))) == std::vector<std::string>{"", "mirrored 1", "drawn"});
+  CHECK(names_of(followed(1, with_branches({{}, reflected}))) ==
+        std::vector<std::string>{"", "mirrored 1", "drawn"});
   CHECK(names_of(followed(0, with_branches({{}, reflected}))) == std::vector<std::string>{"", "drawn"});
 }
 

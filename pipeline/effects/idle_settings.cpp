@@ -71,6 +71,7 @@ struct Row {
 constexpr Row kRows[] = {{"further.share", no_share},
                          {"bounces", no_further_surfaces},
                          {"splits", no_further_surfaces},
+                         {"drawn", no_further_surfaces},
                          {"least_share", no_further_surfaces},
                          {"grid", no_caustic},
                          {"map", no_caustic},

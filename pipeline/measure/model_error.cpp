@@ -42,6 +42,7 @@ void ModelError::add(const Sample& sample) {
   const double wanted = std::max(1.0, static_cast<double>(rays_) / sample.samples);
   int step = 1;
   while (static_cast<double>(covered) > wanted * step * step) ++step;
+  for (const BranchImages& images : sample.branches) any_drawn_ = any_drawn_ || images.branch.drawn;
   least_step_ = least_step_ == 0 ? step : std::min(least_step_, step);
   for (int y = step / 2; y < landing.height(); y += step)
     for (int x = step / 2; x < landing.width(); x += step)
@@ -144,8 +145,8 @@ void ModelError::complete(ErrorEstimate& estimate) const {
   estimate.judged = true;
   if (!(landed_ > 0.0)) return;
   // |surplus| summed over the blocks is too much, by the noise of few rays. The signs that one half of the
-  // rays gives, put to the other half's surplus, sum to too little. The truth lies between; where light is
-  // followed, most of the noise is that of ways that are drawn, which all vertices together have less of.
+  // rays gives, put to the other half's surplus, sum to too little. The truth lies between; where ways are
+  // drawn most of the noise is theirs, and all vertices together have less of it.
   const std::vector<double> signs_a = signs(surplus_[0]), signs_b = signs(surplus_[1]);
   double most = 0.0, least = 0.0;
   for (std::size_t i = 0; i < signs_a.size(); ++i) {
@@ -156,7 +157,7 @@ void ModelError::complete(ErrorEstimate& estimate) const {
   least = std::clamp(least, 0.0, most);
   estimate.landed = landed_;
   const double whole = lit_ > 0.0 ? landed_ / lit_ : 0.0;
-  const double of_noise = paths_.followed_by_passes() ? 1.0 / std::max(least_step_, 2) : 0.5;
+  const double of_noise = any_drawn_ ? 1.0 / std::max(least_step_, 2) : 0.5;
   estimate.sampling = of_noise * (most - least) * whole;
   estimate.model = least * whole + estimate.sampling;
   estimate.missing = lost_ * whole;

@@ -50,6 +50,7 @@ class ModelError {
   const LightPaths& paths_;
   const PictureBlocks& blocks_;
   int rays_;
+  bool any_drawn_ = false;
   int least_step_ = 0;  // between the vertices that are judged, along both sides of the grid
   // Of rays in turn, three a block: what the frame has more of than light.
   std::vector<double> surplus_[2];

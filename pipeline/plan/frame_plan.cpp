@@ -127,8 +127,7 @@ class Planner {
     const Branch& own = effects_.branches[static_cast<std::size_t>(branch)];
     for (std::size_t b = 0; own.has_same_start() && b < effects_.branches.size(); ++b) {
       const Branch& other = effects_.branches[b];
-      if (other.leads() && other.bend == own.bend && other.color == own.color)
-        return static_cast<int>(b);
+      if (other.leads() && other.bend == own.bend && other.color == own.color) return static_cast<int>(b);
     }
     return -1;
   }

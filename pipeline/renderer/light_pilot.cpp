@@ -158,7 +158,8 @@ double share_beyond(const View& view, const std::vector<LightLanding>& landings)
 
 // Which way a light looks that shows more of where its light lands than the view of its casters does; 0: that
 // view shows it. Only light with a place can be sent where it does not look.
-glm::dvec3 way_to_landings(const Light& light, const View& caster, const std::vector<LightLanding>& landings) {
+glm::dvec3 way_to_landings(const Light& light, const View& caster,
+                           const std::vector<LightLanding>& landings) {
   if (light.type == LightType::Directional || caster.cube) return glm::dvec3(0.0);
   const double beyond = share_beyond(caster, landings);
   if (beyond < kBeyond) return glm::dvec3(0.0);

@@ -249,6 +249,8 @@ constexpr Setting kTable[] = {
     number<&S::bounces>("bounces", Part::Maps, {2, 64}, "surfaces that light is followed through at most"),
     number<&S::splits>("splits", Part::Maps, {0, 4},
                        "surfaces at which light is followed both ways, mirrored and let through"),
+    choice<&S::drawn, kAutoOff>("drawn", Part::Maps,
+                                "light that goes other ways is followed by ways that are drawn, with grain"),
     number<&S::least_share>("least_share", Part::Maps, {0, 0.5},
                             "share of a ray's light below which it is followed no further"),
     choice<&S::shared_views, kViews>("views", Part::Maps,

@@ -61,6 +61,7 @@ struct Settings {
   bool reflections = false;
   float further_share = 0.03f;
   int bounces = 32, splits = 2;
+  bool drawn = true;
   float least_share = 1e-3f;
   bool shared_views = false;
   Cube cube = Cube::Auto;

@@ -6,9 +6,9 @@
 
 namespace caustics {
 
-// The views of one light. All share their origin, and but for `receiver`, `caustic`, `cascade` and `column` of a
-// light that looks aside (LightEffects::looks) their axes; only the windows and depth ranges differ. All of them
-// are cubes, or none is.
+// The views of one light. All share their origin, and but for `receiver`, `caustic`, `cascade` and `column`
+// of a light that looks aside (LightEffects::looks) their axes; only the windows and depth ranges differ. All
+// of them are cubes, or none is.
 struct LightViews {
   View caster;    // on the casters: caster map, exit map
   View receiver;  // from the casters to where their light lands: receiver map

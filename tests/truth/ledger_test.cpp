@@ -27,6 +27,17 @@ TEST_CASE("ledger: everything that entered a sphere is in the map or in a named 
   }
 }
 
+TEST_CASE("ledger: it closes where ways are drawn, and they add up to what other branches leave behind") {
+  Scene scene = sphere_scene(1.5f);
+  scene.meshes.push_back(box({-0.6, 0.3, -0.6}, {0.6, 0.35, 0.6}, 1));
+  Settings settings = small_settings(128, 128, 16);
+  settings.further_share = 0.0f;
+  settings.splits = 0;
+  const Ledger l = ledger(scene, settings);
+  CHECK(l.residual() < 1e-5);
+  CHECK(std::fabs(l.fresnel[0]) < 0.005 * l.entered[0]);
+}
+
 TEST_CASE("ledger: it closes over all wavelengths, and they enter as white") {
   Scene scene = sphere_scene(1.5f);
   scene.materials[1].dispersion = 0.7f;
