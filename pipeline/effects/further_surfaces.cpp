@@ -78,7 +78,8 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
                   (active ? "more than " : "no more than ") + limit};
   if (!active) return effects;
   for (const FurtherShare& found : effects.further_shares)
-    effects.lights[static_cast<std::size_t>(found.light)].looks = found.looks;
+    if (found.looks != glm::dvec3(0.0))
+      effects.lights[static_cast<std::size_t>(found.light)].looks = found.looks;
   std::vector<Branch> branches;
   const bool parts = any_refractor(effects);
   for (const Branch& branch : effects.branches)

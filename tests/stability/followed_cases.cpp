@@ -17,8 +17,8 @@ glm::dvec3 off_vertical(double degrees) {
   return {std::sin(degrees * kDegree), -std::cos(degrees * kDegree), 0.0};
 }
 
-// Bodies of glass over a floor of 4 x 4 m; every light is followed, and nothing is drawn, so that shares can be
-// compared without grain.
+// Bodies of glass over a floor of 4 x 4 m; every light is followed, and nothing is drawn, so that shares can
+// be compared without grain.
 HardCase followed(const std::string& name, const std::string& behaviour, std::vector<Mesh> bodies,
                   const Light& light = sun({0.0, -1.0, 0.0}, 1.0f)) {
   HardCase c{name, behaviour, {}};
