@@ -155,10 +155,10 @@ std::vector<std::uint64_t> ledgers_bytes(const FramePlan& plan, std::size_t ligh
 }
 
 // Of the textures of a branch's rays the software device touches no page where no caster is: of the window
-// around a ball it covers pi / 4.
+// around a ball that covers pi / 4, and pages at its edge are whole.
 std::uint64_t touched_bytes(const PlannedPass& pass, const TextureMemory& memory,
                             const DeviceMemory& device) {
-  constexpr double kCovered = 0.785;
+  constexpr double kCovered = 0.9;
   const std::uint64_t whole = float_bytes(memory);
   if (device.copies_looks || pass.branch < 0) return whole;
   return static_cast<std::uint64_t>(kCovered * static_cast<double>(whole));

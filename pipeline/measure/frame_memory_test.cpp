@@ -85,10 +85,10 @@ TEST_CASE("frame memory: a device that copies what is looked at takes a ledger's
                           .taken = {}});
   };
   DeviceMemory device{.draw = [](const PassDefinition&, std::size_t, std::size_t) { return std::size_t{0}; }};
-  // Of the branches' four textures pages are touched where a ball covers its window: 1,256 of 1,600 bytes.
-  CHECK(needed(device) == 1600 + 4 * 1256);
+  // Of the branches' four textures pages are touched where a ball covers its window: 1,440 of 1,600 bytes.
+  CHECK(needed(device) == 1600 + 4 * 1440);
   device.driver = 1000;
-  CHECK(needed(device) == 1600 + 4 * 1256 + 1000);
+  CHECK(needed(device) == 1600 + 4 * 1440 + 1000);
   // The map, both textures of one branch, and both landings.
   device.copies_looks = true;
   CHECK(needed(device) == 10 * 1600 + 1000);
