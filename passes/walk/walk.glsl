@@ -115,7 +115,7 @@ void main() {
     Bool searches = goes && !bent.ends && !has_hit;
     Vec4 hit = Vec4(0.0f);
     if (any_lane(searches)) hit = hit_ahead(here.path.ray, here.path.own, here.path.media, searches);
-    if (surface == 1) hit = sel(has_hit, texel_fetch(second_surface, column, row), hit);
+    if (any_lane(has_hit)) hit = sel(has_hit, texel_fetch(second_surface, column, row), hit);
     if (surface == 1) second_hit = sel(goes, hit, Vec4(0.0f));
     under_way = goes && is_on_caster(hit) && surface < u.bounces;
     Bool ends = goes && !under_way && here.path.parted && surface >= u.mirrored_at;
