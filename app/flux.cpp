@@ -112,7 +112,8 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
 std::string why_not_judged(const RenderedFrame& frame) {
   if (!frame.has(kViewPosition)) return "the picture has no view of the caustics";
   if (frame.settings().weights == Weights::Paper) return "the paper's weights are not those of light";
-  if (frame.effects().rough_glass.active) return "rays through the triangles do not meet microfacets";
+  if (frame.effects().rough_glass.active && !frame.effects().further_surfaces.active)
+    return "two rough surfaces draw their microfacets otherwise than rays do";
   const std::string beyond = not_in_triangles(frame.scene(), frame.effects());
   return beyond.empty() ? "" : "rays through the triangles do not show " + beyond;
 }

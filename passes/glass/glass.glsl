@@ -111,7 +111,7 @@ Vec3 spread_radiance(IN(Ray) ray, IN(Met) middle, Float width, Bool mirrored) {
   Vec3 sum = Vec3(0.0f);
   for (int i = 0; i < 16; i++) {
     Float turn = noise + float(i) * 0.618033989f;
-    Vec2 slope = facet_slope(Float((float(i) + 0.5f) / 16.0f), turn) * width;
+    Vec2 slope = facet_slope(min_of(Float((float(i) + 0.5f) / 16.0f), 0.95f), turn) * width;
     Vec3 d = normalize_or(ray.direction + axes.x * slope.x + axes.y * slope.y, ray.direction);
     Crossing box = cross_receivers(ray_from(ray.start, d));
     Vec3 p = ray.start + d * sel(middle.surface, middle.distance, box.leaves);

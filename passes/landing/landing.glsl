@@ -103,8 +103,9 @@ Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
   Float x = Float(column) / period;
   Float y = Float(row) / period;
   Vec4 facets = Vec4(u.facets);
-  Vec2 entry = facet_slope(folded(x + facets.x), y + facets.y);
-  Vec2 exit = facet_slope(folded(y + facets.z), x + facets.w);
+  // The steepest 5 % are taken for the least of them: cells would be large.
+  Vec2 entry = facet_slope(min_of(folded(x + facets.x), 0.95f), y + facets.y);
+  Vec2 exit = facet_slope(min_of(folded(y + facets.z), 0.95f), x + facets.w);
   return sel(leaves, exit, entry) * width;
 }
 

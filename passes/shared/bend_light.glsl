@@ -1,5 +1,5 @@
-// Bends light at a caster's surface. Needs absorption.glsl, light_path.glsl, surface.glsl, and the
-// uniforms bend, draws and least_share.
+// Bends light at a caster's surface. Needs absorption.glsl, light_path.glsl, microfacets.glsl, surface.glsl,
+// and the uniforms bend, draws, has_rough, least_share and rough_from.
 
 // At one surface of a branch's way.
 struct Turn {
@@ -7,6 +7,8 @@ struct Turn {
   Bool mirrored;   // this is that branch
   Float drawn;     // of the branch that draws: between 0 and 1,
   Float chance;    // and how often it parts here from the others at least
+  Float facet;     // of rough glass: a whole number for the microfacet that the light meets,
+  Vec2 slope;      // and how that leans, of width 1
 };
 
 // Light behind the surface, and what stays there.
@@ -96,11 +98,11 @@ Vec3 spread_behind(IN(LightPath) path, IN(Surface) surface, Bool is_mirrored, Ve
   return sel(is_mirrored, back, through);
 }
 
-// The path with what it meets here: a body and an event.
-Float path_with(Float path, Float body, IN(Surface) surface, Bool is_mirrored) {
+// The path with what it meets here: a body and an event; and a microfacet, which none of its neighbours meets.
+Float path_with(Float path, Float body, IN(Surface) surface, Bool is_mirrored, Float facet) {
   Float event = sel(surface.both.passes, Float(EVENT_PASSES),
                     sel(is_mirrored, Float(EVENT_MIRRORED), Float(EVENT_CROSSES)));
-  Float longer = path * 251.0f + (body * 4.0f + event);
+  Float longer = path * 251.0f + ((body * 4.0f + event) + facet);
   return longer - 65521.0f * floor(longer / 65521.0f);
 }
 
@@ -116,6 +118,21 @@ Vec3 arrive(INOUT(LightPath) path, IN(Meeting) at) {
   return before - path.flux;
 }
 
+// Microfacets spread light. Of their width one part is drawn vertex by vertex, the other is given to footprints,
+// so that these overlie each other many times: sides of 1.25 widths and slopes of 0.85 spread light about as far
+// as all slopes do. It is added the way in which the light is wide.
+void spread_by_facets(INOUT(LightPath) path, IN(Surface) surface, Bool like_a_mirror, Float width) {
+  Vec3 n = surface.normal;
+  Float ci = surface.bent.cosine;
+  Float ct = sqrt(max_of(transmitted_cosine_squared(surface.eta, ci), 0.0f));
+  Float turned = sel(like_a_mirror, 2.0f * ci, abs(ct - surface.eta * ci)) * (width * 1.0f);
+  AxesAcross axes = axes_across(n);
+  Vec3 x = normalize_or(path.width_x - n * dot3(path.width_x, n), axes.x);
+  Vec3 y = cross3(n, x);
+  path.spread_x = path.spread_x + x * turned;
+  path.spread_y = path.spread_y + sel(dot3(y, path.width_y) < 0.0f, -y, y) * turned;
+}
+
 void turn_differential(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle) triangle,
                        IN(Surface) surface, Bool is_mirrored) {
   Vec3 turn_x = normal_turn(triangle, at, path.width_x);
@@ -129,20 +146,61 @@ void turn_differential(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle)
   path.spread_y = sel(surface.both.passes, path.spread_y, spread_y);
 }
 
+// Of the slopes of rough glass' microfacets; 0: it is smooth.
+Float width_of_facets(IN(Material) material, IN(Meeting) at) {
+  Bool rough = material.roughness > u.rough_from && !material.mirror && !at.hole;
+  return sel(rough, material.roughness * material.roughness, Float(0.0f));
+}
+
+// Of a rough wall without thickness the surface lets light pass straight, spread by its facets.
+void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Vec3 normal) {
+  Refraction wall = through_wall(direction, normal, surface.normal, material.ior);
+  Bool thin = material.thin && !surface.both.passes;
+  surface.bent = either(thin, wall, surface.bent);
+  surface.eta = sel(thin, Float(1.0f), surface.eta);
+  surface.total = surface.total && !thin;
+  surface.one_way = surface.one_way && !thin;
+  surface.mirrored = sel(thin, wall.reflectance * material.fresnel, surface.mirrored);
+}
+
 BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) triangle,
                      IN(Material) material, IN(Turn) turn) {
   BentLight bent;
   bent.path = before;
   Vec3 taken = arrive(bent.path, at);
   Vec3 from = before.ray.direction;
-  Surface surface = surface_at(from, at, interface_at(before.media, at, triangle, material), material);
+  Float width = Float(0.0f);
+  Meeting facet = at;
+  if (u.has_rough != 0) {
+    width = width_of_facets(material, at);
+    facet.outward = facet_normal(at.outward, turn.slope * width);
+  }
+  Surface surface =
+      surface_at(from, facet, interface_at(before.media, at, triangle, material), material);
+  Vec3 smooth_normal = surface.normal;
+  if (u.has_rough != 0) {
+    smooth_normal = facing_normal(at.outward, from, !at.front);
+    if (any_lane(material.thin)) make_wall(surface, material, from, smooth_normal);
+  }
   Way way = way_of(bent.path, surface, material, turn);
   if (u.draws != 0) way = drawn_way(surface, material, turn, bent.path);
   turn_differential(bent.path, at, triangle, surface, way.is_mirrored);
+  if (u.has_rough != 0)
+    spread_by_facets(bent.path, surface, way.is_mirrored || material.thin, width);
   bent.path.ray.direction = direction_behind(surface, from, way.is_mirrored);
   bent.path.flux = way.flux * color_behind(surface, material, way.is_mirrored);
+  Float met = Float(0.0f);
+  if (u.has_rough != 0) {
+    Bool rough = width > 0.0f;
+    Float sent = facet_weight(from, bent.path.ray.direction, smooth_normal, surface.normal, width);
+    // What a facet sends through the surface's wrong side meets another facet there, and counts as masked.
+    Bool masked = strays(bent.path.ray.direction, at, from, way.is_mirrored);
+    sent = sel(masked, Float(0.0f), sent);
+    bent.path.flux = bent.path.flux * sel(rough, sent, Float(1.0f));
+    met = sel(rough, turn.facet, met);
+  }
   bent.path.media = sel(way.is_mirrored, before.media, surface.both.media);
-  bent.path.path = path_with(before.path, triangle.body, surface, way.is_mirrored);
+  bent.path.path = path_with(before.path, triangle.body, surface, way.is_mirrored, met);
   keep_across(bent.path);
   Float left = max_of(max_of(bent.path.flux.x, bent.path.flux.y), bent.path.flux.z);
   Bool astray = strays(bent.path.ray.direction, at, from, way.is_mirrored);

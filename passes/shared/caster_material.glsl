@@ -10,7 +10,8 @@ struct Material {
   Vec3 absorption;   // per metre
   Float roughness;
   Vec3 color;        // what is left of what glass lets through; what metal mirrors at normal incidence
-  Float transmitted; // share of what glass does not mirror that goes through it
+  Float transmitted; // share of what glass does not mirror that goes through it; of what metal mirrors at
+                     // normal incidence that its base colour does not tint
 };
 
 Int material_row(Vec4 normal_texel) { return floor_to_int(normal_texel.w + 0.5f); }

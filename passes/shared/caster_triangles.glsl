@@ -41,6 +41,7 @@ struct Meeting {
   Bool front;     // the ray comes from outside
   Float number;   // of the triangle
   Float stretch;  // metres since the last surface
+  Bool hole;      // an alpha mask has cut the surface out here
 };
 
 Meeting meeting_at(IN(CasterTriangle) triangle, Vec4 hit, Vec3 direction) {
@@ -52,6 +53,7 @@ Meeting meeting_at(IN(CasterTriangle) triangle, Vec4 hit, Vec3 direction) {
   at.front = dot3(at.plane, direction) < 0.0f;
   at.number = hit.w - 1.0f;
   at.stretch = hit.z;
+  at.hole = Bool(false);
   return at;
 }
 

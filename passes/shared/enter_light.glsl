@@ -57,6 +57,7 @@ Arrival arrival_at(Int column, Int row) {
   arrival.at.front = !is_back_face(position);
   arrival.at.number = number;
   arrival.at.stretch = Float(0.0f);
+  arrival.at.hole = Bool(false);
   Incident light = light_onto(cell, arrival.at.point);
   if (u.is_tinted != 0) light.flux = light.flux * texel_fetch(reaching, column, row).x;
   arrival.path.ray = ray_from(arrival.at.point, light.direction);

@@ -1,5 +1,6 @@
 // What passes read that follow light or sight from surface to surface.
 #pragma once
+#include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/plan/pass.hpp"
 
 namespace caustics {
@@ -8,6 +9,13 @@ inline constexpr Read kReadHierarchyNodes{.name = kHierarchyNodes,
                                           .meaning = "boxes around the casters' and receivers' triangles"};
 inline constexpr Read kReadHierarchyTriangles{.name = kHierarchyTriangles,
                                               .meaning = "their corners, numbers, materials and bodies"};
-inline constexpr Read kReadHierarchyNormals{.name = kHierarchyNormals, .meaning = "their normals, by number"};
+inline constexpr Read kReadHierarchyNormals{.name = kHierarchyNormals,
+                                            .meaning = "their normals, by number; texture coordinates"};
+
+inline constexpr Read kReadCasterTexels{
+    .name = kCasterTexels, .meaning = "the pictures on casters, side by side", .optional = true};
+
+inline int has_textures(const PassContext& context) { return walks_textures(*context.effects) ? 1 : 0; }
+inline constexpr Choice kHasTextures{"has_textures", has_textures};
 
 }  // namespace caustics

@@ -6,7 +6,7 @@ struct Interface {
   Float before;
   Float behind;
   Vec4 media;
-  Bool passes;    // nothing bends it: a second skin of a body that the light is in
+  Bool passes;    // nothing bends it: a second skin of a body that the light is in, or a hole
   Bool overflow;  // it enters more bodies than are remembered
   Bool tints;     // light that crosses here has the body's colour from now on
 };
@@ -17,9 +17,10 @@ Interface interface_at(Vec4 media, IN(Meeting) at, IN(CasterTriangle) triangle, 
   Vec4 left = without_body(media, triangle.body);
   Vec4 entered = sel(within, with_body_again(media, triangle.body), with_body(media, triangle.body));
   Interface both;
-  both.media = sel(at.front, entered, left);
-  both.passes = within && (at.front || is_in_body(left, triangle.body));
-  both.overflow = at.front && !within && is_full(media);
+  Bool stays = at.hole || material.thin;
+  both.media = sel(stays, media, sel(at.front, entered, left));
+  both.passes = at.hole || (within && (at.front || is_in_body(left, triangle.body)));
+  both.overflow = at.front && !within && !stays && is_full(media);
   both.tints = at.front || !within;
   Float here = index_of(media);
   // Light that comes from inside without having entered began there.

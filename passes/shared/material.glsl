@@ -9,11 +9,11 @@ struct TexelPair {
 };
 
 // `place`: on the picture, 0..1.
-TexelPair texels_around(Int side, Float place, int mode) {
+TexelPair texels_around(Int side, Float place, Int mode) {
   Float x = place * Float(side) - 0.5f;
   Int first = floor_to_int(x);
   // Mirrored, a border lies beside itself, as where it is clamped.
-  Bool repeats = Bool(mode == WRAP_REPEAT);
+  Bool repeats = mode == WRAP_REPEAT;
   TexelPair r;
   r.between = clamp_to(x - Float(first), 0.0f, 1.0f);
   r.a = sel(first < 0, sel(repeats, side - 1, Int(0)), first);
@@ -31,8 +31,8 @@ Vec4 fetch_around(Texture t, IN(TexelPair) columns, IN(TexelPair) rows, Int x, I
 }
 
 Vec4 fetch_between(Texture t, IN(TextureTransform) how, Vec2 place) {
-  TexelPair columns = texels_around(Int(texture_width(t)), place.x, how.wrap_u);
-  TexelPair rows = texels_around(Int(texture_height(t)), place.y, how.wrap_v);
+  TexelPair columns = texels_around(Int(texture_width(t)), place.x, Int(how.wrap_u));
+  TexelPair rows = texels_around(Int(texture_height(t)), place.y, Int(how.wrap_v));
   return fetch_around(t, columns, rows, Int(0), Int(0));
 }
 

@@ -12,11 +12,9 @@ Float wave(Float x) {
   return sel(t < 1.0f, above, below);
 }
 
-// A slope of width 1: `share` of all are less steep, the steepest 5 % taken for the least of them; `turn`:
-// which way, 0..1.
+// A slope of width 1: `share` of all, less than 1, are less steep; `turn`: which way, 0..1.
 Vec2 facet_slope(Float share, Float turn) {
-  Float s = min_of(share, 0.95f);
-  Float steepness = sqrt(s / (1.0f - s));
+  Float steepness = sqrt(share / (1.0f - share));
   Vec2 way = Vec2(wave(turn + 0.25f), wave(turn));
   return way * (steepness / sqrt(dot2(way, way)));
 }

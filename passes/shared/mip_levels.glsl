@@ -15,8 +15,8 @@ Int level_side(int side, Int level) {
 
 // `place`: on the picture, 0..1.
 Vec4 fetch_finest(Texture t, IN(SurfaceTexture) use, Vec2 place) {
-  TexelPair columns = texels_around(Int(texture_width(t)), place.x, use.uv.wrap_u);
-  TexelPair rows = texels_around(Int(texture_height(t)), place.y, use.uv.wrap_v);
+  TexelPair columns = texels_around(Int(texture_width(t)), place.x, Int(use.uv.wrap_u));
+  TexelPair rows = texels_around(Int(texture_height(t)), place.y, Int(use.uv.wrap_v));
   if (use.uv.nearest != 0) {
     columns.between = floor(columns.between + 0.5f);
     rows.between = floor(rows.between + 0.5f);
@@ -35,8 +35,8 @@ Vec4 fetch_level(Texture t, Texture coarser, IN(SurfaceTexture) use, Int level, 
     Int y = Int(0);
     for (int k = 2; any_lane(level > k); k++)
       y = y + sel(level > k, level_side(texture_height(t), Int(k)), Int(0));
-    TexelPair columns = texels_around(width, place.x, use.uv.wrap_u);
-    TexelPair rows = texels_around(height, place.y, use.uv.wrap_v);
+    TexelPair columns = texels_around(width, place.x, Int(use.uv.wrap_u));
+    TexelPair rows = texels_around(height, place.y, Int(use.uv.wrap_v));
     texel = sel(finest, texel, fetch_around(coarser, columns, rows, x, y));
   }
   return texel;

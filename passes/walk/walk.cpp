@@ -26,6 +26,8 @@ std140::Walk walk_uniforms(const PassContext& context) {
   block.most_steps = most_steps(context.settings->bounces);
   block.first_receiver = context.first_receiver;
   block.touch = context.touch;
+  block.rough_from = context.settings->glass_roughness;
+  block.first_uv = context.first_uv;
   return block;
 }
 
@@ -60,7 +62,8 @@ Pass walk_pass() {
                  .meaning = "what light meets second, as a branch has found it that comes there alike",
                  .texture = "second_hit",
                  .optional = true,
-                 .of_same_start = true}},
+                 .of_same_start = true},
+                kReadCasterTexels},
       .writes =
           {{.name = kLanding, .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
            {.name = kLandingFlux,
@@ -85,7 +88,9 @@ Pass walk_pass() {
                   {"can_be_hidden",
                    [](const PassContext& c) { return c.effects->receivers_are_one_plane ? 0 : 1; }},
                   {"draws", [](const PassContext& c) { return c.branch->drawn ? 1 : 0; }},
-                  {"reads_hit", reads_hit}},
+                  {"reads_hit", reads_hit},
+                  kHasTextures,
+                  {"has_rough", chosen_by<&Effects::rough_glass>}},
   };
 }
 

@@ -1,5 +1,6 @@
 // Light's whole way on one branch, from its first surface to its landing. walk.md explains.
 #include "passes/shared/light_cone.glsl"
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/walk/walk_uniforms.glsl"
 UNIFORMS_END
@@ -13,6 +14,7 @@ TEXTURE(6, hierarchy_normals)
 TEXTURE(7, reaching)
 TEXTURE(8, receiver_position)
 TEXTURE(9, second_surface)
+TEXTURE(10, caster_texels)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -27,6 +29,10 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
 #include "passes/shared/caster_triangles.glsl"
+#include "passes/shared/wrapped.glsl"
+#include "passes/shared/material.glsl"
+#include "passes/shared/tangent_space.glsl"
+#include "passes/shared/dressed_meeting.glsl"
 #include "passes/shared/cone_falloff.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
@@ -41,6 +47,7 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/media.glsl"
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
+#include "passes/shared/microfacets.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/hit_texel.glsl"
 #include "passes/shared/enter_light.glsl"
@@ -58,12 +65,18 @@ Float draw_at(int surface, Float before, Int column, Int row) {
 }
 
 // The turn that the branch takes at the surface of this number.
-Turn turn_at(int surface, Float draw) {
+Turn turn_at(int surface, Float draw, Float facet) {
   Turn turn;
   turn.both_ways = Bool(surface <= u.splits && (u.mirrored_at == 0 || surface <= u.mirrored_at));
   turn.mirrored = Bool(surface == u.mirrored_at);
   turn.drawn = drawn_share(draw);
   turn.chance = chance_to_part(surface - u.splits);
+  turn.facet = Float(0.0f);
+  turn.slope = Vec2(Float(0.0f), Float(0.0f));
+  if (u.has_rough != 0) {
+    turn.facet = facet;
+    turn.slope = facet_slope(drawn_share(facet), drawn_share(next_facet_draw(facet)));
+  }
   return turn;
 }
 
@@ -103,10 +116,14 @@ void main() {
   LandedLight landed = nothing_landed();
   second_hit = Vec4(0.0f);
   Float draw = Float(0.0f);
+  Float facet = first_facet_draw(Float(column), Float(row));
   for (int surface = 1; surface <= u.bounces && any_lane(under_way); surface++) {
     Material material = fetch_material(caster_materials, here.material);
     draw = draw_at(surface, draw, column, row);
-    BentLight bent = bend_light(here.path, here.at, here.triangle, material, turn_at(surface, draw));
+    if (u.has_textures != 0)
+      put_on_textures(here.at, material, here.triangle, here.material, under_way, Bool(surface == 1));
+    BentLight bent = bend_light(here.path, here.at, here.triangle, material, turn_at(surface, draw, facet));
+    if (u.has_rough != 0) facet = next_facet_draw(next_facet_draw(facet));
     here.path = bent.path;
     TRACE(body, here.path.media.x);
     Bool goes = under_way && bent.goes;

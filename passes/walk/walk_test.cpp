@@ -9,6 +9,19 @@ using namespace caustics::test;
 
 namespace {
 
+// The first row with roughness 0.5, and further texels.
+Image dressed(const Image& materials, const std::vector<glm::vec4>& texels) {
+  Image wide(Format::RGBA32F, std::max(materials.width(), 3 + static_cast<int>(texels.size())),
+             materials.height());
+  for (int y = 0; y < materials.height(); ++y)
+    for (int x = 0; x < materials.width(); ++x)
+      for (int c = 0; c < 4; ++c) wide.at(x, y, c) = materials.at(x, y, c);
+  wide.at(2, 0, 3) = 0.5f;
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (int c = 0; c < 4; ++c) wide.at(3 + static_cast<int>(i), 0, c) = texels[i][c];
+  return wide;
+}
+
 // Parallel light falls straight down on a slab of glass between the heights 0 and 1, over a floor at -1: body
 // 1, index 1.5, so that each surface mirrors 0.04. A grid vertex, at (0.5, 1, 0.25), has 16 square metres.
 // Numbers plus 1: the slab's upper triangle 1, its lower 2, the floor's 3.
@@ -21,6 +34,9 @@ struct Bench {
   Image second_surface{Format::RGBA32F, 1, 1};
   glm::vec3 normal{0.0f, 1.0f, 0.0f};  // smooth, of the slab's upper side
   std::vector<Corners> mirrors{};      // beside the slab: of body 2, numbered behind it
+  float rough_from = 1.0f;             // the slab's roughness is 0.5
+  std::vector<glm::vec4> dress{};  // further texels of the slab's row in caster_materials, from the third on
+  Image caster_texels{};
 
   // The branch that is mirrored at this surface.
   Bench branch(int surface) const {
@@ -34,6 +50,7 @@ struct Bench {
     Corners under = level_triangle(0.0f, -1.0f, -1.0f);
     std::swap(under[1], under[2]);
     HierarchyBench bench;
+    bench.meshes.dressed = !dress.empty();
     bench.caster(mesh_of({level_triangle(1.0f, -1.0f, -1.0f), under}));
     if (!mirrors.empty()) bench.caster(mesh_of(mirrors), 1);
     bench.receiver(mesh_of({level_triangle(-1.0f, -1.0f, -1.0f)}));
@@ -53,6 +70,10 @@ struct Bench {
     u.first_receiver = bench.first_receiver();
     u.draws = draws ? 1 : 0;
     u.reads_hit = reads_hit || mirrored_at >= 2 ? 1 : 0;
+    u.has_rough = rough_from < 1.0f ? 1 : 0;
+    u.rough_from = rough_from;
+    u.has_textures = dress.empty() ? 0 : 1;
+    u.first_uv = first_uv(bench.scene, bench.meshes);
     return run_pass(
         definition_of(walk_pass()),
         {.width = side,
@@ -60,9 +81,9 @@ struct Bench {
          .uniforms = uniform_bytes(u),
          .textures = {filled(side, side, {0.5f, 1.0f, 0.25f, 1.0f}), filled(side, side, {normal, 0.0f}),
                       filled(side, side, {1.0f, 0.0f, 0.0f, 0.0f}),
-                      caster_materials({material, {.mirror = true}}), tables.nodes, tables.triangles,
-                      tables.normals, Image(Format::RGBA32F, 1, 1), Image(Format::RGBA32F, 1, 1),
-                      second_surface}});
+                      dressed(caster_materials({material, {.mirror = true}}), dress), tables.nodes,
+                      tables.triangles, tables.normals, Image(Format::RGBA32F, 1, 1),
+                      Image(Format::RGBA32F, 1, 1), second_surface, caster_texels}});
   }
 };
 
@@ -259,4 +280,105 @@ TEST_CASE("walk: what is mirrored at the first surface is not taken for mirrored
   CHECK(out["landing_flux"].at(0, 0, 0) == Approx(16.0 * 0.0401).epsilon(0.01));
   bench.bounces = 32;
   CHECK(status(bench.run()) == LandingStatus::GivenUp);
+}
+
+TEST_CASE("walk: half of rough glass' microfacets lean less than their width, its roughness squared") {
+  // A facet that leans by 0.25, 14.036 degrees, turns light by 4.732 degrees: 0.0828 over the metre to the
+  // slab's lower side.
+  Bench bench;
+  bench.side = 64;
+  bench.rough_from = 0.2f;
+  const Image hits = bench.run()["second_hit"];
+  int less = 0;
+  double x = 0.0, z = 0.0;
+  for (int i = 0; i < 64 * 64; ++i) {
+    // The lower side's corners are at (-1, -1), (3, -1) and (-1, 3).
+    const glm::dvec4 hit(texel(hits, i % 64, i / 64));
+    REQUIRE(hit.w == 2.0);
+    const glm::dvec2 aside(4.0 * hit.x - 1.5, 4.0 * hit.y - 1.25);
+    less += glm::length(aside) < 0.08278 ? 1 : 0;
+    x += aside.x;
+    z += aside.y;
+  }
+  CHECK(less / 4096.0 == Approx(0.5).epsilon(0.01));
+  CHECK(std::fabs(x / 4096.0) < 0.002);
+  CHECK(std::fabs(z / 4096.0) < 0.002);
+}
+
+TEST_CASE("walk: rough glass sends on what Fresnel's equations leave, but for what its microfacets mask") {
+  Bench bench;
+  bench.side = 64;
+  bench.splits = 0;
+  bench.rough_from = 0.2f;
+  const PassImages out = bench.run();
+  const double entered = 64.0 * 64.0 * 16.0, masked = sum_of(out["landing_absorbed"]);
+  CHECK(sum_of(out["landing_flux"]) + sum_of(out["landing_fresnel"]) + masked ==
+        Approx(entered).epsilon(1e-4));
+  CHECK(masked > 0.0);
+  CHECK(masked < 0.05 * entered);
+}
+
+TEST_CASE("walk: light that has met microfacets joins no cell, and is wider for those that it has not met") {
+  Bench bench;
+  bench.side = 8;
+  bench.splits = 0;
+  bench.rough_from = 0.2f;
+  const auto area = [](const PassImages& out) {
+    const glm::dvec4 print(texel(out["landing_footprint"], 3, 3));
+    return std::fabs(print.x * print.w - print.y * print.z);
+  };
+  const PassImages out = bench.run();
+  for (int y = 0; y < 7; ++y)
+    for (int x = 0; x < 7; ++x) CHECK(out["landing_path"].at(x, y, 0) != out["landing_path"].at(x + 1, y, 0));
+  bench.rough_from = 1.0f;
+  // A step of the grid is 0.5 m. 0.3 of the width turn light by 0.025 within, 0.075 below: over a metre each
+  // 0.1 m.
+  CHECK(area(out) / area(bench.run()) == Approx(1.44).epsilon(0.05));
+}
+
+TEST_CASE("walk: a picture on a caster tints what enters, and none what leaves") {
+  // One texel of base colour and one of transmission, side by side.
+  Bench bench;
+  bench.dress = {{1.0f, 1.0f, 1.0f, 0.0f},  // transmission, and no mask
+                 {0, 0, 1, 1},
+                 {1, 0, 0, 0},
+                 {0, 1, 0, 0},  // base colour
+                 {1, 0, 1, 1},
+                 {1, 0, 0, 0},
+                 {0, 1, 0, 0},  // transmission
+                 glm::vec4(0.0f),
+                 glm::vec4(0.0f),
+                 glm::vec4(0.0f)};  // no normals
+  bench.caster_texels = Image(Format::RGBA16F, 2, 1);
+  bench.caster_texels.values = {0.5f, 0.25f, 1.0f, 1.0f, 0.5f, 0.0f, 0.0f, 1.0f};
+  const PassImages out = bench.run();
+  const glm::vec3 left = glm::vec3(0.5f, 0.25f, 1.0f) * (0.5f * 16.0f * 0.96f * 0.96f);
+  check_near(texel(out["landing_flux"], 0, 0), glm::vec4(left, 0.0f));
+}
+
+TEST_CASE("walk: light passes a hole in a further surface as if nothing were there") {
+  // The texel's opacity is below the cutoff: the lower side does not mirror, and the light goes on straight.
+  Bench bench;
+  bench.dress = {{1.0f, 1.0f, 1.0f, 0.5f}, {0, 0, 1, 1},    {1, 0, 0, 0},    {0, 1, 0, 0},
+                 glm::vec4(0.0f),          glm::vec4(0.0f), glm::vec4(0.0f), glm::vec4(0.0f),
+                 glm::vec4(0.0f),          glm::vec4(0.0f)};
+  bench.caster_texels = Image(Format::RGBA16F, 1, 1);
+  bench.caster_texels.values = {1.0f, 1.0f, 1.0f, 0.25f};
+  const PassImages out = bench.run();
+  CHECK(status(out) == LandingStatus::Landed);
+  check_near(texel(out["landing_flux"], 0, 0), glm::vec4(glm::vec3(16.0f * 0.96f), 0.0f));
+}
+
+TEST_CASE("walk: a normal texture leans further surfaces") {
+  // Whose lower side faces aside by 0.6 over 0.8 along the tangent, the x axis: light leaves it aside.
+  Bench bench;
+  bench.dress = {{1.0f, 1.0f, 1.0f, 0.0f}, glm::vec4(0.0f), glm::vec4(0.0f), glm::vec4(0.0f), glm::vec4(0.0f),
+                 glm::vec4(0.0f),          glm::vec4(0.0f), {0, 0, 1, 1},    {1, 0, 0, 0},    {0, 1, 0, 0}};
+  bench.caster_texels = Image(Format::RGBA16F, 1, 1);
+  bench.caster_texels.values = {0.5f + 0.5f * 0.6f, 0.5f, 0.5f + 0.5f * 0.8f, 1.0f};
+  const PassImages out = bench.run();
+  // From within at 36.87 degrees to the normal, sin 0.6: it leaves at sin 0.9, 64.16 degrees, that is 27.29
+  // degrees aside, over a fall of 1 m.
+  CHECK(status(out) == LandingStatus::Landed);
+  CHECK(std::fabs(static_cast<double>(out["landing"].at(0, 0, 0)) - 0.5) == Approx(0.5158).epsilon(2e-3));
 }

@@ -10,7 +10,11 @@ int mirrored_at;      // the one where this branch is mirrored; 0: none
 int most_steps;       // of the search for one surface
 int first_receiver;   // number of the first triangle that is no caster's
 float touch;          // metres: surfaces that are as near touch
+float rough_from;     // roughness above which glass spreads light
+int first_uv;         // the first texel of texture coordinates in hierarchy_normals
 CHOICE(is_tinted)     // 1: blended surfaces may stand before casters
 CHOICE(can_be_hidden) // 1: receivers may hide others from the light
 CHOICE(draws)         // 1: the branch follows what the others leave behind, by ways that are drawn
 CHOICE(reads_hit)     // 1: the second surface has been found by a branch that comes to it alike
+CHOICE(has_textures)  // 1: some caster has
+CHOICE(has_rough)     // 1: some glass is rough

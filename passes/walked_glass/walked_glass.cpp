@@ -38,6 +38,7 @@ std140::WalkedGlass walked_glass_uniforms(const PassContext& context) {
       .most_steps = several_rays(context) != 0 ? kMostStepsOfSeveral : kMostStepsInGlass,
       .first_receiver = context.first_receiver,
       .touch = context.touch,
+      .first_uv = context.first_uv,
   };
 }
 
@@ -74,10 +75,11 @@ Pass walked_glass_pass() {
                  .optional = true,
                  .needed_with = &Effects::highlights},
                 kReadLayers,
-                kReadFirstLayer},
+                kReadFirstLayer,
+                kReadCasterTexels},
       .writes = {{.name = "beauty", .meaning = "rgb: radiance towards the camera, nit; a: 1"}},
       .shaders = {{&walked_glass_shader, block_of<walked_glass_uniforms>}},
-      .choices = {{"blends", chosen_by<&Effects::layered>}, {"several_rays", several_rays}},
+      .choices = {{"blends", chosen_by<&Effects::layered>}, {"several_rays", several_rays}, kHasTextures},
   };
 }
 

@@ -1,5 +1,6 @@
 // Glass, water and metal as the camera sees them, followed from surface to surface. walked_glass.md explains.
 #include "passes/shared/sky_model.glsl"
+#include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/walked_glass/walked_glass_uniforms.glsl"
 UNIFORMS_END
@@ -18,6 +19,7 @@ TEXTURE(11, environment)
 TEXTURE(12, caster_highlight)
 TEXTURE(13, layers)
 TEXTURE(14, first_layer)
+TEXTURE(15, caster_texels)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -26,6 +28,10 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
 #include "passes/shared/caster_triangles.glsl"
+#include "passes/shared/wrapped.glsl"
+#include "passes/shared/material.glsl"
+#include "passes/shared/tangent_space.glsl"
+#include "passes/shared/dressed_meeting.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/absorption.glsl"
@@ -81,8 +87,10 @@ Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands, Bool mirrored) {
 }
 
 // The way that a ray takes at a surface: the stronger, which then stands for both; or `straight` on.
-void turn(INOUT(Sight) sight, IN(Meeting) at, IN(CasterTriangle) triangle, Bool straight) {
+void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, Bool straight, Bool wanted) {
+  Meeting at = meeting;
   Material material = fetch_material(caster_materials, triangle.row);
+  if (u.has_textures != 0) put_on_textures(at, material, triangle, triangle.row, wanted, Bool(false));
   Interface both = interface_at(sight.media, at, triangle, material);
   both.passes = both.passes || straight;
   Vec3 before = sight.ray.direction;
@@ -126,7 +134,7 @@ Vec3 radiance_along(IN(Sight) from) {
       CasterTriangle triangle = fetch_triangle(sel(caster, hit.w - 1.0f, Float(0.0f)));
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
       Sight next = sight;
-      turn(next, at, triangle, Bool(k >= u.surfaces));
+      turn(next, at, triangle, Bool(k >= u.surfaces), caster);
       sight = chosen(caster, next, sight);
     }
     sight.under_way = sight.under_way && caster;
@@ -139,6 +147,7 @@ struct Front {
   Meeting at;
   CasterTriangle triangle;
   Material material;
+  Int row;  // of caster_materials
 };
 
 Front front_at(Vec4 position, Int column, Int row) {
@@ -146,13 +155,15 @@ Front front_at(Vec4 position, Int column, Int row) {
   Float number = texel_fetch(view_caster_triangle, column, row).x - 1.0f;
   Front front;
   front.triangle = fetch_triangle(max_of(number, 0.0f));
-  front.material = fetch_material(caster_materials, material_row(normal));
+  front.row = material_row(normal);
+  front.material = fetch_material(caster_materials, front.row);
   front.at.point = Vec3(position);
   front.at.outward = Vec3(normal);
   front.at.plane = normalize_or(cross3(front.triangle.edge1, front.triangle.edge2), front.at.outward);
   front.at.front = !is_back_face(position);
   front.at.number = number;
   front.at.stretch = Float(0.0f);
+  front.at.hole = Bool(false);
   return front;
 }
 
@@ -163,7 +174,10 @@ Vec3 sight_to(Vec3 p) {
 }
 
 // At the first surface both ways are followed, what it mirrors and what it lets through.
-Vec3 radiance_of(IN(Front) front, Bool seen) {
+Vec3 radiance_of(IN(Front) drawn, Bool seen) {
+  Front front = drawn;
+  if (u.has_textures != 0)
+    put_on_textures(front.at, front.material, front.triangle, front.row, seen, Bool(true));
   Vec3 sight = sight_to(front.at.point);
   Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
   Surface surface = surface_at(sight, front.at, both, front.material);

@@ -9,5 +9,7 @@ float bend;          // the branch's index of refraction is n_d + bend (n_F - n_
 int most_steps;      // of the search for one surface
 int first_receiver;
 float touch;
+int first_uv;        // the first texel of texture coordinates in hierarchy_normals
 CHOICE(blends)           // there are blended surfaces
 CHOICE(several_rays)     // 1: two or four rays a pixel, else one
+CHOICE(has_textures)     // 1: some caster has

@@ -69,7 +69,9 @@ std::vector<Branch> by_microfacets(const std::vector<Branch>& smooth, int ways) 
   return branches;
 }
 
-std::vector<Branch> branches_of(const Settings& settings, const Effects& effects) {
+}  // namespace
+
+std::vector<Branch> branches_by_color(const Settings& settings, const Effects& effects) {
   std::vector<Branch> branches;
   if (effects.dispersion.active) {
     for (const Wavelength& w :
@@ -79,6 +81,13 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
   } else {
     branches.push_back({});
   }
+  return branches;
+}
+
+namespace {
+
+std::vector<Branch> branches_of(const Settings& settings, const Effects& effects) {
+  std::vector<Branch> branches = branches_by_color(settings, effects);
   if (effects.rough_glass.active && effects.caustics.active)
     branches = by_microfacets(branches, ways_through_rough_glass(settings));
   if (effects.reflections.active) branches.push_back({.name = "reflected", .reflected = true});
@@ -86,6 +95,12 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
 }
 
 }  // namespace
+
+bool all_light_is_spread(const Effects& effects) {
+  return effects.rough_glass.active &&
+         std::all_of(effects.surfaces.begin(), effects.surfaces.end(),
+                     [](const SurfaceRole& s) { return !is_caster(s.role) || s.rough; });
+}
 
 int ways_through_rough_glass(const Settings& settings) { return (settings.light_samples + 1) / 2; }
 

@@ -77,6 +77,8 @@ struct Branch {
   int mirrored_at = 0;
   // What the others leave behind: of each vertex' light one way is drawn, which parts from theirs.
   bool drawn = false;
+  // All of its light is spread by microfacets, which its vertices draw.
+  bool spread = false;
   // Do the others part from it? It counts what they have in common.
   bool leads() const { return mirrored_at == 0 && !drawn; }
   // Does the branch that leads go the same way from the first surface? Of what is drawn most does.

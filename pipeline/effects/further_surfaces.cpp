@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/effects/branches.hpp"
 #include "pipeline/effects/optics.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -34,16 +35,12 @@ void add_parted(const Branch& through, int splits, bool drawn, std::vector<Branc
 
 constexpr const char* kInterfacesAskedFor = "a number of interfaces was asked for";
 
-std::string why_not_by_triangles(const Scene& scene, const Effects& effects) {
-  if (effects.rough_glass.active) return "rough glass (" + effects.rough_glass.reason + ")";
-  return not_in_triangles(scene, effects);
-}
-
 std::string why_not_viewed(const Scene& scene, const Settings& settings, const Effects& effects) {
   if (!effects.seen_casters.active) return effects.seen_casters.reason;
   if (settings.further_share >= 1.0f) return "nothing is to be followed further (further.share 1)";
   if (settings.interfaces != Interfaces::Auto) return kInterfacesAskedFor;
-  return why_not_by_triangles(scene, effects);
+  if (effects.rough_glass.active) return "rough glass (" + effects.rough_glass.reason + ")";
+  return not_in_triangles(scene, effects);
 }
 
 }  // namespace
@@ -61,7 +58,7 @@ std::string why_not_followed(const Scene& scene, const Settings& settings, const
   if (settings.thickness == Thickness::Wyman) return "Wyman's thickness knows two surfaces";
   if (settings.draw_unconverged) return "what has not converged is drawn where its search stopped";
   if (settings.estimator == Estimator::Impostor) return "impostors were asked for";
-  return why_not_by_triangles(scene, effects);
+  return not_in_triangles(scene, effects);
 }
 
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares) {
@@ -82,11 +79,14 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
       effects.lights[static_cast<std::size_t>(found.light)].looks = found.looks;
   std::vector<Branch> branches;
   const bool parts = any_refractor(effects);
-  for (const Branch& branch : effects.branches)
+  // Of rough glass each vertex draws its own microfacets, and one way has all light.
+  for (const Branch& branch :
+       effects.rough_glass.active ? branches_by_color(settings, effects) : effects.branches)
     if (!branch.reflected) {
       branches.push_back(branch);
       if (parts) add_parted(branch, std::min(settings.splits, settings.bounces), settings.drawn, branches);
     }
+  for (Branch& branch : branches) branch.spread = all_light_is_spread(effects);
   effects.branches = std::move(branches);
   return effects;
 }

@@ -10,9 +10,6 @@ namespace caustics {
 namespace {
 
 constexpr NamedEffect kNotInTriangles[] = {{"medium", &Effects::medium},
-                                           {"textured casters", &Effects::textured_casters},
-                                           {"normal-mapped casters", &Effects::normal_mapped_casters},
-                                           {"cut-out casters", &Effects::cut_out_casters},
                                            {"water waves", &Effects::water_waves}};
 
 Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {

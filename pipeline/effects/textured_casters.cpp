@@ -96,6 +96,11 @@ bool detailed_exits(const Effects& effects) {
   return effects.normal_mapped_casters.active || effects.cut_out_casters.active;
 }
 
+bool walks_textures(const Effects& effects) {
+  return (effects.further_surfaces.active || effects.followed_view.active) &&
+         caster_detail(effects) != CasterDetail::None;
+}
+
 void add_textured_casters(const Scene& scene, const Settings& settings, Effects& effects) {
   const auto found = [&](auto has) { return use_of(scene, settings, effects, has); };
   const Use colors = found(colored);

@@ -224,6 +224,10 @@ void ErrorSum::add(const BranchImages& images, const CellImages& cells) {
   if (in_cells(images)) {
     if (!cells_) cells_.emplace(maps_);
     compare_cells(cells, images.cell_flux, views_.caster, *cells_);
+    if (images.branch.spread) {
+      add_spread(images);
+      return;
+    }
     points_ += (images.footprint.values.empty() ? kOfPoints : kOfFootprints) * flux_of_points(images);
     return;
   }
@@ -232,9 +236,51 @@ void ErrorSum::add(const BranchImages& images, const CellImages& cells) {
     compare_splats(images, views_.caustic, splat_kernel(settings_), maps_.side, *splats_);
 }
 
+void ErrorSum::add_spread(const BranchImages& images) {
+  if (!squares_) squares_.emplace(maps_);
+  if (!areas_) areas_.emplace(maps_);
+  const Landings landings(images.landing, views_.caustic, maps_.side);
+  const double texels = static_cast<double>(maps_.side) * maps_.side;
+  for (int y = 0; y < images.landing.height(); ++y)
+    for (int x = 0; x < images.landing.width(); ++x) {
+      const std::optional<glm::dvec2> texel = landings.at(x, y);
+      if (!texel) continue;
+      const auto side = [&](int c) { return static_cast<double>(images.footprint.at(x, y, c)); };
+      const double flux = sum_rgb(images.flux, x, y);
+      const double area = std::fabs(side(0) * side(3) - side(1) * side(2)) * texels;
+      const double times = maps_.cascade_shows(*texel) ? maps_.scale.x * maps_.scale.y : 1.0;
+      squares_->add(*texel, flux * flux);
+      areas_->add(*texel, flux * flux * area * times);
+    }
+}
+
+namespace {
+
+// The mean difference of normally distributed light from its mean, in standard deviations: sqrt(2 / pi).
+constexpr double kMeanDifference = 0.797884560802865;
+
+// What vertices that fall by chance, each laid over its footprint, differ by from even light over boxes of so
+// many texels.
+double noise_of(TexelPlane squares, TexelPlane areas, const glm::dvec2& box) {
+  squares.average(box);
+  areas.average(box);
+  const double judged = std::max(box.x, 1.0) * std::max(box.y, 1.0);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < squares.values().size(); ++i) {
+    const double square = squares.values()[i];
+    if (square > 0.0) sum += std::sqrt(square / (areas.values()[i] / square + judged));
+  }
+  return kMeanDifference * sum;
+}
+
+}  // namespace
+
 double ErrorSum::grid_error(double pixel) {
   double error = 0.0;
-  if (cells_) error = kOfGrid * std::move(*cells_).sum(pixel);
+  if (squares_)
+    error = noise_of(std::move(squares_->map), std::move(areas_->map), glm::dvec2(pixel)) +
+            noise_of(std::move(squares_->cascade), std::move(areas_->cascade), pixel * maps_.scale);
+  if (cells_) error += kOfGrid * std::move(*cells_).sum(pixel);
   if (splats_) error += std::move(*splats_).sum(pixel);
   return error + points_;
 }

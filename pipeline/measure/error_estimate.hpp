@@ -18,7 +18,8 @@ struct ErrorEstimate {
   double landed = 0.0;  // all flux in the map; once `judged`, all that light itself lands
   double map = 0.0;     // by the size of the maps' texels: against texels of twice the side
   double grid = 0.0;  // by the grid's spacing: against cells of twice the side; splats, and light that cells
-                      // have left in spots, against even light
+                      // have left in spots, against even light; light that microfacets spread by the noise of
+                      // its vertices
   double missing = 0.0;  // landed beyond the map, or not followed to its landing
   // What rays through the scene's triangles have shown (model_error.hpp), where they were asked for.
   bool judged = false;
@@ -47,12 +48,16 @@ class ErrorSum {
                           double pixel);
 
  private:
+  void add_spread(const BranchImages& images);
   double grid_error(double pixel);
 
   const LightViews& views_;
   const Settings& settings_;
   ShownMaps maps_;
   std::optional<ShownLight> cells_, splats_;  // in wrong places; none of the kind at first
+  // Of vertices whose microfacets are drawn: the squares of their flux, and these times their footprints'
+  // areas in texels of the map that shows them.
+  std::optional<ShownLight> squares_, areas_;
   double points_ = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/effects/dressed_optics.hpp"
 #include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/scene/exact.hpp"
 
@@ -63,6 +64,12 @@ struct Interface {
 glm::dvec3 metal(const glm::dvec3& straight_on, double cosine) {
   const double s = 1.0 - cosine, grazing = (s * s) * (s * s) * s;
   return straight_on * (1.0 - grazing) + glm::dvec3(grazing);
+}
+
+// Smith's masking of one direction, cosine c to the normal.
+double unmasked(double c, double alpha) {
+  const double squared = c * c;
+  return squared > 0.0 ? 2.0 / (1.0 + std::sqrt(1.0 + alpha * alpha * (1.0 - squared) / squared)) : 0.0;
 }
 
 glm::dvec3 left_after(const glm::dvec3& absorption, double metres) {
@@ -148,6 +155,28 @@ struct LightPaths::Bodies {
   }
 };
 
+// A microfacet, drawn by GGX's density of slopes; what it sends on of its share (Walter, Marschner, Li and
+// Torrance 2007, equations 34 to 41).
+struct LightPaths::Facet {
+  glm::dvec3 normal;
+
+  explicit Facet(const glm::dvec3& n) : normal(n) {}
+  Facet(const glm::dvec3& n, const glm::dvec3& d, double alpha, Draws& draws) {
+    const double share = draws.next();
+    double sine = 0.0, cosine = 1.0;
+    exact::sin_cos(2.0 * exact::kPi * draws.next(), sine, cosine);
+    const double slope = alpha * std::sqrt(share / (1.0 - share));
+    const glm::dvec3 x = exact::perpendicular(n), y = exact::cross(n, x);
+    normal = normal_against(exact::normalise(n + x * (slope * cosine) + y * (slope * sine), n), d);
+  }
+  double weight(const glm::dvec3& n, const glm::dvec3& d, const glm::dvec3& o, double alpha) const {
+    const double in = std::fabs(exact::dot(d, n)), leaning = exact::dot(normal, n);
+    if (!(in > 0.0) || !(leaning > 0.0)) return 0.0;
+    return -exact::dot(d, normal) * unmasked(in, alpha) * unmasked(std::fabs(exact::dot(o, n)), alpha) /
+           (in * leaning);
+  }
+};
+
 struct LightPaths::Moving {
   glm::dvec3 origin{0.0}, direction{0.0}, flux{0.0};
   double first = 0.0;    // the largest channel of what the light began with
@@ -172,14 +201,17 @@ LightPaths::LightPaths(const Scene& scene, const Effects& effects)
 
 int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landings, glm::dvec3* astray) const {
   stop_if_interrupted();
-  const auto first = casters_.nearest(light.origin, light.direction, {}, light.emitter);
+  glm::dvec3 origin = light.origin;
+  auto first = casters_.nearest(origin, light.direction, {}, light.emitter);
+  // Light that passes a hole has met nothing.
+  while (first && is_hole(*first)) {
+    origin = position_of(scene_, *first);
+    first = casters_.nearest(origin, light.direction, first->id, light.emitter);
+  }
   if (!first) return -1;
   Draws draws(light.key);
   std::vector<Moving> pending;
-  meet({.origin = light.origin,
-        .direction = light.direction,
-        .flux = light.flux,
-        .first = largest(light.flux)},
+  meet({.origin = origin, .direction = light.direction, .flux = light.flux, .first = largest(light.flux)},
        *first, light.bend, draws, pending);
   while (!pending.empty()) {
     Moving moving = pending.back();
@@ -188,6 +220,11 @@ int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landing
     if (advance(light, moving, met, landings, astray)) meet(moving, met, light.bend, draws, pending);
   }
   return first->id.mesh;
+}
+
+bool LightPaths::is_hole(const TriangleHit& hit) const {
+  const Material& m = material(hit);
+  return m.alpha_mode == AlphaMode::Mask && is_cut_out(scene_, m, uv_of(scene_, hit));
 }
 
 bool LightPaths::casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const {
@@ -222,18 +259,26 @@ bool LightPaths::advance(const LightRay& light, Moving& moving, TriangleHit& met
 
 void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend, Draws& draws,
                       std::vector<Moving>& pending) const {
-  const Optics& o = optics(met);
+  const Material& m = material(met);
+  const bool has_textures = is_dressed(m);
+  const glm::dvec2 uv = has_textures ? uv_of(scene_, met) : glm::dvec2(0.0);
+  const Optics o = has_textures ? dressed(scene_, m, optics(met), uv) : optics(met);
   const glm::dvec3& d = moving.direction;
   const double side = met.front ? 1.0 : -1.0;
   const glm::dvec3 plane = plane_normal(scene_, met.id) * side;
-  const glm::dvec3 normal = normal_against(shading_normal(scene_, met) * side, d);
+  glm::dvec3 outward = shading_normal(scene_, met);
+  if (has_textures) outward = leaned(scene_, m, outward, tangent_of(scene_, met), uv);
+  const glm::dvec3 normal = normal_against(outward * side, d);
   Moving next = moving;
   next.origin = position_of(scene_, met);
   next.on = met.id;
   ++next.surfaces;
   // What an interpolated normal sends to the wrong side of its own surface is given up.
   const bool mirror = o.role == Role::Mirror;
+  const bool rough = o.alpha > 0.0;
+  const Facet facet = rough ? Facet(normal, d, o.alpha, draws) : Facet(normal);
   const auto send = [&](Moving onward, const glm::dvec3& direction, bool crosses) {
+    if (rough) onward.flux *= facet.weight(normal, d, direction, o.alpha);
     onward.direction = direction;
     onward.crossed = crosses;
     const bool in = next.surfaces == 1 && (crosses != mirror || reflections_);
@@ -242,18 +287,21 @@ void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend,
     onward.let_go = onward.followed && (out || !crosses || !o.solid);
     if ((exact::dot(direction, plane) < 0.0) == crosses) pending.push_back(onward);
   };
+  if (has_textures && is_cut_out(scene_, m, uv)) return send(next, d, true);
   if (mirror) {
     next.flux *= metal(o.color, -exact::dot(d, normal));
     return send(next, mirrored(d, normal), false);
   }
-  const bool within = moving.bodies.has(o.body);
+  const bool within = !o.thin && moving.bodies.has(o.body);
   Moving through = next;
   if (within && met.front) through.bodies.enter_again({o.body, met.id.mesh, through.bodies.index()});
   if (within && !met.front) through.bodies.leave(o.body);
   if (within && (met.front || through.bodies.has(o.body)))  // a second skin of the same body
     return send(through, d, true);
   double n1 = moving.bodies.index(), n2 = n1;
-  if (met.front) {
+  if (o.thin) {
+    n2 = o.ior * n1;
+  } else if (met.front) {
     n2 = absolute_index(o.index(bend), n1);
     through.bodies.enter({o.body, met.id.mesh, n2});
   } else if (within) {
@@ -261,15 +309,21 @@ void LightPaths::meet(const Moving& moving, const TriangleHit& met, double bend,
   } else {  // the light began inside
     n1 = absolute_index(o.index(bend), n2);
   }
-  const Interface at(d, normal, n1, n2);
-  const double r = at.total ? 1.0 : at.reflectance * o.fresnel;
+  Interface at(d, facet.normal, n1, n2);
+  double r = at.total ? 1.0 : at.reflectance * o.fresnel;
+  if (o.thin) {
+    // Past both faces of a wall as its facet would mirror it, on the other side.
+    const glm::dvec3 back = mirrored(d, facet.normal);
+    at.bent = back - normal * (2.0 * exact::dot(back, normal));
+    r = 2.0 * r / (1.0 + r);
+  }
   const double weaker = std::min(r, 1.0 - r) * largest(moving.flux);
   const bool both = weaker > kWeakShare * moving.first && next.surfaces <= kBothWays;
   const bool mirrors = both || at.total || draws.next() < r;
   if (mirrors) {
     Moving back = next;
     if (both) back.flux *= r;
-    send(back, mirrored(d, normal), false);
+    send(back, mirrored(d, facet.normal), false);
   }
   if (both || !mirrors) {
     if (both) through.flux *= 1.0 - r;

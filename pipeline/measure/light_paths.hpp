@@ -56,6 +56,7 @@ class LightPaths {
   struct Body;
   struct Bodies;  // that the light is in
   struct Moving;  // light between two surfaces
+  struct Facet;   // of rough glass
   class Draws;
   bool advance(const LightRay& light, Moving& moving, TriangleHit& met, std::vector<LightLanding>& landings,
                glm::dvec3* astray) const;
@@ -63,6 +64,11 @@ class LightPaths {
             std::vector<Moving>& pending) const;
   const Optics& optics(const TriangleHit& hit) const {
     return optics_[static_cast<std::size_t>(hit.id.mesh)];
+  }
+  bool is_hole(const TriangleHit& hit) const;
+  const Material& material(const TriangleHit& hit) const {
+    const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(hit.id.mesh)];
+    return scene_.materials[static_cast<std::size_t>(mesh.material)];
   }
 
   const Scene& scene_;

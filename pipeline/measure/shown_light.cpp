@@ -12,10 +12,14 @@ void TexelPlane::add(const glm::dvec2& texel, double value) {
   if (x >= 0 && y >= 0 && x < side_ && y < side_) at(x, y) += value;
 }
 
-double TexelPlane::absolute_sum(const glm::dvec2& box) && {
+void TexelPlane::average(const glm::dvec2& box) {
   const auto row = static_cast<std::size_t>(side_);
   average(std::max(box.x, 1.0), 1, row);
   average(std::max(box.y, 1.0), row, 1);
+}
+
+double TexelPlane::absolute_sum(const glm::dvec2& box) && {
+  average(box);
   double sum = 0.0;
   for (const double v : values_) sum += std::fabs(v);
   return sum;

@@ -22,9 +22,12 @@ class TexelPlane {
   double clamped(int x, int y) const { return at(std::clamp(x, 0, side_ - 1), std::clamp(y, 0, side_ - 1)); }
   // Adds to the texel that holds a point, if the plane has it.
   void add(const glm::dvec2& texel, double value);
-  // Sum of |mean over a box around each texel|; boxes of these sides, texels, and not below one. Uses the
-  // plane up: the means take its place.
+  // Means over a box around each texel take the place of its values; boxes of these sides, texels, and not
+  // below one.
+  void average(const glm::dvec2& box);
+  // Sum of such means' absolute values. Uses the plane up.
   double absolute_sum(const glm::dvec2& box) &&;
+  const std::vector<double>& values() const { return values_; }
 
  private:
   void average(double side, std::size_t along, std::size_t across);

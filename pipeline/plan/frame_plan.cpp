@@ -9,6 +9,7 @@
 #include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/effects/expectations.hpp"
 #include "pipeline/effects/surface_role.hpp"
+#include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/gpu/interrupt.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/plan/called_for.hpp"
@@ -50,6 +51,7 @@ class Planner {
     if (scene.environment.image) add_external(kEnvironment);
     if (effects.further_surfaces.active || effects.followed_view.active || effects.ambient_occlusion.active)
       for (const char* name : {kHierarchyNodes, kHierarchyTriangles, kHierarchyNormals}) add_external(name);
+    if (walks_textures(effects)) add_external(kCasterTexels);
   }
 
   FramePlan plan() {

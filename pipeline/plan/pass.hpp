@@ -149,6 +149,7 @@ struct PassContext {
   int material_row = 0;    // row of `caster_materials`: the mesh's material
   int first_triangle = 0;  // of the mesh in the hierarchy (pipeline/scene/hierarchy_tables.hpp), -1: none
   int first_receiver = 0;  // the hierarchy's first triangle that is no caster's
+  int first_uv = 0;        // the first texel of texture coordinates in hierarchy_normals
   float touch = 0.0f;      // metres: surfaces that are as near touch
   int mesh_index = 0;
   int width = 0, height = 0;            // of the pass's targets

@@ -1,4 +1,5 @@
 #include "pipeline/renderer/frame_renderer.hpp"
+#include "pipeline/effects/branches.hpp"
 
 #include <algorithm>
 
@@ -29,8 +30,6 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
   const auto fit = [&](const Settings& settings, std::vector<LandingSurvey>* surveys) {
     frame.settings = settings;
     frame.effects = effects_of(scene, settings, seen ? &*seen : nullptr);
-    if (asked.grid.automatic && frame.effects.rough_glass.active)
-      frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;
     if (without) frame.effects.*without = {false, "left out on request"};
     if (!of_lights) {
       of_lights = light_shares(scene, frame.effects, static_cast<double>(settings.least_light));
@@ -40,6 +39,8 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);
+    if (asked.grid.automatic && frame.effects.rough_glass.active && !frame.effects.further_surfaces.active)
+      frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;
     frame.views = frame.effects.water_waves.active
                       ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry)
                       : pilot.fit(frame.effects, frame.settings, surveys);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "pipeline/effects/branches.hpp"
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/device.hpp"
@@ -59,18 +60,19 @@ void add_landings(const Image& landing, const Image& flux, const View& view,
 }
 
 // Draws the caustic view in to the landings, and the receiver view to them and the casters.
-// `flat`: the receivers are one plane.
 void fit_to_landings(LightViews& views, const std::vector<WeightedPoint>& points, const Settings& settings,
-                     double margin, bool flat) {
+                     double margin, const Effects& effects) {
   views.cascade.reset();
   if (points.empty()) return;
   const LandedFlux landed(points);
   const double shortest = landed.shortest_side(settings.map);
   set_window(views.caustic, landed.window(0.25 * settings.outside_share), margin, shortest);
-  if (can_have_cascades(settings)) views.cascade = cascade_view(views.caustic, landed, margin, shortest);
+  // Light that is spread has no bright part to be shown finer.
+  if (can_have_cascades(settings) && !all_light_is_spread(effects))
+    views.cascade = cascade_view(views.caustic, landed, margin, shortest);
   // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map
   // would have to be as wide, and on receivers that are not flat its texels tell where light lands.
-  if (views.cascade && flat)
+  if (views.cascade && effects.receivers_are_one_plane)
     set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin,
                shortest);
   const bool apart = views.caustic.forward != views.caster.forward;
@@ -240,7 +242,7 @@ void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings
         add_landings(landing, flux, views[light].caustic, points);
         if (surveys) found.add(survey_landings(landing, flux, views[light].caustic));
       });
-      fit_to_landings(views[light], points, own[i], margin, effects.receivers_are_one_plane);
+      fit_to_landings(views[light], points, own[i], margin, effects);
       if (surveys) (*surveys)[light] = std::move(found);
     });
 }

@@ -56,12 +56,6 @@ Settings with_least_sides(Settings settings) {
   return settings;
 }
 
-bool all_light_is_spread(const Effects& effects) {
-  return effects.rough_glass.active &&
-         std::all_of(effects.surfaces.begin(), effects.surfaces.end(),
-                     [](const SurfaceRole& s) { return !is_caster(s.role) || s.rough; });
-}
-
 Settings with_sides_for_picture(Settings settings, const Scene& scene, bool is_followed,
                                 const std::vector<LandingSurvey>& surveys,
                                 const std::vector<LightViews>& views, const View& camera) {

@@ -15,9 +15,8 @@ bool chooses_sides(const Scene& scene, const Settings& settings);
 // The settings with sides that are given: those that are chosen by themselves stay at the least, 512.
 Settings with_least_sides(Settings settings);
 
-// Is every caster rough glass? Then no caustic has a sharp edge, the least map is enough, and of grid
-// vertices, which each way through it follows, this many a side; more where others stand beside it.
-bool all_light_is_spread(const Effects& effects);
+// Where all light is spread no caustic has a sharp edge, and the least map is enough. Of grid vertices, which
+// each way through two rough surfaces follows, this many a side; more where other casters stand beside it.
 inline constexpr int kGridOfSpreadLight = 256, kGridBesideSpreadLight = 384;
 
 // The same, with the least sides for which maps blur no more of the caustics' light over their edges, as the

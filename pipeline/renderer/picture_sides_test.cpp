@@ -1,4 +1,5 @@
 #include "pipeline/renderer/picture_sides.hpp"
+#include "pipeline/effects/branches.hpp"
 
 #include "tests/support/catch.hpp"
 

@@ -108,6 +108,7 @@ class PassRunner {
         .contrast = inputs_.exposure.contrast,
         .drawn_for = planned.drawn_for};
     context.first_receiver = scene_.first_receiver();
+    context.first_uv = scene_.first_uv();
     context.touch = scene_.touch();
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);

@@ -1,11 +1,14 @@
 #include "pipeline/renderer/scene_on_device.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <tuple>
 
 #include "pipeline/effects/optics.hpp"
+#include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/scene/exact.hpp"
@@ -19,7 +22,34 @@ namespace {
 
 // Casters that get a row each in kCasterMaterials: as many as any device's textures are high.
 constexpr std::ptrdiff_t kMostOwnRows = 4096;
-constexpr int kTexelsOfMaterial = 4;
+// Of those with textures also three for each of its pictures (passes/shared/dressed_meeting.glsl).
+constexpr int kTexelsOfMaterial = 4, kTexelsOfDressed = 4 + 3 * 3;
+
+// A picture's place in kCasterTexels, and how texture coordinates lead there.
+std::array<glm::vec4, 3> picture_texels(const TextureUse& use, const CasterTexels& texels) {
+  const auto found = texels.places.find(use.image);
+  if (found == texels.places.end()) return {};
+  const CasterTexels::Place& place = found->second;
+  const glm::mat3& m = use.uv_transform;
+  const float nearest = use.nearest ? 4.0f : 0.0f;
+  return {glm::vec4(place.x, place.y, place.width, place.height),
+          {m[0][0], m[1][0], m[2][0], static_cast<float>(use.wrap_u)},
+          {m[0][1], m[1][1], m[2][1], static_cast<float>(use.wrap_v) + nearest}};
+}
+
+void put_texels(Image& table, int row, int column, std::span<const glm::vec4> texels) {
+  for (const glm::vec4& texel : texels) {
+    for (int c = 0; c < 4; ++c) table.at(column, row, c) = texel[c];
+    ++column;
+  }
+}
+
+bool are_dressed(const Effects& effects) { return caster_detail(effects) != CasterDetail::None; }
+
+void add_once(std::vector<int>& images, const TextureUse& use) {
+  if (use.present() && std::find(images.begin(), images.end(), use.image) == images.end())
+    images.push_back(use.image);
+}
 
 MeshData mesh_data(const Scene& scene, std::size_t index) {
   const Mesh& mesh = scene.meshes[index];
@@ -101,6 +131,8 @@ void SceneOnDevice::number_triangles(const Effects& effects) {
   }
   first_triangles_ = first_triangles(scene_, hierarchy_);
   first_receiver_ = static_cast<int>(caster_triangles(scene_, hierarchy_));
+  hierarchy_.dressed = are_dressed(effects);
+  first_uv_ = caustics::first_uv(scene_, hierarchy_);
   const Bounds bounds = bounds_of(scene_);
   if (!bounds.empty()) touch_ = static_cast<float>(4e-6 * std::max(bounds.radius(), 1e-6));
 }
@@ -141,25 +173,49 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
                 .first->second;
     rows_.push_back(row);
   }
-  Image table(Format::RGBA32F, kTexelsOfMaterial, std::max(1, static_cast<int>(row_of.size())));
+  const bool dressed = are_dressed(effects);
+  const CasterTexels texels = upload_caster_texels(effects);
+  Image table(Format::RGBA32F, dressed ? kTexelsOfDressed : kTexelsOfMaterial,
+              std::max(1, static_cast<int>(row_of.size())));
   for (const auto& [key, row] : row_of) {
     const auto& [own, index, two_interfaces, role, thin] = key;
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
     const bool mirror = role == Role::Mirror;
     const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
     const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
-    const float texels[kTexelsOfMaterial][4] = {
+    const float cutoff = material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.0f;
+    const glm::vec4 of_material[kTexelsOfMaterial] = {
         {material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
          mirror ? 1.0f
          : thin ? -1.0f
                 : 0.0f},
-        {absorption.x, absorption.y, absorption.z, two_interfaces ? 1.0f : 0.0f},
-        {color.x, color.y, color.z, material.roughness},
-        {mirror ? 0.0f : transmission_factor(material), 0.0f, 0.0f, 0.0f}};
-    for (int x = 0; x < kTexelsOfMaterial; ++x)
-      for (int c = 0; c < 4; ++c) table.at(x, row, c) = texels[x][c];
+        {absorption, two_interfaces ? 1.0f : 0.0f},
+        {color, material.roughness},
+        {mirror ? grey_reflectance(material) : transmission_factor(material), material.normal_scale,
+         material.base_color.a, cutoff}};
+    put_texels(table, row, 0, of_material);
+    if (!dressed) continue;
+    put_texels(table, row, 4, picture_texels(material.base_color_texture, texels));
+    put_texels(table, row, 7, picture_texels(material.transmission_texture, texels));
+    put_texels(table, row, 10, picture_texels(material.normal_texture, texels));
   }
   externals_[kCasterMaterials] = {device_, device_.upload(table)};
+}
+
+CasterTexels SceneOnDevice::upload_caster_texels(const Effects& effects) {
+  if (!are_dressed(effects)) return {};
+  std::vector<int> images;
+  for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+    if (!is_caster(effects.surfaces[i].role)) continue;
+    const Material& material = scene_.materials[static_cast<std::size_t>(scene_.meshes[i].material)];
+    add_once(images, material.base_color_texture);
+    add_once(images, material.transmission_texture);
+    add_once(images, material.normal_texture);
+  }
+  CasterTexels texels = caster_texels(scene_, images);
+  externals_[kCasterTexels] = {device_, device_.upload(texels.image)};
+  texels.image = {};
+  return texels;
 }
 
 }  // namespace caustics

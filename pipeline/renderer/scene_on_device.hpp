@@ -6,6 +6,7 @@
 
 #include "pipeline/gpu/owned.hpp"
 #include "pipeline/plan/pass.hpp"
+#include "pipeline/scene/caster_texels.hpp"
 #include "pipeline/scene/hierarchy_tables.hpp"
 
 namespace caustics {
@@ -41,11 +42,13 @@ class SceneOnDevice {
     return static_cast<int>(first_triangles_[static_cast<std::size_t>(mesh)]);
   }
   int first_receiver() const { return first_receiver_; }
+  int first_uv() const { return first_uv_; }
   // Metres: surfaces that are as near touch.
   float touch() const { return touch_; }
 
  private:
   void upload_caster_materials(const Effects& effects);
+  CasterTexels upload_caster_texels(const Effects& effects);
   void number_triangles(const Effects& effects);
   void upload_hierarchy() const;
 
@@ -57,7 +60,7 @@ class SceneOnDevice {
   std::vector<int> rows_;
   HierarchyMeshes hierarchy_;
   std::vector<std::int64_t> first_triangles_;
-  int first_receiver_ = 0;
+  int first_receiver_ = 0, first_uv_ = 0;
   float touch_ = 0.0f;
   mutable std::map<std::string, OwnedTexture> externals_;
 };

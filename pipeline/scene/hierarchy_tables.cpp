@@ -24,14 +24,18 @@ std::int64_t triangles_of(const Scene& scene, const std::vector<int>& meshes) {
   return sum;
 }
 
+std::size_t rows_for(std::size_t texels) {
+  return std::max<std::size_t>(1, (texels + kTableWidth - 1) / kTableWidth);
+}
+
 // Texels one after the other, in rows of kTableWidth.
 class Table {
  public:
   explicit Table(std::size_t texels)
-      : image_(Format::RGBA32F, kTableWidth,
-               static_cast<int>(std::max<std::size_t>(1, (texels + kTableWidth - 1) / kTableWidth))) {}
-  void set(std::size_t texel, const glm::vec3& xyz, float w) {
-    const std::array<float, 4> values{xyz.x, xyz.y, xyz.z, w};
+      : image_(Format::RGBA32F, kTableWidth, static_cast<int>(rows_for(texels))) {}
+  void set(std::size_t texel, const glm::vec3& xyz, float w) { set(texel, glm::vec4(xyz, w)); }
+  void set(std::size_t texel, const glm::vec4& xyzw) {
+    const std::array<float, 4> values{xyzw.x, xyzw.y, xyzw.z, xyzw.w};
     std::copy(values.begin(), values.end(), image_.values.begin() + static_cast<std::ptrdiff_t>(4 * texel));
   }
   Image image() { return std::move(image_); }
@@ -93,11 +97,17 @@ std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes)
   return triangles_of(scene, meshes.casters);
 }
 
+int first_uv(const Scene& scene, const HierarchyMeshes& meshes) {
+  return static_cast<int>(3 * (triangles_of(scene, meshes.casters) + triangles_of(scene, meshes.receivers)));
+}
+
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
                                  const std::vector<int>& rows, float touch, int threads) {
   const auto count =
       static_cast<std::size_t>(triangles_of(scene, meshes.casters) + triangles_of(scene, meshes.receivers));
-  if (count > kMostTriangles)
+  const auto texels_of_uv =
+      meshes.dressed ? kTexelsOfUv * static_cast<std::size_t>(triangles_of(scene, meshes.casters)) : 0;
+  if (count > kMostTriangles || rows_for(3 * count + texels_of_uv) > kMostRows)
     throw Error(ExitCode::BadInput, "casters and receivers have " + std::to_string(count) +
                                         " triangles, and light can be followed through at most " +
                                         std::to_string(kMostTriangles) +
@@ -106,7 +116,7 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
   all.insert(all.end(), meshes.receivers.begin(), meshes.receivers.end());
   const TriangleTree tree(scene, all, threads);
   const std::vector<std::int64_t> first = first_triangles(scene, meshes);
-  Table triangles(3 * count), normals(3 * count);
+  Table triangles(3 * count), normals(3 * count + texels_of_uv);
   const auto put = [&](std::size_t place) {
     const TriangleId& id = tree.triangles()[place];
     const auto m = static_cast<std::size_t>(id.mesh);
@@ -119,6 +129,12 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
       normals.set(3 * number + k, corner(mesh, id.triangle, k).normal,
                   k == 0 ? static_cast<float>(place) : 0.0f);
     }
+    if (kTexelsOfUv * number >= texels_of_uv) return;
+    const auto of = [&](std::size_t k) -> const Vertex& { return corner(mesh, id.triangle, k); };
+    const std::size_t texel = 3 * count + kTexelsOfUv * number;
+    normals.set(texel, glm::vec4(of(0).uv, of(1).uv));
+    normals.set(texel + 1, glm::vec4(of(2).uv, 0.0f, 0.0f));
+    for (std::size_t k = 0; k < 3; ++k) normals.set(texel + 2 + k, of(k).tangent);
   };
   in_runs(tree.triangles().size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) put(place);

@@ -13,12 +13,15 @@ namespace caustics {
 inline constexpr int kTableWidth = 4096;
 // Numbers of triangles pass through single precision.
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
+// As high as any device's textures are.
+inline constexpr std::size_t kMostRows = 16384;
 
 // The meshes whose triangles are in the hierarchy, casters first: a triangle's number is its place when all
 // of them are put one after the other.
 struct HierarchyMeshes {
   std::vector<int> casters, receivers;  // indices into Scene::meshes
   std::vector<int> bodies;              // by Scene::meshes: of a caster the row of its body's material
+  bool dressed = false;                 // casters have textures, for which texture coordinates are needed
 };
 
 struct HierarchyTables {
@@ -29,14 +32,20 @@ struct HierarchyTables {
   // A triangle takes three texels, leaf after leaf: its corners; and its number, the row of its material in
   // caster_materials, and the row of its body's plus 1.
   Image triangles;
-  // Likewise, by number: its corners' normals; and its place in `triangles`.
+  // Likewise, by number: its corners' normals; and its place in `triangles`. Of dressed casters, from texel
+  // first_uv() on, kTexelsOfUv a triangle by number: texture coordinates of its first and second corner; of
+  // the third; its corners' tangents.
   Image normals;
 };
+inline constexpr int kTexelsOfUv = 5;
 
 // The number of a mesh's first triangle, by Scene::meshes; -1 for those that are not in the hierarchy.
 std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMeshes& meshes);
 // Of the first receiver: as many as casters have.
 std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes);
+
+// The first texel of texture coordinates in `normals`: behind all normals.
+int first_uv(const Scene& scene, const HierarchyMeshes& meshes);
 
 // Made anew for each moment of a scene that moves, in 0.7 us a triangle on one thread. New boxes in the old
 // tree would take a tenth of that; but rays then walk up to 15 % longer after a turn of 30 degrees, and 1.2
@@ -44,7 +53,8 @@ std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes)
 // 16 surfaces 0.2 s to 0.003 with 6000 triangles, 0.4 s to 0.06 with 86,000.
 //
 // `rows`: by Scene::meshes, of caster_materials. `touch`: metres that every box is larger on each side.
-// `threads`: as TriangleTree has it. Throws Error (BadInput) for more than kMostTriangles.
+// `threads`: as TriangleTree has it. Throws Error (BadInput) for more than kMostTriangles, or a table of more
+// than kMostRows rows.
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
                                  const std::vector<int>& rows, float touch, int threads = 0);
 

@@ -37,8 +37,10 @@ glm::vec3 dielectric_reflectance(const Material& material) {
   return glm::min(material.specular_color * (r * r), glm::vec3(1.0f)) * material.fresnel_factor;
 }
 
+float grey_reflectance(const Material& material) { return 0.04f * (1.0f - material.metallic); }
+
 glm::vec3 metal_reflectance(const Material& material) {
-  return glm::vec3(0.04f) * (1.0f - material.metallic) + glm::vec3(material.base_color) * material.metallic;
+  return glm::vec3(grey_reflectance(material)) + glm::vec3(material.base_color) * material.metallic;
 }
 
 }  // namespace caustics

@@ -27,5 +27,7 @@ glm::vec3 dielectric_reflectance(const Material& material);
 // Reflectance of a metal at normal incidence: its base colour, and 0.04 of the dielectric share (glTF 2.0,
 // appendix B.2).
 glm::vec3 metal_reflectance(const Material& material);
+// The dielectric share of that, which base colour does not tint.
+float grey_reflectance(const Material& material);
 
 }  // namespace caustics

@@ -354,4 +354,16 @@ glm::dvec3 position_of(const Scene& scene, const TriangleHit& hit) {
   return sum;
 }
 
+glm::dvec2 uv_of(const Scene& scene, const TriangleHit& hit) {
+  glm::dvec2 sum(0.0);
+  for (int k = 0; k < 3; ++k) sum += glm::dvec2(vertex_of(scene, hit.id, k).uv) * hit.weights[k];
+  return sum;
+}
+
+glm::dvec4 tangent_of(const Scene& scene, const TriangleHit& hit) {
+  glm::dvec4 sum(0.0);
+  for (int k = 0; k < 3; ++k) sum += glm::dvec4(vertex_of(scene, hit.id, k).tangent) * hit.weights[k];
+  return sum;
+}
+
 }  // namespace caustics

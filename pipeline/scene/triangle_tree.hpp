@@ -67,5 +67,8 @@ class TriangleTree {
 glm::dvec3 shading_normal(const Scene& scene, const TriangleHit& hit);
 glm::dvec3 plane_normal(const Scene& scene, const TriangleId& id);
 glm::dvec3 position_of(const Scene& scene, const TriangleHit& hit);
+// Its texture coordinates, and the interpolated tangent.
+glm::dvec2 uv_of(const Scene& scene, const TriangleHit& hit);
+glm::dvec4 tangent_of(const Scene& scene, const TriangleHit& hit);
 
 }  // namespace caustics

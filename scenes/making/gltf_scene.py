@@ -47,8 +47,8 @@ def textured(material, base=None, normal=None, normal_scale=1.0):
 
 
 def png(width, height, texel):
-    """An RGB image; texel(u, v) gives three numbers in 0..1 at texel centres, v downwards. Stored
-    uncompressed, so that the bytes do not depend on the version of zlib."""
+    """An image; texel(u, v) gives three numbers in 0..1, or four with opacity, at texel centres, v downwards.
+    Stored uncompressed, so that the bytes do not depend on the version of zlib."""
     def chunk(kind, data):
         return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
     rows = bytearray()
@@ -57,7 +57,8 @@ def png(width, height, texel):
         for x in range(width):
             rows += bytes(min(255, max(0, round(255 * c)))
                           for c in texel((x + 0.5) / width, (y + 0.5) / height))
-    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)) +
+    kind = {3: 2, 4: 6}[len(texel(0.5, 0.5))]
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, kind, 0, 0, 0)) +
             chunk(b'IDAT', zlib.compress(bytes(rows), 0)) + chunk(b'IEND', b''))
 
 

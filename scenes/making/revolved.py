@@ -37,3 +37,8 @@ def revolved(curves, around):
                 if points[k + 1][0] > 0.0:
                     indices += [b, c, d]
     return positions, normals, indices
+
+
+def wound(curves, around, top, height):
+    """Texture coordinates of what `revolved` makes of them: u once around the axis, v downwards from a top."""
+    return [(i / around, (top - y) / height) for points in curves for _, y in points for i in range(around + 1)]

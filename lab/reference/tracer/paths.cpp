@@ -40,8 +40,14 @@ Paths::Paths(const World& world, int source, Physics physics)
       reflections_ = true;
       continue;
     }
-    ways_.push_back({branch.bend, glm::dvec3(branch.color)});
-    white_ += ways_.back().share;
+    white_ += glm::dvec3(branch.color);
+    // Ways through rough glass are the passes' affair: here each ray draws its own.
+    const auto alike =
+        std::find_if(ways_.begin(), ways_.end(), [&](const Way& way) { return way.bend == branch.bend; });
+    if (alike == ways_.end())
+      ways_.push_back({branch.bend, glm::dvec3(branch.color)});
+    else
+      alike->share += glm::dvec3(branch.color);
   }
   dispersion_ = ways_.size() > 1;
 }
@@ -81,7 +87,7 @@ void Paths::follow(const LightRay& light, Numbers& numbers, std::vector<Landing>
 void Paths::mirrored(const Arrival& arrival, std::vector<Landing>& landings, Account& account) const {
   const Facing f = facing(arrival.hit, arrival.ray.direction);
   const glm::dvec3 all = white_ * arrival.flux;
-  const glm::dvec3 kept = all * metal(world_.optics(arrival.hit.mesh).color, f.cosine);
+  const glm::dvec3 kept = all * metal(world_.optics_at(arrival.hit).color, f.cosine);
   account.absorbed += all - kept;
   land({arrival.hit.position, reflected(arrival.ray.direction, f.normal)}, false, kept, nullptr, landings,
        account);
@@ -101,7 +107,7 @@ void Paths::off_dielectric(const Arrival& arrival, std::vector<Landing>& landing
 void Paths::single(const Arrival& arrival, const Way& way, std::vector<Landing>& landings,
                    Account& account) const {
   const SurfaceHit& hit = arrival.hit;
-  const Optics& optics = world_.optics(hit.mesh);
+  const Optics optics = world_.optics_at(hit);
   const Facing f = facing(hit, arrival.ray.direction);
   const double ior = optics.index(way.bend);
   const double n1 = hit.front ? 1.0 : ior, n2 = hit.front ? ior : 1.0;

@@ -153,7 +153,7 @@ bool Paths::advance(Moving& moving, SurfaceHit& met, std::vector<Landing>& landi
 
 void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbers& numbers,
                  std::vector<Moving>& pending, Account& account) const {
-  const Optics& optics = world_.optics(met.mesh);
+  const Optics optics = world_.optics_at(met);
   const glm::dvec3& d = moving.ray.direction;
   const Facing smooth = facing(met, d);
   const bool rough = optics.alpha > 0.0;
@@ -176,7 +176,7 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
     if (crosses ? side < 0.0 : side > 0.0)
       pending.push_back(onward);
     else
-      account.cut += onward.flux;
+      (rough ? account.absorbed : account.cut) += onward.flux;
   };
   if (optics.role == Role::Mirror) {
     next.flux = moving.flux * metal(optics.color, f.cosine);
@@ -223,7 +223,8 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
   // The tint counts once for each body, as light gets in; or out, where it began inside; and at each wall.
   const glm::dvec3 tint = met.front || within < 0 ? optics.color : glm::dvec3(1.0);
   const double weaker = std::min(r, 1.0 - r) * largest(moving.flux);
-  const bool both = weaker > kSplitShare * moving.first && next.surfaces <= kSplits;
+  // Microfacets send each part to another place anyway: more rays tell more than more parts of one.
+  const bool both = !rough && weaker > kSplitShare * moving.first && next.surfaces <= kSplits;
   const bool mirrors = both || (!bent || (r > 0.0 && numbers.next() < r));
   if (mirrors) {
     Moving back = next;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "pipeline/effects/dressed_optics.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/in_pieces.hpp"
@@ -16,6 +17,18 @@
 #endif
 
 namespace caustics::tracer {
+
+namespace {
+
+// That a ray passes one behind the other, at most.
+constexpr int kMostHoles = 256;
+
+const Material& material_of(const Scene& scene, int mesh) {
+  const int material = scene.meshes[static_cast<std::size_t>(mesh)].material;
+  return scene.materials[static_cast<std::size_t>(material)];
+}
+
+}  // namespace
 
 #if CAUSTICS_EMBREE
 
@@ -180,10 +193,12 @@ struct RaySet::Handles {
 bool has_ray_queries() { return true; }
 const char* ray_queries_version() { return RTC_VERSION_STRING; }
 
-RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact)
-    : scene_(&scene), exact_(exact) {
+RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact,
+               bool dressed)
+    : scene_(&scene), exact_(exact), dressed_(dressed) {
   for (const int m : meshes)
     if (!scene.meshes[static_cast<std::size_t>(m)].indices.empty()) meshes_.push_back(m);
+  for (const int m : meshes_) has_holes_ |= dressed && material_of(scene, m).alpha_mode == AlphaMode::Mask;
   if (meshes_.empty()) return;
   const PlainFloats plain;  // committing changes the mode, and is trusted to put it back only so far
   handles_ = std::make_unique<Handles>();
@@ -197,7 +212,7 @@ RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::ve
   handles_->commit();
 }
 
-std::optional<SurfaceHit> RaySet::nearest(const Ray& ray, double from, double to) const {
+std::optional<SurfaceHit> RaySet::nearest_surface(const Ray& ray, double from, double to) const {
   if (!handles_) return std::nullopt;
   Query query(ray, from, to);
   RTCRayHit hit;
@@ -217,6 +232,7 @@ std::optional<SurfaceHit> RaySet::nearest(const Ray& ray, double from, double to
 
 bool RaySet::blocked(const Ray& ray, double from, double to) const {
   if (!handles_) return false;
+  if (has_holes_) return nearest(ray, from, to).has_value();
   Query query(ray, from, to);
   RTCRay probe;
   fill(probe, ray, from, to);
@@ -230,12 +246,13 @@ struct RaySet::Handles {};
 bool has_ray_queries() { return false; }
 const char* ray_queries_version() { return "none"; }
 
-RaySet::RaySet(const Scene& scene, const std::vector<int>&, const std::vector<ExactShape>&) : scene_(&scene) {
+RaySet::RaySet(const Scene& scene, const std::vector<int>&, const std::vector<ExactShape>&, bool)
+    : scene_(&scene) {
   throw Error(ExitCode::BackendUnavailable,
               "this build has no Embree, which finds the reference's rays; install libembree-dev and "
               "configure again");
 }
-std::optional<SurfaceHit> RaySet::nearest(const Ray&, double, double) const { return std::nullopt; }
+std::optional<SurfaceHit> RaySet::nearest_surface(const Ray&, double, double) const { return std::nullopt; }
 bool RaySet::blocked(const Ray&, double, double) const { return false; }
 
 #endif
@@ -243,6 +260,17 @@ bool RaySet::blocked(const Ray&, double, double) const { return false; }
 RaySet::~RaySet() = default;
 RaySet::RaySet(RaySet&&) noexcept = default;
 RaySet& RaySet::operator=(RaySet&&) noexcept = default;
+
+bool RaySet::is_hole(const SurfaceHit& hit) const {
+  return has_holes_ && hit.triangle >= 0 && is_cut_out(*scene_, material_of(*scene_, hit.mesh), hit.uv);
+}
+
+std::optional<SurfaceHit> RaySet::nearest(const Ray& ray, double from, double to) const {
+  std::optional<SurfaceHit> hit = nearest_surface(ray, from, to);
+  for (int passed = 0; hit && is_hole(*hit) && passed < kMostHoles; ++passed)
+    hit = nearest_surface(ray, std::max(hit->distance, from) * (1.0 + 1e-6) + 1e-9, to);
+  return hit;
+}
 
 const ExactShape* RaySet::shape_of(int mesh) const {
   const auto found =
@@ -278,6 +306,10 @@ SurfaceHit RaySet::met_again(const Ray& ray, int mesh, int triangle, double dist
   hit.normal = exact::normalise(
       glm::dvec3(a.normal) * wa + glm::dvec3(b.normal) * wb + glm::dvec3(c.normal) * wc, hit.plane);
   hit.uv = glm::dvec2(a.uv) * wa + glm::dvec2(b.uv) * wb + glm::dvec2(c.uv) * wc;
+  if (dressed_)
+    hit.normal =
+        leaned(*scene_, material_of(*scene_, mesh), hit.normal,
+               glm::dvec4(a.tangent) * wa + glm::dvec4(b.tangent) * wb + glm::dvec4(c.tangent) * wc, hit.uv);
   return hit;
 }
 

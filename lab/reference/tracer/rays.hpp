@@ -31,8 +31,10 @@ const char* ray_queries_version();
 class RaySet {
  public:
   // Of these meshes; the scene must outlive the set and keep its vertices. No meshes are fine: nothing is
-  // hit. Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then.
-  RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact = {});
+  // hit. Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then. `dressed`: their
+  // textures lean normals, and cut holes that rays pass.
+  RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact = {},
+         bool dressed = false);
   ~RaySet();
   RaySet(RaySet&&) noexcept;
   RaySet& operator=(RaySet&&) noexcept;
@@ -44,12 +46,15 @@ class RaySet {
 
  private:
   struct Handles;
+  std::optional<SurfaceHit> nearest_surface(const Ray& ray, double from, double to) const;
+  bool is_hole(const SurfaceHit& hit) const;
   SurfaceHit met_again(const Ray& ray, int mesh, int triangle, double distance) const;
   const ExactShape* shape_of(int mesh) const;
 
   const Scene* scene_;
   std::vector<int> meshes_;  // by Embree's geometry number
   std::vector<ExactShape> exact_;
+  bool dressed_ = false, has_holes_ = false;
   std::unique_ptr<Handles> handles_;
 };
 

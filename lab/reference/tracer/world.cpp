@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/effects/dressed_optics.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 
@@ -55,14 +56,21 @@ World::World(const Scene& scene, const Effects& effects, const std::vector<Exact
   }
 }
 
+Optics World::optics_at(const SurfaceHit& hit) const {
+  const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(hit.mesh)];
+  const Material& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
+  return is_dressed(material) && hit.triangle >= 0 ? dressed(scene_, material, optics(hit.mesh), hit.uv)
+                                                   : optics(hit.mesh);
+}
+
 LitSet World::set_without(int emitter) const {
   std::vector<int> casters = meshes_with(optics_, emitter, throws_light);
   Bounds bounds;
   for (const int m : casters) bounds.add(bounds_of(scene_.meshes[static_cast<std::size_t>(m)]));
   for (const ExactShape& shape : exact_)
     if (std::find(casters.begin(), casters.end(), shape.mesh) != casters.end()) bounds.add(shape.bounds());
-  return {RaySet(scene_, casters, exact_), RaySet(scene_, meshes_with(optics_, emitter, is_receiver), exact_),
-          std::move(casters), bounds};
+  return {RaySet(scene_, casters, exact_, true),
+          RaySet(scene_, meshes_with(optics_, emitter, is_receiver), exact_), std::move(casters), bounds};
 }
 
 glm::dvec3 facing_normal(const glm::dvec3& normal, const glm::dvec3& direction, bool flip) {

@@ -22,6 +22,8 @@ class World {
   const Scene& scene() const { return scene_; }
   const Effects& effects() const { return effects_; }
   const Optics& optics(int mesh) const { return optics_[static_cast<std::size_t>(mesh)]; }
+  // What the surface does there, with its textures.
+  Optics optics_at(const SurfaceHit& hit) const;
   // `source`: index into Scene::sources.
   const LitSet& lit_by(int source) const { return sets_[set_of_[static_cast<std::size_t>(source)]]; }
   // Does any caster throw a caustic of this light? If not, casters let it pass as if they were not there.

@@ -19,6 +19,7 @@ OUTPUT(7, Vec4, absorbed)
 #include "passes/shared/media.glsl"
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
+#include "passes/shared/microfacets.glsl"
 #include "passes/shared/bend_light.glsl"
 
 Turn turn_now() {
@@ -27,6 +28,8 @@ Turn turn_now() {
   turn.mirrored = Bool(u.mirrored_at != 0);
   turn.drawn = Float(0.5f);
   turn.chance = Float(0.25f);
+  turn.facet = Float(0.0f);
+  turn.slope = Vec2(Float(0.0f), Float(0.0f));
   return turn;
 }
 
