@@ -149,7 +149,8 @@ std::string plan_json(const PlanReport& report) {
         {{"light", scene.lights[static_cast<std::size_t>(found.light)].source},
          {"mesh", found.mesh},
          {"share", found.share},
-         {"of_light", found.of_light}});
+         {"of_light", found.of_light},
+         {"seen", found.seen}});
   for (const LightLedger& ledger : report.ledgers) {
     document["leaves_share"].push_back({{"light", ledger.light}, {"share", ledger.leaves()}});
     if (ledger.error.judged)

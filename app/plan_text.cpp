@@ -143,7 +143,8 @@ class TextReport {
       table.row({"",
                  "light " + light_label(of(), source_of_light(found.light)) + " through " +
                      mesh_label(of(), found.mesh),
-                 percent(found.share) + " of what lands of it goes other ways than through two surfaces"});
+                 percent(found.share) + " of what lands of it goes other ways than through two surfaces, " +
+                     percent(found.seen) + " of what is seen of that light"});
     if (called_for().expectations.empty()) {
       table.row({yes_no(false), "nothing in the scene bends or mirrors light"});
     }

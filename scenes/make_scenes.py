@@ -493,7 +493,7 @@ def stained_tumbler():
 
 
 def pierced_ball():
-    """A shell of silver that an alpha mask has cut holes into: light enters by them and is mirrored inside."""
+    """A shell of silver that an alpha mask has cut holes into: light enters and is mirrored inside."""
     ball = icosphere((0.0, 0.55, 0.0), 0.45, 4)
 
     def holes(u, v):
@@ -514,8 +514,8 @@ def deep_ring():
 
 
 REAL_GLASS = (drinking_glass, drinking_glass_high_sun, glass_of_wine, bottle_of_liquid, hollow_ball, bubbles,
-              two_balls, glass_bowl, three_glasses, glass_on_floor, deep_ring, frosted_tumbler, stained_tumbler,
-              pierced_ball)
+              two_balls, glass_bowl, three_glasses, glass_on_floor, deep_ring, frosted_tumbler,
+              stained_tumbler, pierced_ball)
 
 
 def main():

@@ -29,7 +29,8 @@ std140::CausticFootprints footprints_uniforms(const PassContext& context) {
           .largest =
               static_cast<float>(std::min(kLargestFootprint * std::max(times.x, times.y), kLargestInCascade)),
           .grid_side = context.settings->grid,
-          .map_side = context.settings->map};
+          .map_side = context.settings->map,
+          .is_part = context.cascade() ? 1 : 0};
 }
 
 }  // namespace

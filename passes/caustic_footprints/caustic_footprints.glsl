@@ -15,19 +15,19 @@ TEXTURE(3, cell_flux)
 #include "passes/shared/quarters_left.glsl"
 #include "passes/shared/view_space.glsl"
 
-// A place on the map half a texel from its edge, if it lies nearer; others stay.
+// Of a map that has all light: a place on it half a texel from its edge, if it lies nearer; others stay.
 Float off_edge(Float middle) {
   Float side = Float(float(u.map_side));
-  Bool on_map = middle >= 0.0f && middle <= side;
+  Bool on_map = u.is_part == 0 && middle >= 0.0f && middle <= side;
   return sel(on_map, clamp_to(middle, Float(0.5f), side - 0.5f), middle);
 }
 
-// A footprint's half extents in texels, no larger than it may be, nor than the map has room around its
-// middle: no light is laid beyond it.
+// A footprint's half extents in texels, no larger than it may be, nor than a map that has all light has room
+// around its middle: no light is laid beyond it.
 Float fitted(Float half_extent, Float middle) {
   Float side = Float(float(u.map_side));
   Float inside = max_of(min_of(middle, side - middle) - 0.25f, 0.0f);
-  Bool on_map = middle >= 0.0f && middle <= side;
+  Bool on_map = u.is_part == 0 && middle >= 0.0f && middle <= side;
   Float most = min_of(Float(0.5f * u.largest), sel(on_map, inside, Float(0.5f * u.largest)));
   Bool finite = half_extent < 1.0e9f;
   return sel(finite, min_of(most / max_of(half_extent, most + 1.0e-6f), Float(1.0f)), Float(0.0f));

@@ -23,6 +23,7 @@ struct Bench {
   float taken = 0.0f;  // 1: by all cells
   float largest = 32.0f;
   float enlarged = 1.0f;  // of the map's middle, as a cascade's map shows it
+  bool is_part = false;
 
   Image map() const {
     const glm::vec4 landing(place.x - 4.0f, 0.0f, 4.0f - place.y, status);
@@ -33,6 +34,7 @@ struct Bench {
     u.largest = largest;
     u.grid_side = grid;
     u.map_side = 8;
+    u.is_part = is_part ? 1 : 0;
     return run_pass(
         definition_with(caustic_footprints_pass(), &Effects::coloured_caustics),
         {.width = 8,
@@ -206,4 +208,19 @@ TEST_CASE("caustic_footprints: a finer map shows its part of the whole one large
   // What lies beyond it is left out.
   bench.place = {0.5f, 4.5f};
   CHECK(sum(bench.map()) == 0.0);
+}
+
+TEST_CASE("caustic_footprints: a cascade shows its part of a footprint across its edge, as large as it is") {
+  // 4 x 2 texels around a middle half a texel outside, and inside: columns 0 and 1 get an eighth each, and
+  // half of one, in both rows.
+  Bench bench;
+  bench.is_part = true;
+  bench.steps = {4.0f, 0.0f, 0.0f, 2.0f};
+  bench.place = {-0.5f, 4.0f};
+  const Image outside = bench.map();
+  CHECK(outside.at(0, 3, 0) == Approx(0.125).epsilon(1e-5));
+  CHECK(outside.at(1, 4, 0) == Approx(0.0625).epsilon(1e-5));
+  CHECK(sum(outside) == Approx(3.0 / 8.0).epsilon(1e-5));
+  bench.place = {0.5f, 4.0f};
+  CHECK(sum(bench.map()) == Approx(5.0 / 8.0).epsilon(1e-5));
 }

@@ -98,7 +98,7 @@ Vec3 spread_behind(IN(LightPath) path, IN(Surface) surface, Bool is_mirrored, Ve
   return sel(is_mirrored, back, through);
 }
 
-// The path with what it meets here: a body and an event; and a microfacet, which none of its neighbours meets.
+// The path with what it meets here: a body and an event; and a microfacet, which no neighbour meets.
 Float path_with(Float path, Float body, IN(Surface) surface, Bool is_mirrored, Float facet) {
   Float event = sel(surface.both.passes, Float(EVENT_PASSES),
                     sel(is_mirrored, Float(EVENT_MIRRORED), Float(EVENT_CROSSES)));
@@ -118,9 +118,8 @@ Vec3 arrive(INOUT(LightPath) path, IN(Meeting) at) {
   return before - path.flux;
 }
 
-// Microfacets spread light. Of their width one part is drawn vertex by vertex, the other is given to footprints,
-// so that these overlie each other many times: sides of 1.25 widths and slopes of 0.85 spread light about as far
-// as all slopes do. It is added the way in which the light is wide.
+// Microfacets spread light: beside the slopes that its vertices draw, by a width over each footprint, so that
+// these overlie each other many times. It is added the way in which the light is wide.
 void spread_by_facets(INOUT(LightPath) path, IN(Surface) surface, Bool like_a_mirror, Float width) {
   Vec3 n = surface.normal;
   Float ci = surface.bent.cosine;
@@ -163,44 +162,61 @@ void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Ve
   surface.mirrored = sel(thin, wall.reflectance * material.fresnel, surface.mirrored);
 }
 
+// A surface as light meets it: of rough glass one microfacet.
+struct Facet {
+  Surface surface;
+  Vec3 smooth_normal;  // of what the facet is on, against the light
+  Float width;         // of all facets' slopes; 0: smooth
+};
+
+Facet facet_at(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Material) material,
+               IN(Turn) turn) {
+  Vec3 from = before.ray.direction;
+  Facet facet;
+  facet.width = Float(0.0f);
+  Meeting met = at;
+  if (u.has_rough != 0) {
+    facet.width = width_of_facets(material, at);
+    met.outward = facet_normal(at.outward, turn.slope * facet.width);
+  }
+  facet.surface = surface_at(from, met, interface_at(before.media, at, triangle, material), material);
+  facet.smooth_normal = facet.surface.normal;
+  if (u.has_rough != 0) {
+    facet.smooth_normal = facing_normal(at.outward, from, !at.front);
+    if (any_lane(material.thin)) make_wall(facet.surface, material, from, facet.smooth_normal);
+  }
+  return facet;
+}
+
+// What a facet sends on of its share. What it sends through the surface's wrong side meets another facet there,
+// and counts as masked.
+Float sent_by(IN(Facet) facet, IN(Meeting) at, Vec3 from, Vec3 onward, Bool is_mirrored) {
+  Float sent = facet_weight(from, onward, facet.smooth_normal, facet.surface.normal, facet.width);
+  sent = sel(strays(onward, at, from, is_mirrored), Float(0.0f), sent);
+  return sel(facet.width > 0.0f, sent, Float(1.0f));
+}
+
 BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) triangle,
                      IN(Material) material, IN(Turn) turn) {
   BentLight bent;
   bent.path = before;
   Vec3 taken = arrive(bent.path, at);
   Vec3 from = before.ray.direction;
-  Float width = Float(0.0f);
-  Meeting facet = at;
-  if (u.has_rough != 0) {
-    width = width_of_facets(material, at);
-    facet.outward = facet_normal(at.outward, turn.slope * width);
-  }
-  Surface surface =
-      surface_at(from, facet, interface_at(before.media, at, triangle, material), material);
-  Vec3 smooth_normal = surface.normal;
-  if (u.has_rough != 0) {
-    smooth_normal = facing_normal(at.outward, from, !at.front);
-    if (any_lane(material.thin)) make_wall(surface, material, from, smooth_normal);
-  }
+  Facet facet = facet_at(before, at, triangle, material, turn);
+  Surface surface = facet.surface;
   Way way = way_of(bent.path, surface, material, turn);
   if (u.draws != 0) way = drawn_way(surface, material, turn, bent.path);
   turn_differential(bent.path, at, triangle, surface, way.is_mirrored);
-  if (u.has_rough != 0)
-    spread_by_facets(bent.path, surface, way.is_mirrored || material.thin, width);
   bent.path.ray.direction = direction_behind(surface, from, way.is_mirrored);
   bent.path.flux = way.flux * color_behind(surface, material, way.is_mirrored);
-  Float met = Float(0.0f);
+  Float number = Float(0.0f);
   if (u.has_rough != 0) {
-    Bool rough = width > 0.0f;
-    Float sent = facet_weight(from, bent.path.ray.direction, smooth_normal, surface.normal, width);
-    // What a facet sends through the surface's wrong side meets another facet there, and counts as masked.
-    Bool masked = strays(bent.path.ray.direction, at, from, way.is_mirrored);
-    sent = sel(masked, Float(0.0f), sent);
-    bent.path.flux = bent.path.flux * sel(rough, sent, Float(1.0f));
-    met = sel(rough, turn.facet, met);
+    spread_by_facets(bent.path, surface, way.is_mirrored || material.thin, facet.width);
+    bent.path.flux = bent.path.flux * sent_by(facet, at, from, bent.path.ray.direction, way.is_mirrored);
+    number = sel(facet.width > 0.0f, turn.facet, number);
   }
   bent.path.media = sel(way.is_mirrored, before.media, surface.both.media);
-  bent.path.path = path_with(before.path, triangle.body, surface, way.is_mirrored, met);
+  bent.path.path = path_with(before.path, triangle.body, surface, way.is_mirrored, number);
   keep_across(bent.path);
   Float left = max_of(max_of(bent.path.flux.x, bent.path.flux.y), bent.path.flux.z);
   Bool astray = strays(bent.path.ray.direction, at, from, way.is_mirrored);

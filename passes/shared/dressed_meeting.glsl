@@ -9,6 +9,11 @@ struct Picture {
   Vec4 v;     // likewise v'; and 4 more where it is not interpolated
 };
 
+Bool is_there(IN(Picture) picture) {
+  Float width = picture.part.z;
+  return width > 0.0f;
+}
+
 Picture picture_at(Int row, int column) {
   Picture picture;
   picture.part = fetch_clamped(caster_materials, Int(column), row);
@@ -19,9 +24,10 @@ Picture picture_at(Int row, int column) {
 
 // What is not there is white.
 Vec4 fetch_picture(IN(Picture) picture, Vec2 uv, Bool finest) {
-  Bool nearest = picture.v.w > 3.5f;
   Int wrap_u = floor_to_int(picture.u.w);
-  Int wrap_v = floor_to_int(picture.v.w - sel(nearest, Float(4.0f), Float(0.0f)));
+  Int how = floor_to_int(picture.v.w);
+  Bool nearest = how > 3;
+  Int wrap_v = how - sel(nearest, Int(4), Int(0));
   Float u = picture.u.x * uv.x + picture.u.y * uv.y + picture.u.z;
   Float v = picture.v.x * uv.x + picture.v.y * uv.y + picture.v.z;
   TexelPair columns = texels_around(floor_to_int(picture.part.z), wrapped_along(u, wrap_u), wrap_u);
@@ -31,7 +37,7 @@ Vec4 fetch_picture(IN(Picture) picture, Vec2 uv, Bool finest) {
   rows.between = sel(one, floor(rows.between + 0.5f), rows.between);
   Vec4 texel =
       fetch_around(caster_texels, columns, rows, floor_to_int(picture.part.x), floor_to_int(picture.part.y));
-  return sel(picture.part.z > 0.0f, texel, Vec4(1.0f));
+  return sel(is_there(picture), texel, Vec4(1.0f));
 }
 
 // A place's texture coordinates and tangent.
@@ -60,13 +66,14 @@ Vec3 dressed_normal(Vec3 n, IN(Dress) dress, Int row) {
   Vec3 local = tangent_space_normal(fetch_picture(picture, dress.uv, Bool(false)),
                                     fetch_clamped(caster_materials, Int(3), row).y);
   local.z = max_of(local.z, 0.01f);
-  return sel(picture.part.z > 0.0f, leaned_normal(n, dress.tangent, local), n);
+  return sel(is_there(picture), leaned_normal(n, dress.tangent, local), n);
 }
 
 // Colour, transmission, holes and normal at a place. `wanted`: there is a caster; `is_drawn`: it is what the
 // caster map shows there, whose normal leans already, and where there is no hole.
-void put_on_textures(INOUT(Meeting) at, INOUT(Material) material, IN(CasterTriangle) triangle, Int row,
+void put_on_textures(INOUT(Meeting) at, INOUT(Material) material, IN(CasterTriangle) triangle,
                      Bool wanted, Bool is_drawn) {
+  Int row = triangle.row;
   Dress dress = dress_at(at, triangle, wanted);
   Picture base = picture_at(row, 4);
   Vec3 grey = Vec3(sel(material.mirror, material.transmitted, Float(0.0f)));
@@ -74,9 +81,11 @@ void put_on_textures(INOUT(Meeting) at, INOUT(Material) material, IN(CasterTrian
   material.color = grey + (material.color - grey) * color;
   material.transmitted =
       material.transmitted * fetch_picture(picture_at(row, 7), dress.uv, Bool(false)).x;
-  Vec4 mask = fetch_clamped(caster_materials, Int(3), row);
-  Bool masked = wanted && !is_drawn && mask.w > 0.0f;
+  Vec4 of_surface = fetch_clamped(caster_materials, Int(3), row);
+  Float opacity = of_surface.z;
+  Float cutoff = of_surface.w;
+  Bool masked = wanted && !is_drawn && cutoff > 0.0f;
   if (any_lane(masked))
-    at.hole = masked && fetch_picture(base, dress.uv, Bool(true)).w * mask.z < mask.w;
+    at.hole = masked && fetch_picture(base, dress.uv, Bool(true)).w * opacity < cutoff;
   if (any_lane(!is_drawn)) at.outward = sel(is_drawn, at.outward, dressed_normal(at.outward, dress, row));
 }

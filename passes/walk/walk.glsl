@@ -121,7 +121,7 @@ void main() {
     Material material = fetch_material(caster_materials, here.material);
     draw = draw_at(surface, draw, column, row);
     if (u.has_textures != 0)
-      put_on_textures(here.at, material, here.triangle, here.material, under_way, Bool(surface == 1));
+      put_on_textures(here.at, material, here.triangle, under_way, Bool(surface == 1));
     BentLight bent = bend_light(here.path, here.at, here.triangle, material, turn_at(surface, draw, facet));
     if (u.has_rough != 0) facet = next_facet_draw(next_facet_draw(facet));
     here.path = bent.path;

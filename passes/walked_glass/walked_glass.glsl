@@ -90,7 +90,7 @@ Vec3 radiance_at(Vec3 p, Vec3 direction, Bool lands, Bool mirrored) {
 void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, Bool straight, Bool wanted) {
   Meeting at = meeting;
   Material material = fetch_material(caster_materials, triangle.row);
-  if (u.has_textures != 0) put_on_textures(at, material, triangle, triangle.row, wanted, Bool(false));
+  if (u.has_textures != 0) put_on_textures(at, material, triangle, wanted, Bool(false));
   Interface both = interface_at(sight.media, at, triangle, material);
   both.passes = both.passes || straight;
   Vec3 before = sight.ray.direction;
@@ -147,7 +147,6 @@ struct Front {
   Meeting at;
   CasterTriangle triangle;
   Material material;
-  Int row;  // of caster_materials
 };
 
 Front front_at(Vec4 position, Int column, Int row) {
@@ -155,8 +154,7 @@ Front front_at(Vec4 position, Int column, Int row) {
   Float number = texel_fetch(view_caster_triangle, column, row).x - 1.0f;
   Front front;
   front.triangle = fetch_triangle(max_of(number, 0.0f));
-  front.row = material_row(normal);
-  front.material = fetch_material(caster_materials, front.row);
+  front.material = fetch_material(caster_materials, material_row(normal));
   front.at.point = Vec3(position);
   front.at.outward = Vec3(normal);
   front.at.plane = normalize_or(cross3(front.triangle.edge1, front.triangle.edge2), front.at.outward);
@@ -177,7 +175,7 @@ Vec3 sight_to(Vec3 p) {
 Vec3 radiance_of(IN(Front) drawn, Bool seen) {
   Front front = drawn;
   if (u.has_textures != 0)
-    put_on_textures(front.at, front.material, front.triangle, front.row, seen, Bool(true));
+    put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
   Vec3 sight = sight_to(front.at.point);
   Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
   Surface surface = surface_at(sight, front.at, both, front.material);

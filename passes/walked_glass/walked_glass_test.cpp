@@ -66,8 +66,10 @@ struct Bench {
                                 .most_steps = 1000,
                                 .first_receiver = hierarchy.first_receiver(),
                                 .touch = hierarchy.touch,
+                                .first_uv = 0,
                                 .blends = 0,
-                                .several_rays = several_rays};
+                                .several_rays = several_rays,
+                                .has_textures = 0};
     // On the second of the uppermost face's triangles.
     const auto level = [&](float height) { return filled(1, 1, {at.x, height, at.y, 1.0f}); };
     const Image beauty = run_pass(

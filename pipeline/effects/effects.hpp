@@ -115,6 +115,7 @@ struct FurtherShare {
   int mesh = 0;
   double share = 0.0;     // 0..1
   double of_light = 0.0;  // how much of the light's landed flux comes through this caster, 0..1
+  double seen = 0.0;      // `share` of what the picture shows of the light, through all casters
   glm::dvec3 looks{0.0};  // LightEffects::looks
 };
 

@@ -65,14 +65,17 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   if (shares.empty()) return effects;
   std::map<int, double> of_lights;
   for (const FurtherShare& found : shares) of_lights[found.light] += found.share * found.of_light;
-  double share = 0.0;
+  double share = 0.0, seen = 0.0;
   for (const auto& [light, of_light] : of_lights) share = std::max(share, of_light);
+  for (const FurtherShare& found : shares) seen = std::max(seen, found.seen);
   effects.further_shares = std::move(shares);
-  const bool active = share > static_cast<double>(settings.further_share);
+  const bool by_sight = seen > share;
+  const bool active = std::max(share, seen) > static_cast<double>(settings.further_share);
   const std::string limit = percent(static_cast<double>(settings.further_share));
-  effects.further_surfaces = {
-      active, percent(share) + " of the light that lands goes other ways than through two surfaces, " +
-                  (active ? "more than " : "no more than ") + limit};
+  effects.further_surfaces = {active, percent(std::max(share, seen)) + " of the light that " +
+                                          (by_sight ? "is seen" : "lands") +
+                                          " goes other ways than through two surfaces, " +
+                                          (active ? "more than " : "no more than ") + limit};
   if (!active) return effects;
   for (const FurtherShare& found : effects.further_shares)
     if (found.looks != glm::dvec3(0.0))

@@ -37,7 +37,7 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
     }
     frame.effects = with_dim_lights(std::move(frame.effects), scene, settings, *of_lights);
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
-      shares = pilot.further_shares(frame.effects, settings);
+      shares = pilot.further_shares(frame.effects, settings, camera);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);
     if (asked.grid.automatic && frame.effects.rough_glass.active && !frame.effects.further_surfaces.active)
       frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;

@@ -140,6 +140,12 @@ class LandingScout {
 
 namespace {
 
+// From where a light sees its casters, and the picture its light; no camera: null.
+struct PilotViews {
+  const View& caster;
+  const View* camera;
+};
+
 double flux_of(const LightLanding& landing) { return (landing.flux.x + landing.flux.y) + landing.flux.z; }
 
 // Would its widest window show a point?
@@ -174,8 +180,24 @@ glm::dvec3 way_to_landings(const Light& light, const View& caster,
   return share_beyond(turned, landings) < 0.5 * beyond ? way : glm::dvec3(0.0);
 }
 
-void add_shares(const LightPaths& paths, const Light& light, int number, const View& caster, int step,
+// How much of the picture an area at a point fills, up to a factor: nothing where it is not seen directly.
+double size_in_picture(const LightPaths& paths, const View* camera, const glm::dvec3& p) {
+  if (!camera) return 0.0;
+  const glm::dvec3 q = camera->coordinates(p), way = camera->origin - p;
+  if (!(q.z > 0.0)) return 0.0;
+  const glm::dvec2 at = camera->window(q);
+  if (glm::any(glm::lessThan(at, camera->window_lower)) ||
+      glm::any(glm::greaterThan(at, camera->window_upper)))
+    return 0.0;
+  const bool blocked = camera->perspective ? paths.casters_block(p, exact::normalise(way, -camera->forward),
+                                                                 exact::length(way))
+                                           : paths.casters_block(p, -camera->forward, q.z);
+  return blocked ? 0.0 : camera->perspective ? 1.0 / (q.z * q.z) : 1.0;
+}
+
+void add_shares(const LightPaths& paths, const Light& light, int number, const PilotViews& views, int step,
                 std::vector<FurtherShare>& shares) {
+  const View& caster = views.caster;
   struct Landed {
     double all = 0.0, simple = 0.0;  // on the ways that the passes take which know two surfaces
   };
@@ -193,12 +215,17 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
     }
   }
   const glm::dvec3 looks = way_to_landings(light, caster, landings);
+  double shown = 0.0, shown_simply = 0.0;
   for (std::size_t i = 0; i < landings.size(); ++i) {
     const double flux = flux_of(landings[i]);
     Landed& sum = landed[meshes[i]];
     sum.all += flux;
-    if (landings[i].followed && (looks == glm::dvec3(0.0) || shows(caster, landings[i].position)))
+    const double in_picture = flux * size_in_picture(paths, views.camera, landings[i].position);
+    shown += in_picture;
+    if (landings[i].followed && (looks == glm::dvec3(0.0) || shows(caster, landings[i].position))) {
       sum.simple += flux;
+      shown_simply += in_picture;
+    }
     whole += flux;
   }
   for (const auto& [mesh, sum] : landed)
@@ -206,6 +233,7 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const V
                       .mesh = mesh,
                       .share = 1.0 - sum.simple / sum.all,
                       .of_light = sum.all / whole,
+                      .seen = shown > 0.0 ? 1.0 - shown_simply / shown : 0.0,
                       .looks = looks});
 }
 
@@ -266,7 +294,8 @@ std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& 
   return views;
 }
 
-std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, const Settings& settings) const {
+std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, const Settings& settings,
+                                                     const View* camera) const {
   const Scene& scene = scene_.scene();
   const LightPaths paths(scene, effects);
   std::vector<FurtherShare> shares;
@@ -277,7 +306,7 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
     const auto index = static_cast<std::size_t>(i);
     const bool all_around = !effects.lights[index].all_around.empty();
     const View caster = widest_views(scene, effects, all_around ? settings : coarse, i).caster;
-    add_shares(paths, scene.lights[index], i, caster, pilot_step(lights.size()), shares);
+    add_shares(paths, scene.lights[index], i, {caster, camera}, pilot_step(lights.size()), shares);
   }
   return shares;
 }

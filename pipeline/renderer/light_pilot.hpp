@@ -26,7 +26,9 @@ class LightPilot {
                               std::vector<LandingSurvey>* surveys = nullptr);
   // What share of each light goes on from surface to surface, caster by caster; of the samples of a light
   // with a size the first alone. `effects`: nothing speaks against following it (why_not_followed).
-  std::vector<FurtherShare> further_shares(const Effects& effects, const Settings& settings) const;
+  // `camera`: what the picture shows; null where there is none.
+  std::vector<FurtherShare> further_shares(const Effects& effects, const Settings& settings,
+                                           const View* camera) const;
 
  private:
   void fit_to_scouted(const Effects& effects, const Settings& settings, std::vector<LightViews>& views,

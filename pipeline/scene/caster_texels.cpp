@@ -6,7 +6,7 @@ namespace caustics {
 
 namespace {
 
-using Place = CasterTexels::Place;
+using PictureAt = CasterTexels::Place;
 
 Image halved(const Image& image) {
   Image half(image.shape.format, std::max(1, image.width() / 2), std::max(1, image.height() / 2));
@@ -22,7 +22,7 @@ Image halved(const Image& image) {
 }
 
 // In rows from the bottom, the highest pictures first; `width`: of all. Their height.
-int put_in_rows(const std::map<int, Image>& images, int width, std::map<int, Place>& places) {
+int put_in_rows(const std::map<int, Image>& images, int width, std::map<int, PictureAt>& places) {
   std::vector<int> order;
   for (const auto& [index, image] : images) order.push_back(index);
   std::stable_sort(order.begin(), order.end(),
@@ -56,7 +56,7 @@ int width_for(const std::map<int, Image>& images) {
   return static_cast<int>(width);
 }
 
-void copy_into(Image& all, const Image& image, const Place& place) {
+void copy_into(Image& all, const Image& image, const PictureAt& place) {
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
       for (int c = 0; c < 4; ++c)

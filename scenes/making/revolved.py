@@ -40,5 +40,6 @@ def revolved(curves, around):
 
 
 def wound(curves, around, top, height):
-    """Texture coordinates of what `revolved` makes of them: u once around the axis, v downwards from a top."""
-    return [(i / around, (top - y) / height) for points in curves for _, y in points for i in range(around + 1)]
+    """Texture coordinates of what `revolved` makes: u once around the axis, v downwards from a top."""
+    return [(i / around, (top - y) / height)
+            for points in curves for _, y in points for i in range(around + 1)]
