@@ -39,6 +39,19 @@ constexpr double kBeyond = 0.1;
 // The coarse run that looks for landings.
 constexpr int kCoarseGrid = 96, kCoarseMap = 256, kCoarseIterations = 8;
 
+// A light's, of all branches.
+struct FoundLandings {
+  std::vector<WeightedPoint> points{};
+  double hidden = 0.0;  // weight of those that only the map of the farthest receivers shows
+
+  // Is more than a tenth?
+  bool is_hidden() const {
+    double sum = 0.0;
+    for (const WeightedPoint& point : points) sum += point.weight;
+    return hidden > 0.1 * sum;
+  }
+};
+
 void add_landings(const Image& landing, const Image& flux, const View& view,
                   std::vector<WeightedPoint>& points) {
   // What x and y are made of before they are rounded; how far back a parallel light stands is no part of
@@ -59,16 +72,31 @@ void add_landings(const Image& landing, const Image& flux, const View& view,
     }
 }
 
+// Light that is followed to where its light does not see it has landed all the same: it is shown by the map
+// of the farthest receivers. Returns how much of it there is.
+double take_hidden_for_landed(Image& landing, const Image& flux) {
+  double hidden = 0.0;
+  for (int y = 0; y < landing.height(); ++y)
+    for (int x = 0; x < landing.width(); ++x) {
+      float& status = landing.at(x, y, 3);
+      if (status != static_cast<float>(LandingStatus::NotConverged)) continue;
+      status = static_cast<float>(LandingStatus::Landed);
+      hidden += static_cast<double>(std::max({flux.at(x, y, 0), flux.at(x, y, 1), flux.at(x, y, 2)}));
+    }
+  return hidden;
+}
+
 // Draws the caustic view in to the landings, and the receiver view to them and the casters.
-void fit_to_landings(LightViews& views, const std::vector<WeightedPoint>& points, const Settings& settings,
-                     double margin, const Effects& effects) {
+void fit_to_landings(LightViews& views, const FoundLandings& found, const Settings& settings, double margin,
+                     const Effects& effects) {
+  const std::vector<WeightedPoint>& points = found.points;
   views.cascade.reset();
   if (points.empty()) return;
   const LandedFlux landed(points);
   const double shortest = landed.shortest_side(settings.map);
   set_window(views.caustic, landed.window(0.25 * settings.outside_share), margin, shortest);
-  // Light that is spread has no bright part to be shown finer.
-  if (can_have_cascades(settings) && !all_light_is_spread(effects))
+  // Light that is spread has no bright part to be shown finer, and the farthest receivers have no cascade.
+  if (can_have_cascades(settings) && !all_light_is_spread(effects) && !found.is_hidden())
     views.cascade = cascade_view(views.caustic, landed, margin, shortest);
   // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map
   // would have to be as wide, and on receivers that are not flat its texels tell where light lands.
@@ -120,7 +148,7 @@ class LandingScout {
   }
 
   // Of a light that is just done: each branch's landings and their flux.
-  void show(int light, const std::function<void(const Image& landing, const Image& flux)>& to) const {
+  void show(int light, const std::function<void(Image landing, const Image& flux)>& to) const {
     for (const Branch& branch : effects_->branches) {
       const auto image = [&](const char* name) {
         return scene_.device().read_back((*targets_)[plan_.find(branch_texture(name, light, branch))]);
@@ -264,14 +292,15 @@ void LightPilot::fit_to_scouted(const Effects& effects, const Settings& settings
       if (!fitted(i)) return;
       const auto light = static_cast<std::size_t>(i);
       const double margin = is_last ? std::min(0.03 + 2.0 * kernel_texels / own[i].map, kWidestMargin) : 0.5;
-      std::vector<WeightedPoint> points;
-      LandingSurvey found;
-      scout.show(i, [&](const Image& landing, const Image& flux) {
-        add_landings(landing, flux, views[light].caustic, points);
-        if (surveys) found.add(survey_landings(landing, flux, views[light].caustic));
+      FoundLandings found;
+      LandingSurvey survey;
+      scout.show(i, [&](Image landing, const Image& flux) {
+        if (effects.further_surfaces.active) found.hidden += take_hidden_for_landed(landing, flux);
+        add_landings(landing, flux, views[light].caustic, found.points);
+        if (surveys) survey.add(survey_landings(landing, flux, views[light].caustic));
       });
-      fit_to_landings(views[light], points, own[i], margin, effects);
-      if (surveys) (*surveys)[light] = std::move(found);
+      fit_to_landings(views[light], found, own[i], margin, effects);
+      if (surveys) (*surveys)[light] = std::move(survey);
     });
 }
 
