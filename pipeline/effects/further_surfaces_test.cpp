@@ -65,6 +65,28 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("further surfaces: light that hardly lands is followed where it is most of what is seen") {
+  const std::vector<FurtherShare> shares{
+      {.light = 0, .mesh = 1, .share = 0.02, .of_light = 1.0, .seen = 0.2}};
+  const Effects effects = followed(2, of_glass(), shares);
+  CHECK(effects.further_surfaces.active);
+  CHECK(effects.further_surfaces.reason.find("20.0% of the light that is seen") == 0);
+  CHECK_FALSE(followed(2, of_glass(), {{.light = 0, .mesh = 1, .share = 0.02, .of_light = 1.0}})
+                  .further_surfaces.active);
+}
+
+TEST_CASE("further surfaces: rough glass is followed by one way, which has all light") {
+  Effects effects = of_glass();
+  effects.surfaces[0].rough = true;
+  effects.rough_glass.active = true;
+  effects.branches = {{.name = "way 1", .color = glm::vec3(0.5f)},
+                      {.name = "way 2", .color = glm::vec3(0.5f)}};
+  const Effects found = followed(0, effects);
+  CHECK(names_of(found) == std::vector<std::string>{"", "drawn"});
+  CHECK(found.branches[0].color == glm::vec3(1.0f));
+  CHECK(found.branches[0].spread);
+}
+
 TEST_CASE("further surfaces: nothing is drawn where it is not wanted") {
   Settings settings;
   settings.drawn = false;

@@ -111,6 +111,15 @@ class Parity(GlTest):
                 if self.is_exact:
                     self.assertEqual(report["differing_values"], 0)
 
+    def test_rough_and_pierced_casters_are_followed_alike(self):
+        for name in ("frosted_tumbler", "pierced_ball"):
+            scene = SCENES[0].parent / "glass" / f"{name}.glb"
+            [report] = self.report(scene, "-D", "bounces=4", "-r", "80x45", "--grid", "32", "--map", "64")
+            with self.subTest(scene=name):
+                self.assertTrue(any(part["pass"].startswith("walk") for part in report["isolated"]))
+                if self.is_exact:
+                    self.assertEqual(report["differing_values"], 0)
+
     def test_odd_sizes_and_other_settings(self):
         sphere = next(s for s in SCENES if s.name == "glass_sphere.glb")
         for settings in (["-r", "333x217", "--grid", "101", "--map", "151"],
