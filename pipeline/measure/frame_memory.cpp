@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/measure/landing_images.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/scene/hierarchy_tables.hpp"
 #include "pipeline/scene/scene.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -32,7 +34,7 @@ std::uint64_t tree_bytes(const Scene& scene) {
 }
 
 // The hierarchy that passes walk: what its tables take (hierarchy_tables.hpp: seven texels a triangle, where
-// a leaf has four), and what making them takes beside.
+// a leaf has four; and five where casters have textures), and what making them takes beside.
 struct HierarchyBytes {
   std::uint64_t held = 0, making = 0;
 };
@@ -45,7 +47,8 @@ HierarchyBytes hierarchy_bytes(const FrameCost& cost) {
   if (std::none_of(cost.plan.passes.begin(), cost.plan.passes.end(), walks)) return {};
   std::uint64_t indices = 0;
   for (const Mesh& mesh : cost.scene.meshes) indices += mesh.indices.size();
-  return {indices / 3 * 7 * sizeof(glm::vec4), TriangleTree::building_bytes(indices / 3)};
+  const std::uint64_t texels = walks_textures(cost.effects) ? 7 + kTexelsOfUv : 7;
+  return {indices / 3 * texels * sizeof(glm::vec4), TriangleTree::building_bytes(indices / 3)};
 }
 
 // The largest of the pass's draws and those that are sorted into tiles with it, beside textures.

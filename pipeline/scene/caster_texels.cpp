@@ -1,12 +1,14 @@
 #include "pipeline/scene/caster_texels.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace caustics {
 
 namespace {
 
 using PictureAt = CasterTexels::Place;
+using Pictures = std::map<int, const Image*>;  // by index into Scene::images
 
 Image halved(const Image& image) {
   Image half(image.shape.format, std::max(1, image.width() / 2), std::max(1, image.height() / 2));
@@ -22,14 +24,14 @@ Image halved(const Image& image) {
 }
 
 // In rows from the bottom, the highest pictures first; `width`: of all. Their height.
-int put_in_rows(const std::map<int, Image>& images, int width, std::map<int, PictureAt>& places) {
+int put_in_rows(const Pictures& images, int width, std::map<int, PictureAt>& places) {
   std::vector<int> order;
   for (const auto& [index, image] : images) order.push_back(index);
   std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return images.at(a).height() > images.at(b).height(); });
+                   [&](int a, int b) { return images.at(a)->height() > images.at(b)->height(); });
   int x = 0, y = 0, row = 0;
   for (const int index : order) {
-    const Image& image = images.at(index);
+    const Image& image = *images.at(index);
     if (x + image.width() > width) {
       x = 0;
       y += row;
@@ -45,11 +47,11 @@ int put_in_rows(const std::map<int, Image>& images, int width, std::map<int, Pic
 std::int64_t texels_of(const Image& image) { return std::int64_t{image.width()} * image.height(); }
 
 // A power of two that holds the widest, and about as wide as all are high.
-int width_for(const std::map<int, Image>& images) {
+int width_for(const Pictures& images) {
   std::int64_t sum = 0, widest = 1;
   for (const auto& [index, image] : images) {
-    sum += texels_of(image);
-    widest = std::max<std::int64_t>(widest, image.width());
+    sum += texels_of(*image);
+    widest = std::max<std::int64_t>(widest, image->width());
   }
   std::int64_t width = 1;
   while (width < widest || width * width < sum) width *= 2;
@@ -66,21 +68,23 @@ void copy_into(Image& all, const Image& image, const PictureAt& place) {
 }  // namespace
 
 CasterTexels caster_texels(const Scene& scene, const std::vector<int>& images, std::int64_t most) {
-  std::map<int, Image> fitted;
-  for (const int index : images) fitted.emplace(index, scene.images[static_cast<std::size_t>(index)]);
+  Pictures pictures;
+  std::map<int, Image> smaller;
+  for (const int index : images) pictures.emplace(index, &scene.images[static_cast<std::size_t>(index)]);
   CasterTexels texels;
-  int width = width_for(fitted), height = put_in_rows(fitted, width, texels.places);
+  int width = width_for(pictures), height = put_in_rows(pictures, width, texels.places);
   while (std::int64_t{width} * height > most) {
-    const auto largest = std::max_element(fitted.begin(), fitted.end(), [](const auto& a, const auto& b) {
-      return texels_of(a.second) < texels_of(b.second);
+    const auto largest = std::max_element(pictures.begin(), pictures.end(), [](const auto& a, const auto& b) {
+      return texels_of(*a.second) < texels_of(*b.second);
     });
-    if (texels_of(largest->second) == 1) break;
-    largest->second = halved(largest->second);
-    width = width_for(fitted);
-    height = put_in_rows(fitted, width, texels.places);
+    if (texels_of(*largest->second) == 1) break;
+    Image half = halved(*largest->second);
+    largest->second = &(smaller[largest->first] = std::move(half));
+    width = width_for(pictures);
+    height = put_in_rows(pictures, width, texels.places);
   }
   texels.image = Image(Format::RGBA16F, width, std::max(1, height));
-  for (const auto& [index, image] : fitted) copy_into(texels.image, image, texels.places.at(index));
+  for (const auto& [index, picture] : pictures) copy_into(texels.image, *picture, texels.places.at(index));
   return texels;
 }
 
