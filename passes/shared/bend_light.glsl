@@ -188,7 +188,7 @@ Facet facet_at(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) triangle
   return facet;
 }
 
-// What a facet sends on of its share. What it sends through the surface's wrong side meets another facet there,
+// What a facet sends on of its share. What it sends through the surface's wrong side meets another facet,
 // and counts as masked.
 Float sent_by(IN(Facet) facet, IN(Meeting) at, Vec3 from, Vec3 onward, Bool is_mirrored) {
   Float sent = facet_weight(from, onward, facet.smooth_normal, facet.surface.normal, facet.width);

@@ -315,7 +315,7 @@ TEST_CASE("walk: rough glass sends on what Fresnel's equations leave, but for wh
   CHECK(sum_of(out["landing_flux"]) + sum_of(out["landing_fresnel"]) + masked ==
         Approx(entered).epsilon(1e-4));
   CHECK(masked > 0.0);
-  CHECK(masked < 0.05 * entered);
+  CHECK(masked < 0.1 * entered);
 }
 
 TEST_CASE("walk: light that has met microfacets joins no cell, and is wider for those that it has not met") {
@@ -331,9 +331,9 @@ TEST_CASE("walk: light that has met microfacets joins no cell, and is wider for 
   for (int y = 0; y < 7; ++y)
     for (int x = 0; x < 7; ++x) CHECK(out["landing_path"].at(x, y, 0) != out["landing_path"].at(x + 1, y, 0));
   bench.rough_from = 1.0f;
-  // A step of the grid is 0.5 m. 0.3 of the width turn light by 0.025 within, 0.075 below: over a metre each
-  // 0.1 m.
-  CHECK(area(out) / area(bench.run()) == Approx(1.44).epsilon(0.05));
+  // A step of the grid is 0.5 m. A width turns light by 0.083 within and 0.25 below, over a metre each: 0.33
+  // m.
+  CHECK(area(out) / area(bench.run()) == Approx(2.78).epsilon(0.15));
 }
 
 TEST_CASE("walk: a picture on a caster tints what enters, and none what leaves") {
