@@ -14,6 +14,7 @@ namespace caustics {
 namespace {
 
 constexpr int kMostNested = 8;
+constexpr int kMostHoles = 256;  // that light passes before it meets a caster
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
@@ -203,9 +204,10 @@ int LightPaths::follow(const LightRay& light, std::vector<LightLanding>& landing
   stop_if_interrupted();
   glm::dvec3 origin = light.origin;
   auto first = casters_.nearest(origin, light.direction, {}, light.emitter);
-  // Light that passes a hole has met nothing.
-  while (first && is_hole(*first)) {
-    origin = position_of(scene_, *first);
+  // Light that passes a hole has met nothing. It starts anew a little behind, as two holes may touch.
+  for (int holes = 0; first && is_hole(*first); ++holes) {
+    if (holes == kMostHoles) return -1;
+    origin = position_of(scene_, *first) + light.direction * nearest_;
     first = casters_.nearest(origin, light.direction, first->id, light.emitter);
   }
   if (!first) return -1;
