@@ -15,7 +15,7 @@ TEXTURE(3, cell_flux)
 #include "passes/shared/quarters_left.glsl"
 #include "passes/shared/view_space.glsl"
 
-// Of a map that has all light: a place on it half a texel from its edge, if it lies nearer; others stay.
+// Moves a place that lies near the edge of a map that has all light to half a texel from it; others stay.
 Float off_edge(Float middle) {
   Float side = Float(float(u.map_side));
   Bool on_map = u.is_part == 0 && middle >= 0.0f && middle <= side;

@@ -145,13 +145,13 @@ void turn_differential(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle)
   path.spread_y = sel(surface.both.passes, path.spread_y, spread_y);
 }
 
-// Of the slopes of rough glass' microfacets; 0: it is smooth.
+// The width of the slopes of rough glass' microfacets; 0: the surface is smooth.
 Float width_of_facets(IN(Material) material, IN(Meeting) at) {
   Bool rough = material.roughness > u.rough_from && !material.mirror && !at.hole;
   return sel(rough, material.roughness * material.roughness, Float(0.0f));
 }
 
-// Of a rough wall without thickness the surface lets light pass straight, spread by its facets.
+// Makes the surface a rough wall without thickness, which light passes straight, spread by its facets.
 void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Vec3 normal) {
   Refraction wall = through_wall(direction, normal, surface.normal, material.ior);
   Bool thin = material.thin && !surface.both.passes;
@@ -188,8 +188,8 @@ Facet facet_at(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) triangle
   return facet;
 }
 
-// What a facet sends on of its share. What it sends through the surface's wrong side meets another facet,
-// and counts as masked.
+// A facet sends on a part of its share. Light that it sends through the surface's wrong side meets another
+// facet and counts as masked.
 Float sent_by(IN(Facet) facet, IN(Meeting) at, Vec3 from, Vec3 onward, Bool is_mirrored) {
   Float sent = facet_weight(from, onward, facet.smooth_normal, facet.surface.normal, facet.width);
   sent = sel(strays(onward, at, from, is_mirrored), Float(0.0f), sent);

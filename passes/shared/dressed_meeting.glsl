@@ -1,4 +1,4 @@
-// What a caster's textures change where light or sight meets it. Needs caster_material.glsl,
+// A caster's textures where light or sight meets it. Needs caster_material.glsl,
 // caster_triangles.glsl, material.glsl, tangent_space.glsl, the textures caster_materials, caster_texels and
 // hierarchy_normals, and the uniform first_uv.
 
@@ -22,7 +22,7 @@ Picture picture_at(Int row, int column) {
   return picture;
 }
 
-// What is not there is white.
+// A picture that is not there is white.
 Vec4 fetch_picture(IN(Picture) picture, Vec2 uv, Bool finest) {
   Int wrap_u = floor_to_int(picture.u.w);
   Int how = floor_to_int(picture.v.w);

@@ -13,8 +13,8 @@ Float first_draw(Float column, Float row) {
 
 Float next_draw(Float draw) { return below_4093(draw * 1956.0f); }
 
-// Likewise which microfacets of rough glass light meets: two numbers a surface. The multipliers spread the
-// slopes of 8 x 8 vertices, and of 16 x 16 through two surfaces, about as evenly as any do.
+// Light meets microfacets of rough glass by the same kind of lattice: two numbers a surface. The multipliers
+// spread the slopes of 8 x 8 vertices, and of 16 x 16 through two surfaces, about as evenly as any do.
 Float first_facet_draw(Float column, Float row) { return below_4093(first_draw(column, row) * 117.0f); }
 Float next_facet_draw(Float draw) { return below_4093(draw * 1936.0f); }
 

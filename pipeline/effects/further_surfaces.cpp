@@ -82,7 +82,7 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
       effects.lights[static_cast<std::size_t>(found.light)].looks = found.looks;
   std::vector<Branch> branches;
   const bool parts = any_refractor(effects);
-  // Of rough glass each vertex draws its own microfacets, and one way has all light.
+  // Each vertex draws its own microfacets of rough glass, so that one way has all light.
   for (const Branch& branch :
        effects.rough_glass.active ? branches_by_color(settings, effects) : effects.branches)
     if (!branch.reflected) {

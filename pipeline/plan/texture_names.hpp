@@ -12,7 +12,7 @@ inline constexpr char kEnvironment[] = "environment";
 inline constexpr char kHierarchyNodes[] = "hierarchy_nodes";
 inline constexpr char kHierarchyTriangles[] = "hierarchy_triangles";
 inline constexpr char kHierarchyNormals[] = "hierarchy_normals";
-// Where casters have textures (pipeline/scene/caster_texels.hpp).
+// The pictures on casters that have textures (pipeline/scene/caster_texels.hpp).
 inline constexpr char kCasterTexels[] = "caster_texels";
 
 inline constexpr char kCasterNormal[] = "caster_normal";

@@ -22,7 +22,7 @@ namespace {
 
 // Casters that get a row each in kCasterMaterials: as many as any device's textures are high.
 constexpr std::ptrdiff_t kMostOwnRows = 4096;
-// Of those with textures also three for each of its pictures (passes/shared/dressed_meeting.glsl).
+// A material with textures has three more for each of its pictures (passes/shared/dressed_meeting.glsl).
 constexpr int kTexelsOfMaterial = 4, kTexelsOfDressed = 4 + 3 * 3;
 
 // A picture's place in kCasterTexels, and how texture coordinates lead there.

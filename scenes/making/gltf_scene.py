@@ -13,6 +13,9 @@ def diffuse(name, albedo):
                                                    'roughnessFactor': 1}}
 
 
+FLOOR = diffuse('floor', (0.80, 0.72, 0.62))
+
+
 def glass(name, ior, attenuation=None, dispersion=None):
     volume = {'thicknessFactor': 1}
     if attenuation:
@@ -44,6 +47,10 @@ def textured(material, base=None, normal=None, normal_scale=1.0):
     if normal is not None:
         material['normalTexture'] = {'index': normal, 'scale': normal_scale}
     return material
+
+
+def srgb(c):
+    return 12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055
 
 
 def png(width, height, texel):
