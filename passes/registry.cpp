@@ -15,6 +15,7 @@
 #include "passes/first_hit/first_hit.hpp"
 #include "passes/glass/glass.hpp"
 #include "passes/haze/haze.hpp"
+#include "passes/hidden_ends/hidden_ends.hpp"
 #include "passes/hidden_landings/hidden_landings.hpp"
 #include "passes/impostor_map/impostor_map.hpp"
 #include "passes/landing/landing.hpp"
@@ -32,7 +33,6 @@
 #include "passes/view_range/view_range.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
 #include "passes/walk/walk.hpp"
-#include "passes/walked_glass/walked_glass.hpp"
 #include "passes/water_step/water_step.hpp"
 
 namespace caustics {
@@ -61,8 +61,9 @@ Registry registered() {
       caustic_cells_pass(),
       caustic_map_pass(),
       caustic_footprints_pass(),
-      // Of the camera: the scene without glass, in the picture and around it.
+      // Of the camera: the scene without glass, in the picture and where only glass shows it.
       view_surfaces_pass(),
+      hidden_ends_pass(),
       view_range_pass(),
       light_shading_pass(),
       ambient_rays_pass(),
@@ -70,7 +71,6 @@ Registry registered() {
       compose_pass(),
       // And with it.
       glass_pass(),
-      walked_glass_pass(),
       view_panes_pass(),
       // And the air before it.
       view_medium_pass(),

@@ -27,7 +27,7 @@ caustics_add_shader(caustics_passes ambient_rays TEXT passes/ambient_rays/ambien
 caustics_add_shader(caustics_passes ambient_occlusion TEXT passes/ambient_occlusion/ambient_occlusion.glsl)
 caustics_add_shader(caustics_passes compose TEXT passes/compose/compose.glsl)
 caustics_add_shader(caustics_passes glass TEXT passes/glass/glass.glsl)
-caustics_add_shader(caustics_passes walked_glass TEXT passes/walked_glass/walked_glass.glsl)
+caustics_add_shader(caustics_passes hidden_ends TEXT passes/hidden_ends/hidden_ends.glsl)
 caustics_add_shader(caustics_passes pane_light TEXT passes/pane_light/pane_light.glsl)
 caustics_add_shader(caustics_passes view_panes TEXT passes/view_panes/view_panes.glsl)
 caustics_add_shader(caustics_passes first_hit TEXT passes/first_hit/first_hit.glsl)

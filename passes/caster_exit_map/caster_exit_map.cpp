@@ -12,10 +12,10 @@ extern const Shader caster_exit_map_detailed_shader;
 Pass caster_exit_map_pass() {
   return {
       .name = "caster_exit_map",
-      .purpose = "finds the surface through which light, or the camera's ray, leaves a solid caster again",
+      .purpose = "finds the surface through which light leaves a solid caster again",
       .reason = "light leaves solid casters through a second surface",
       .when = {&Effects::exit_surface},
-      .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}, kCamera},
+      .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}},
       .only_lights_with_caustics = true,
       .draws = DrawSet::SolidCasters,
       .size = grid_size,

@@ -59,7 +59,7 @@ Pass caster_map_pass() {
                  {.name = kCasterTriangle,
                   .format = Format::R32F,
                   .meaning = "number of the triangle in the hierarchy plus 1, 0 no caster",
-                  .needed_if = with_any<&Effects::further_surfaces, &Effects::followed_view>},
+                  .needed_if = with_any<&Effects::further_surfaces, &Effects::seen_casters>},
                  {.name = "caster_tint",
                   .meaning =
                       "rgb: what glass lets through, or metal mirrors at normal incidence, 0..1; w: 1 where "

@@ -25,7 +25,8 @@ void main() {
   discard_if(is_not_drawn() || is_edge_on(surface_position));
   caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
   caster_normal = Vec4(caster_normal_here(), Float(u.material_row));
-  caster_triangle = Float(primitive_id() + u.first_triangle + 1);
+  caster_triangle = Float(0.0f);
+  if (u.first_triangle >= 0) caster_triangle = Float(primitive_id() + u.first_triangle + 1);
 #ifdef TINTED
   caster_tint = Vec4(caster_color_here(), Float(1.0f));
 #endif

@@ -40,10 +40,9 @@ std140::Compose compose_uniforms(const PassContext& context) {
   };
 }
 
-// Neither of what blended surfaces show nor of the surroundings.
+// Neither of what blended surfaces show nor of what only glass does.
 int has_ambient_occlusion(const PassContext& context) {
-  const bool picture = !context.drawn_for || context.drawn_for->camera == CameraView::Picture;
-  return picture && context.layer() == 0 && context.effects->ambient_occlusion.active ? 1 : 0;
+  return context.of_picture() && context.layer() == 0 && context.effects->ambient_occlusion.active ? 1 : 0;
 }
 
 // Without glass before it the shaded scene is the picture.
@@ -58,8 +57,8 @@ Pass compose_pass() {
       .name = "compose",
       .purpose = "shades diffuse surfaces under all their light, before the sky",
       .reason = "the camera sees the surfaces",
-      .drawn_for = with_layers({kFrame, kSurroundings}),
-      .reads = {{.name = "view_position", .meaning = "the surfaces"},
+      .drawn_for = with_layers({kFrame, kHiddenBehind, kHiddenMirrored}),
+      .reads = {{.name = "view_position", .meaning = "the surfaces", .hidden_discard_where_zero = true},
                 {.name = "view_normal", .meaning = "their normals"},
                 {.name = "view_albedo", .meaning = "their colours"},
                 {.name = "view_emission", .meaning = "their own light", .optional = true},
@@ -75,30 +74,36 @@ Pass compose_pass() {
                 {.name = "highlight",
                  .meaning = "what it mirrors of the lights, nit",
                  .optional = true,
+                 .of_picture = true,
                  .needed_with = &Effects::highlights},
                 {.name = "view_specular",
                  .meaning = "how the surfaces mirror",
                  .optional = true,
+                 .of_picture = true,
                  .needed_with = &Effects::highlights},
                 {.name = "view_ambient",
                  .meaning = "the share of the environment's light that arrives",
                  .optional = true,
+                 .of_picture = true,
                  .needed_with = &Effects::occlusion},
                 kReadLayers,
                 kReadFirstLayer,
                 {.name = "ambient_occlusion",
                  .meaning = "the share that other surfaces leave of it, coarsely",
                  .optional = true,
+                 .of_picture = true,
                  .needed_with = &Effects::ambient_occlusion}},
       .writes = {{.name = "scene_color",
-                  .meaning = "rgb: radiance towards the camera, nit; a: 1; of a layer: how much passes it",
+                  .meaning = "rgb: radiance towards the camera, nit; a: 1; of a layer, and behind glass: how "
+                             "much passes it",
                   .clear = {0.0f, 0.0f, 0.0f, 1.0f},
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
       .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},
-                  {"blends", chosen_by<&Effects::layered>},
-                  {"mirrors", chosen_by<&Effects::highlights>},
-                  {"is_occluded", chosen_by<&Effects::occlusion>},
+                  {"blends", of_picture<&Effects::layered>},
+                  {"mirrors", of_picture<&Effects::highlights>},
+                  {"is_occluded", of_picture<&Effects::occlusion>},
+                  {"behind_glass", [](const PassContext& c) { return c.of_picture() ? 0 : 1; }},
                   {"has_ambient_occlusion", has_ambient_occlusion}},
   };
 }

@@ -139,6 +139,7 @@ void main() {
   // Where there is no layer at all.
   if (u.layer != 0) discard_if(!is_covered(fetch_clamped(first_layer, column, row)));
   Bool covered = is_covered(texel_fetch(view_position, column, row));
+  if (u.behind_glass != 0) discard_if(!covered);
   Vec4 colour = texel_fetch(view_albedo, column, row);
   Vec3 surface = Vec3(0.0f);
   if (any_lane(covered)) surface = surface_radiance(column, row, Vec3(colour));
@@ -146,7 +147,10 @@ void main() {
   if (u.blends != 0 && u.layer != 1) nearer = layers_before(column, row);
   Vec3 color = Vec3(0.0f);
   Float passes = Float(1.0f);
-  if (u.layer != 0) {
+  if (u.behind_glass != 0) {
+    color = sel(covered, surface * colour.w, color);
+    passes = sel(covered, 1.0f - colour.w, passes);
+  } else if (u.layer != 0) {
     color = sel(covered, surface * colour.w, color);
     passes = nearer.w * sel(covered, 1.0f - colour.w, Float(1.0f));
   } else {

@@ -282,30 +282,30 @@ TEST_CASE("compose: what of a surface is not shown is the sky behind it") {
   check_color(bench.color(), surface * 0.25f + sky * 0.75f);
 }
 
-TEST_CASE("compose: the picture and its surroundings are composed by the same rule") {
-  // Irradiance pi on albedo 0.5.
-  const std::vector<Image> textures = {filled(1, 1, glm::vec4(1.0f)),
-                                       filled(1, 1, {0, 1, 0, 1}),
-                                       filled(1, 1, {0.5f, 0.5f, 0.5f, 1.0f}),
-                                       filled(1, 1, glm::vec4(0.0f)),
-                                       filled(1, 1, glm::vec4(kPi)),
-                                       Image{},
-                                       Image{},
-                                       Image{},
-                                       Image{},
-                                       Image{}};
-  const Scene scene;
-  const View view = down(1.0, 10.0, 20.0), wide = widened(view, 3.0);
-  const Effects effects;
-  const PassContext context{
-      .scene = &scene, .effects = &effects, .camera = &view, .surroundings = &wide, .width = 1, .height = 1};
-  const Pass pass = compose_pass();
-  PassContext around = context;
-  around.camera = &wide;
-  for (const PassContext& each : {context, around})
-    CHECK(
-        run_pass(definition_of(pass), {.uniforms = pass.uniforms(each), .textures = textures})["scene_color"]
-            .at(0, 0, 1) == Approx(0.5));
+TEST_CASE(
+    "compose: what only glass shows is lit likewise, has no backdrop, and says how much of it there is") {
+  // Irradiance pi on albedo 0.5, three quarters of it shown.
+  const auto composed = [](float covered) {
+    const Scene scene;
+    const View view = down(1.0, 10.0, 20.0);
+    const Effects effects;
+    const Pass pass = compose_pass();
+    return texel(run_pass(definition_of(pass, {}, kHiddenBehind),
+                          {.uniforms = pass.uniforms({.scene = &scene,
+                                                      .effects = &effects,
+                                                      .camera = &view,
+                                                      .width = 1,
+                                                      .height = 1,
+                                                      .drawn_for = &kHiddenBehind}),
+                           .textures = {filled(1, 1, glm::vec4(0.0f, 0.0f, 0.0f, covered)),
+                                        filled(1, 1, {0, 1, 0, 1}), filled(1, 1, {0.5f, 0.5f, 0.5f, 0.75f}),
+                                        Image{}, filled(1, 1, glm::vec4(kPi)), Image{}, Image{}, Image{},
+                                        Image{}, Image{}, Image{}, Image{}, Image{}}})["scene_color"],
+                 0, 0);
+  };
+  CHECK(composed(1.0f).y == Approx(0.375));
+  CHECK(composed(1.0f).w == 0.25f);
+  CHECK(composed(0.0f) == glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
 }
 
 TEST_CASE("compose: occlusion keeps the environment's light away, diffuse and mirrored, not that of lights") {

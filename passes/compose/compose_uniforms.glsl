@@ -1,7 +1,8 @@
 Sky sky;
 CameraRays camera;
 CHOICE(layer)             // of blended surfaces: 1: the nearest; 2: a further one; 0: all else
-CHOICE(blends)            // there are such
+CHOICE(behind_glass)      // what only glass shows
+CHOICE(blends)            // there are blended surfaces
 CHOICE(mirrors)           // surfaces show the environment
 CHOICE(is_occluded)       // textures keep some of its light away
 CHOICE(has_ambient_occlusion)  // other surfaces do

@@ -26,13 +26,12 @@ namespace {
 constexpr double kBorder = 1.0;
 // Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps.
 // Pixels on one surface share its texels, so there are hardly more samples in all than texels, however wide
-// the pixels are. The surroundings are only seen bent by glass.
-constexpr int kMostSamples = 64, kMostOfSurroundings = 8;
+// the pixels are. What glass shows is bent by it, or mirrored.
+constexpr int kMostSamples = 64, kMostBehindGlass = 8;
 
 int samples_across(const PassContext& context) {
   if (!context.settings->pixel_means) return 0;
-  const bool of_picture = !context.drawn_for || context.drawn_for->camera == CameraView::Picture;
-  return of_picture ? kMostSamples : kMostOfSurroundings;
+  return context.of_picture() ? kMostSamples : kMostBehindGlass;
 }
 
 int looks_aside(const PassContext& context) {
@@ -55,8 +54,7 @@ glm::vec2 tile_reach(const View& view) {
 
 // Those that the camera sees before all else.
 int casters_shine(const PassContext& context) {
-  const bool picture = !context.drawn_for || context.drawn_for->camera == CameraView::Picture;
-  return picture && context.layer() == 0 && context.effects->highlights.active &&
+  return context.of_picture() && context.layer() == 0 && context.effects->highlights.active &&
          context.effects->seen_casters.active;
 }
 
@@ -103,8 +101,11 @@ Pass light_shading_pass() {
       .purpose = "adds what one light gives to the surfaces in view, directly and by its caustics",
       .reason = "the light shines on what the camera sees",
       .when = {&Effects::light},
-      .drawn_for = with_layers({kLight, kLightSurroundings}),
-      .reads = {{.name = "view_position", .meaning = "the surfaces", .layers_discard_where_zero = true},
+      .drawn_for = with_layers({kLight, kLightBehind, kLightMirrored}),
+      .reads = {{.name = "view_position",
+                 .meaning = "the surfaces",
+                 .layers_discard_where_zero = true,
+                 .hidden_discard_where_zero = true},
                 {.name = "view_normal", .meaning = "their normals"},
                 {.name = "shadow_depth", .meaning = "what shadows them", .optional = true},
                 {.name = "caster_position",
@@ -137,6 +138,7 @@ Pass light_shading_pass() {
                 {.name = "view_specular",
                  .meaning = "how the surfaces mirror",
                  .optional = true,
+                 .of_picture = true,
                  .only_towards = "highlight"},
                 {.name = "view_caster_position",
                  .meaning = "the glass and metal in view",
@@ -156,6 +158,7 @@ Pass light_shading_pass() {
                 {.name = "view_lift",
                  .meaning = "how far they bulge over their triangles",
                  .optional = true,
+                 .of_picture = true,
                  .needed_with = &Effects::smooth_shading}},
       .writes = {{.name = "direct",
                   .meaning = "rgb: direct irradiance after shadows, lux",
@@ -177,7 +180,7 @@ Pass light_shading_pass() {
                   {&light_shading_in_medium_shader, block_of<in_medium<light_shading_uniforms>>,
                    with<&Effects::medium>}},
       .choices = {{"has_shadow_map", chosen_by<&Effects::occluders>},
-                  {"has_lift", chosen_by<&Effects::smooth_shading>},
+                  {"has_lift", of_picture<&Effects::smooth_shading>},
                   {"has_panes", has_panes},
                   {"has_caustic", throws_caustic},
                   {"looks_aside", looks_aside},
@@ -185,8 +188,8 @@ Pass light_shading_pass() {
                   {"receivers_are_layered", receivers_are_layered},
                   {"caustic_is_grey",
                    [](const PassContext& c) { return c.effects->coloured_caustics.active ? 0 : 1; }},
-                  {"has_highlights", chosen_by<&Effects::highlights>},
-                  {"is_layer", [](const PassContext& c) { return c.layer() > 0 ? 1 : 0; }},
+                  {"has_highlights", of_picture<&Effects::highlights>},
+                  {"is_layer", [](const PassContext& c) { return c.layer() > 0 || !c.of_picture() ? 1 : 0; }},
                   {"casters_shine", casters_shine},
                   {"samples_across", samples_across}},
   };

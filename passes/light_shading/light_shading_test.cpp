@@ -212,10 +212,10 @@ TEST_CASE("light_shading: two lights add up in one target by blending") {
   CHECK(device->read_back(run.colors[0]).at(0, 0, 0) == Approx(125.0));
 }
 
-TEST_CASE("light_shading: the surroundings are lit by the same rule") {
+TEST_CASE("light_shading: what only glass shows is lit by the same rule") {
   const Bench bench = with_caustic();
   const Pass pass = light_shading_pass();
-  const PassImages out = run_pass(definition_of(pass, {}, kLightSurroundings),
+  const PassImages out = run_pass(definition_of(pass, {}, kLightBehind),
                                   {.uniforms = bench.uniforms(pass), .textures = bench.textures()});
   CHECK(out["direct"].at(0, 0, 0) == Approx(100.0));
   CHECK(out["caustic"].at(0, 0, 0) == Approx(25.0));

@@ -23,7 +23,7 @@ float cascade_border;          // map coordinates from the cascade's border that
 vec2 tile_reach;               // of a cube: from a tile's middle to its outermost texels' centres, map units
 vec3 eye;                      // the camera's position
 CHOICE(has_highlights)
-CHOICE(is_layer)               // of blended surfaces, not of what lies behind them
+CHOICE(is_layer)               // of blended surfaces, or of what only glass shows: not of every pixel
 CHOICE(casters_shine)          // the picture shows glass and metal before its surfaces
 vec3 forward;                  // the way it looks
 int is_perspective;            // 0: all its rays run along that

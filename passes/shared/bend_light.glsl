@@ -1,5 +1,5 @@
-// Bends light at a caster's surface. Needs absorption.glsl, light_path.glsl, microfacets.glsl, surface.glsl,
-// and the uniforms bend, draws, has_rough, least_share and rough_from.
+// Bends light at a caster's surface. Needs absorption.glsl, light_path.glsl, microfacets.glsl,
+// rough_surface.glsl, surface.glsl, and the uniforms bend, draws, has_rough, least_share and rough_from.
 
 // At one surface of a branch's way.
 struct Turn {
@@ -143,23 +143,6 @@ void turn_differential(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle)
   Vec3 spread_y = spread_behind(path, surface, is_mirrored, path.spread_y, turn_y);
   path.spread_x = sel(surface.both.passes, path.spread_x, spread_x);
   path.spread_y = sel(surface.both.passes, path.spread_y, spread_y);
-}
-
-// The width of the slopes of rough glass' microfacets; 0: the surface is smooth.
-Float width_of_facets(IN(Material) material, IN(Meeting) at) {
-  Bool rough = material.roughness > u.rough_from && !material.mirror && !at.hole;
-  return sel(rough, material.roughness * material.roughness, Float(0.0f));
-}
-
-// Makes the surface a rough wall without thickness, which light passes straight, spread by its facets.
-void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Vec3 normal) {
-  Refraction wall = through_wall(direction, normal, surface.normal, material.ior);
-  Bool thin = material.thin && !surface.both.passes;
-  surface.bent = either(thin, wall, surface.bent);
-  surface.eta = sel(thin, Float(1.0f), surface.eta);
-  surface.total = surface.total && !thin;
-  surface.one_way = surface.one_way && !thin;
-  surface.mirrored = sel(thin, wall.reflectance * material.fresnel, surface.mirrored);
 }
 
 // A surface as light meets it: of rough glass one microfacet.

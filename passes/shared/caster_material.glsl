@@ -33,3 +33,23 @@ Material fetch_material(Texture materials, Int row) {
   material.transmitted = fetch_clamped(materials, Int(3), row).x;
   return material;
 }
+
+// Of a receiver, whose row has other meanings.
+struct ReceiverMaterial {
+  Vec3 emission;     // nit
+  Vec3 albedo;       // of all that it sends back
+  Vec3 fade_centre;  // from all of it to none, by the distance from here
+  Float fade_from;
+  Float fade_to;     // 0: it does not fade
+};
+
+ReceiverMaterial fetch_receiver(Texture materials, Int row) {
+  Vec4 fade_texel = fetch_clamped(materials, Int(1), row);
+  ReceiverMaterial receiver;
+  receiver.emission = Vec3(fetch_clamped(materials, Int(0), row));
+  receiver.albedo = Vec3(fetch_clamped(materials, Int(2), row));
+  receiver.fade_centre = Vec3(fade_texel);
+  receiver.fade_from = fade_texel.w;
+  receiver.fade_to = fetch_clamped(materials, Int(2), row).w;
+  return receiver;
+}

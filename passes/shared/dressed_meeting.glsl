@@ -1,4 +1,4 @@
-// A caster's textures where light or sight meets it. Needs caster_material.glsl,
+// A surface's textures where light or sight meets it. Needs caster_material.glsl,
 // caster_triangles.glsl, material.glsl, tangent_space.glsl, the textures caster_materials, caster_texels and
 // hierarchy_normals, and the uniform first_uv.
 

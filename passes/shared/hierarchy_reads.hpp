@@ -13,9 +13,9 @@ inline constexpr Read kReadHierarchyNormals{.name = kHierarchyNormals,
                                             .meaning = "their normals, by number; texture coordinates"};
 
 inline constexpr Read kReadCasterTexels{
-    .name = kCasterTexels, .meaning = "the pictures on casters, side by side", .optional = true};
+    .name = kCasterTexels, .meaning = "the pictures on surfaces, side by side", .optional = true};
 
-inline int has_textures(const PassContext& context) { return walks_textures(*context.effects) ? 1 : 0; }
-inline constexpr Choice kHasTextures{"has_textures", has_textures};
+inline constexpr Choice kHasTextures{
+    "has_textures", [](const PassContext& c) { return light_meets_textures(*c.effects) ? 1 : 0; }};
 
 }  // namespace caustics

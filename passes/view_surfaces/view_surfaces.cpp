@@ -78,7 +78,7 @@ Pass view_surfaces_pass() {
       .name = "view_surfaces",
       .purpose = "finds the first opaque surface in each pixel, and the nearest blended ones",
       .reason = "the camera looks at the scene",
-      .drawn_for = with_layers({kFrame, kSurroundings}),
+      .drawn_for = with_layers({kFrame}),
       .draws = DrawSet::Receivers,
       .reads = {{.name = "base_color", .meaning = "albedo and opacity", .of_material = true},
                 {.name = "normal_texture", .meaning = "tangent-space normals", .of_material = true},

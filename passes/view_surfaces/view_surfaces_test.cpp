@@ -259,25 +259,6 @@ TEST_CASE("view_surfaces: a fade shows all of the surface near its middle, none 
   CHECK(texel(see(quad(kFront, {0.0f, 1.0f, 0.0f}), plain())["view_albedo"], 7, 4).w == 1.0f);
 }
 
-TEST_CASE("view_surfaces: the surroundings are drawn as the picture is") {
-  const View view = down(2.0, 10.0, 20.0), wide = widened(view, 3.0);
-  const Material material = plain();
-  const Effects effects;
-  const Pass pass = view_surfaces_pass();
-  const PassImages out =
-      run_pass(definition_of(pass),
-               {.width = 6,
-                .height = 6,
-                .uniforms = pass.uniforms({.effects = &effects, .camera = &wide, .material = &material}),
-                .textures = std::vector<Image>(10),
-                .mesh = quad(kFront, {0.0f, 1.0f, 0.0f})});
-  // 12 m in 6 pixels: the 4 m square covers the middle 2 x 2, centres at +-1.
-  CHECK(out["view_position"].at(1, 2, 3) == 0.0f);
-  CHECK(texel(out["view_position"], 3, 2) == glm::vec4(1.0f, 2.0f, 1.0f, 1.0f));
-  CHECK(out["view_normal"].at(3, 2, 3) == Approx(8.0));
-  CHECK(out["view_albedo"].at(3, 2, 0) == 0.8f);
-}
-
 TEST_CASE("view_surfaces: what is not metal mirrors 0.04 at index 1.5, metal its colour instead of albedo") {
   Material material = plain();
   material.base_color = {0.8f, 0.4f, 0.2f, 1.0f};

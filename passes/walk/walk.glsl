@@ -48,6 +48,7 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
 #include "passes/shared/microfacets.glsl"
+#include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/hit_texel.glsl"
 #include "passes/shared/enter_light.glsl"

@@ -47,10 +47,11 @@ void add_reflecting_receivers(const Scene& scene, Effects& effects) {
 }
 
 std::vector<std::size_t> seen_receivers(const Scene& scene, const View* camera, const Effects& effects) {
-  const View seen = camera ? seen_view(effects, *camera) : View{};
+  // Glass shows all that there is.
+  const bool all = !camera || effects.seen_casters.active;
   std::vector<std::size_t> receivers;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (has_diffuse(effects.surfaces[i]) && (!camera || may_see(seen, bounds_of(scene.meshes[i]))))
+    if (has_diffuse(effects.surfaces[i]) && (all || may_see(*camera, bounds_of(scene.meshes[i]))))
       receivers.push_back(i);
   return receivers;
 }
@@ -66,10 +67,6 @@ std::string why_it_lights_nothing(const Scene& scene, const Light& light,
 }
 
 }  // namespace
-
-View seen_view(const Effects& effects, const View& camera) {
-  return effects.seen_casters.active ? widened(camera, 3.0) : camera;
-}
 
 void add_camera(const Scene& scene, const View* camera, Effects& effects) {
   add_seen_casters(scene, camera, effects);

@@ -8,7 +8,4 @@ namespace caustics {
 // expectations. `camera`: null: everything counts as seen.
 void add_camera(const Scene& scene, const View* camera, Effects& effects);
 
-// The camera's view, or that of its surroundings where glass or mirrors in it can show them.
-View seen_view(const Effects& effects, const View& camera);
-
 }  // namespace caustics

@@ -334,11 +334,11 @@ std::span<const NamedEffect> named_effects() {
       {"textured casters", &Effects::textured_casters},
       {"normal-mapped casters", &Effects::normal_mapped_casters},
       {"cut-out casters", &Effects::cut_out_casters},
+      {"textured receivers", &Effects::textured_receivers},
       {"emissive lights", &Effects::emissive_lights},
       {"dispersion", &Effects::dispersion},
       {"reflections", &Effects::reflections},
       {"further surfaces", &Effects::further_surfaces},
-      {"followed view", &Effects::followed_view},
       {"coloured caustics", &Effects::coloured_caustics},
       {"water waves", &Effects::water_waves},
       {"medium", &Effects::medium},
@@ -385,7 +385,6 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   effects.dim_lights = {false, "there are few lights"};
   effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
   add_camera(scene, camera, effects);
-  add_followed_view(scene, settings, effects);
   add_ambient_occlusion(scene, settings, effects);
   return effects;
 }

@@ -162,11 +162,11 @@ struct Effects {
   Effect textured_casters;       // a caster whose colour or transmission varies by a texture
   Effect normal_mapped_casters;  // a caster with a normal texture
   Effect cut_out_casters;        // a caster with holes by an alpha mask
+  Effect textured_receivers;     // whose colour glass may show beside the picture
   Effect emissive_lights;        // a mesh that shines and lights the scene
   Effect dispersion;             // a refractor whose index depends on the wavelength
   Effect reflections;            // what refractors mirror, on request
   Effect further_surfaces;       // light is followed from surface to surface, as a pilot has found
-  Effect followed_view;          // so are the camera's rays
   Effect coloured_caustics;   // a caster that tints them: the caustic map has three channels instead of one
   Effect water_waves;         // a mesh that `extras` make water
   Effect medium;              // haze in the air, which takes light on its way

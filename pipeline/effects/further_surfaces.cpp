@@ -35,21 +35,7 @@ void add_parted(const Branch& through, int splits, bool drawn, std::vector<Branc
 
 constexpr const char* kInterfacesAskedFor = "a number of interfaces was asked for";
 
-std::string why_not_viewed(const Scene& scene, const Settings& settings, const Effects& effects) {
-  if (!effects.seen_casters.active) return effects.seen_casters.reason;
-  if (settings.further_share >= 1.0f) return "nothing is to be followed further (further.share 1)";
-  if (settings.interfaces != Interfaces::Auto) return kInterfacesAskedFor;
-  if (effects.rough_glass.active) return "rough glass (" + effects.rough_glass.reason + ")";
-  return not_in_triangles(scene, effects);
-}
-
 }  // namespace
-
-void add_followed_view(const Scene& scene, const Settings& settings, Effects& effects) {
-  const std::string why_not = why_not_viewed(scene, settings, effects);
-  effects.followed_view = {
-      why_not.empty(), why_not.empty() ? "the camera's rays are followed from surface to surface" : why_not};
-}
 
 std::string why_not_followed(const Scene& scene, const Settings& settings, const Effects& effects) {
   if (!effects.caustics.active) return "there is no caustic";

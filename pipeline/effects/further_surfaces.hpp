@@ -1,6 +1,5 @@
-// Whether light and the camera's rays are followed from surface to surface: light where more than a named
-// share of what lands would else be drawn elsewhere or not at all, the camera's rays wherever it sees a
-// caster.
+// Whether light is followed from surface to surface: where more than a named share of what lands would else
+// be drawn elsewhere or not at all.
 #pragma once
 #include "pipeline/effects/effects.hpp"
 
@@ -8,9 +7,6 @@ namespace caustics {
 
 // Why it cannot be, whatever a pilot finds; empty where it can.
 std::string why_not_followed(const Scene& scene, const Settings& settings, const Effects& effects);
-
-// After seen_casters.
-void add_followed_view(const Scene& scene, const Settings& settings, Effects& effects);
 
 // The effects with what a pilot has found, and with the branches that light is followed by.
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares);

@@ -69,7 +69,7 @@ Use use_of(const Scene& scene, const Settings& settings, const Effects& effects,
     const SurfaceRole& surface = effects.surfaces[i];
     const Mesh& mesh = scene.meshes[i];
     const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
-    if (!is_caster(surface.role) || !has(material, surface)) continue;
+    if (!has(material, surface)) continue;
     if (use.meshes++ == 0)
       use.first = quoted_name("material", material.name, static_cast<std::size_t>(mesh.material));
     use.partly_opaque |= partly_opaque(material, surface);
@@ -96,13 +96,21 @@ bool detailed_exits(const Effects& effects) {
   return effects.normal_mapped_casters.active || effects.cut_out_casters.active;
 }
 
-bool walks_textures(const Effects& effects) {
-  return (effects.further_surfaces.active || effects.followed_view.active) &&
-         caster_detail(effects) != CasterDetail::None;
+bool light_meets_textures(const Effects& effects) {
+  return effects.further_surfaces.active && caster_detail(effects) != CasterDetail::None;
+}
+
+bool sight_meets_textures(const Effects& effects) {
+  return effects.seen_casters.active &&
+         (effects.textured_receivers.active || caster_detail(effects) != CasterDetail::None);
 }
 
 void add_textured_casters(const Scene& scene, const Settings& settings, Effects& effects) {
-  const auto found = [&](auto has) { return use_of(scene, settings, effects, has); };
+  const auto found = [&](auto has) {
+    return use_of(scene, settings, effects, [&](const Material& material, const SurfaceRole& surface) {
+      return is_caster(surface.role) && has(material, surface);
+    });
+  };
   const Use colors = found(colored);
   effects.textured_casters = effect_of(
       colors, std::string("a texture tints what passes or is mirrored") +
@@ -113,6 +121,11 @@ void add_textured_casters(const Scene& scene, const Settings& settings, Effects&
   effects.normal_mapped_casters = effect_of(normals, "a normal texture bends light" + normals.fineness);
   effects.cut_out_casters =
       effect_of(found(cut_out), "an alpha mask cuts holes, which let light straight through");
+  const Use receivers =
+      use_of(scene, settings, effects, [](const Material& material, const SurfaceRole& surface) {
+        return surface.role == Role::Receiver && material.base_color_texture.present();
+      });
+  effects.textured_receivers = effect_of(receivers, "glass shows its texture where the picture does not");
 }
 
 }  // namespace caustics

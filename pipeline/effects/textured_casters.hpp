@@ -14,10 +14,11 @@ CasterDetail caster_detail(const Effects& effects);
 // Whether the maps of the casters' back faces need normal textures or alpha masks: they hold no colour.
 bool detailed_exits(const Effects& effects);
 
-// Whether light or the camera's rays are followed from surface to surface, and meet textures there.
-bool walks_textures(const Effects& effects);
+// Whether light, or the camera's rays, meet textures on their way from surface to surface.
+bool light_meets_textures(const Effects& effects);
+bool sight_meets_textures(const Effects& effects);
 
-// Judges textured_casters, normal_mapped_casters and cut_out_casters.
+// Judges textured_casters, normal_mapped_casters, cut_out_casters and textured_receivers.
 void add_textured_casters(const Scene& scene, const Settings& settings, Effects& effects);
 
 }  // namespace caustics

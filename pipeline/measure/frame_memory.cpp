@@ -47,7 +47,8 @@ HierarchyBytes hierarchy_bytes(const FrameCost& cost) {
   if (std::none_of(cost.plan.passes.begin(), cost.plan.passes.end(), walks)) return {};
   std::uint64_t indices = 0;
   for (const Mesh& mesh : cost.scene.meshes) indices += mesh.indices.size();
-  const std::uint64_t texels = walks_textures(cost.effects) ? 7 + kTexelsOfUv : 7;
+  const std::uint64_t texels =
+      light_meets_textures(cost.effects) || sight_meets_textures(cost.effects) ? 7 + kTexelsOfUv : 7;
   return {indices / 3 * texels * sizeof(glm::vec4), TriangleTree::building_bytes(indices / 3)};
 }
 

@@ -198,7 +198,7 @@ TEST_CASE("followed light: where little meets further surfaces nothing of it is 
   for (const char* name : {"walk", "caustic_footprints"}) CHECK(why_skipped(plan, name) == reason);
   CHECK(plan.find(kHierarchyNodes) >= 0);  // the camera's rays walk
   Effects neither = bench.effects(0.01);
-  neither.followed_view.active = false;
+  neither.seen_casters.active = false;
   CHECK(make_plan(bench.scene, neither, bench.settings, pass_registry()).find(kHierarchyNodes) < 0);
 }
 

@@ -49,9 +49,9 @@ class Planner {
     for (int i = 0; i < static_cast<int>(registry.size()); ++i)
       if (pass_of(i).has_layers()) last_with_layers_ = i;
     if (scene.environment.image) add_external(kEnvironment);
-    if (effects.further_surfaces.active || effects.followed_view.active || effects.ambient_occlusion.active)
+    if (effects.further_surfaces.active || effects.seen_casters.active || effects.ambient_occlusion.active)
       for (const char* name : {kHierarchyNodes, kHierarchyTriangles, kHierarchyNormals}) add_external(name);
-    if (walks_textures(effects)) add_external(kCasterTexels);
+    if (light_meets_textures(effects) || sight_meets_textures(effects)) add_external(kCasterTexels);
   }
 
   FramePlan plan() {
@@ -251,7 +251,8 @@ class Planner {
   // The pass that counts how much of its casters a light reaches comes before those that follow that light;
   // of light that is followed from surface to surface, the one that counts how much goes a branch's way.
   void decide_by_query(const Pass& pass, PlannedPass& planned) {
-    if (planned.drawn_for->layer > 0) decide_by_layer(planned);
+    if (planned.drawn_for->layer > 0 || planned.drawn_for->camera != CameraView::Picture)
+      decide_by_what_is_there(planned);
     if (planned.light < 0 || !pass.only_lights_with_caustics) return;
     planned.only_if = query_before(planned);
     if (!pass.count_samples) return;
@@ -263,8 +264,9 @@ class Planner {
     }
   }
 
-  // Where nothing was drawn into a layer, neither is there light on it, nor another behind it.
-  void decide_by_layer(PlannedPass& planned) {
+  // Where nothing was drawn into a layer, neither is there light on it, nor another behind it; likewise where
+  // glass shows nothing but what the picture shows.
+  void decide_by_what_is_there(PlannedPass& planned) {
     for (std::size_t r = 0; r < planned.reads.size(); ++r)
       if (const auto found = counted_in_.find(planned.reads[r]);
           found != counted_in_.end() && planned.definition->reads[r].discards_where_zero)
@@ -334,6 +336,7 @@ class Planner {
   int resolve(const Pass& pass, const Read& read, const DrawnFor& drawn_for, Owner user) {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
+    if (read.of_picture && drawn_for.camera != CameraView::Picture) return PlannedPass::kNothing;
     const std::string name(read.texture.empty() ? read.name : read.texture);
     if (read.layer != OfLayer::None) return of_layer(name, read.layer, drawn_for);
     if (read.of_same_start) return of_same_start(name, user);

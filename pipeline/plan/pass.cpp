@@ -136,6 +136,7 @@ int throws_caustic(const PassContext& context) {
 
 PassDefinition definition_of(const Pass& pass, const Effects& effects, const DrawnFor& drawn_for) {
   const bool is_layer = drawn_for.layer > 0;
+  const bool is_hidden = drawn_for.camera != CameraView::Picture;
   PassDefinition definition{.name = std::string(pass.name),
                             .purpose = std::string(pass.purpose),
                             .depth = pass.depth,
@@ -148,13 +149,14 @@ PassDefinition definition_of(const Pass& pass, const Effects& effects, const Dra
   if (!drawn_for.label.empty()) definition.name += "." + std::string(drawn_for.label);
   for (const Read& read : pass.reads)
     if (wanted(read.only_with, effects))
-      definition.reads.push_back(
-          {.name = std::string(read.name),
-           .meaning = std::string(read.meaning),
-           .of_material = read.of_material,
-           .optional = read.optional || !read.only_for.empty(),
-           .discards_where_zero = read.discards_where_zero || (is_layer && read.layers_discard_where_zero),
-           .only_towards = std::string(read.only_towards)});
+      definition.reads.push_back({.name = std::string(read.name),
+                                  .meaning = std::string(read.meaning),
+                                  .of_material = read.of_material,
+                                  .optional = read.optional || !read.only_for.empty(),
+                                  .discards_where_zero = read.discards_where_zero ||
+                                                         (is_layer && read.layers_discard_where_zero) ||
+                                                         (is_hidden && read.hidden_discard_where_zero),
+                                  .only_towards = std::string(read.only_towards)});
   for (const Write& write : pass.writes)
     if (wanted(write.only_with, effects))
       definition.writes.push_back({.name = std::string(write.name),

@@ -28,9 +28,9 @@ enum class Each : std::uint8_t { Frame, Light, Branch, Water, Sample };
 enum class ReceiverLayer : std::uint8_t { Nearest, Farthest };
 // Which caustic map of a light: the whole, or the finer one of its bright part.
 enum class MapWindow : std::uint8_t { Whole, Cascade };
-// What the camera sees: the picture, or its surroundings, three times as wide and high, which glass in it can
-// show.
-enum class CameraView : std::uint8_t { Picture, Surroundings };
+// What the camera sees: the picture, or what is shown only behind the first glass in a pixel, or only
+// mirrored by the first glass or metal.
+enum class CameraView : std::uint8_t { Picture, Behind, Mirrored };
 
 struct TargetSize {
   int width = 0, height = 0;
@@ -70,13 +70,13 @@ bool with_any(const Effects& of_frame) {
 inline bool sees_through_window(const LightEffects& light) { return light.all_around.empty(); }
 inline bool has_cascade(const LightEffects& light) { return !light.cascade.empty(); }
 
-inline constexpr std::string_view kBeyond = "glass shows what lies beyond the picture's edges";
+inline constexpr std::string_view kBeyond = "glass may show what the picture does not";
 inline constexpr std::string_view kHidden = "light falls on receivers that others hide from the light's view";
 inline constexpr DrawnFor kFrame{};
-inline constexpr DrawnFor kSurroundings{.label = "surroundings",
-                                        .camera = CameraView::Surroundings,
-                                        .also = &Effects::seen_casters,
-                                        .reason = kBeyond};
+inline constexpr DrawnFor kHiddenBehind{
+    .label = "behind", .camera = CameraView::Behind, .also = &Effects::seen_casters, .reason = kBeyond};
+inline constexpr DrawnFor kHiddenMirrored{
+    .label = "mirrored", .camera = CameraView::Mirrored, .also = &Effects::seen_casters, .reason = kBeyond};
 // Blended surfaces in the picture. Their instances come layer by layer, just before what the last pass that
 // has such draws beside them.
 std::vector<DrawnFor> with_layers(std::vector<DrawnFor> drawn_for);
@@ -91,11 +91,16 @@ inline constexpr DrawnFor kLightFar{.each = Each::Light,
                                     .also = &Effects::hidden_receivers,
                                     .lights = sees_through_window,
                                     .reason = kHidden};
-inline constexpr DrawnFor kLightSurroundings{.each = Each::Light,
-                                             .label = "surroundings",
-                                             .camera = CameraView::Surroundings,
-                                             .also = &Effects::seen_casters,
-                                             .reason = kBeyond};
+inline constexpr DrawnFor kLightBehind{.each = Each::Light,
+                                       .label = "behind",
+                                       .camera = CameraView::Behind,
+                                       .also = &Effects::seen_casters,
+                                       .reason = kBeyond};
+inline constexpr DrawnFor kLightMirrored{.each = Each::Light,
+                                         .label = "mirrored",
+                                         .camera = CameraView::Mirrored,
+                                         .also = &Effects::seen_casters,
+                                         .reason = kBeyond};
 inline constexpr DrawnFor kBranch{.each = Each::Branch};
 inline constexpr DrawnFor kBranchFar{.each = Each::Branch,
                                      .label = "far",
@@ -137,8 +142,7 @@ struct PassContext {
   const Settings* settings = nullptr;
   const Effects* effects = nullptr;
   const LightViews* views = nullptr;       // Each::Light and Each::Branch
-  const View* camera = nullptr;            // what the instance sees: the picture's view, or the surroundings'
-  const View* surroundings = nullptr;      // three times as wide and high as the picture's view
+  const View* camera = nullptr;            // the picture's view
   const Light* light = nullptr;            // Each::Light and Each::Branch
   const LightEffects* of_light = nullptr;  // likewise: what is judged of it
   const Branch* branch = nullptr;          // Each::Branch only
@@ -162,6 +166,8 @@ struct PassContext {
   // What sees the casters that are drawn: the light, or the camera.
   const View& sees_casters() const { return views ? views->caster : *camera; }
   int layer() const { return drawn_for ? drawn_for->layer : 0; }
+  // Of what the picture shows?
+  bool of_picture() const { return !drawn_for || drawn_for->camera == CameraView::Picture; }
   // Of the mesh that is drawn.
   SurfaceRole surface_role() const {
     const auto i = static_cast<std::size_t>(mesh_index);
@@ -203,6 +209,11 @@ template <Effect Effects::*effect>
 int chosen_by(const PassContext& context) {
   return (context.effects->*effect).active ? 1 : 0;
 }
+// Likewise, but never of what only glass shows.
+template <Effect Effects::*effect>
+int of_picture(const PassContext& context) {
+  return context.of_picture() ? chosen_by<effect>(context) : 0;
+}
 // Is there a caustic map of the light?
 int throws_caustic(const PassContext& context);
 
@@ -217,7 +228,9 @@ struct Read {
   bool of_material = false;                // the drawn surface's material's, instead of one of the frame
   bool discards_where_zero = false;        // as TextureRead has it
   bool layers_discard_where_zero = false;  // likewise, of instances of layers
+  bool hidden_discard_where_zero = false;  // likewise, of those of what only glass shows
   bool optional = false;                   // the frame may lack it; one texel of zeros is bound then
+  bool of_picture = false;                 // an optional read: what only glass shows has none of it
   OfLayer layer = OfLayer::None;           // an optional read
   Condition only_with = nullptr;           // the shader declares it only then
   std::string_view only_for{};             // read only by the instance with this label; the others get zeros
@@ -269,7 +282,7 @@ struct Pass {
   DrawSet draws = DrawSet::FullScreen;
   // Of the targets of a pass of the camera: a texel stands for so many pixels a side.
   int coarser = 1;
-  // Of the targets; null: the picture's (of surroundings half of that).
+  // Of the targets; null: the picture's (of what only glass shows half of that).
   TargetSize (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;
   std::vector<Read> reads{};
   std::vector<Write> writes{};
@@ -281,7 +294,7 @@ struct Pass {
   std::optional<int> zero_outside_quad{};  // as in PassDefinition
   DepthState depth_state{};
   Cull cull = Cull::None;
-  bool count_samples = false;  // of a pass that has layers: of these
+  bool count_samples = false;  // of a pass that has layers: of these alone
   std::vector<InstanceState> states{};
   std::vector<Permutation> shaders{};
   std::vector<Choice> choices{};

@@ -43,10 +43,18 @@ Names of_sample(const FramePlan& plan, int sample) {
   return names;
 }
 
-const Names kOfCamera = {
-    "average_samples",      "caster_map.camera",          "compose",
-    "compose.surroundings", "light_shading[sun]",         "light_shading[sun].surroundings",
-    "view_surfaces",        "view_surfaces.surroundings", "walked_glass"};
+const Names kOfCamera = {"average_samples",
+                         "caster_map.camera",
+                         "compose",
+                         "compose.behind",
+                         "compose.mirrored",
+                         "glass",
+                         "hidden_ends.behind",
+                         "hidden_ends.mirrored",
+                         "light_shading[sun]",
+                         "light_shading[sun].behind",
+                         "light_shading[sun].mirrored",
+                         "view_surfaces"};
 
 bool is_of_camera_by_name(const std::string& label) {
   return label == "tone_map" || std::find(kOfCamera.begin(), kOfCamera.end(), label) != kOfCamera.end();

@@ -35,11 +35,10 @@ class PassRunner {
         targets_(targets),
         inputs_(inputs),
         settings_(*inputs.settings, *inputs.effects),
-        cameras_{{.picture = inputs.camera, .surroundings = widened(inputs.camera, 3.0)}} {
-    for (const SubPixel& by : sub_pixels(samples_a_pixel(*inputs.settings)))
-      cameras_.push_back(
-          {.picture = shifted_by(by, cameras_[0].picture, CameraView::Picture),
-           .surroundings = shifted_by(by, cameras_[0].surroundings, CameraView::Surroundings)});
+        cameras_{inputs.camera} {
+    const Settings& settings = *inputs.settings;
+    for (const SubPixel& by : sub_pixels(samples_a_pixel(settings)))
+      cameras_.push_back(shifted(inputs.camera, by, settings.width, settings.height));
   }
 
   PassRun prepare(const PlannedPass& planned) const {
@@ -84,29 +83,16 @@ class PassRunner {
   }
 
  private:
-  // What one sample of each pixel sees.
-  struct Camera {
-    View picture, surroundings;
-  };
-
-  View shifted_by(const SubPixel& by, const View& view, CameraView camera) const {
-    const TargetSize size = picture_size(*inputs_.settings, camera);
-    return shifted(view, by, size.width, size.height);
-  }
-
   PassContext frame_context(const PlannedPass& planned) const {
-    const Camera& seen = cameras_[static_cast<std::size_t>(planned.sample)];
-    PassContext context{
-        .scene = &scene_.scene(),
-        .settings = &settings_[planned.light],
-        .effects = inputs_.effects,
-        .camera = planned.drawn_for->camera == CameraView::Picture ? &seen.picture : &seen.surroundings,
-        .surroundings = &seen.surroundings,
-        .width = planned.width,
-        .height = planned.height,
-        .exposure = inputs_.exposure.factor,
-        .contrast = inputs_.exposure.contrast,
-        .drawn_for = planned.drawn_for};
+    PassContext context{.scene = &scene_.scene(),
+                        .settings = &settings_[planned.light],
+                        .effects = inputs_.effects,
+                        .camera = &cameras_[static_cast<std::size_t>(planned.sample)],
+                        .width = planned.width,
+                        .height = planned.height,
+                        .exposure = inputs_.exposure.factor,
+                        .contrast = inputs_.exposure.contrast,
+                        .drawn_for = planned.drawn_for};
     context.first_receiver = scene_.first_receiver();
     context.first_uv = scene_.first_uv();
     context.touch = scene_.touch();
@@ -213,7 +199,7 @@ class PassRunner {
   const FrameTargets& targets_;
   const FrameInputs& inputs_;
   const LightSettings settings_;
-  std::vector<Camera> cameras_;  // the pixels' middles, then by sample
+  std::vector<View> cameras_;  // of the pixels' middles, then by sample
 };
 
 }  // namespace

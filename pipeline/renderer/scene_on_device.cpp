@@ -23,7 +23,7 @@ namespace {
 // Casters that get a row each in kCasterMaterials: as many as any device's textures are high.
 constexpr std::ptrdiff_t kMostOwnRows = 4096;
 // A material with textures has three more for each of its pictures (passes/shared/dressed_meeting.glsl).
-constexpr int kTexelsOfMaterial = 4, kTexelsOfDressed = 4 + 3 * 3;
+constexpr int kTexelsOfMaterial = 4, kTexelsOfDressed = 4 + 3 * 4;
 
 // A picture's place in kCasterTexels, and how texture coordinates lead there.
 std::array<glm::vec4, 3> picture_texels(const TextureUse& use, const CasterTexels& texels) {
@@ -45,6 +45,34 @@ void put_texels(Image& table, int row, int column, std::span<const glm::vec4> te
 }
 
 bool are_dressed(const Effects& effects) { return caster_detail(effects) != CasterDetail::None; }
+bool receivers_are_dressed(const Effects& effects) {
+  return effects.seen_casters.active && effects.textured_receivers.active;
+}
+
+// Of a caster (passes/shared/caster_material.glsl, Material).
+std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& material, bool mirror, bool thin,
+                                                          bool two_interfaces) {
+  const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
+  const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
+  const float cutoff = material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.0f;
+  return {glm::vec4(material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
+                    mirror ? 1.0f
+                    : thin ? -1.0f
+                           : 0.0f),
+          {absorption, two_interfaces ? 1.0f : 0.0f},
+          {color, material.roughness},
+          {mirror ? grey_reflectance(material) : transmission_factor(material), material.normal_scale,
+           material.base_color.a, cutoff}};
+}
+
+// What of a receiver is shown by glass alone (passes/shared/caster_material.glsl, ReceiverMaterial).
+std::array<glm::vec4, kTexelsOfMaterial> texels_of_receiver(const Material& m) {
+  const float cutoff = m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f;
+  return {glm::vec4(m.emissive, 0.0f),
+          {m.fade.centre, m.fade.from},
+          {glm::vec3(m.base_color), m.fade.to},
+          {0.0f, m.normal_scale, m.base_color.a, cutoff}};
+}
 
 void add_once(std::vector<int>& images, const TextureUse& use) {
   if (use.present() && std::find(images.begin(), images.end(), use.image) == images.end())
@@ -132,6 +160,7 @@ void SceneOnDevice::number_triangles(const Effects& effects) {
   first_triangles_ = first_triangles(scene_, hierarchy_);
   first_receiver_ = static_cast<int>(caster_triangles(scene_, hierarchy_));
   hierarchy_.dressed = are_dressed(effects);
+  hierarchy_.receivers_dressed = receivers_are_dressed(effects);
   first_uv_ = caustics::first_uv(scene_, hierarchy_);
   const Bounds bounds = bounds_of(scene_);
   if (!bounds.empty()) touch_ = static_cast<float>(4e-6 * std::max(bounds.radius(), 1e-6));
@@ -158,61 +187,60 @@ TextureId SceneOnDevice::external(const std::string& name) const {
 
 void SceneOnDevice::upload_caster_materials(const Effects& effects) {
   // A row for each caster, so that a grid vertex tells which one it lies on; where there are too many for
-  // that, a row for each distinct material, number of interfaces, role and wall.
+  // that, a row for each distinct material, number of interfaces, role and wall. Then one for each receivers'
+  // material.
   const auto casters = std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
                                      [](const SurfaceRole& s) { return is_caster(s.role); });
   std::map<std::tuple<int, int, bool, Role, bool>, int> row_of;
-  for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
-    const SurfaceRole& role = effects.surfaces[i];
-    int row = 0;
-    if (is_caster(role.role))
-      row = row_of
-                .try_emplace({casters <= kMostOwnRows ? static_cast<int>(i) : 0, scene_.meshes[i].material,
-                              role.two_interfaces, role.role, role.thin},
-                             static_cast<int>(row_of.size()))
-                .first->second;
-    rows_.push_back(row);
-  }
-  const bool dressed = are_dressed(effects);
+  rows_.resize(scene_.meshes.size(), 0);
+  const auto give_row = [&](std::size_t mesh, int own, SurfaceRole role) {
+    rows_[mesh] =
+        row_of
+            .try_emplace({own, scene_.meshes[mesh].material, role.two_interfaces, role.role, role.thin},
+                         static_cast<int>(row_of.size()))
+            .first->second;
+  };
+  for (std::size_t i = 0; i < scene_.meshes.size(); ++i)
+    if (is_caster(effects.surfaces[i].role))
+      give_row(i, casters <= kMostOwnRows ? static_cast<int>(i) : 0, effects.surfaces[i]);
+  for (std::size_t i = 0; i < scene_.meshes.size(); ++i)
+    if (effects.surfaces[i].role == Role::Receiver) give_row(i, 0, {.role = Role::Receiver});
+  const bool dressed = are_dressed(effects) || receivers_are_dressed(effects);
   const CasterTexels texels = upload_caster_texels(effects);
   Image table(Format::RGBA32F, dressed ? kTexelsOfDressed : kTexelsOfMaterial,
               std::max(1, static_cast<int>(row_of.size())));
   for (const auto& [key, row] : row_of) {
     const auto& [own, index, two_interfaces, role, thin] = key;
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
-    const bool mirror = role == Role::Mirror;
-    const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
-    const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
-    const float cutoff = material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.0f;
-    const glm::vec4 of_material[kTexelsOfMaterial] = {
-        {material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
-         mirror ? 1.0f
-         : thin ? -1.0f
-                : 0.0f},
-        {absorption, two_interfaces ? 1.0f : 0.0f},
-        {color, material.roughness},
-        {mirror ? grey_reflectance(material) : transmission_factor(material), material.normal_scale,
-         material.base_color.a, cutoff}};
-    put_texels(table, row, 0, of_material);
+    put_texels(table, row, 0,
+               role == Role::Receiver
+                   ? texels_of_receiver(material)
+                   : texels_of_caster(material, role == Role::Mirror, thin, two_interfaces));
     if (!dressed) continue;
     put_texels(table, row, 4, picture_texels(material.base_color_texture, texels));
     put_texels(table, row, 7, picture_texels(material.transmission_texture, texels));
     put_texels(table, row, 10, picture_texels(material.normal_texture, texels));
+    put_texels(table, row, 13, picture_texels(material.emissive_texture, texels));
   }
   externals_[kCasterMaterials] = {device_, device_.upload(table)};
 }
 
 CasterTexels SceneOnDevice::upload_caster_texels(const Effects& effects) {
-  if (!are_dressed(effects)) return {};
-  std::vector<int> images;
+  if (!are_dressed(effects) && !receivers_are_dressed(effects)) return {};
+  std::vector<int> images, coarse;
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
-    if (!is_caster(effects.surfaces[i].role)) continue;
+    const Role role = effects.surfaces[i].role;
     const Material& material = scene_.materials[static_cast<std::size_t>(scene_.meshes[i].material)];
-    add_once(images, material.base_color_texture);
-    add_once(images, material.transmission_texture);
-    add_once(images, material.normal_texture);
+    if (is_caster(role)) {
+      add_once(images, material.base_color_texture);
+      add_once(images, material.transmission_texture);
+      add_once(images, material.normal_texture);
+    } else if (role == Role::Receiver && receivers_are_dressed(effects)) {
+      add_once(coarse, material.base_color_texture);
+      add_once(coarse, material.emissive_texture);
+    }
   }
-  CasterTexels texels = caster_texels(scene_, images);
+  CasterTexels texels = caster_texels(scene_, images, coarse);
   externals_[kCasterTexels] = {device_, device_.upload(texels.image)};
   texels.image = {};
   return texels;

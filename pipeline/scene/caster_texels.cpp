@@ -67,10 +67,19 @@ void copy_into(Image& all, const Image& image, const PictureAt& place) {
 
 }  // namespace
 
-CasterTexels caster_texels(const Scene& scene, const std::vector<int>& images, std::int64_t most) {
+CasterTexels caster_texels(const Scene& scene, const std::vector<int>& images, const std::vector<int>& coarse,
+                           std::int64_t most) {
   Pictures pictures;
   std::map<int, Image> smaller;
   for (const int index : images) pictures.emplace(index, &scene.images[static_cast<std::size_t>(index)]);
+  for (const int index : coarse) {
+    const Image* picture = &scene.images[static_cast<std::size_t>(index)];
+    if (!pictures.emplace(index, picture).second) continue;
+    while (std::max(picture->width(), picture->height()) > kMostCoarseTexels) {
+      Image half = halved(*picture);
+      picture = pictures[index] = &(smaller[index] = std::move(half));
+    }
+  }
   CasterTexels texels;
   int width = width_for(pictures), height = put_in_rows(pictures, width, texels.places);
   while (std::int64_t{width} * height > most) {

@@ -1,5 +1,5 @@
-// The pictures on casters, which light and rays of sight meet in any order: all in one texture, side by side
-// (passes/shared/dressed_meeting.glsl reads it).
+// The pictures on casters and receivers, which light and rays of sight meet in any order: all in one texture,
+// side by side (passes/shared/dressed_meeting.glsl reads it).
 #pragma once
 #include <map>
 #include <vector>
@@ -19,9 +19,13 @@ struct CasterTexels {
   std::map<int, Place> places;  // by index into Scene::images
 };
 
-// `images`: indices into Scene::images, each once. Where they need more than `most` texels, the largest is
-// halved along both sides, by means of four, until they do not.
+// Texels along a side of what is coarse.
+inline constexpr int kMostCoarseTexels = 512;
+
+// `images`: indices into Scene::images, each once; `coarse`: likewise, of those that are halved until they
+// have kMostCoarseTexels a side, unless they are among the others. Where they need more than `most` texels,
+// the largest is halved along both sides, by means of four, until they do not.
 CasterTexels caster_texels(const Scene& scene, const std::vector<int>& images,
-                           std::int64_t most = kMostCasterTexels);
+                           const std::vector<int>& coarse = {}, std::int64_t most = kMostCasterTexels);
 
 }  // namespace caustics

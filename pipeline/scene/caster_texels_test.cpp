@@ -38,7 +38,7 @@ TEST_CASE("caster texels: each picture is there whole, and none lies on another"
 TEST_CASE("caster texels: where they are too many the largest picture is halved, by means of four") {
   Scene scene;
   scene.images = {told(0, 8, 8), told(1, 2, 2)};
-  const CasterTexels texels = caster_texels(scene, {0, 1}, 60);
+  const CasterTexels texels = caster_texels(scene, {0, 1}, {}, 60);
   const CasterTexels::Place place = texels.places.at(0);
   REQUIRE(place.width == 4);
   REQUIRE(place.height == 4);

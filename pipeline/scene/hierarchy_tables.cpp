@@ -80,6 +80,13 @@ Image node_table(const TriangleTree& tree, float touch, int threads) {
   return table.image();
 }
 
+// The first so many by number.
+std::size_t triangles_with_uv(const Scene& scene, const HierarchyMeshes& meshes) {
+  if (!meshes.dressed && !meshes.receivers_dressed) return 0;
+  const std::int64_t receivers = meshes.receivers_dressed ? triangles_of(scene, meshes.receivers) : 0;
+  return static_cast<std::size_t>(triangles_of(scene, meshes.casters) + receivers);
+}
+
 }  // namespace
 
 std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMeshes& meshes) {
@@ -105,8 +112,7 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
                                  const std::vector<int>& rows, float touch, int threads) {
   const auto count =
       static_cast<std::size_t>(triangles_of(scene, meshes.casters) + triangles_of(scene, meshes.receivers));
-  const auto texels_of_uv =
-      meshes.dressed ? kTexelsOfUv * static_cast<std::size_t>(triangles_of(scene, meshes.casters)) : 0;
+  const auto texels_of_uv = kTexelsOfUv * triangles_with_uv(scene, meshes);
   if (count > kMostTriangles || rows_for(3 * count + texels_of_uv) > kMostRows)
     throw Error(ExitCode::BadInput, "casters and receivers have " + std::to_string(count) +
                                         " triangles, and light can be followed through at most " +

@@ -22,6 +22,7 @@ struct HierarchyMeshes {
   std::vector<int> casters, receivers;  // indices into Scene::meshes
   std::vector<int> bodies;              // by Scene::meshes: of a caster the row of its body's material
   bool dressed = false;                 // casters have textures, for which texture coordinates are needed
+  bool receivers_dressed = false;       // so have receivers
 };
 
 struct HierarchyTables {
@@ -32,9 +33,9 @@ struct HierarchyTables {
   // A triangle takes three texels, leaf after leaf: its corners; and its number, the row of its material in
   // caster_materials, and the row of its body's plus 1.
   Image triangles;
-  // Likewise, by number: its corners' normals; and its place in `triangles`. Of dressed casters, from texel
-  // first_uv() on, kTexelsOfUv a triangle by number: texture coordinates of its first and second corner; of
-  // the third; its corners' tangents.
+  // Likewise, by number: its corners' normals; and its place in `triangles`. Of what is dressed, casters or
+  // all, from texel first_uv() on, kTexelsOfUv a triangle by number: texture coordinates of its first and
+  // second corner; of the third; its corners' tangents.
   Image normals;
 };
 inline constexpr int kTexelsOfUv = 5;

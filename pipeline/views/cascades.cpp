@@ -17,8 +17,8 @@ constexpr double kWorth = 0.5;
 // A light's casters shade and light only what lies in the receivers' window, and on the way there only a
 // medium shows their light.
 bool is_out_of_sight(const LightViews& views, const Effects& effects, const View* camera) {
-  if (!camera || views.receiver.cube || effects.medium.active) return false;
-  return !may_see(seen_view(effects, *camera), views.receiver);
+  if (!camera || views.receiver.cube || effects.medium.active || effects.seen_casters.active) return false;
+  return !may_see(*camera, views.receiver);
 }
 
 }  // namespace

@@ -36,7 +36,6 @@ View shifted(const View& view, const SubPixel& by, int width, int height) {
 
 View around_samples(const View& view, int samples, int width, int height) {
   if (samples == 1) return view;
-  // Half a pixel of the surroundings is three of the picture, of whose margin there is three times as much.
   const glm::dvec2 pixel = (view.window_upper - view.window_lower) / glm::dvec2(width, height);
   View result = view;
   result.window_lower -= pixel;

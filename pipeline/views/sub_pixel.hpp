@@ -18,7 +18,7 @@ std::span<const SubPixel> sub_pixels(int samples);
 
 // For targets of this size.
 View shifted(const View& view, const SubPixel& by, int width, int height);
-// All that any sample may see, in the picture and in surroundings three times as wide at half its size.
+// All that any sample may see.
 View around_samples(const View& view, int samples, int width, int height);
 
 }  // namespace caustics

@@ -93,8 +93,8 @@ TEST_CASE("needed passes: direct light needs shadows, but no landings") {
   CHECK(runs(labels, "shadow_map"));
   CHECK(runs(labels, "caster_map["));
   CHECK(runs(labels, "light_shading["));
-  for (const char* pass : {"receiver_map", "landing", "enter", "cells", "caustic_", "cascade_", "compose",
-                           "walked_glass", "tone_map"})
+  for (const char* pass :
+       {"receiver_map", "landing", "enter", "cells", "caustic_", "cascade_", "compose", "glass", "tone_map"})
     CHECK_FALSE(runs(labels, pass));
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("needed passes: casters whose light, shade and shape are out of view a
 TEST_CASE("needed passes: light that glass in view could show is not out of view") {
   Scene scene = sphere_out_of_view();
   scene.meshes.push_back(sphere({25.0, 0.1, 0.0}, 0.05, 2, 1));
-  CHECK(runs(labels_of(picture_of(scene)), "walked_glass"));
+  CHECK(runs(labels_of(picture_of(scene)), "glass"));
 }
 
 TEST_CASE("needed passes: black surfaces need no light, but its layers do") {

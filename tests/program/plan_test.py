@@ -11,7 +11,7 @@ import glb
 from program import SMALL, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
-GRID, MAP, SHADOW, PICTURE, AROUND, COARSE = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24, 16 * 12
+GRID, MAP, SHADOW, PICTURE, HALF, COARSE = 32 * 32, 32 * 32, 64 * 64, 64 * 48, 32 * 24, 16 * 12
 
 # Targets a pass writes anew: texels and bytes of a texel (RGBA32F 16, R32F and depth 4, RGBA8 4), by its page
 # in passes/. What several passes share is counted once (occluder_depth fills the depth of caster_map).
@@ -19,11 +19,11 @@ BYTES = {
     "occluder_depth": (GRID, 0), "caster_map": (GRID, 36), "caster_exit_map": (GRID, 36),
     "receiver_map": (MAP, 20), "landing": (GRID, 64), "cells": (GRID, 48), "caustic_cells": (MAP, 0),
     "shadow_map": (SHADOW, 8), "pane_light": (MAP, 16), "view_surfaces": (PICTURE, 68),
-    "view_surfaces.surroundings": (AROUND, 68), "light_shading": (PICTURE, 0),
-    "light_shading.surroundings": (AROUND, 0),
+    "hidden_ends.behind": (HALF, 48), "hidden_ends.mirrored": (HALF, 48), "light_shading": (PICTURE, 0),
+    "light_shading.behind": (HALF, 0), "light_shading.mirrored": (HALF, 0),
     "ambient_rays": (COARSE, 16), "ambient_occlusion": (COARSE, 16),
-    "compose": (PICTURE, 16), "compose.surroundings": (AROUND, 16), "caster_map.camera": (PICTURE, 36),
-    "caster_exit_map.camera": (PICTURE, 36), "glass": (PICTURE, 16), "view_panes": (PICTURE, 0),
+    "compose": (PICTURE, 16), "compose.behind": (HALF, 16), "compose.mirrored": (HALF, 16), "caster_map.camera": (PICTURE, 36),
+    "glass": (PICTURE, 16), "view_panes": (PICTURE, 0),
     "view_panes.mirrored": (PICTURE, 0), "view_panes.lit": (PICTURE, 0),
     "tone_map": (PICTURE, 4), "caustic_map": (MAP, 0),
     "caustic_cells.cascade": (MAP, 0), "caustic_map.cascade": (MAP, 0), "receiver_map.far": (MAP, 20),
@@ -32,8 +32,8 @@ BYTES = {
 }
 # What one pass of each light, or all of the frame, add to: direct and caustic irradiance; and the caustic
 # maps, bytes without and with colours.
-SHARED = {"light_shading": 32 * PICTURE, "light_shading.surroundings": 32 * AROUND}
-HIGHLIGHT = {"light_shading": 16 * PICTURE, "light_shading.surroundings": 16 * AROUND}
+SHARED = {"light_shading": 32 * PICTURE, "light_shading.behind": 32 * HALF, "light_shading.mirrored": 32 * HALF}
+HIGHLIGHT = {"light_shading": 16 * PICTURE}
 TEXEL = {"RGBA32F": 16, "R32F": 4, "Depth32F": 4, "RGBA8": 4}
 MAPS = ("caustic_map", "caustic_map.cascade", "caustic_map.far")
 
@@ -43,13 +43,12 @@ CAUSTIC = ["caster_map", "receiver_map", "landing", "cells", "caustic_cells", "c
 CASCADE = ["caustic_cells.cascade", "caustic_map.cascade"]
 # Of receivers that are not one plane; both receiver maps are twice as wide and high then.
 FAR = ["receiver_map.far", "landing.far", "cells.far", "caustic_cells.far", "caustic_map.far"]
-SEEN = CAMERA + ["view_surfaces.surroundings", "light_shading.surroundings", "compose.surroundings",
-                 "caster_map.camera",
-                 "glass"]
-SOLID = ["caster_exit_map", "caster_exit_map.camera"]
+SEEN = CAMERA + ["hidden_ends.behind", "hidden_ends.mirrored", "light_shading.behind", "light_shading.mirrored",
+                 "compose.behind", "compose.mirrored", "caster_map.camera", "glass"]
+SOLID = ["caster_exit_map"]
 SHADOWS = ["occluder_depth", "shadow_map"]
 LIGHT_PASSES = set(CAUSTIC + CASCADE + FAR + SHADOWS + ["caster_exit_map", "light_shading",
-                                                        "light_shading.surroundings",
+                                                        "light_shading.behind", "light_shading.mirrored",
                                                         "pane_light"])
 BRANCH_PASSES = set(CAUSTIC[2:] + CASCADE + FAR[1:])
 
@@ -89,7 +88,7 @@ def expected_bytes(count, lights, coloured):
         total += SHARED.get(name, 0) // (1 if "landing" in count else 2)
         # What surfaces mirror of the lights; and what glass and metal before them do.
         total += HIGHLIGHT.get(name, 0)
-        if name == "light_shading" and ("glass" in count or "walked_glass" in count):
+        if name == "light_shading" and "glass" in count:
             total += HIGHLIGHT[name]
         total += lights * (16 if coloured else 4) * MAP if name in MAPS else 0
     return total

@@ -63,8 +63,8 @@ struct HierarchyBench {
     meshes.casters.push_back(add(std::move(mesh), row, row));
     return *this;
   }
-  HierarchyBench& receiver(Mesh mesh) {
-    meshes.receivers.push_back(add(std::move(mesh), 0, -1));
+  HierarchyBench& receiver(Mesh mesh, int row = 0) {
+    meshes.receivers.push_back(add(std::move(mesh), row, -1));
     return *this;
   }
   HierarchyTables tables(int threads = 0) const {

@@ -1,4 +1,4 @@
-// Shows by itself how the passes walk and walked_glass find the next surface in the hierarchy.
+// Shows by itself how the passes walk and glass find the next surface in the hierarchy.
 UNIFORMS_BEGIN
 int most_steps;
 int first_receiver;

@@ -1,0 +1,92 @@
+// What glass and metal show that the picture does not: where the camera's rays end. hidden_ends.md explains.
+#include "passes/shared/texture_transform.glsl"
+UNIFORMS_BEGIN
+#include "passes/hidden_ends/hidden_ends_uniforms.glsl"
+UNIFORMS_END
+TEXTURE(0, picture_position)
+TEXTURE(1, view_caster_position)
+TEXTURE(2, view_caster_normal)
+TEXTURE(3, view_caster_triangle)
+TEXTURE(4, caster_materials)
+TEXTURE(5, hierarchy_nodes)
+TEXTURE(6, hierarchy_triangles)
+TEXTURE(7, hierarchy_normals)
+TEXTURE(8, caster_texels)
+
+#ifdef VERTEX_STAGE
+#include "passes/shared/full_screen.glsl"
+#else
+OUTPUT(0, Vec4, view_position)
+OUTPUT(1, Vec4, view_normal)
+OUTPUT(2, Vec4, view_albedo)
+OUTPUT(3, Vec4, view_emission)
+#include "passes/shared/axes_across.glsl"
+#include "passes/shared/caster_material.glsl"
+#include "passes/shared/caster_triangles.glsl"
+#include "passes/shared/wrapped.glsl"
+#include "passes/shared/material.glsl"
+#include "passes/shared/tangent_space.glsl"
+#include "passes/shared/dressed_meeting.glsl"
+#include "passes/shared/cube_atlas.glsl"
+#include "passes/shared/optics.glsl"
+#include "passes/shared/absorption.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/ray.glsl"
+#include "passes/shared/refraction.glsl"
+#include "passes/shared/microfacets.glsl"
+#include "passes/shared/view_space.glsl"
+#include "passes/shared/shown_point.glsl"
+#include "passes/shared/hierarchy.glsl"
+#include "passes/shared/media.glsl"
+#include "passes/shared/interface.glsl"
+#include "passes/shared/surface.glsl"
+#include "passes/shared/rough_surface.glsl"
+#include "passes/shared/hit_texel.glsl"
+#include "passes/shared/sight.glsl"
+
+// How much of the receiver is shown: an added ground fades.
+Float shown_at(IN(ReceiverMaterial) material, Vec3 p) {
+  Float from = material.fade_from;
+  Float over = material.fade_to - from;
+  Bool fades = over > 0.0f;
+  Float t = clamp_to((material.fade_to - length3(p - material.fade_centre)) / sel(fades, over, Float(1.0f)),
+                     0.0f, 1.0f);
+  return sel(fades, t * t * (3.0f - 2.0f * t), Float(1.0f));
+}
+
+void put_on_textures(INOUT(ReceiverMaterial) receiver, IN(CasterTriangle) triangle, IN(Meeting) at,
+                     Bool wanted) {
+  Vec2 uv = dress_at(at, triangle, wanted).uv;
+  receiver.albedo = receiver.albedo * Vec3(fetch_picture(picture_at(triangle.row, 4), uv, Bool(false)));
+  receiver.emission = receiver.emission * Vec3(fetch_picture(picture_at(triangle.row, 13), uv, Bool(false)));
+}
+
+// What stands there, on the side that the ray comes from.
+void write_end(IN(SightEnd) end) {
+  Vec3 direction = end.sight.ray.direction;
+  CasterTriangle triangle = fetch_triangle(sel(end.lands, end.hit.w - 1.0f, Float(0.0f)));
+  Meeting at = meeting_at(triangle, end.hit, direction);
+  ReceiverMaterial receiver = fetch_receiver(caster_materials, triangle.row);
+  if (u.has_textures != 0) put_on_textures(receiver, triangle, at, end.lands);
+  view_position = Vec4(end.point, Float(1.0f));
+  view_normal = Vec4(sel(at.front, at.outward, -at.outward), Float(0.0f));
+  view_albedo = Vec4(receiver.albedo, shown_at(receiver, end.point));
+  view_emission = Vec4(receiver.emission, Float(1.0f));
+}
+
+void main() {
+  // A texel stands for two by two pixels, and looks where the first of them does.
+  Int column = floor_to_int(frag_x()) * 2;
+  Int row = floor_to_int(frag_y()) * 2;
+  Vec4 caster = texel_fetch(view_caster_position, column, row);
+  Bool seen = shows_front(caster, column, row);
+  discard_if(!seen);
+  Ways ways = ways_from(front_at(caster, column, row), seen);
+  Sight sight = ways.behind;
+  if (u.mirrors != 0) sight = ways.mirrored;
+  SightEnd end = end_of_sight(sight);
+  Bool hidden = end.lands && !is_shown(end);
+  discard_if(!hidden);
+  write_end(end);
+}
+#endif

@@ -1,0 +1,204 @@
+// The camera's rays, from the glass or metal that a pixel shows, from surface to surface. Needs
+// caster_material.glsl, caster_triangles.glsl, dressed_meeting.glsl, absorption.glsl, position_texel.glsl,
+// view_space.glsl, hierarchy.glsl, interface.glsl, surface.glsl, rough_surface.glsl, hit_texel.glsl, the
+// textures picture_position, view_caster_position, view_caster_normal and view_caster_triangle, and the uniforms
+// of sight_uniforms.glsl.
+
+// A ray of sight on its way.
+struct Sight {
+  Ray ray;
+  Float own;      // the triangle that it starts on
+  Vec4 media;     // the bodies that it is in
+  Vec3 through;   // what is left of the radiance from its end
+  Bool mirrored;
+  Float blur;     // square of the width of the slopes by which rough surfaces spread it
+  Bool under_way;
+};
+
+// Where it ends: on a receiver, or it leaves.
+struct SightEnd {
+  Sight sight;
+  Vec4 hit;
+  Vec3 point;
+  Bool lands;
+};
+
+Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
+  Sight sight;
+  sight.ray = ray_from(sel(condition, a.ray.start, b.ray.start),
+                       sel(condition, a.ray.direction, b.ray.direction));
+  sight.own = sel(condition, a.own, b.own);
+  sight.media = sel(condition, a.media, b.media);
+  sight.through = sel(condition, a.through, b.through);
+  sight.mirrored = sel(condition, a.mirrored, b.mirrored);
+  sight.blur = sel(condition, a.blur, b.blur);
+  sight.under_way = sel(condition, a.under_way, b.under_way);
+  return sight;
+}
+
+// How far a facet that leans by a slope turns what comes, by that slope: what it mirrors twice, and so what
+// passes a rough wall; what it bends, once that is in air, n - 1 times.
+Float blur_by(IN(Surface) surface, IN(Material) material, IN(Meeting) at, Bool back) {
+  Float more = max_of(surface.eta, 1.0f / surface.eta) - 1.0f;
+  Float turned = width_of_facets(material, at) * sel(back || material.thin, Float(2.0f), more);
+  return sel(surface.both.passes, Float(0.0f), turned * turned);
+}
+
+Surface seen_surface(Vec3 direction, IN(Meeting) at, IN(Interface) both, IN(Material) material) {
+  Surface surface = surface_at(direction, at, both, material);
+  if (u.has_rough != 0) {
+    if (any_lane(material.thin)) make_wall(surface, material, direction, surface.normal);
+  }
+  return surface;
+}
+
+// The way that a ray takes at a surface: the stronger, which then stands for both; or `straight` on.
+void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, Bool straight, Bool wanted) {
+  Meeting at = meeting;
+  Material material = fetch_material(caster_materials, triangle.row);
+  if (u.has_textures != 0) put_on_textures(at, material, triangle, wanted, Bool(false));
+  Interface both = interface_at(sight.media, at, triangle, material);
+  both.passes = both.passes || straight;
+  Vec3 before = sight.ray.direction;
+  Surface surface = seen_surface(before, at, both, material);
+  Bool back = most_is_mirrored(surface, material, surface.mirrored > 0.5f);
+  sight.ray = ray_from(at.point, direction_behind(surface, before, back));
+  sight.own = at.number;
+  sight.mirrored = sight.mirrored || back;
+  sight.media = sel(back, sight.media, both.media);
+  sight.through = sight.through * color_behind(surface, material, back);
+  if (u.has_rough != 0) sight.blur = sight.blur + blur_by(surface, material, at, back);
+  sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
+}
+
+// A receiver that an alpha mask has cut out where the ray meets it.
+Bool is_hole(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
+  Meeting met = at;
+  Material unused = fetch_material(caster_materials, triangle.row);
+  put_on_textures(met, unused, triangle, wanted, Bool(false));
+  return wanted && met.hole;
+}
+
+// By all the surfaces that a ray meets. At the last ones it is not bent any more, so that it ends on what
+// stands there.
+SightEnd end_of_sight(IN(Sight) from) {
+  SightEnd end;
+  end.sight = from;
+  end.hit = Vec4(0.0f);
+  end.point = from.ray.start;
+  end.lands = Bool(false);
+  for (int k = 0; k < u.most_surfaces && any_lane(end.sight.under_way); k++) {
+    Sight sight = end.sight;
+    Vec4 hit = hit_ahead(sight.ray, sight.own, sight.media, sight.under_way);
+    Bool caster = sight.under_way && is_on_caster(hit);
+    Bool receiver = sight.under_way && is_surface(hit) && !caster;
+    sight.through = sel(caster || receiver, sight.through * left_by(sight.media.x, hit.z), sight.through);
+    Sight next = sight;
+    if (any_lane(caster || receiver)) {
+      CasterTriangle triangle = fetch_triangle(sel(caster || receiver, hit.w - 1.0f, Float(0.0f)));
+      Meeting at = meeting_at(triangle, hit, sight.ray.direction);
+      if (any_lane(caster)) turn(next, at, triangle, Bool(k >= u.surfaces), caster);
+      if (u.has_textures != 0) {
+        Bool cut = is_hole(triangle, at, receiver);
+        next.ray = ray_from(sel(cut, at.point, next.ray.start), next.ray.direction);
+        next.own = sel(cut, at.number, next.own);
+        caster = caster || cut;
+        receiver = receiver && !cut;
+      }
+    }
+    end.hit = sel(receiver, hit, end.hit);
+    end.point = sel(receiver, point_along(sight.ray, hit.z), end.point);
+    end.lands = end.lands || receiver;
+    end.sight = chosen(caster, next, sight);
+    end.sight.under_way = end.sight.under_way && caster;
+  }
+  return end;
+}
+
+// Does the picture show where the ray ends?
+Bool is_shown(IN(SightEnd) end) { return end.lands && shows_point(picture_position, u.view, end.point); }
+
+// What a pixel shows of the casters.
+struct Front {
+  Meeting at;
+  CasterTriangle triangle;
+  Material material;
+};
+
+// Moving water is not in the hierarchy: what the view shows of it is all that there is.
+void be_no_triangle(INOUT(CasterTriangle) triangle, Bool is_none, Int row) {
+  Vec3 none = Vec3(0.0f);
+  triangle.edge1 = sel(is_none, none, triangle.edge1);
+  triangle.edge2 = sel(is_none, none, triangle.edge2);
+  triangle.turn1 = sel(is_none, none, triangle.turn1);
+  triangle.turn2 = sel(is_none, none, triangle.turn2);
+  triangle.row = sel(is_none, row, triangle.row);
+  triangle.body = sel(is_none, Float(row + 1), triangle.body);
+}
+
+Front front_at(Vec4 position, Int column, Int row) {
+  Vec4 normal = texel_fetch(view_caster_normal, column, row);
+  Float number = texel_fetch(view_caster_triangle, column, row).x - 1.0f;
+  Front front;
+  front.triangle = fetch_triangle(max_of(number, 0.0f));
+  if (any_lane(number < 0.0f)) be_no_triangle(front.triangle, number < 0.0f, material_row(normal));
+  front.material = fetch_material(caster_materials, material_row(normal));
+  front.at.point = Vec3(position);
+  front.at.outward = Vec3(normal);
+  front.at.plane = normalize_or(cross3(front.triangle.edge1, front.triangle.edge2), front.at.outward);
+  front.at.front = !is_back_face(position);
+  front.at.number = number;
+  front.at.stretch = Float(0.0f);
+  front.at.hole = Bool(false);
+  return front;
+}
+
+// Does the pixel show that, and nothing before it?
+Bool shows_front(Vec4 caster, Int column, Int row) {
+  Vec4 surface = texel_fetch(picture_position, column, row);
+  Float z = view_coordinates(u.view, Vec3(caster)).z;
+  Float surface_z = view_coordinates(u.view, Vec3(surface)).z;
+  return is_covered(caster) && (!is_covered(surface) || z < surface_z);
+}
+
+Vec3 sight_to(Vec3 p) {
+  Vec3 sight = Vec3(u.forward);
+  if (u.view.kind != VIEW_PARALLEL) sight = normalize_or(p - Vec3(u.eye), Vec3(u.forward));
+  return sight;
+}
+
+// At the first surface both ways are followed, what it lets through and what it mirrors.
+struct Ways {
+  Sight behind;
+  Sight mirrored;
+};
+
+Ways ways_from(IN(Front) drawn, Bool seen) {
+  Front front = drawn;
+  if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
+  Vec3 sight = sight_to(front.at.point);
+  Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
+  Surface surface = seen_surface(sight, front.at, both, front.material);
+  Sight back;
+  back.ray = ray_from(front.at.point, direction_behind(surface, sight, Bool(true)));
+  back.own = front.at.number;
+  back.media = Vec4(0.0f);
+  back.mirrored = Bool(true);
+  Vec3 color = color_behind(surface, front.material, Bool(true));
+  back.through = sel(front.material.mirror, color, Vec3(surface.mirrored));
+  back.blur = Float(0.0f);
+  if (u.has_rough != 0) back.blur = blur_by(surface, front.material, front.at, Bool(true));
+  back.under_way = seen;
+  Sight on = back;
+  on.ray = ray_from(front.at.point, surface.bent.direction);
+  on.media = both.media;
+  on.mirrored = Bool(false);
+  on.through = front.material.color * (1.0f - surface.mirrored);
+  on.through = sel(surface.one_way, Vec3(0.0f), on.through);
+  if (u.has_rough != 0) on.blur = blur_by(surface, front.material, front.at, Bool(false));
+  on.under_way = seen && !surface.one_way;
+  Ways ways;
+  ways.behind = on;
+  ways.mirrored = back;
+  return ways;
+}
