@@ -39,16 +39,18 @@ std::vector<int> casters_by_row(const RenderedFrame& frame) {
 
 // What a light's sample wrote besides its branches', as it is until the next pass.
 struct SampleMaps {
-  ImageView map, far_map, cascade, caster_normal, view_position;
+  ImageView map, far_map, cascade, caster_normal, caster_position, view_position;
 };
 
 SampleMaps maps_of(const RenderedFrame& frame, int light) {
   const auto read = [&](const std::string& name) { return frame.look_at(name); };
+  const bool drawn = frame.effects().lights[static_cast<std::size_t>(light)].size_is_drawn;
   const auto if_any = [&](const std::string& name) { return frame.has(name) ? read(name) : ImageView{}; };
   return {.map = read(light_texture(kCausticMap, light)),
           .far_map = if_any(light_texture(far_texture(kCausticMap), light)),
           .cascade = if_any(light_texture(kCascadeMap, light)),
           .caster_normal = read(light_texture(kCasterNormal, light)),
+          .caster_position = drawn ? read(light_texture(kCasterPosition, light)) : ImageView{},
           .view_position = frame.settings().pixel_means ? if_any(kViewPosition) : ImageView{}};
 }
 
@@ -62,6 +64,13 @@ void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vecto
   for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum[i], outcomes[i], share);
 }
 
+// Of a light whose size is drawn, the light of which it is a sample.
+const Light* whole_light(const RenderedFrame& frame, int light) {
+  const auto index = static_cast<std::size_t>(light);
+  if (!frame.effects().lights[index].size_is_drawn) return nullptr;
+  return &frame.scene().sources[static_cast<std::size_t>(frame.scene().lights[index].source)];
+}
+
 // Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.
 // Returns the processor milliseconds of rays.
 double add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
@@ -73,7 +82,8 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
   LedgerSum ledger_sum(views.caustic, settings, maps.map.width());
   ErrorSum error_sum(views, settings, maps.map.width(), !maps.cascade.values.empty());
   std::vector<BranchImages> judged;  // the model looks at all branches at once
-  for (const Branch& branch : frame.effects().branches) {
+  for (Branch branch : frame.effects().branches) {
+    branch.spread = branch.spread || frame.effects().lights[static_cast<std::size_t>(light)].size_is_drawn;
     const auto has = [&](const std::string& name) { return frame.has(name); };
     const auto read = [&](const std::string& name) { return frame.look_at(name); };
     const BranchImages images = images_of_branch(light, branch, has, read);
@@ -94,7 +104,11 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
                        .caster = views.caster,
                        .branches = judged,
                        .share = share,
-                       .samples = static_cast<int>(samples_of(frame.scene(), sum.light).size())});
+                       .samples = maps.caster_position.values.empty()
+                                      ? static_cast<int>(samples_of(frame.scene(), sum.light).size())
+                                      : 1,
+                       .source = whole_light(frame, light),
+                       .caster_position = maps.caster_position});
        },
        [&] { ledger = ledger_sum.with_maps(maps.map, maps.far_map); },
        [&] {
@@ -159,7 +173,9 @@ void LedgerReader::look(const RenderedFrame& frame, const PlannedPass& pass) {
   LightLedger& sum =
       by_source_.try_emplace(light.source, LightLedger{.light = light.source, .ledger = {}}).first->second;
   // A sample's flux is relative to its own intensity.
-  const double share = static_cast<double>(light.intensity) / static_cast<double>(source.intensity);
+  const bool whole = frame.effects().lights[static_cast<std::size_t>(pass.light)].size_is_drawn;
+  const double share =
+      whole ? 1.0 : static_cast<double>(light.intensity) / static_cast<double>(source.intensity);
   const double of_rays = add_sample(
       frame, pass.light, share, sum,
       model_of(frame, light.source, frame.effects().lights[static_cast<std::size_t>(pass.light)].divide));
@@ -189,9 +205,12 @@ std::vector<LightLedger> LedgerReader::ledgers() const {
 glm::dvec3 caustic_intensity_of(const RenderedFrame& frame, int source) {
   const Light& light = frame.scene().sources[static_cast<std::size_t>(source)];
   glm::dvec3 intensity = static_cast<double>(light.intensity) * glm::dvec3(light.color);
-  for (std::size_t l = 0; l < frame.scene().lights.size(); ++l)
-    if (frame.scene().lights[l].source == source)
-      intensity += glm::dvec3(frame.effects().lights[l].of_others);
+  for (std::size_t l = 0; l < frame.scene().lights.size(); ++l) {
+    if (frame.scene().lights[l].source != source) continue;
+    const LightEffects& effects = frame.effects().lights[l];
+    if (effects.size_is_drawn) return glm::dvec3(caustic_intensity(frame.scene().lights[l], effects));
+    intensity += glm::dvec3(effects.of_others);
+  }
   return intensity;
 }
 

@@ -1,5 +1,5 @@
 // Light at a grid vertex, where it meets its first surface. Needs caster_triangles.glsl, grid_light.glsl,
-// light_path.glsl, the textures caster_position, caster_normal, caster_triangle and reaching, and the
+// wide_light.glsl, light_path.glsl, way_draw.glsl, the textures caster_position, caster_normal, caster_triangle and reaching, and the
 // uniforms of grid_light_uniforms.glsl and is_tinted.
 
 // A direction of the view's axes, as a cube's face turns them, in scene space.
@@ -41,8 +41,8 @@ struct Arrival {
   LightPath path;
 };
 
-// At the grid vertex.
-Arrival arrival_at(Int column, Int row) {
+// At the grid vertex. `drawn`: a whole number for the light's point, where it has a size.
+Arrival arrival_at(Int column, Int row, Float drawn) {
   Vec4 position = texel_fetch(caster_position, column, row);
   Vec4 normal = texel_fetch(caster_normal, column, row);
   Float number = texel_fetch(caster_triangle, column, row).x - 1.0f;
@@ -59,16 +59,22 @@ Arrival arrival_at(Int column, Int row) {
   arrival.at.stretch = Float(0.0f);
   arrival.at.hole = Bool(false);
   Incident light = light_onto(cell, arrival.at.point);
+  if (u.light_shape != 0)
+    light = light_of_size(cell, arrival.at.point, arrival.at.plane,
+                          Vec2(drawn_share(drawn), drawn_share(next_facet_draw(drawn))));
   if (u.is_tinted != 0) light.flux = light.flux * texel_fetch(reaching, column, row).x;
   arrival.path.ray = ray_from(arrival.at.point, light.direction);
   arrival.path.own = number;
   arrival.path.aside = Bool(false);
   arrival.path.parted = Bool(u.draws == 0);
-  arrival.path.path = Float(0.0f);
+  arrival.path.path = drawn;
   arrival.path.flux = Vec3(light.flux);
   arrival.path.whole = light.flux;
   arrival.path.media = Vec4(0.0f);
   set_differential(cell, arrival.at.point, arrival.path);
+  if (u.light_shape != 0)
+    spread_by_size(arrival.at.point, light.direction, arrival.path.spread_x, arrival.path.spread_y,
+                   arrival.path.width_x, arrival.path.width_y);
   TRACE(entry_point, arrival.at.point);
   return arrival;
 }

@@ -1,4 +1,7 @@
 #include <cmath>
+#include <optional>
+
+#include "pipeline/measure/drawn_points.hpp"
 
 #include "tests/support/catch.hpp"
 #include "tests/support/light_path_bench.hpp"
@@ -21,6 +24,7 @@ struct Bench {
   BenchMaterial material{};
   Light light{};
   bool both_ways = false, follows_mirrored = false;
+  std::optional<Light> source;  // whose size is drawn
 
   PassImages run() const {
     const HierarchyTables tables =
@@ -38,6 +42,17 @@ struct Bench {
     u.least_share = 1e-3f;
     u.splits = both_ways ? 1 : 0;
     u.mirrored_at = follows_mirrored ? 1 : 0;
+    if (source) {
+      u.light_shape = source->shape == LightShape::Sphere      ? 1
+                      : source->shape == LightShape::Rectangle ? 2
+                                                               : 3;
+      const bool far_away = source->shape == LightShape::Disk;
+      u.light_middle = glm::vec3(far_away ? source->direction : source->position);
+      u.light_radius = far_away ? std::tan(static_cast<float>(source->angular_radius))
+                                : static_cast<float>(source->radius);
+      u.light_width = glm::vec3(source->width);
+      u.light_height = glm::vec3(source->height);
+    }
     return run_pass(part_of_walk(walk_enter_shader,
                                  {"caster_position", "caster_normal", "caster_triangle", "caster_materials",
                                   "hierarchy_triangles", "hierarchy_normals", "reaching"},
@@ -257,4 +272,60 @@ TEST_CASE(
   // Tiles are as high as wide: the rows from 16 on are left over.
   CHECK(path_at(out, 3, 16).mark == 0.0f);
   CHECK(path_at(out, 23, 23).mark == 0.0f);
+}
+
+namespace {
+
+Light sized(LightShape shape) {
+  Light light;
+  light.shape = shape;
+  light.type = shape == LightShape::Disk ? LightType::Directional : LightType::Point;
+  light.position = {0.0, 10.0, 0.0};
+  light.direction = {0.0, -1.0, 0.0};
+  light.radius = shape == LightShape::Sphere ? 1.0 : 0.0;
+  if (shape == LightShape::Rectangle) {
+    light.width = {2.0, 0.0, 0.0};
+    light.height = {0.0, 0.0, 1.0};
+  }
+  light.angular_radius = 0.1;
+  return light;
+}
+
+}  // namespace
+
+TEST_CASE("walk: entered, each vertex takes its own point of a light with a size, as rays that judge it do") {
+  for (const LightShape shape : {LightShape::Sphere, LightShape::Rectangle, LightShape::Disk}) {
+    Bench bench = from_point();
+    if (shape == LightShape::Disk) bench.view = down(4.0, 10.0, 20.0);
+    bench.source = sized(shape);
+    const PassImages out = bench.run();
+    std::vector<glm::vec3> directions;
+    for (int y = 0; y < 2; ++y)
+      for (int x = 0; x < 2; ++x) {
+        const LightRay middle{.origin = {0.0, 10.0, 0.0}, .direction = {0.0, -1.0, 0.0}};
+        const LightRay ray = from_own_point(*bench.source, middle, glm::dvec3(bench.point), x, y);
+        directions.push_back(path_at(out, x, y).direction);
+        check_near(directions.back(), glm::vec3(ray.direction), 1e-5);
+      }
+    CHECK(directions[0] != directions[1]);
+    CHECK(directions[0] != directions[2]);
+  }
+}
+
+TEST_CASE("walk: entered, light from aside falls flatter and from farther onto the same surface") {
+  // From 10 m up, over a level square, of a rectangle: a cell has .0625 steradians from its middle.
+  Bench bench = from_point();
+  bench.source = sized(LightShape::Rectangle);
+  const PassImages out = bench.run();
+  const glm::vec3 d = path_at(out, 0, 0).direction;
+  // 9 m below: 81 / (9 / cos)^2 times the cosine.
+  CHECK(path_at(out, 0, 0).whole == Approx(0.0625 * std::pow(static_cast<double>(-d.y), 3.0)).epsilon(1e-4));
+  CHECK(d.y > -0.9999f);
+}
+
+TEST_CASE("walk: entered, light from behind the surface does not reach it") {
+  Bench bench = from_point();
+  bench.source = sized(LightShape::Sphere);
+  bench.source->position = {0.0, 0.0, 0.0};
+  CHECK(path_at(bench.run()).whole == 0.0f);
 }

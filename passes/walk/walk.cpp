@@ -1,10 +1,12 @@
 #include "passes/walk/walk.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "passes/landing/landing.hpp"
 #include "passes/shared/grid_light_uniforms.hpp"
 #include "passes/shared/hierarchy_reads.hpp"
+#include "pipeline/scene/exact.hpp"
 
 namespace caustics {
 
@@ -12,11 +14,42 @@ extern const Shader walk_shader;
 
 namespace {
 
+// Of the light whose caustic is its whole source's.
+const Light* wide_source(const PassContext& context) {
+  const bool drawn = context.of_light && context.of_light->size_is_drawn;
+  return drawn ? &context.scene->sources[static_cast<std::size_t>(context.light->source)] : nullptr;
+}
+
+int light_shape(const PassContext& context) {
+  const Light* source = wide_source(context);
+  if (!source) return 0;
+  return source->shape == LightShape::Sphere ? 1 : source->shape == LightShape::Rectangle ? 2 : 3;
+}
+
+void set_size(std140::Walk& block, const PassContext& context) {
+  const Light* source = wide_source(context);
+  if (!source) return;
+  const bool far_away = source->shape == LightShape::Disk;
+  block.light_middle = glm::vec3(far_away ? source->direction : source->position);
+  block.light_radius = static_cast<float>(source->radius);
+  if (far_away) {
+    double sine, cosine;
+    exact::sin_cos(source->angular_radius, sine, cosine);
+    block.light_radius = static_cast<float>(sine / cosine);
+  }
+  if (source->shape != LightShape::Rectangle) return;
+  block.light_width = glm::vec3(source->width);
+  block.light_height = glm::vec3(source->height);
+  const double area = exact::length(exact::cross(source->width, source->height));
+  block.light_radius = static_cast<float>(std::sqrt(area / exact::kPi));
+}
+
 std140::Walk walk_uniforms(const PassContext& context) {
   std140::Walk block{};
   set_grid_light(block, context);
   block.receiver = shader_view(context.views->receiver);
   block.caustic = shader_view(context.views->caustic);
+  set_size(block, context);
   block.channel_share = context.branch->color;
   block.bend = static_cast<float>(context.branch->bend);
   block.least_share = context.settings->least_share;
@@ -90,7 +123,8 @@ Pass walk_pass() {
                   {"draws", [](const PassContext& c) { return c.branch->drawn ? 1 : 0; }},
                   {"reads_hit", reads_hit},
                   kHasTextures,
-                  {"has_rough", chosen_by<&Effects::rough_glass>}},
+                  {"has_rough", chosen_by<&Effects::rough_glass>},
+                  {"light_shape", light_shape}},
   };
 }
 

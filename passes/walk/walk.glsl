@@ -51,9 +51,10 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/hit_texel.glsl"
+#include "passes/shared/way_draw.glsl"
+#include "passes/shared/wide_light.glsl"
 #include "passes/shared/enter_light.glsl"
 #include "passes/shared/bend_light.glsl"
-#include "passes/shared/way_draw.glsl"
 #include "passes/shared/land_light.glsl"
 
 // The number that is drawn at a surface. Where both ways are followed 4 x 4 vertices draw together, and their
@@ -110,14 +111,15 @@ void write(IN(LandedLight) landed, Float entered) {
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
-  Arrival here = arrival_at(column, row);
+  Float facet = first_facet_draw(Float(column), Float(row));
+  Arrival here = arrival_at(column, row, sel(Bool(u.light_shape != 0), facet, Float(0.0f)));
+  if (u.light_shape != 0) facet = next_facet_draw(next_facet_draw(facet));
   Float entered = here.path.whole;
   Bool under_way = here.covered;
   Bool ended = Bool(false);
   LandedLight landed = nothing_landed();
   second_hit = Vec4(0.0f);
   Float draw = Float(0.0f);
-  Float facet = first_facet_draw(Float(column), Float(row));
   for (int surface = 1; surface <= u.bounces && any_lane(under_way); surface++) {
     Material material = fetch_material(caster_materials, here.material);
     draw = draw_at(surface, draw, column, row);

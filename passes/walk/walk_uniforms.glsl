@@ -1,6 +1,10 @@
 #include "passes/shared/grid_light_uniforms.glsl"
 View receiver;        // the light's view of what its light can land on
 View caustic;         // the light's map that the landings are laid into
+vec3 light_middle;    // of a light with a size: its middle, of a disk the way it shines
+float light_radius;   // metres, of a disk the tangent of half its angle; of a rectangle that of a disk as large
+vec3 light_width;     // a rectangle's edges
+vec3 light_height;
 vec3 channel_share;   // the branch's share of each channel's flux
 float bend;           // the branch's index of refraction is n_d + bend (n_F - n_C)
 float least_share;    // of the light on a cell, below which it is followed no further
@@ -18,3 +22,4 @@ CHOICE(draws)         // 1: the branch follows what the others leave behind, by 
 CHOICE(reads_hit)     // 1: the second surface has been found by a branch that comes to it alike
 CHOICE(has_textures)  // 1: some caster has
 CHOICE(has_rough)     // 1: some glass is rough
+CHOICE(light_shape)   // 0: the light has no size; 1: a sphere, 2: a rectangle, 3: a disk far away

@@ -1,4 +1,5 @@
 #include "pipeline/effects/branches.hpp"
+#include "pipeline/effects/drawn_sizes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +98,7 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
 }  // namespace
 
 bool all_light_is_spread(const Effects& effects) {
+  if (all_sizes_are_drawn(effects)) return true;
   return effects.rough_glass.active &&
          std::all_of(effects.surfaces.begin(), effects.surfaces.end(),
                      [](const SurfaceRole& s) { return !is_caster(s.role) || s.rough; });

@@ -102,9 +102,10 @@ struct LightEffects {
   // Which way its caustic map looks, where its casters send its light behind it, or far aside; 0: towards
   // them.
   glm::dvec3 looks{0.0};
-  std::string cascade;        // why its caustic has a finer second map; known once a pilot has run
-  int divide = 1;             // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
-  glm::vec3 of_others{0.0f};  // lux or candela by which its caustic is brighter, as it stands for others'
+  std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
+  int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
+  glm::vec3 of_others{0.0f};   // lux or candela by which its caustic is brighter, as it stands for others'
+  bool size_is_drawn = false;  // its caustic is that of its whole source, of which it is one sample
   bool casters_shadow = false;  // it throws no caustic that would tell their shadow: its shadow map has them
 };
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pipeline/effects/branches.hpp"
+#include "pipeline/effects/drawn_sizes.hpp"
 #include "pipeline/effects/optics.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -48,7 +49,8 @@ std::string why_not_followed(const Scene& scene, const Settings& settings, const
 }
 
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares) {
-  if (shares.empty()) return effects;
+  const bool sizes = any_size_is_drawn(effects);
+  if (shares.empty() && !sizes) return effects;
   std::map<int, double> of_lights;
   for (const FurtherShare& found : shares) of_lights[found.light] += found.share * found.of_light;
   double share = 0.0, seen = 0.0;
@@ -56,12 +58,13 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   for (const FurtherShare& found : shares) seen = std::max(seen, found.seen);
   effects.further_shares = std::move(shares);
   const bool by_sight = seen > share;
-  const bool active = std::max(share, seen) > static_cast<double>(settings.further_share);
+  const bool enough = std::max(share, seen) > static_cast<double>(settings.further_share);
+  const bool active = enough || sizes;
   const std::string limit = percent(static_cast<double>(settings.further_share));
-  effects.further_surfaces = {active, percent(std::max(share, seen)) + " of the light that " +
-                                          (by_sight ? "is seen" : "lands") +
-                                          " goes other ways than through two surfaces, " +
-                                          (active ? "more than " : "no more than ") + limit};
+  effects.further_surfaces = {
+      active, percent(std::max(share, seen)) + " of the light that " + (by_sight ? "is seen" : "lands") +
+                  " goes other ways than through two surfaces, " + (enough ? "more than " : "no more than ") +
+                  limit + (sizes ? "; and a light has a size" : "")};
   if (!active) return effects;
   for (const FurtherShare& found : effects.further_shares)
     if (found.looks != glm::dvec3(0.0))

@@ -99,8 +99,8 @@ std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branch
 }
 
 std::vector<std::string> ledger_textures() {
-  std::vector<std::string> textures{kCasterNormal, kLandingMedium, kLandingFootprint, kCascadeMap,
-                                    kViewPosition};
+  std::vector<std::string> textures{kCasterPosition,   kCasterNormal, kLandingMedium,
+                                    kLandingFootprint, kCascadeMap,   kViewPosition};
   for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar,
                            kCellFlux, kCausticMap}) {
     textures.emplace_back(name);

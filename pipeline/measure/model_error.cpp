@@ -1,5 +1,7 @@
 #include "pipeline/measure/model_error.hpp"
 
+#include "pipeline/measure/drawn_points.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,6 +45,7 @@ void ModelError::add(const Sample& sample) {
   int step = 1;
   while (static_cast<double>(covered) > wanted * step * step) ++step;
   for (const BranchImages& images : sample.branches) any_drawn_ = any_drawn_ || images.branch.drawn;
+  any_drawn_ = any_drawn_ || sample.source != nullptr;
   least_step_ = least_step_ == 0 ? step : std::min(least_step_, step);
   for (int y = step / 2; y < landing.height(); y += step)
     for (int x = step / 2; x < landing.width(); x += step)
@@ -76,12 +79,19 @@ void ModelError::compare(const Sample& sample, const Vertex& vertex) {
   follow(sample, vertex, lost);
 }
 
+LightRay ModelError::ray_onto(const Sample& sample, const Vertex& vertex) {
+  const int side = sample.branches.front().landing.width();
+  const LightRay ray = light_ray(sample.light, sample.caster, side, vertex.x, vertex.y);
+  if (!sample.source) return ray;
+  return from_own_point(*sample.source, ray, texel_rgb(sample.caster_position, vertex.x, vertex.y), vertex.x,
+                        vertex.y);
+}
+
 void ModelError::follow(const Sample& sample, const Vertex& vertex, bool lost) {
-  const View& view = sample.caster;
   const int side = sample.branches.front().landing.width();
   std::uint64_t key = static_cast<std::uint64_t>(vertex.y) * static_cast<std::uint64_t>(side) +
                       static_cast<std::uint64_t>(vertex.x);
-  LightRay ray = light_ray(sample.light, view, side, vertex.x, vertex.y);
+  LightRay ray = ray_onto(sample, vertex);
   for (const BranchImages& images : sample.branches) {
     if (images.branch.reflected) continue;
     const double flux = static_cast<double>(images.fresnel.at(vertex.x, vertex.y, 3)) * vertex.times;

@@ -32,6 +32,9 @@ class ModelError {
     const std::vector<BranchImages>& branches;
     double share = 1.0;  // of the sample's flux, in the light's unit
     int samples = 1;     // of the light
+    // Of a light whose size is drawn: the light of which this is a sample; and where the vertices are.
+    const Light* source = nullptr;
+    ImageView caster_position{};
   };
   void add(const Sample& sample);
 
@@ -43,6 +46,7 @@ class ModelError {
  private:
   struct Vertex;
   void compare(const Sample& sample, const Vertex& vertex);
+  static LightRay ray_onto(const Sample& sample, const Vertex& vertex);
   void follow(const Sample& sample, const Vertex& vertex, bool lost);
   bool sees(const glm::dvec3& p) const;
   std::vector<double> signs(const std::vector<double>& surplus) const;

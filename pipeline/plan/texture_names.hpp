@@ -15,6 +15,7 @@ inline constexpr char kHierarchyNormals[] = "hierarchy_normals";
 // The pictures on casters that have textures (pipeline/scene/caster_texels.hpp).
 inline constexpr char kCasterTexels[] = "caster_texels";
 
+inline constexpr char kCasterPosition[] = "caster_position";
 inline constexpr char kCasterNormal[] = "caster_normal";
 inline constexpr char kCasterTriangle[] = "caster_triangle";
 inline constexpr char kWaterStep[] = "water_step";

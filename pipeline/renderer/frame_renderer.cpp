@@ -5,6 +5,7 @@
 
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/dim_lights.hpp"
+#include "pipeline/effects/drawn_sizes.hpp"
 #include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -35,7 +36,8 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
       of_lights = light_shares(scene, frame.effects, static_cast<double>(settings.least_light));
       group_lights(scene, frame.effects, settings.most_lights, *of_lights);
     }
-    frame.effects = with_dim_lights(std::move(frame.effects), scene, settings, *of_lights);
+    frame.effects = with_drawn_sizes(with_dim_lights(std::move(frame.effects), scene, settings, *of_lights),
+                                     scene, settings);
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings, camera);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);

@@ -84,6 +84,17 @@ double sample_radius(const Scene& scene, const Light& source, int count, double 
   return least;
 }
 
+// The sample that is nearest to the light's middle comes first.
+void put_middle_first(const Light& source, std::vector<Light>& samples) {
+  const auto away = [&](const Light& sample) {
+    return exact::length(sample.position - source.position) +
+           exact::length(sample.direction - source.direction);
+  };
+  std::iter_swap(samples.begin(),
+                 std::min_element(samples.begin(), samples.end(),
+                                  [&](const Light& a, const Light& b) { return away(a) < away(b); }));
+}
+
 // A sample's own intensity and name; it has no size any more.
 void finish(Light& sample, int k, int count) {
   sample.shape = LightShape::None;
@@ -107,8 +118,9 @@ std::vector<Light> samples_of(const Scene& scene, const Light& source, int count
       place(sample, k, count);
     }
     sample.sample_radius = radius;
-    finish(sample, k, count);
   }
+  if (points.empty()) put_middle_first(source, samples);
+  for (int k = 0; k < count; ++k) finish(samples[static_cast<std::size_t>(k)], k, count);
   return samples;
 }
 

@@ -20,10 +20,16 @@ TEXTURE(6, reaching)
 #include "passes/shared/position_texel.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/grid_light.glsl"
+#include "passes/shared/way_draw.glsl"
+#include "passes/shared/wide_light.glsl"
 #include "passes/shared/enter_light.glsl"
 
 void main() {
-  Arrival arrival = arrival_at(floor_to_int(frag_x()), floor_to_int(frag_y()));
+  Int column = floor_to_int(frag_x());
+  Int row = floor_to_int(frag_y());
+  Float drawn = Float(0.0f);
+  if (u.light_shape != 0) drawn = first_facet_draw(Float(column), Float(row));
+  Arrival arrival = arrival_at(column, row, drawn);
   Material material = fetch_material(caster_materials, arrival.material);
   write_bent(bend_light(arrival.path, arrival.at, arrival.triangle, material, turn_now()), arrival.covered);
 }

@@ -1,0 +1,58 @@
+// Light from a source with a size, at a grid vertex: from a point of it that is the vertex' own. Needs
+// axes_across.glsl, cone_falloff.glsl, grid_light.glsl, microfacets.glsl, refraction.glsl, and the uniforms
+// light_middle, light_width, light_height, light_radius and light_shape.
+
+// A point of a disk of radius 1.
+Vec2 on_disk(Float share, Float turn) {
+  Vec2 way = Vec2(wave(turn + 0.25f), wave(turn));
+  return way * sqrt(share / dot2(way, way));
+}
+
+// Of a sphere, which looks like a disk from everywhere, or of a rectangle: where the light starts that meets p.
+Vec3 drawn_origin(Vec3 p, Vec2 drawn) {
+  Vec3 origin = Vec3(u.light_middle) + Vec3(u.light_width) * (drawn.x - 0.5f) +
+                Vec3(u.light_height) * (drawn.y - 0.5f);
+  if (u.light_shape == 1) {
+    AxesAcross axes = axes_across(normalize_or(p - Vec3(u.light_middle), Vec3(0.0f, 0.0f, 1.0f)));
+    Vec2 at = on_disk(drawn.x, drawn.y) * Float(u.light_radius);
+    origin = Vec3(u.light_middle) + (axes.x * at.x + axes.y * at.y);
+  }
+  return origin;
+}
+
+// As light_onto, which is from one point that the light's view shows the vertex from: the cell's part of the
+// surface is the same, but the light falls onto it from elsewhere. `plane`: the triangle's normal.
+Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Vec2 drawn) {
+  Incident middle = light_onto(cell, p);
+  Incident light = middle;
+  Float nearer = Float(1.0f);
+  if (u.light_shape == 3) {
+    AxesAcross axes = axes_across(Vec3(u.light_middle));
+    Vec2 at = on_disk(drawn.x, drawn.y) * Float(u.light_radius);
+    light.direction = normalize_or(Vec3(u.light_middle) + (axes.x * at.x + axes.y * at.y), middle.direction);
+  } else {
+    Vec3 way = p - drawn_origin(p, drawn);
+    Vec3 from_middle = p - Vec3(u.light);
+    light.direction = normalize_or(way, middle.direction);
+    nearer = dot3(from_middle, from_middle) / max_of(dot3(way, way), 1.0e-20f);
+    light.flux = solid_angle(view_coordinates(u.caster, p), cell.face, cell.covered) *
+                 cone_falloff(u.cone, light.direction);
+    light.flux = sel(cell.covered && !cell.guard, light.flux, Float(0.0f));
+  }
+  Float before = dot3(middle.direction, plane);
+  Float facing = dot3(light.direction, plane) / sel(abs(before) > 0.02f, before, Float(0.02f));
+  light.flux = light.flux * (nearer * clamp_to(facing, 0.0f, 4.0f));
+  return light;
+}
+
+// By half of the light's radius over each footprint, so that those of neighbours overlie each other many
+// times: added the way in which the light is wide.
+void spread_by_size(Vec3 p, Vec3 d, INOUT(Vec3) spread_x, INOUT(Vec3) spread_y, Vec3 width_x, Vec3 width_y) {
+  Float radius = Float(u.light_radius);
+  if (u.light_shape != 3) radius = radius / max_of(length3(p - Vec3(u.light_middle)), 1.0e-20f);
+  AxesAcross axes = axes_across(d);
+  Vec3 x = normalize_or(width_x - d * dot3(width_x, d), axes.x);
+  Vec3 y = cross3(d, x);
+  spread_x = spread_x + x * (radius * 0.5f);
+  spread_y = spread_y + sel(dot3(y, width_y) < 0.0f, -y, y) * (radius * 0.5f);
+}

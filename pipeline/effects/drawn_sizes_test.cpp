@@ -1,0 +1,65 @@
+#include "pipeline/effects/drawn_sizes.hpp"
+
+#include "pipeline/scene/light_samples.hpp"
+#include "pipeline/settings/settings.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace caustics;
+using namespace caustics::test;
+
+namespace {
+
+// A ball over a floor under a sun of 10 lux and 5 degrees, drawn by four samples.
+struct Bench {
+  Scene scene = sphere_scene(1.5f, 2);
+  Settings settings{};
+
+  explicit Bench(LightShape shape = LightShape::Disk) {
+    scene.lights.front().shape = shape;
+    scene.lights.front().angular_radius = 0.0436;
+    scene.lights.front().intensity = 10.0f;
+    sample_lights(scene, 4);
+  }
+  Effects effects() const { return with_drawn_sizes(effects_of(scene, settings), scene, settings); }
+};
+
+int expected(const Effects& effects) {
+  int count = 0;
+  for (const Expectation& e : effects.expectations) count += e.expected ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("drawn sizes: one sample throws the caustic of all, whose direct light the casters shadow") {
+  const Effects effects = Bench{}.effects();
+  CHECK(effects.lights[0].size_is_drawn);
+  CHECK(effects.lights[0].of_others == glm::vec3(7.5f));
+  CHECK_FALSE(effects.lights[0].casters_shadow);
+  for (std::size_t l = 1; l < 4; ++l) {
+    CHECK_FALSE(effects.lights[l].size_is_drawn);
+    CHECK(effects.lights[l].casters_shadow);
+  }
+  for (const Expectation& e : effects.expectations) CHECK(e.expected == (e.light == 0));
+  CHECK(all_sizes_are_drawn(effects));
+}
+
+TEST_CASE(
+    "drawn sizes: where light is not followed, or nothing is to be drawn, each sample has its own caustic") {
+  const int each = expected(effects_of(Bench{}.scene, {}));
+  Bench bench;
+  bench.settings.drawn = false;
+  CHECK(expected(bench.effects()) == each);
+  bench.settings = {};
+  bench.settings.interfaces = Interfaces::Two;
+  CHECK(expected(bench.effects()) == each);
+  CHECK_FALSE(any_size_is_drawn(bench.effects()));
+}
+
+TEST_CASE("drawn sizes: a light without a size is left as it is") {
+  const Effects effects = Bench(LightShape::None).effects();
+  CHECK_FALSE(any_size_is_drawn(effects));
+  CHECK_FALSE(all_sizes_are_drawn(effects));
+  CHECK(expected(effects) > 0);
+}
