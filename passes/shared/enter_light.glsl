@@ -1,6 +1,6 @@
 // Light at a grid vertex, where it meets its first surface. Needs caster_triangles.glsl, grid_light.glsl,
-// wide_light.glsl, light_path.glsl, way_draw.glsl, the textures caster_position, caster_normal, caster_triangle and reaching, and the
-// uniforms of grid_light_uniforms.glsl and is_tinted.
+// wide_light.glsl, light_path.glsl, way_draw.glsl, the textures caster_position, caster_normal,
+// caster_triangle and reaching, and the uniforms of grid_light_uniforms.glsl, light_shape and is_tinted.
 
 // A direction of the view's axes, as a cube's face turns them, in scene space.
 Vec3 grid_axis(Vec3 axis, Int face) {
@@ -72,9 +72,7 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
   arrival.path.whole = light.flux;
   arrival.path.media = Vec4(0.0f);
   set_differential(cell, arrival.at.point, arrival.path);
-  if (u.light_shape != 0)
-    spread_by_size(arrival.at.point, light.direction, arrival.path.spread_x, arrival.path.spread_y,
-                   arrival.path.width_x, arrival.path.width_y);
+  if (u.light_shape != 0) spread_by_size(arrival.path);
   TRACE(entry_point, arrival.at.point);
   return arrival;
 }

@@ -1,6 +1,6 @@
 // Light from a source with a size, at a grid vertex: from a point of it that is the vertex' own. Needs
-// axes_across.glsl, cone_falloff.glsl, grid_light.glsl, microfacets.glsl, refraction.glsl, and the uniforms
-// light_middle, light_width, light_height, light_radius and light_shape.
+// axes_across.glsl, cone_falloff.glsl, grid_light.glsl, light_path.glsl, microfacets.glsl, refraction.glsl,
+// and the uniforms // light_middle, light_width, light_height, light_radius and light_shape.
 
 // A point of a disk of radius 1.
 Vec2 on_disk(Float share, Float turn) {
@@ -8,7 +8,8 @@ Vec2 on_disk(Float share, Float turn) {
   return way * sqrt(share / dot2(way, way));
 }
 
-// Of a sphere, which looks like a disk from everywhere, or of a rectangle: where the light starts that meets p.
+// Of a sphere, which looks like a disk from everywhere, or of a rectangle: where the light starts that meets
+// p.
 Vec3 drawn_origin(Vec3 p, Vec2 drawn) {
   Vec3 origin = Vec3(u.light_middle) + Vec3(u.light_width) * (drawn.x - 0.5f) +
                 Vec3(u.light_height) * (drawn.y - 0.5f);
@@ -47,12 +48,14 @@ Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Vec2 drawn) {
 
 // By half of the light's radius over each footprint, so that those of neighbours overlie each other many
 // times: added the way in which the light is wide.
-void spread_by_size(Vec3 p, Vec3 d, INOUT(Vec3) spread_x, INOUT(Vec3) spread_y, Vec3 width_x, Vec3 width_y) {
+void spread_by_size(INOUT(LightPath) path) {
   Float radius = Float(u.light_radius);
-  if (u.light_shape != 3) radius = radius / max_of(length3(p - Vec3(u.light_middle)), 1.0e-20f);
+  if (u.light_shape != 3)
+    radius = radius / max_of(length3(path.ray.start - Vec3(u.light_middle)), 1.0e-20f);
+  Vec3 d = path.ray.direction;
   AxesAcross axes = axes_across(d);
-  Vec3 x = normalize_or(width_x - d * dot3(width_x, d), axes.x);
+  Vec3 x = normalize_or(path.width_x - d * dot3(path.width_x, d), axes.x);
   Vec3 y = cross3(d, x);
-  spread_x = spread_x + x * (radius * 0.5f);
-  spread_y = spread_y + sel(dot3(y, width_y) < 0.0f, -y, y) * (radius * 0.5f);
+  path.spread_x = path.spread_x + x * (radius * 0.5f);
+  path.spread_y = path.spread_y + sel(dot3(y, path.width_y) < 0.0f, -y, y) * (radius * 0.5f);
 }

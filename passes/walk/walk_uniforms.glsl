@@ -2,7 +2,7 @@
 View receiver;        // the light's view of what its light can land on
 View caustic;         // the light's map that the landings are laid into
 vec3 light_middle;    // of a light with a size: its middle, of a disk the way it shines
-float light_radius;   // metres, of a disk the tangent of half its angle; of a rectangle that of a disk as large
+float light_radius;   // metres, of a rectangle as of a disk as large; of a disk the tangent of half its angle
 vec3 light_width;     // a rectangle's edges
 vec3 light_height;
 vec3 channel_share;   // the branch's share of each channel's flux
