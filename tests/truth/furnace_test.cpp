@@ -1,4 +1,7 @@
 // A white furnace: in light of 1 from all around, what takes no light is as bright as what is around it.
+#include <cmath>
+#include <vector>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/scenes.hpp"
@@ -15,6 +18,7 @@ struct Furnace {
   Material material;
   Mesh mesh = sphere({0.0, 0.0, 0.0}, 1.0, 5, 0);
   Settings settings = small_settings(16, 16, kPicture);
+  std::vector<Image> images{};
 
   // Straight on, and within the outer tenth of the ball: the least and the most.
   struct Seen {
@@ -24,6 +28,7 @@ struct Furnace {
     Scene scene;
     scene.materials = {material};
     scene.meshes = {mesh};
+    scene.images = images;
     scene.cameras = {camera_down(4.0, 1.05)};
     scene.environment.zenith = scene.environment.horizon = scene.environment.ground = glm::vec3(1.0f);
     const Rendering drawn = render(scene, settings, {"beauty"});
@@ -54,7 +59,65 @@ Material white(float roughness) {
   return m;
 }
 
+Material metal(float roughness) {
+  Material m = white(roughness);
+  m.metallic = m.metallic_factor = 1.0f;
+  return m;
+}
+
+// What white microfacets send back of light straight onto them, once: the rest, which meets further ones, is
+// lost to them (Walter, Marschner, Li, Torrance 2007: GGX with Smith's masking). Over the facets' angle t.
+double sent_once(double roughness) {
+  const double a2 = std::pow(roughness, 4.0);
+  constexpr int kSteps = 100000;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    // Light that a facet leaning by t mirrors leaves at 2 t; flatter than t = 45 degrees it does not leave.
+    const double t = 0.25 * 3.14159265358979 * (i + 0.5) / kSteps;
+    const double c = std::cos(t), d = a2 / (3.14159265358979 * std::pow(c * c * (a2 - 1.0) + 1.0, 2.0));
+    const double out = std::cos(2.0 * t), tangent2 = std::pow(std::tan(2.0 * t), 2.0);
+    const double unmasked = 2.0 / (1.0 + std::sqrt(1.0 + a2 * tangent2));
+    // f cos(o) do with f = D G / (4 cos(o)) and do = 4 cos(t) dh: D G cos(t) dh.
+    if (out > 0.0) sum += d * unmasked * c * 2.0 * 3.14159265358979 * std::sin(t);
+  }
+  return sum * 0.25 * 3.14159265358979 / kSteps;
+}
+
 }  // namespace
+
+TEST_CASE("furnace: rough glass is as bright as what is around it, solid and as walls") {
+  for (const float roughness : {0.3f, 0.7f}) {
+    INFO("roughness " << roughness);
+    Furnace furnace{.material = glass(1.5f)};
+    furnace.material.roughness = roughness;
+    furnace.check();
+    furnace.material.thickness = 0.0f;
+    furnace.check();
+  }
+}
+
+TEST_CASE("furnace: a white mirror is invisible, and rough white metal lacks what meets two microfacets") {
+  Furnace{.material = metal(0.0f)}.check();
+  for (const float roughness : {0.5f, 1.0f}) {
+    INFO("roughness " << roughness);
+    const Furnace::Seen seen = Furnace{.material = metal(roughness)}.seen();
+    CHECK(seen.middle == Approx(sent_once(static_cast<double>(roughness))).margin(0.03));
+    CHECK(seen.most < 1.01);
+  }
+}
+
+TEST_CASE("furnace: white textures leave white glass invisible, whatever share they let through") {
+  Furnace furnace{.material = glass(1.5f)};
+  furnace.mesh.has_uv = true;
+  furnace.images = {Image(Format::RGBA32F, 2, 2), Image(Format::RGBA32F, 2, 2)};
+  for (float& value : furnace.images[0].values) value = 1.0f;
+  for (std::size_t i = 0; i < furnace.images[1].values.size(); ++i)
+    furnace.images[1].values[i] = i / 4 % 2 == 0 ? 1.0f : 0.5f;
+  furnace.material.base_color_texture.image = 0;
+  furnace.check();
+  furnace.material.transmission_texture.image = 1;
+  furnace.check();
+}
 
 TEST_CASE("furnace: a white surface under its coat is white, whatever its roughness") {
   for (const float roughness : {0.0f, 0.25f, 0.5f, 1.0f}) {
