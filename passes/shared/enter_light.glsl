@@ -58,10 +58,13 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
   arrival.at.number = number;
   arrival.at.stretch = Float(0.0f);
   arrival.at.hole = Bool(false);
-  Incident light = light_onto(cell, arrival.at.point);
-  if (u.light_shape != 0)
+  Incident light;
+  if (u.light_shape != 0) {
     light = light_of_size(cell, arrival.at.point, arrival.at.plane,
                           Vec2(drawn_share(drawn), drawn_share(next_facet_draw(drawn))));
+  } else {
+    light = light_onto(cell, arrival.at.point);
+  }
   if (u.is_tinted != 0) light.flux = light.flux * texel_fetch(reaching, column, row).x;
   arrival.path.ray = ray_from(arrival.at.point, light.direction);
   arrival.path.own = number;

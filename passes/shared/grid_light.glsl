@@ -49,7 +49,7 @@ Float solid_angle(Vec3 q, Int face, Bool covered) {
 
 // The flux onto the cell of the vertex at p is its area across parallel light; its solid angle from a point,
 // times the cone's falloff.
-Incident light_onto(IN(GridCell) cell, Vec3 p) {
+Incident light_from_view(IN(GridCell) cell, Vec3 p) {
   Incident light;
   light.direction = Vec3(u.light);
   light.flux = Float(u.cell_area);
@@ -59,6 +59,11 @@ Incident light_onto(IN(GridCell) cell, Vec3 p) {
                  cone_falloff(u.cone, light.direction);
   }
   light.flux = sel(cell.covered && !cell.guard, light.flux, Float(0.0f));
+  return light;
+}
+
+Incident light_onto(IN(GridCell) cell, Vec3 p) {
+  Incident light = light_from_view(cell, p);
   TRACE(light_direction, light.direction);
   return light;
 }

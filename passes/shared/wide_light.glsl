@@ -21,10 +21,10 @@ Vec3 drawn_origin(Vec3 p, Vec2 drawn) {
   return origin;
 }
 
-// As light_onto, which is from one point that the light's view shows the vertex from: the cell's part of the
+// As light_from_view, which is from one point that the light's view shows the vertex from: the cell's part of the
 // surface is the same, but the light falls onto it from elsewhere. `plane`: the triangle's normal.
 Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Vec2 drawn) {
-  Incident middle = light_onto(cell, p);
+  Incident middle = light_from_view(cell, p);
   Incident light = middle;
   Float nearer = Float(1.0f);
   if (u.light_shape == 3) {
@@ -43,6 +43,7 @@ Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Vec2 drawn) {
   Float before = dot3(middle.direction, plane);
   Float facing = dot3(light.direction, plane) / sel(abs(before) > 0.02f, before, Float(0.02f));
   light.flux = light.flux * (nearer * clamp_to(facing, 0.0f, 4.0f));
+  TRACE(light_direction, light.direction);
   return light;
 }
 
