@@ -44,7 +44,7 @@ Pass glass_pass() {
                  .texture = "scene_color.behind"},
                 {.name = "mirrored_color",
                  .meaning = "what only glass and metal show, mirrored",
-                 .texture = "scene_color.mirrored"},
+                 .texture = "scene_color.in_mirrors"},
                 kReadSeenCasters,
                 kReadSeenNormals,
                 kReadSeenTriangles,

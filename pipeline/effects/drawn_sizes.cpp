@@ -29,7 +29,8 @@ std::map<int, std::vector<int>> samples_of_sources(const Scene& scene, const Eff
 }  // namespace
 
 Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& settings) {
-  if (!settings.drawn || !why_not_followed(scene, settings, effects).empty()) return effects;
+  if (!settings.drawn || settings.further_share >= 1.0f) return effects;
+  if (!why_not_followed(scene, settings, effects).empty()) return effects;
   for (const auto& [number, samples] : samples_of_sources(scene, effects)) {
     if (samples.size() < 2) continue;
     const int drawn = samples.front();

@@ -52,6 +52,9 @@ TEST_CASE(
   bench.settings.drawn = false;
   CHECK(expected(bench.effects()) == each);
   bench.settings = {};
+  bench.settings.further_share = 1.0f;
+  CHECK(expected(bench.effects()) == each);
+  bench.settings = {};
   bench.settings.interfaces = Interfaces::Two;
   CHECK(expected(bench.effects()) == each);
   CHECK_FALSE(any_size_is_drawn(bench.effects()));

@@ -76,7 +76,7 @@ inline constexpr DrawnFor kFrame{};
 inline constexpr DrawnFor kHiddenBehind{
     .label = "behind", .camera = CameraView::Behind, .also = &Effects::seen_casters, .reason = kBeyond};
 inline constexpr DrawnFor kHiddenMirrored{
-    .label = "mirrored", .camera = CameraView::Mirrored, .also = &Effects::seen_casters, .reason = kBeyond};
+    .label = "in_mirrors", .camera = CameraView::Mirrored, .also = &Effects::seen_casters, .reason = kBeyond};
 // Blended surfaces in the picture. Their instances come layer by layer, just before what the last pass that
 // has such draws beside them.
 std::vector<DrawnFor> with_layers(std::vector<DrawnFor> drawn_for);
@@ -97,7 +97,7 @@ inline constexpr DrawnFor kLightBehind{.each = Each::Light,
                                        .also = &Effects::seen_casters,
                                        .reason = kBeyond};
 inline constexpr DrawnFor kLightMirrored{.each = Each::Light,
-                                         .label = "mirrored",
+                                         .label = "in_mirrors",
                                          .camera = CameraView::Mirrored,
                                          .also = &Effects::seen_casters,
                                          .reason = kBeyond};

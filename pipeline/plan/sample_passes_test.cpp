@@ -47,13 +47,13 @@ const Names kOfCamera = {"average_samples",
                          "caster_map.camera",
                          "compose",
                          "compose.behind",
-                         "compose.mirrored",
+                         "compose.in_mirrors",
                          "glass",
                          "hidden_ends.behind",
-                         "hidden_ends.mirrored",
+                         "hidden_ends.in_mirrors",
                          "light_shading[sun]",
                          "light_shading[sun].behind",
-                         "light_shading[sun].mirrored",
+                         "light_shading[sun].in_mirrors",
                          "view_surfaces"};
 
 bool is_of_camera_by_name(const std::string& label) {

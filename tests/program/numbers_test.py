@@ -161,6 +161,9 @@ class Numbers(ProgramTest):
         self.assertIn("landing[lamp]", whole)
         self.assertIn("compose", whole)
         for name in whole:
+            if re.match(r"(light_shading|compose).*(behind|in_mirrors)$", name):  # what only glass shows
+                self.assertLess(counts[name]["fragments"], sides[name][0] * sides[name][1], name)
+                continue
             self.assertEqual(counts[name]["fragments"], sides[name][0] * sides[name][1], name)
             self.assertEqual(counts[name]["primitives"], 1, name)
         self.assertEqual(counts["caster_map[sun]"]["vertices"], 3 * counts["caster_map[sun]"]["primitives"])

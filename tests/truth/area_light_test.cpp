@@ -278,7 +278,8 @@ TEST_CASE("area light: a ball that shines lights the floor as a disk of its size
 
 TEST_CASE("area light: the light that the camera sees is the sum of each sample drawn alone, to the bit") {
   constexpr int kSamples = 3;
-  const Settings settings = small_settings(32, 32, 24);
+  Settings settings = small_settings(32, 32, 24);
+  settings.drawn = false;
   Scene scene = sphere_scene(1.5f, 4);
   scene.lights[0].shape = LightShape::Disk;
   scene.lights[0].angular_radius = 0.05;
@@ -300,4 +301,31 @@ TEST_CASE("area light: the light that the camera sees is the sum of each sample 
     CHECK(std::any_of(sum.begin(), sum.end(), [](float value) { return value > 0.0f; }));
     CHECK(all[name].values == sum);
   }
+}
+
+TEST_CASE("area light: a caustic that is drawn at once is that of many samples") {
+  // By blocks of 4 x 4 pixels.
+  const auto caustic = [](bool drawn) {
+    Settings settings = small_settings(256, 64, 32);
+    settings.drawn = drawn;
+    settings.further_share = 0.0f;
+    Scene scene = sphere_scene(1.5f, 4);
+    scene.lights = {sun_disk(0.1)};
+    sample_lights(scene, 16);
+    const Rendering drawing = render(scene, settings, {"aov_caustic"});
+    std::vector<double> blocks(64, 0.0);
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x)
+        blocks[static_cast<std::size_t>(y / 4 * 8 + x / 4)] += double(drawing["aov_caustic"].at(x, y, 0));
+    return blocks;
+  };
+  const std::vector<double> at_once = caustic(true), sampled = caustic(false);
+  double all = 0.0, once = 0.0, differences = 0.0;
+  for (std::size_t i = 0; i < sampled.size(); ++i) {
+    all += sampled[i];
+    once += at_once[i];
+    differences += std::fabs(at_once[i] - sampled[i]);
+  }
+  CHECK(once == Approx(all).epsilon(0.015));
+  CHECK(differences < 0.04 * all);
 }
