@@ -46,7 +46,8 @@ CASCADE = ["caustic_cells.cascade", "caustic_map.cascade"]
 # Of receivers that are not one plane; both receiver maps are twice as wide and high then.
 FAR = ["receiver_map.far", "landing.far", "cells.far", "caustic_cells.far", "caustic_map.far"]
 SEEN = CAMERA + ["hidden_ends.behind", "hidden_ends.in_mirrors", "light_shading.behind",
-                 "light_shading.in_mirrors", "compose.behind", "compose.in_mirrors", "caster_map.camera", "glass"]
+                 "light_shading.in_mirrors", "compose.behind", "compose.in_mirrors", "caster_map.camera",
+                 "glass"]
 SOLID = ["caster_exit_map"]
 SHADOWS = ["occluder_depth", "shadow_map"]
 LIGHT_PASSES = set(CAUSTIC + CASCADE + FAR + SHADOWS + ["caster_exit_map", "light_shading",
