@@ -21,7 +21,7 @@ Vec3 drawn_origin(Vec3 p, Vec2 drawn) {
   return origin;
 }
 
-// As light_from_view, which is from one point that the light's view shows the vertex from: the cell's part of the
+// As light_from_view, which is from the point that shows the light's view the vertex: the cell's part of the
 // surface is the same, but the light falls onto it from elsewhere. `plane`: the triangle's normal.
 Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Vec2 drawn) {
   Incident middle = light_from_view(cell, p);
