@@ -160,7 +160,8 @@ void SceneOnDevice::number_triangles(const Effects& effects) {
   first_triangles_ = first_triangles(scene_, hierarchy_);
   first_receiver_ = static_cast<int>(caster_triangles(scene_, hierarchy_));
   hierarchy_.dressed = are_dressed(effects);
-  hierarchy_.receivers_dressed = receivers_are_dressed(effects);
+  // The camera's rays ask for every triangle's texture coordinates, where they meet any texture.
+  hierarchy_.receivers_dressed = sight_meets_textures(effects);
   first_uv_ = caustics::first_uv(scene_, hierarchy_);
   const Bounds bounds = bounds_of(scene_);
   if (!bounds.empty()) touch_ = static_cast<float>(4e-6 * std::max(bounds.radius(), 1e-6));
@@ -193,7 +194,7 @@ void SceneOnDevice::upload_caster_materials(const Effects& effects) {
                                      [](const SurfaceRole& s) { return is_caster(s.role); });
   std::map<std::tuple<int, int, bool, Role, bool>, int> row_of;
   rows_.resize(scene_.meshes.size(), 0);
-  const auto give_row = [&](std::size_t mesh, int own, SurfaceRole role) {
+  const auto give_row = [&](std::size_t mesh, int own, const SurfaceRole& role) {
     rows_[mesh] =
         row_of
             .try_emplace({own, scene_.meshes[mesh].material, role.two_interfaces, role.role, role.thin},
