@@ -64,7 +64,7 @@ void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vecto
   for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum[i], outcomes[i], share);
 }
 
-// Of a light whose size is drawn, the light of which it is a sample.
+// Returns the light of which this one is a sample, where the size of that is drawn; else null.
 const Light* whole_light(const RenderedFrame& frame, int light) {
   const auto index = static_cast<std::size_t>(light);
   if (!frame.effects().lights[index].size_is_drawn) return nullptr;

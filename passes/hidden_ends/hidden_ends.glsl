@@ -61,7 +61,7 @@ void put_on_textures(INOUT(ReceiverMaterial) receiver, IN(CasterTriangle) triang
   receiver.emission = receiver.emission * Vec3(fetch_picture(picture_at(triangle.row, 13), uv, Bool(false)));
 }
 
-// What stands there, on the side that the ray comes from.
+// Writes the surface that stands there, as seen from the side that the ray comes from.
 void write_end(IN(SightEnd) end) {
   Vec3 direction = end.sight.ray.direction;
   CasterTriangle triangle = fetch_triangle(sel(end.lands, end.hit.w - 1.0f, Float(0.0f)));

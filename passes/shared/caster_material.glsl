@@ -34,7 +34,7 @@ Material fetch_material(Texture materials, Int row) {
   return material;
 }
 
-// Of a receiver, whose row has other meanings.
+// A receiver's row has other meanings.
 struct ReceiverMaterial {
   Vec3 emission;     // nit
   Vec3 albedo;       // of all that it sends back

@@ -1,4 +1,5 @@
-// What roughness makes of a surface. Needs microfacets.glsl, surface.glsl, and the uniform rough_from.
+// Roughness changes how a surface bends and spreads light. Needs microfacets.glsl,
+// surface.glsl, and the uniform rough_from.
 
 // The width of the slopes of rough glass' microfacets; 0: the surface is smooth.
 Float width_of_facets(IN(Material) material, IN(Meeting) at) {

@@ -15,7 +15,7 @@ struct Sight {
   Bool under_way;
 };
 
-// Where it ends: on a receiver, or it leaves.
+// The end of a ray of sight: it lies on a receiver, or the ray leaves the scene.
 struct SightEnd {
   Sight sight;
   Vec4 hit;
@@ -79,8 +79,8 @@ Bool is_hole(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
   return wanted && met.hole;
 }
 
-// By all the surfaces that a ray meets. At the last ones it is not bent any more, so that it ends on what
-// stands there.
+// Follows a ray through all the surfaces that it meets. The last ones do not bend it any more, so that
+// it ends on something.
 SightEnd end_of_sight(IN(Sight) from) {
   SightEnd end;
   end.sight = from;
@@ -118,7 +118,7 @@ SightEnd end_of_sight(IN(Sight) from) {
 // Does the picture show where the ray ends?
 Bool is_shown(IN(SightEnd) end) { return end.lands && shows_point(picture_position, u.view, end.point); }
 
-// What a pixel shows of the casters.
+// The caster that a pixel shows.
 struct Front {
   Meeting at;
   CasterTriangle triangle;
@@ -175,7 +175,8 @@ struct Ways {
 
 Ways ways_from(IN(Front) drawn, Bool seen) {
   Front front = drawn;
-  if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
+  Bool has_uv = seen && front.at.number >= 0.0f;
+  if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, has_uv, Bool(true));
   Vec3 sight = sight_to(front.at.point);
   Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
   Surface surface = seen_surface(sight, front.at, both, front.material);

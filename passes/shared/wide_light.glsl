@@ -8,8 +8,8 @@ Vec2 on_disk(Float share, Float turn) {
   return way * sqrt(share / dot2(way, way));
 }
 
-// Of a sphere, which looks like a disk from everywhere, or of a rectangle: where the light starts that meets
-// p.
+// The point of a sphere, which looks like a disk from everywhere, or of a rectangle, where the light starts
+// that meets p.
 Vec3 drawn_origin(Vec3 p, Vec2 drawn) {
   Vec3 origin = Vec3(u.light_middle) + Vec3(u.light_width) * (drawn.x - 0.5f) +
                 Vec3(u.light_height) * (drawn.y - 0.5f);
@@ -47,8 +47,8 @@ Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Vec2 drawn) {
   return light;
 }
 
-// By half of the light's radius over each footprint, so that those of neighbours overlie each other many
-// times: added the way in which the light is wide.
+// Widens each footprint by half of the light's radius, so that those of neighbours overlie each other many
+// times; the width is added along the axes in which the light is wide already.
 void spread_by_size(INOUT(LightPath) path) {
   Float radius = Float(u.light_radius);
   if (u.light_shape != 3)
