@@ -175,8 +175,7 @@ struct Ways {
 
 Ways ways_from(IN(Front) drawn, Bool seen) {
   Front front = drawn;
-  Bool has_uv = seen && front.at.number >= 0.0f;
-  if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, has_uv, Bool(true));
+  if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
   Vec3 sight = sight_to(front.at.point);
   Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
   Surface surface = seen_surface(sight, front.at, both, front.material);
