@@ -26,7 +26,8 @@ const char* name_of(LightType type) {
 }
 
 bool PlanReport::draws_nothing(const PlannedPass& pass) const {
-  if (pass.only_if == 0 || pass.drawn_for->layer > 0) return false;  // of layers only the frame knows
+  // Of layers, and of what is drawn for no single light, only the frame knows.
+  if (pass.only_if == 0 || pass.light < 0 || pass.drawn_for->layer > 0) return false;
   const int source = loaded.scene().lights[static_cast<std::size_t>(pass.light)].source;
   return std::any_of(ledgers.begin(), ledgers.end(), [&](const LightLedger& ledger) {
     return ledger.light == source && !(sum(ledger.ledger.entered) > 0.0);

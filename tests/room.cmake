@@ -14,6 +14,11 @@ add_executable(caustics_tests ${caustics_test_sources})
 target_sources(caustics_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/failing_new.cpp)
 caustics_target_options(caustics_tests)
 target_compile_options(caustics_tests PRIVATE $<$<CONFIG:Release>:-O1>)
+if(CAUSTICS_SANITIZE)  # whose checks of optimised tests take the compiler three times as long
+  target_compile_options(caustics_tests PRIVATE -O0)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/catch_main.cpp PROPERTIES
+    COMPILE_OPTIONS -fno-sanitize=all)
+endif()
 target_precompile_headers(caustics_tests PRIVATE ${CAUSTICS_STANDARD_HEADERS}
   ${PROJECT_SOURCE_DIR}/tests/support/catch.hpp)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/catch_main.cpp PROPERTIES

@@ -101,7 +101,8 @@ class Talk(GlTest):
 class Parity(GlTest):
     def test_sample_scenes_are_equal_on_both_backends(self):
         # Of light that is followed, a few surfaces: each more is the same passes again.
-        for report in self.report("-D", "bounces=4"):
+        small = ["-r", "160x90", "--grid", "64", "--map", "64", "-D", "shadow=256"]
+        for report in self.report("-D", "bounces=4", *small):
             with self.subTest(scene=report["scene"]):
                 self.assertGreater(len(report["isolated"]), 10)
                 self.assertGreater(len(report["whole_frame"]), 10)

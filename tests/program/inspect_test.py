@@ -113,7 +113,8 @@ class Inspect(ProgramTest):
 
     def test_of_many_branches_the_map_that_they_come_to_is_kept(self):
         scene = pathlib.Path(__file__).resolve().parents[2] / "scenes/glass/drinking_glass.glb"
-        self.succeeds("inspect", scene, "-r", "32x24", "--grid", "256", "--map", "32", "-o", "page.html")
+        self.succeeds("inspect", scene, "-r", "32x24", "--grid", "256", "--map", "32", "-D", "bounces=4",
+                      "-o", "page.html")
         run = Page((self.folder / "page.html").read_text()).recording["runs"][0]
         maps = [each for each in run["attachments"] if each["texture"] == "caustic_map[0]"]
         left_out = [each for each in maps if each["data"] is None]

@@ -273,7 +273,7 @@ class ManyLights(ProgramTest):
     # 60 lamps of 10 cd give about 1.7 % of the light each, one of .01 cd less than .5 %.
     def plan(self, *candelas, options=()):
         (self.folder / "lights.glb").write_bytes(glb.many_lights(candelas))
-        text = self.succeeds("plan", "lights.glb", "--json", "-r", "64x48", *options).stdout
+        text = self.succeeds("plan", "lights.glb", "--json", *SMALL, *options).stdout
         return json.loads(text)
 
     def effect(self, plan):
