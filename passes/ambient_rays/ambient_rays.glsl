@@ -15,8 +15,9 @@ TEXTURE(5, hierarchy_normals)
 OUTPUT(0, Vec4, ambient_rays)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
-#include "passes/shared/caster_triangles.glsl"
 #include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
+#include "passes/shared/caster_triangles.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/surface_plane.glsl"
 #include "passes/shared/hierarchy.glsl"

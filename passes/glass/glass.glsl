@@ -27,6 +27,8 @@ TEXTURE(15, caster_texels)
 OUTPUT(0, Vec4, beauty)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
 #include "passes/shared/caster_triangles.glsl"
 #include "passes/shared/wrapped.glsl"
 #include "passes/shared/material.glsl"
@@ -35,7 +37,6 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/absorption.glsl"
-#include "passes/shared/position_texel.glsl"
 #include "passes/shared/layers_before_glass.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/receivers_box.glsl"

@@ -22,6 +22,8 @@ OUTPUT(2, Vec4, view_albedo)
 OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
 #include "passes/shared/caster_triangles.glsl"
 #include "passes/shared/wrapped.glsl"
 #include "passes/shared/material.glsl"
@@ -30,7 +32,6 @@ OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/absorption.glsl"
-#include "passes/shared/position_texel.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/refraction.glsl"
 #include "passes/shared/microfacets.glsl"

@@ -40,9 +40,12 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/refraction.glsl"
+#include "passes/shared/surface.glsl"
 #include "passes/shared/microfacets.glsl"
+#include "passes/shared/rough_surface.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/grid_light.glsl"
 #include "passes/shared/intersect.glsl"
@@ -55,25 +58,21 @@ OUTPUT(7, Vec4, landing_start_flux)
 // Enter the caster: a grid vertex, the light's flux on its cell, the first surface.
 
 struct Entry {
-  Bool covered;      // there is a caster here, and its light is to be followed
-  Bool from_inside;  // the light meets the surface from inside the material
-  Vec3 point;
-  Vec3 outward;      // the surface's normal
+  Bool covered;     // there is a caster here, and its light is to be followed
+  Meeting at;
   Material material;
   GridCell cell;
-  Vec2 slope;        // of the microfacets that its light enters by,
-  Vec2 exit_slope;   // and leaves by
-  Float reaching;    // the share of the light that blended surfaces before it leave
-  Float times;       // the light that the branch follows here for others
+  Vec2 slope;       // of the microfacets that its light enters by, of width 1,
+  Vec2 exit_slope;  // and leaves by
+  Float reaching;   // the share of the light that blended surfaces before it leave
+  Float times;      // the light that the branch follows here for others
 };
 
 Entry entry_at(Int column, Int row) {
   Vec4 position = texel_fetch(caster_position, column, row);
   Entry entry;
-  entry.covered = is_covered(position);
-  entry.from_inside = is_back_face(position);
-  entry.point = Vec3(position);
-  entry.cell = cell_of(column, row, entry.covered);
+  entry.at = meeting_in_view(position, Vec4(0.0f));
+  entry.cell = cell_of(column, row, is_covered(position));
   entry.covered = entry.cell.covered;
   entry.reaching = Float(1.0f);
   entry.times = Float(1.0f);
@@ -85,56 +84,48 @@ Entry entry_at(Int column, Int row) {
   return entry;
 }
 
-// Of the microfacets' slopes; 0 where there are none.
-Float width_of(IN(Material) material) {
-  Bool rough = material.roughness > u.rough_from && !material.mirror;
-  return sel(rough, material.roughness * material.roughness, Float(0.0f));
-}
-
 // What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again
 // every 6 to 16 vertices where light enters, and at other places more often where it leaves: cells overlie
 // each other many times, and none of their folds is seen. What is spread more, by wider slopes or a wall,
 // changes more slowly: else its cells would be large.
-Vec2 slope_at(Int column, Int row, IN(Material) material, Bool leaves) {
-  Float width = width_of(material);
-  Float slower = sel(material.thin, Float(4.0f), Float(1.0f));
+Vec2 slope_at(Int column, Int row, IN(Entry) entry, Bool leaves) {
+  Float width = width_of_facets(entry.material, entry.at);
+  Float slower = sel(entry.material.thin, Float(4.0f), Float(1.0f));
   Float period = min_of(width * 30.0f + 5.0f, Float(16.0f)) * slower;
   period = sel(leaves, period * 0.61803399f, period);
   Float x = Float(column) / period;
   Float y = Float(row) / period;
   Vec4 facets = Vec4(u.facets);
   // The steepest 5 % are taken for the least of them: cells would be large.
-  Vec2 entry = facet_slope(min_of(folded(x + facets.x), 0.95f), y + facets.y);
-  Vec2 exit = facet_slope(min_of(folded(y + facets.z), 0.95f), x + facets.w);
-  return sel(leaves, exit, entry) * width;
+  Vec2 first = facet_slope(min_of(folded(x + facets.x), 0.95f), y + facets.y);
+  Vec2 last = facet_slope(min_of(folded(y + facets.z), 0.95f), x + facets.w);
+  return sel(leaves, last, first);
 }
 
 // What the surface is like that the light enters by.
 void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
   Vec4 normal = texel_fetch(caster_normal, column, row);
-  entry.outward = Vec3(normal);
+  entry.at.outward = Vec3(normal);
   entry.material = fetch_material(caster_materials, material_row(normal));
   if (u.has_caster_tint != 0) entry.material.color = Vec3(texel_fetch(caster_tint, column, row));
   // What metal mirrors is the whole of its light, and followed as such.
   if (u.is_reflection != 0) {
-    Bool outside = !entry.from_inside || entry.material.thin;
+    Bool outside = entry.at.front || entry.material.thin;
     entry.covered = entry.covered && !entry.material.mirror && outside;
   }
   entry.material.mirror = entry.material.mirror && u.has_mirrors != 0;
   entry.slope = Vec2(Float(0.0f), Float(0.0f));
   entry.exit_slope = entry.slope;
   if (u.has_rough != 0 && u.is_reflection == 0) {
-    entry.slope = slope_at(column, row, entry.material, Bool(false));
-    entry.exit_slope = slope_at(column, row, entry.material, Bool(true));
-    entry.times = sel(width_of(entry.material) > 0.0f, Float(1.0f), Float(u.smooth_light));
+    entry.slope = slope_at(column, row, entry, Bool(false));
+    entry.exit_slope = slope_at(column, row, entry, Bool(true));
+    entry.times = sel(width_of_facets(entry.material, entry.at) > 0.0f, Float(1.0f), Float(u.smooth_light));
     entry.covered = entry.covered && entry.times > 0.0f;
   }
 }
 
 struct FirstSurface {
-  Vec3 normal;        // against the light
-  Float ior;          // of the material, for this branch's light
-  Float cosine;       // of the angle of incidence
+  Surface surface;
   Vec3 direction;     // of the light that goes on: refracted, or mirrored by metal
   Float flux;         // that this branch has of the light on the cell,
   Float reflectance;  // and how much of it the surface keeps off
@@ -149,61 +140,45 @@ Float equal_part(IN(Entry) entry) {
   return sel(entry.covered && !entry.cell.guard, mean, Float(0.0f));
 }
 
-// A surface as light meets it.
-struct Side {
-  Vec3 outward;      // its normal
-  Vec2 slope;        // of the microfacet that the light meets
-  Bool from_inside;
-};
+// A surface of one body alone, with air around it.
+Interface skin_of(IN(Material) material, Bool from_inside) {
+  Float ior = material.ior + material.dispersion * u.bend;
+  Interface skin;
+  skin.before = sel(from_inside, ior, Float(1.0f));
+  skin.behind = sel(from_inside, Float(1.0f), ior);
+  skin.media = Vec4(0.0f);
+  skin.passes = Bool(false);
+  skin.overflow = Bool(false);
+  skin.tints = Bool(true);
+  return skin;
+}
 
-// What light along d does there.
-struct Bend {
-  Vec3 normal;     // against the light
-  Refraction bent;
-  Float unmasked;  // of a microfacet: what it sends on of its share
-};
-
-Bend bend_at(IN(Side) side, IN(Material) material, Vec3 d, Float eta) {
-  Bend bend;
-  Vec3 facet = side.outward;
-  if (u.has_rough != 0) facet = facet_normal(side.outward, side.slope);
-  bend.normal = facing_normal(facet, d, side.from_inside);
-  bend.bent = refraction_at(d, bend.normal, eta);
-  bend.unmasked = Float(1.0f);
-  if (u.has_rough != 0) {
-    Vec3 n = facing_normal(side.outward, d, side.from_inside);
-    bend.bent = either(material.thin, through_wall(d, n, bend.normal, material.ior), bend.bent);
-    bend.unmasked = facet_weight(d, bend.bent.direction, n, bend.normal, width_of(material));
-  }
-  return bend;
+// What the facet sends on of its share.
+Float unmasked_by(IN(Facet) facet, Vec3 from) {
+  Float sent = Float(1.0f);
+  if (u.has_rough != 0)
+    sent = facet_weight(from, facet.surface.bent.direction, facet.smooth_normal, facet.surface.normal,
+                        facet.width);
+  return sent;
 }
 
 FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
+  Interface skin = skin_of(entry.material, !entry.at.front);
+  Facet facet = facet_at(light.direction, entry.at, skin, entry.material, entry.slope);
   FirstSurface first;
-  first.ior = entry.material.ior + entry.material.dispersion * u.bend;
-  Float eta = sel(entry.from_inside, first.ior, 1.0f / first.ior);
-  Side side;
-  side.outward = entry.outward;
-  side.slope = entry.slope;
-  side.from_inside = entry.from_inside;
-  Bend bend = bend_at(side, entry.material, light.direction, eta);
-  Refraction bent = bend.bent;
-  first.normal = bend.normal;
-  first.unmasked = bend.unmasked;
-  Vec3 mirrored = reflected(light.direction, first.normal, bent.cosine);
-  first.cosine = bent.cosine;
-  first.direction = sel(entry.material.mirror, mirrored, bent.direction);
+  first.surface = facet.surface;
+  first.unmasked = unmasked_by(facet, light.direction);
+  first.direction =
+      direction_behind(first.surface, light.direction, entry.material.mirror || u.is_reflection != 0);
   first.flux = light.flux;
-  first.blocked = !entry.material.mirror && bent.total;
-  Float reflectance = bent.reflectance * entry.material.fresnel;
-  first.reflectance = sel(first.blocked || entry.material.mirror, Float(0.0f), reflectance);
+  first.blocked = first.surface.total;
+  first.reflectance = sel(first.blocked || entry.material.mirror, Float(0.0f), first.surface.mirrored);
   if (u.is_reflection != 0) {
-    first.direction = mirrored;
     first.flux = light.flux * first.reflectance;
     first.blocked = Bool(false);
     first.reflectance = Float(0.0f);
   }
-  TRACE(entry_normal, first.normal);
+  TRACE(entry_normal, first.surface.normal);
   TRACE(inside_direction, first.direction);
   TRACE(entry_reflectance, first.reflectance);
   return first;
@@ -219,12 +194,13 @@ Float angle_between(Vec3 a, Vec3 b) { return atan2_of(length3(cross3(a, b)), dot
 Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
   Vec2 uv = view_uv(u.caster, view_coordinates(u.caster, p));
   Vec4 behind = fetch_nearest(caster_exit_position, uv.x, uv.y);
-  Search search = search_along(u.caster, ray_from(p, -first.normal), u.iterations, true);
+  Search search = search_along(u.caster, ray_from(p, -first.surface.normal), u.iterations, true);
   Hit hit = intersect_secant(caster_exit_position, u.caster, search);
-  Float incidence = angle_between(light_direction, -first.normal);
-  Float refraction = angle_between(first.direction, -first.normal);
+  Float incidence = angle_between(light_direction, -first.surface.normal);
+  Float refraction = angle_between(first.direction, -first.surface.normal);
   Bool slanted = incidence > 1.0e-3f;
-  Float ratio = sel(slanted, refraction / sel(slanted, incidence, Float(1.0f)), 1.0f / first.ior);
+  Float inverse = 1.0f / first.surface.both.behind;
+  Float ratio = sel(slanted, refraction / sel(slanted, incidence, Float(1.0f)), inverse);
   Float along_light = max_of(dot3(Vec3(behind) - p, light_direction), 0.0f);
   hit.distance = along_light * ratio + max_of(hit.distance, 0.0f) * (1.0f - ratio);
   // An estimate, not a search: nothing to converge.
@@ -235,9 +211,9 @@ Hit thickness_of_wyman(Vec3 p, Vec3 light_direction, IN(FirstSurface) first) {
 Hit find_exit(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first) {
   Hit hit;
   if (u.wyman_thickness != 0) {
-    hit = thickness_of_wyman(entry.point, light_direction, first);
+    hit = thickness_of_wyman(entry.at.point, light_direction, first);
   } else {
-    Ray ray = ray_from(entry.point, first.direction);
+    Ray ray = ray_from(entry.at.point, first.direction);
     hit = find_surface(caster_exit_position, u.caster, search_along(u.caster, ray, u.iterations, true));
   }
   return hit;
@@ -270,7 +246,7 @@ struct Exit {
 // The light that leaves where it has entered: by an open surface, or mirrored.
 Exit straight_exit(IN(Entry) entry, IN(FirstSurface) first) {
   Exit exit;
-  exit.ray = ray_from(entry.point, first.direction);
+  exit.ray = ray_from(entry.at.point, first.direction);
   exit.inside_length = Float(0.0f);
   exit.reflectance = Float(0.0f);
   exit.unmasked = Float(1.0f);
@@ -284,13 +260,13 @@ Exit straight_exit(IN(Entry) entry, IN(FirstSurface) first) {
 Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first) {
   Exit exit = straight_exit(entry, first);
   if (u.has_exit_maps != 0 && u.is_reflection == 0) {
-    Bool solid = entry.material.solid && !entry.from_inside && !first.blocked;
+    Bool solid = entry.material.solid && entry.at.front && !first.blocked;
     Hit hit = find_exit(entry, light_direction, first);
     Float length = max_of(hit.distance, 0.0f);
     exit.inside_length = sel(solid, length, Float(0.0f));
-    exit.ray.start = sel(solid, point_along(exit.ray, length), entry.point);
+    exit.ray.start = sel(solid, point_along(exit.ray, length), entry.at.point);
     Vec3 outward = exit_normal_at(exit.ray.start, -first.direction);
-    Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.point);
+    Float tolerance = u.exit_tolerance * texel_extent_at(caster_exit_position, u.caster, entry.at.point);
     // Along the light a gap is longer than across the surface. What leans by more than 83 degrees may be the
     // edge of a layer that hides the exit.
     Float leaning = max_of(abs(dot3(outward, light_direction)), 0.125f);
@@ -299,19 +275,17 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
       exit.stopped = exit.unknown && is_found(hit);
       exit.unknown = exit.unknown && !exit.stopped;
     }
-    Side side;
-    side.outward = outward;
-    side.slope = entry.exit_slope;
-    side.from_inside = Bool(true);
-    Bend bend = bend_at(side, entry.material, first.direction, first.ior);
-    Refraction bent = bend.bent;
+    Meeting at = meeting_in_view(Vec4(exit.ray.start, Float(-1.0f)), Vec4(outward, Float(0.0f)));
+    Facet facet =
+        facet_at(first.direction, at, skin_of(entry.material, Bool(true)), entry.material, entry.exit_slope);
+    Refraction bent = facet.surface.bent;
     exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
     exit.reflectance = sel(solid && !bent.total, bent.reflectance * entry.material.fresnel, Float(0.0f));
-    exit.unmasked = sel(solid, bend.unmasked, Float(1.0f));
+    exit.unmasked = sel(solid, unmasked_by(facet, first.direction), Float(1.0f));
     TRACE(exit_point, exit.ray.start);
     TRACE(exit_residual, hit.residual);
-    TRACE(exit_normal, bend.normal);
+    TRACE(exit_normal, facet.surface.normal);
     TRACE(exit_reflectance, exit.reflectance);
   }
   exit.sent = entry.covered && !exit.blocked && !exit.unknown;
@@ -342,10 +316,10 @@ Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, Float a
     Vec3 passing = color * entry.material.transmitted;
     Vec3 tint = passing;
     if (u.has_rough != 0)
-      tint = wall_tint(entry.material, passing, entry.from_inside) * (first.unmasked * exit.unmasked);
+      tint = wall_tint(entry.material, passing, !entry.at.front) * (first.unmasked * exit.unmasked);
     passed = passed * sel(first.blocked, Vec3(1.0f), tint);
     if (u.has_mirrors != 0)
-      passed = sel(entry.material.mirror, metal_reflectance(color, first.cosine), passed);
+      passed = sel(entry.material.mirror, metal_reflectance(color, first.surface.bent.cosine), passed);
   }
   return passed;
 }
@@ -353,7 +327,7 @@ Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, Float a
 Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(Landing) end) {
   // Through one interface only, the material reaches down to the receiver (water on its bed).
   Bool lands = exit.sent && end.hit.covered && end.lands;
-  Bool open = !entry.material.solid && !entry.from_inside && !entry.material.mirror && u.is_reflection == 0;
+  Bool open = !entry.material.solid && entry.at.front && !entry.material.mirror && u.is_reflection == 0;
   Float absorbing_length = sel(open, sel(lands, end.flight, Float(0.0f)), exit.inside_length);
   Vec3 passed = let_through(entry, first, exit, absorbing_length);
   // Shah et al. 2007, eq. 6 and 7: N.L of it, and no Fresnel.
@@ -361,7 +335,7 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
   Float reflectance1 = first.reflectance;
   Float reflectance2 = exit.reflectance;
   if (u.paper_weights != 0) {
-    weight = first.cosine;
+    weight = first.surface.bent.cosine;
     reflectance1 = Float(0.0f);
     reflectance2 = Float(0.0f);
   }
@@ -453,8 +427,8 @@ void clear_outputs() {
 
 // Follows the light of the grid vertices that a caster covers; the others stay as they are, zeros.
 void follow(IN(Entry) entry) {
-  TRACE(entry_point, entry.point);
-  Incident light = light_onto(entry.cell, entry.point);
+  TRACE(entry_point, entry.at.point);
+  Incident light = light_onto(entry.cell, entry.at.point);
   if (u.is_tinted != 0) light.flux = light.flux * entry.reaching;
   if (u.paper_weights != 0) light.flux = equal_part(entry);
   light.flux = light.flux * entry.times;
@@ -463,7 +437,7 @@ void follow(IN(Entry) entry) {
   Landing end = fly_to_receiver(exit.ray);
   Account account = book_caster(entry, first, exit, end);
 #ifdef HAZE
-  book_air(entry.point, light.direction, exit, end, account);
+  book_air(entry.at.point, light.direction, exit, end, account);
 #endif
   Float status = status_of(entry, exit, end, account);
 

@@ -1,5 +1,6 @@
-// Bends light at a caster's surface. Needs absorption.glsl, light_path.glsl, microfacets.glsl,
-// rough_surface.glsl, surface.glsl, and the uniforms bend, draws, has_rough, least_share and rough_from.
+// Bends light at a caster's surface. Needs absorption.glsl, interface.glsl, light_path.glsl,
+// microfacets.glsl, rough_surface.glsl, surface.glsl, and the uniforms bend, draws, has_rough, least_share
+// and rough_from.
 
 // At one surface of a branch's way.
 struct Turn {
@@ -145,32 +146,6 @@ void turn_differential(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle)
   path.spread_y = sel(surface.both.passes, path.spread_y, spread_y);
 }
 
-// A surface as light meets it: of rough glass one microfacet.
-struct Facet {
-  Surface surface;
-  Vec3 smooth_normal;  // of what the facet is on, against the light
-  Float width;         // of all facets' slopes; 0: smooth
-};
-
-Facet facet_at(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Material) material,
-               IN(Turn) turn) {
-  Vec3 from = before.ray.direction;
-  Facet facet;
-  facet.width = Float(0.0f);
-  Meeting met = at;
-  if (u.has_rough != 0) {
-    facet.width = width_of_facets(material, at);
-    met.outward = facet_normal(at.outward, turn.slope * facet.width);
-  }
-  facet.surface = surface_at(from, met, interface_at(before.media, at, triangle, material), material);
-  facet.smooth_normal = facet.surface.normal;
-  if (u.has_rough != 0) {
-    facet.smooth_normal = facing_normal(at.outward, from, !at.front);
-    if (any_lane(material.thin)) make_wall(facet.surface, material, from, facet.smooth_normal);
-  }
-  return facet;
-}
-
 // A facet sends on a part of its share. Light that it sends through the surface's wrong side meets another
 // facet and counts as masked.
 Float sent_by(IN(Facet) facet, IN(Meeting) at, Vec3 from, Vec3 onward, Bool is_mirrored) {
@@ -185,7 +160,8 @@ BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) tr
   bent.path = before;
   Vec3 taken = arrive(bent.path, at);
   Vec3 from = before.ray.direction;
-  Facet facet = facet_at(before, at, triangle, material, turn);
+  Interface both = interface_at(before.media, at, triangle, material);
+  Facet facet = facet_at(from, at, both, material, turn.slope);
   Surface surface = facet.surface;
   Way way = way_of(bent.path, surface, material, turn);
   if (u.draws != 0) way = drawn_way(surface, material, turn, bent.path);

@@ -1,5 +1,5 @@
 // A caster's triangle, or a receiver's, as the textures hierarchy_triangles and hierarchy_normals hold them
-// (pipeline/scene/hierarchy_tables.hpp).
+// (pipeline/scene/hierarchy_tables.hpp). Needs meeting.glsl.
 struct CasterTriangle {
   Vec3 corner;   // the first of its corners, scene space,
   Vec3 edge1;    // and the ways from there to the others
@@ -33,21 +33,15 @@ CasterTriangle fetch_triangle(Float number) {
   return triangle;
 }
 
-// Where a ray meets a caster.
-struct Meeting {
-  Vec3 point;
-  Vec3 outward;   // the surface's smooth normal, unit
-  Vec3 plane;     // the triangle's own, unit
-  Bool front;     // the ray comes from outside
-  Float number;   // of the triangle
-  Float stretch;  // metres since the last surface
-  Bool hole;      // an alpha mask has cut the surface out here
-};
+// Its own normal, unit; of one without area the fallback.
+Vec3 plane_of(IN(CasterTriangle) triangle, Vec3 fallback) {
+  return normalize_or(cross3(triangle.edge1, triangle.edge2), fallback);
+}
 
 Meeting meeting_at(IN(CasterTriangle) triangle, Vec4 hit, Vec3 direction) {
   Meeting at;
   at.point = triangle.corner + (triangle.edge1 * hit.x + triangle.edge2 * hit.y);
-  at.plane = normalize_or(cross3(triangle.edge1, triangle.edge2), -direction);
+  at.plane = plane_of(triangle, -direction);
   Vec3 mixed = triangle.normal + (triangle.turn1 * hit.x + triangle.turn2 * hit.y);
   at.outward = normalize_or(mixed, at.plane);
   at.front = dot3(at.plane, direction) < 0.0f;

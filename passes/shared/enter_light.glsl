@@ -51,13 +51,9 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
   arrival.covered = cell.covered;
   arrival.triangle = fetch_triangle(max_of(number, 0.0f));
   arrival.material = material_row(normal);
-  arrival.at.point = Vec3(position);
-  arrival.at.outward = Vec3(normal);
-  arrival.at.plane = normalize_or(cross3(arrival.triangle.edge1, arrival.triangle.edge2), arrival.at.outward);
-  arrival.at.front = !is_back_face(position);
+  arrival.at = meeting_in_view(position, normal);
+  arrival.at.plane = plane_of(arrival.triangle, arrival.at.outward);
   arrival.at.number = number;
-  arrival.at.stretch = Float(0.0f);
-  arrival.at.hole = Bool(false);
   Incident light;
   if (u.light_shape != 0) {
     light = light_of_size(cell, arrival.at.point, arrival.at.plane,

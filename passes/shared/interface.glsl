@@ -1,15 +1,5 @@
 // What changes where a ray meets a caster's surface. Needs caster_material.glsl, caster_triangles.glsl,
-// media.glsl, and the uniform bend.
-
-// The indices of refraction on both sides, and the bodies that light is in behind the surface.
-struct Interface {
-  Float before;
-  Float behind;
-  Vec4 media;
-  Bool passes;    // nothing bends it: a second skin of a body that the light is in, or a hole
-  Bool overflow;  // it enters more bodies than are remembered
-  Bool tints;     // light that crosses here has the body's colour from now on
-};
+// media.glsl, meeting.glsl, and the uniform bend.
 
 Interface interface_at(Vec4 media, IN(Meeting) at, IN(CasterTriangle) triangle, IN(Material) material) {
   Float ior = material.ior + material.dispersion * u.bend;
@@ -28,10 +18,4 @@ Interface interface_at(Vec4 media, IN(Meeting) at, IN(CasterTriangle) triangle, 
   both.before = sel(!at.front && !within, absolute_index(ior, there), here);
   both.behind = sel(at.front, absolute_index(ior, here), there);
   return both;
-}
-
-// Does interpolation send a ray to the wrong side of its own surface?
-Bool strays(Vec3 direction, IN(Meeting) at, Vec3 before, Bool is_mirrored) {
-  Bool onward = dot3(direction, at.plane) * dot3(before, at.plane) > 0.0f;
-  return (onward && is_mirrored) || (!onward && !is_mirrored);
 }

@@ -1,5 +1,5 @@
-// Roughness changes how a surface bends and spreads light. Needs microfacets.glsl,
-// surface.glsl, and the uniform rough_from.
+// Roughness changes how a surface bends and spreads light. Needs microfacets.glsl, surface.glsl, and the
+// uniforms has_rough and rough_from.
 
 // The width of the slopes of rough glass' microfacets; 0: the surface is smooth.
 Float width_of_facets(IN(Material) material, IN(Meeting) at) {
@@ -16,4 +16,29 @@ void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Ve
   surface.total = surface.total && !thin;
   surface.one_way = surface.one_way && !thin;
   surface.mirrored = sel(thin, wall.reflectance * material.fresnel, surface.mirrored);
+}
+
+// A surface as light meets it: of rough glass one microfacet.
+struct Facet {
+  Surface surface;
+  Vec3 smooth_normal;  // of what the facet is on, against the light
+  Float width;         // of all facets' slopes; 0: smooth
+};
+
+// `slope`: how the microfacet leans, of width 1.
+Facet facet_at(Vec3 from, IN(Meeting) at, IN(Interface) both, IN(Material) material, Vec2 slope) {
+  Facet facet;
+  facet.width = Float(0.0f);
+  Meeting met = at;
+  if (u.has_rough != 0) {
+    facet.width = width_of_facets(material, at);
+    met.outward = facet_normal(at.outward, slope * facet.width);
+  }
+  facet.surface = surface_at(from, met, both, material);
+  facet.smooth_normal = facet.surface.normal;
+  if (u.has_rough != 0) {
+    facet.smooth_normal = facing_normal(at.outward, from, !at.front);
+    if (any_lane(material.thin)) make_wall(facet.surface, material, from, facet.smooth_normal);
+  }
+  return facet;
 }

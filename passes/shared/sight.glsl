@@ -143,13 +143,9 @@ Front front_at(Vec4 position, Int column, Int row) {
   front.triangle = fetch_triangle(max_of(number, 0.0f));
   if (any_lane(number < 0.0f)) be_no_triangle(front.triangle, number < 0.0f, material_row(normal));
   front.material = fetch_material(caster_materials, material_row(normal));
-  front.at.point = Vec3(position);
-  front.at.outward = Vec3(normal);
-  front.at.plane = normalize_or(cross3(front.triangle.edge1, front.triangle.edge2), front.at.outward);
-  front.at.front = !is_back_face(position);
+  front.at = meeting_in_view(position, normal);
+  front.at.plane = plane_of(front.triangle, front.at.outward);
   front.at.number = number;
-  front.at.stretch = Float(0.0f);
-  front.at.hole = Bool(false);
   return front;
 }
 

@@ -1,6 +1,6 @@
 // What a caster's surface does to light and to rays of sight: how much of what comes it mirrors, how much it
-// lets through, where to, and in which colour. Needs caster_material.glsl, caster_triangles.glsl,
-// interface.glsl, optics.glsl and refraction.glsl.
+// lets through, where to, and in which colour. Needs caster_material.glsl, meeting.glsl, optics.glsl
+// and refraction.glsl.
 struct Surface {
   Interface both;
   Vec3 normal;     // smooth, against the ray

@@ -28,6 +28,8 @@ OUTPUT(5, Vec4, landing_footprint)
 OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
 #include "passes/shared/caster_triangles.glsl"
 #include "passes/shared/wrapped.glsl"
 #include "passes/shared/material.glsl"
@@ -37,7 +39,6 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/absorption.glsl"
-#include "passes/shared/position_texel.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/refraction.glsl"
 #include "passes/shared/view_space.glsl"

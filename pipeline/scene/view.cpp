@@ -56,14 +56,6 @@ std140::View shader_view(const View& view) {
   return result;
 }
 
-View widened(const View& view, double factor) {
-  View wide = view;
-  const glm::dvec2 centre = 0.5 * (view.window_lower + view.window_upper);
-  wide.window_lower = centre + factor * (view.window_lower - centre);
-  wide.window_upper = centre + factor * (view.window_upper - centre);
-  return wide;
-}
-
 View view_along(const glm::dvec3& origin, const glm::dvec3& forward) {
   const glm::dvec3 size{std::fabs(forward.x), std::fabs(forward.y), std::fabs(forward.z)};
   // Looking mostly down or up: map the picture's up to -z, as on a map of the floor.

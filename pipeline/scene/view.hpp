@@ -43,9 +43,6 @@ struct View {
 // What shaders get of a view (pipeline/shader/view.glsl; passes/shared/view_space.glsl uses it).
 std140::View shader_view(const View& view);
 
-// The same view through a window `factor` times as wide and high.
-View widened(const View& view, double factor);
-
 // A right-handed view that looks along `forward`, with an `up` chosen without any branch cut near
 // the usual directions: the coordinate axis least aligned with `forward`, made orthogonal.
 View view_along(const glm::dvec3& origin, const glm::dvec3& forward);

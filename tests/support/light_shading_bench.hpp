@@ -60,7 +60,11 @@ struct LightShadingBench {
                      .casters_nearest = casters_nearest,
                      .column = view,
                      .cascade = {}};
-    if (!cascade_map.values.empty()) views.cascade = widened(view, 0.5);
+    if (!cascade_map.values.empty()) {
+      views.cascade = view;
+      views.cascade->window_lower *= 0.5;
+      views.cascade->window_upper *= 0.5;
+    }
     return pass.uniforms({.scene = &scene,
                           .settings = &settings,
                           .effects = &effects,

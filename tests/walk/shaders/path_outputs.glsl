@@ -10,6 +10,8 @@ OUTPUT(6, Vec4, booked)
 OUTPUT(7, Vec4, absorbed)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
 #include "passes/shared/caster_triangles.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/absorption.glsl"

@@ -25,11 +25,12 @@ OUTPUT(3, Vec4, landing_path)
 OUTPUT(4, Vec4, landing_footprint)
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
 #include "passes/shared/caster_triangles.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
 #include "passes/shared/absorption.glsl"
-#include "passes/shared/position_texel.glsl"
 #include "passes/shared/ray.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/shown_point.glsl"
