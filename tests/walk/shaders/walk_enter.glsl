@@ -17,7 +17,6 @@ TEXTURE(6, reaching)
 #include "tests/walk/shaders/path_outputs.glsl"
 #include "passes/shared/cone_falloff.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/position_texel.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/grid_light.glsl"
 #include "passes/shared/way_draw.glsl"
