@@ -4,8 +4,8 @@
     docs/images/make.py [PROGRAM] [NAME ...]     PROGRAM: build/release/caustics unless given
 
 A picture is one frame of the software device, or several side by side, so its pixels are the same on every
-machine: tests/program/docs_pictures_test.py renders a third of them and compares. Each pass has one of its own,
-passes/PASS/PASS.png: its attachments in a row, as `render --dump --pictures` colours them."""
+machine: tests/program/docs_pictures_test.py renders a third of them and compares. Each pass has one of its
+own, passes/PASS/PASS.png: its attachments in a row, as `render --dump --pictures` colours them."""
 import functools
 import json
 import pathlib
