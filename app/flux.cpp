@@ -3,6 +3,7 @@
 #include "app/output/light_groups.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
+#include "pipeline/effects/bodies.hpp"
 #include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/pixel_side.hpp"
@@ -31,7 +32,7 @@ std::vector<int> casters_by_row(const RenderedFrame& frame) {
   std::vector<int> meshes;
   for (int m = 0; m < static_cast<int>(frame.effects().surfaces.size()); ++m) {
     if (!is_caster(frame.effects().surfaces[static_cast<std::size_t>(m)].role)) continue;
-    if (frame.on_device().material_row(m) != static_cast<int>(meshes.size())) return {};
+    if (frame.on_device().tables().material_row(m) != static_cast<int>(meshes.size())) return {};
     meshes.push_back(m);
   }
   return meshes;
@@ -144,7 +145,8 @@ struct LedgerReader::Judge {
   PictureBlocks blocks;
   std::map<int, ModelError> models{};  // by source
   explicit Judge(const RenderedFrame& frame)
-      : paths(frame.scene(), frame.effects()), blocks(frame.look_at(kViewPosition), frame.inputs().camera) {}
+      : paths(frame.on_pilot().tables(), frame.effects(), frame.settings(), frame.registry()),
+        blocks(frame.look_at(kViewPosition), frame.inputs().camera) {}
 };
 
 LedgerReader::LedgerReader() = default;

@@ -68,6 +68,8 @@ class RenderedFrame {
   const std::vector<LightViews>& views() const { return renderer_->views(); }
   const FrameInputs& inputs() const { return renderer_->inputs(); }
   const SceneOnDevice& on_device() const { return renderer_->on_device(); }
+  const SceneOnDevice& on_pilot() const { return renderer_->on_pilot(); }
+  const Registry& registry() const { return renderer_->registry(); }
   Device& device() const { return *device_; }
   const MemoryJudgement& memory() const { return memory_; }
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "app/frame.hpp"
 #include "app/frame_options.hpp"
 #include "app/shell/interrupt.hpp"
 #include "app/shell/standard_input.hpp"
 #include "app/shell/terminal.hpp"
+#include "passes/registry.hpp"
+#include "pipeline/gpu/device.hpp"
 #include "pipeline/renderer/stage.hpp"
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/scene/emitter.hpp"
@@ -81,7 +84,8 @@ LoadedScene::LoadedScene(const FrameRequest& request)
     options.memory = request.budget();
     scene_.environment = load_environment(*request.environment, options);
   }
-  complete();
+  const std::unique_ptr<Device> device = make_pilot_device(request.backend);
+  complete({*device, pass_registry()});
   stop_if_interrupted();
   move_to(request.seconds.value_or(0.0));
 }
@@ -111,7 +115,7 @@ void LoadedScene::light_up() {
   sample_area_lights(scene_, settings_.light_samples);
 }
 
-void LoadedScene::complete() {
+void LoadedScene::complete(const Pilot& pilot) {
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     Mesh& mesh = scene_.meshes[static_cast<std::size_t>(moving_[i])];
     mesh.lower = glm::vec3(swept_[i].lower);
@@ -124,7 +128,7 @@ void LoadedScene::complete() {
   const bool after_sun = scene_.lights.empty() && !lamps.instead_of_sun;
   if (!after_sun) lamps_ = lamps.lights;
   light_up();
-  const Completed completed = complete_scene(scene_, settings_);
+  const Completed completed = complete_scene(scene_, settings_, pilot);
   if (completed.lights) added_sources_ = scene_.sources;
   if (after_sun && !lamps.lights.empty()) {
     lamps_ = std::move(lamps.lights);
@@ -137,8 +141,8 @@ void LoadedScene::complete() {
   added_ = completed.added;
   notes_ = scene_.notes;
   choose_camera();
-  exposure_ =
-      exposure_of(scene_, settings_, view_of(camera_, settings_.width, settings_.height, bounds_of(scene_)));
+  exposure_ = exposure_of(scene_, settings_,
+                          view_of(camera_, settings_.width, settings_.height, bounds_of(scene_)), pilot);
 }
 
 // An image that is much brighter or dimmer than the lights hides their caustics, or stays dark itself.

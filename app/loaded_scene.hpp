@@ -40,7 +40,7 @@ class LoadedScene {
  private:
   Lamps judge_what_shines() const;
   void light_up();
-  void complete();
+  void complete(const Pilot& pilot);
   void note_environment();
   void choose_camera();
 

@@ -13,8 +13,8 @@
 int main(int count, char** arguments) try {
   if (count != 2) return std::fprintf(stderr, "usage: read_caustic_map SCENE\n"), 2;
   caustics::Scene scene = caustics::load_gltf(arguments[1]);
-  caustics::complete_scene(scene, {});
   const auto device = caustics::make_software_device();
+  caustics::complete_scene(scene, {}, {*device, caustics::pass_registry()});
   caustics::FrameRenderer renderer(scene, caustics::Settings{}, caustics::pass_registry(), *device,
                                    {.goal = {{"caustic_map[0]"}}});
   renderer.run();

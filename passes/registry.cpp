@@ -22,6 +22,7 @@
 #include "passes/light_haze/light_haze.hpp"
 #include "passes/light_shading/light_shading.hpp"
 #include "passes/light_shafts/light_shafts.hpp"
+#include "passes/light_step/light_step.hpp"
 #include "passes/occluder_depth/occluder_depth.hpp"
 #include "passes/pane_light/pane_light.hpp"
 #include "passes/receiver_map/receiver_map.hpp"
@@ -41,6 +42,8 @@ namespace {
 
 Registry registered() {
   Registry registry = {
+      // Of pilots: what light does before a frame is planned.
+      light_step_pass(),
       // Of each water: its waves.
       water_step_pass(),
       // Of the casters: what lies around them.

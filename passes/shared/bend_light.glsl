@@ -146,14 +146,6 @@ void turn_differential(INOUT(LightPath) path, IN(Meeting) at, IN(CasterTriangle)
   path.spread_y = sel(surface.both.passes, path.spread_y, spread_y);
 }
 
-// A facet sends on a part of its share. Light that it sends through the surface's wrong side meets another
-// facet and counts as masked.
-Float sent_by(IN(Facet) facet, IN(Meeting) at, Vec3 from, Vec3 onward, Bool is_mirrored) {
-  Float sent = facet_weight(from, onward, facet.smooth_normal, facet.surface.normal, facet.width);
-  sent = sel(strays(onward, at, from, is_mirrored), Float(0.0f), sent);
-  return sel(facet.width > 0.0f, sent, Float(1.0f));
-}
-
 BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) triangle,
                      IN(Material) material, IN(Turn) turn) {
   BentLight bent;

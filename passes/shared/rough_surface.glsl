@@ -42,3 +42,11 @@ Facet facet_at(Vec3 from, IN(Meeting) at, IN(Interface) both, IN(Material) mater
   }
   return facet;
 }
+
+// A facet sends on a part of its share. Light that it sends through the surface's wrong side meets another
+// facet and counts as masked.
+Float sent_by(IN(Facet) facet, IN(Meeting) at, Vec3 from, Vec3 onward, Bool is_mirrored) {
+  Float sent = facet_weight(from, onward, facet.smooth_normal, facet.surface.normal, facet.width);
+  sent = sel(strays(onward, at, from, is_mirrored), Float(0.0f), sent);
+  return sel(facet.width > 0.0f, sent, Float(1.0f));
+}

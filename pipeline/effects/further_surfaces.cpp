@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/effects/bodies.hpp"
 #include "pipeline/effects/branches.hpp"
 #include "pipeline/effects/drawn_sizes.hpp"
-#include "pipeline/effects/optics.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/settings/settings.hpp"
 

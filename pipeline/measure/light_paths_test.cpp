@@ -4,6 +4,7 @@
 
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/shapes.hpp"
 
 using namespace caustics;
@@ -21,12 +22,24 @@ struct Bench {
     scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
     scene.cameras = {camera_down(0.2, 1.0)};
   }
+  std::vector<LightLanding> follow(const std::vector<LightRay>& rays, const Settings& settings = {},
+                                   std::vector<LightLanding>* astray = nullptr) const {
+    const Effects effects = effects_of(scene, settings);
+    const RayTables tables(scene, effects, pilot().device);
+    std::vector<LightLanding> landings;
+    LightPaths(tables, effects, settings, pilot().registry).follow(rays, landings, 0.0, astray);
+    return landings;
+  }
   std::vector<LightLanding> follow(const glm::dvec3& from, const glm::dvec3& along,
                                    std::uint64_t key = 1) const {
-    const LightPaths paths(scene, effects_of(scene, Settings{}));
-    std::vector<LightLanding> landings;
-    paths.follow({.origin = from, .direction = along, .key = key}, landings);
-    return landings;
+    return follow({{.origin = from, .direction = along, .key = key}});
+  }
+  // Draws of so many rays, one as the other.
+  std::vector<LightLanding> follow_many(const glm::dvec3& from, std::uint64_t count) const {
+    std::vector<LightRay> rays;
+    for (std::uint64_t key = 0; key < count; ++key)
+      rays.push_back({.origin = from, .direction = {0, -1, 0}, .key = key});
+    return follow(rays);
   }
 };
 
@@ -44,15 +57,12 @@ TEST_CASE(
   const Bench bench({box({-1, 0.5, -1}, {1, 0.8, 1}, 1)});
   const auto landings = bench.follow({0.3, 2.0, 0.2}, {0, -1, 0});
   // R = 0.04 at each surface: 0.96^2; then 0.96^2 R^2 after two more. What is left is drawn.
-  CHECK(followed_flux(landings, true) == Approx(0.9216).epsilon(1e-12));
+  CHECK(followed_flux(landings, true) == Approx(0.9216).epsilon(1e-6));
   for (const LightLanding& landing : landings) {
     CHECK(landing.position.x == Approx(0.3));
-    CHECK(std::fabs(landing.position.y) < 1e-12);
+    CHECK(std::fabs(landing.position.y) < 1e-6);
   }
-  const LightPaths paths(bench.scene, effects_of(bench.scene, Settings{}));
-  std::vector<LightLanding> many;
-  for (std::uint64_t key = 0; key < 4000; ++key)
-    paths.follow({.origin = {0.3, 2.0, 0.2}, .direction = {0, -1, 0}, .key = key}, many);
+  const auto many = bench.follow_many({0.3, 2.0, 0.2}, 4000);
   // All orders together: (1 - R) / (1 + R). 4000 draws of what is left, 0.0384 R either way: +- 0.0001.
   const double all = (followed_flux(many, true) + followed_flux(many, false)) / 4000.0;
   CHECK(all == Approx(0.96 / 1.04).margin(4e-4));
@@ -63,11 +73,9 @@ TEST_CASE("light paths: what the first surface mirrors is followed where the pas
   Settings settings;
   for (const bool reflections : {false, true}) {
     settings.reflections = reflections;
-    const LightPaths paths(bench.scene, effects_of(bench.scene, settings));
-    std::vector<LightLanding> landings;
-    paths.follow({.origin = {0.3, 2.0, 0.2}, .direction = {0, -1, 0}}, landings);
+    const auto landings = bench.follow({{.origin = {0.3, 2.0, 0.2}, .direction = {0, -1, 0}}}, settings);
     // Up to the ceiling: R = 0.04.
-    CHECK(followed_flux(landings, true) == Approx(0.9216 + (reflections ? 0.04 : 0.0)).epsilon(1e-12));
+    CHECK(followed_flux(landings, true) == Approx(0.9216 + (reflections ? 0.04 : 0.0)).epsilon(1e-6));
   }
 }
 
@@ -128,24 +136,24 @@ TEST_CASE("light paths: a second body bends light that the passes send straight 
   // 0.96^4 go straight through both.
   double most = 0.0;
   for (const LightLanding& landing : landings) most = std::max(most, landing.flux.x);
-  CHECK(most == Approx(0.84934656).epsilon(1e-9));
+  CHECK(most == Approx(0.84934656).epsilon(1e-6));
 }
 
 TEST_CASE("light paths: what would land if no other caster stood in its way goes astray") {
   const auto astray = [](const Bench& bench, double height) {
-    const LightPaths paths(bench.scene, effects_of(bench.scene, Settings{}));
-    std::vector<LightLanding> landings;
-    glm::dvec3 sum(0.0);
-    paths.follow({.origin = {0.3, height, 0.2}, .direction = {0, -1, 0}}, landings, &sum);
-    return sum.x;
+    std::vector<LightLanding> others;
+    bench.follow({{.origin = {0.3, height, 0.2}, .direction = {0, -1, 0}}}, {}, &others);
+    double sum = 0.0;
+    for (const LightLanding& other : others) sum += other.flux.x;
+    return sum;
   };
   const Mesh low = box({-1, 0.5, -1}, {1, 0.8, 1}, 1), high = box({-1, 1.0, -1}, {1, 1.3, 1}, 1);
   // 0.96^2 leaves the upper slab.
-  CHECK(astray(Bench({low, high}), 2.0) == Approx(0.9216).epsilon(1e-12));
+  CHECK(astray(Bench({low, high}), 2.0) == Approx(0.9216).epsilon(1e-6));
   CHECK(astray(Bench({low}), 2.0) == 0.0);
   // Off the lower box, all of it, to the upper one, which hides the ceiling; or where there is none.
   CHECK(astray(Bench({low, high, floor(10.0, 3.0, 0)}, metal(glm::vec3(1.0f))), 0.9) ==
-        Approx(1.0).epsilon(1e-12));
+        Approx(1.0).epsilon(1e-6));
   CHECK(astray(Bench({low, high}, metal(glm::vec3(1.0f))), 0.9) == 0.0);
   CHECK(astray(Bench({low, floor(10.0, 3.0, 0)}, metal(glm::vec3(1.0f))), 0.9) == 0.0);
 }
@@ -170,7 +178,7 @@ TEST_CASE(
   double most = 0.0;
   for (const LightLanding& landing : bench.follow({0.3, 2.0, 0.2}, {0, -1, 0}))
     most = std::max(most, landing.flux.x);
-  CHECK(most == Approx(24.0 / 25.0 * 8.0 / 9.0 * 3.0 / 4.0).epsilon(1e-9));
+  CHECK(most == Approx(24.0 / 25.0 * 8.0 / 9.0 * 3.0 / 4.0).epsilon(1e-6));
 }
 
 TEST_CASE("light paths: a body in two parts that overlap, within another of the same glass, bends nothing") {
@@ -183,7 +191,7 @@ TEST_CASE("light paths: a body in two parts that overlap, within another of the 
   int landed = 0;  // all but what the last surface mirrors, one way in 24
   for (std::uint64_t key = 0; key < 20; ++key)
     for (const LightLanding& landing : bench.follow({-0.8, 2.5, 0.1}, {0.6, -0.8, 0.0}, key))
-      landed += std::fabs(landing.position.x - x) < 1e-6;
+      landed += std::fabs(landing.position.x - x) < 2e-6;
   CHECK(landed > 15);
 }
 
@@ -232,10 +240,7 @@ TEST_CASE(
   Material rough = glass(1.5f);
   rough.roughness = 0.5f;
   const Bench bench({floor(1.0, 1.0, 1)}, rough);
-  const LightPaths paths(bench.scene, effects_of(bench.scene, Settings{}));
-  std::vector<LightLanding> landings;
-  for (std::uint64_t key = 0; key < 4000; ++key)
-    paths.follow({.origin = {0.3, 2.0, 0.1}, .direction = {0, -1, 0}, .key = key}, landings);
+  const auto landings = bench.follow_many({0.3, 2.0, 0.1}, 4000);
   int within = 0, through = 0;
   for (const LightLanding& landing : landings) {
     if (landing.surfaces != 1) continue;

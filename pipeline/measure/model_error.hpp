@@ -45,24 +45,28 @@ class ModelError {
 
  private:
   struct Vertex;
-  void compare(const Sample& sample, const Vertex& vertex);
+  // Three a block; `sizes`: what was added to the values, whatever its sign.
+  struct Sums {
+    std::vector<double> values, sizes;
+  };
+  void compare(const Sample& sample, Vertex& vertex);
   static LightRay ray_onto(const Sample& sample, const Vertex& vertex);
-  void follow(const Sample& sample, const Vertex& vertex, bool lost);
+  void follow(const Sample& sample, const std::vector<Vertex>& vertices);
+  void take(const LightLanding& landing, const Vertex& vertex);
   bool sees(const glm::dvec3& p) const;
-  std::vector<double> signs(const std::vector<double>& surplus) const;
+  void put(int half, std::size_t block, const glm::dvec3& light);
+  std::vector<double> signs(const Sums& surplus) const;
 
   const LightPaths& paths_;
   const PictureBlocks& blocks_;
   int rays_;
   bool any_drawn_ = false;
   int least_step_ = 0;  // between the vertices that are judged, along both sides of the grid
-  // Of rays in turn, three a block: what the frame has more of than light.
-  std::vector<double> surplus_[2];
-  double lit_ = 0.0;   // in the picture, by light
-  double lost_ = 0.0;  // of that, what goes the way of the passes, which have not found its landing
+  Sums surplus_[2];     // of rays in turn: what the frame has more of than light
+  double lit_ = 0.0;    // in the picture, by light
+  double lost_ = 0.0;   // of that, what goes the way of the passes, which have not found its landing
   double landed_ = 0.0, entered_ = 0.0;
   double followed_ = 0.0;  // of what has landed, on ways that the passes take; or all that they have landed
-  std::vector<LightLanding> landings_;
 };
 
 }  // namespace caustics

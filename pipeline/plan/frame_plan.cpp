@@ -151,6 +151,7 @@ class Planner {
 
   void add_instances(int index, const DrawnFor& drawn_for) {
     const Pass& pass = pass_of(index);
+    if (drawn_for.each == Each::Rays) return;  // no frame has it
     if (const auto reason = not_called_for(pass, drawn_for, effects_)) {
       // The first layer's says enough.
       if (drawn_for.layer <= 1) plan_.skipped.push_back({with_label(pass.name, drawn_for.label), *reason});

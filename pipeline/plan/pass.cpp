@@ -189,7 +189,8 @@ void validate(const Registry& registry) {
 }
 
 bool is_of_camera(const Pass& pass, const DrawnFor& drawn_for) {
-  return drawn_for.each != Each::Water && (!pass.size || drawn_for.label == kCamera.label);
+  return drawn_for.each != Each::Water && drawn_for.each != Each::Rays &&
+         (!pass.size || drawn_for.label == kCamera.label);
 }
 
 TargetSize picture_size(const Settings& settings, CameraView camera) {

@@ -22,7 +22,8 @@ namespace caustics {
 // as its waves need steps (pipeline/renderer/moving_water.hpp); a plan that is to be looked at in full has
 // the last step again.
 // A Sample is one of a pixel, after all that the camera's passes see there (pipeline/plan/sample_passes.hpp).
-enum class Each : std::uint8_t { Frame, Light, Branch, Water, Sample };
+// Rays are a pilot's, and part of no frame (pipeline/measure/light_paths.hpp).
+enum class Each : std::uint8_t { Frame, Light, Branch, Water, Sample, Rays };
 
 // Which of the receivers behind the casters, where one can hide another from the light.
 enum class ReceiverLayer : std::uint8_t { Nearest, Farthest };
@@ -116,6 +117,7 @@ inline constexpr DrawnFor kBranchCascade{.each = Each::Branch,
                                          .reason = "most of the light falls on little of its map"};
 inline constexpr DrawnFor kWater{.each = Each::Water};
 inline constexpr DrawnFor kSample{.each = Each::Sample};
+inline constexpr DrawnFor kRays{.each = Each::Rays};
 
 // What a pass draws.
 enum class DrawSet : std::uint8_t {

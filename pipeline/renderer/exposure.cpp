@@ -99,11 +99,11 @@ class SumsOverBoxes {
 // What the picture shows of the receivers, cell by cell.
 class Sketch {
  public:
-  Sketch(const Scene& scene, const Settings& settings, const View& camera)
+  Sketch(const Scene& scene, const Settings& settings, const View& camera, const Pilot& pilot)
       : scene_(scene),
         camera_(camera),
         receivers_(scene, opaque_receivers(scene)),
-        light_(scene, settings),
+        light_(scene, settings, pilot),
         ambient_(upward_irradiance(scene.environment)) {
     const double lights = std::max<double>(1.0, static_cast<double>(scene.lights.size()));
     const double rays = std::clamp(kShadowRays / lights, 16.0, kCameraRays);
@@ -246,10 +246,11 @@ double contrast_for(double ratio, double white) {
 
 }  // namespace
 
-Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera) {
+Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera,
+                     const Pilot& pilot) {
   double floor = 0.0, bright = 0.0, glow = 0.0;
   if (camera && !scene.meshes.empty()) {
-    const Sketch sketch(scene, settings, *camera);
+    const Sketch sketch(scene, settings, *camera, pilot);
     bright = sketch.percentile(kBright, true);
     floor = std::max(
         {sketch.percentile(0.5, false), sketch.percentile(0.5, true) / kMostOfHalf, bright / kMostBright});

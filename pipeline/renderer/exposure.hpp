@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "pipeline/renderer/pilot.hpp"
 #include "pipeline/scene/view.hpp"
 
 namespace caustics {
@@ -19,7 +20,8 @@ struct Exposure {
 // bright as white, or a tenth of the picture would be white, or half of it is brighter than the floor, the
 // picture is darker. What is emitted, and what glass and mirrors show the camera, is left out.
 // `settings.exposure` adds EV. Where the camera meets nothing, or there is none: as if it saw an open floor
-// of light grey.
-Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera);
+// of light grey. `pilot`: follows the casters' light.
+Exposure exposure_of(const Scene& scene, const Settings& settings, const std::optional<View>& camera,
+                     const Pilot& pilot);
 
 }  // namespace caustics

@@ -5,6 +5,7 @@
 
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/shapes.hpp"
 
 using namespace caustics;
@@ -23,7 +24,7 @@ Scene lit_floor(float lux = 3.14159265f) {
 }
 
 Exposure exposure_for(const Scene& scene, const Settings& settings = {}) {
-  return exposure_of(scene, settings, view_of(scene.cameras.front(), 160, 90, bounds_of(scene)));
+  return exposure_of(scene, settings, view_of(scene.cameras.front(), 160, 90, bounds_of(scene)), pilot());
 }
 
 // What tone_map makes of a radiance before its shoulder: a power about 0.31.
@@ -103,7 +104,8 @@ TEST_CASE("exposure: where a bright sky is over half of the picture, the floor u
   Camera level = scene.cameras.front();
   scene.meshes = {box({-1.0, -0.1, -1.0}, {1.0, 0.0, 0.0}, 0)};
   scene.cameras = {level};
-  const auto whole = exposure_of(scene, {}, view_of(camera_down(2.0, 2.0), 160, 90, bounds_of(scene)));
+  const auto whole =
+      exposure_of(scene, {}, view_of(camera_down(2.0, 2.0), 160, 90, bounds_of(scene)), pilot());
   CHECK(static_cast<double>(whole.factor) * 2.3 == Approx(0.31 * 1.15).epsilon(1e-3));
 }
 
@@ -122,5 +124,5 @@ TEST_CASE("exposure: it asks neither for the grid nor for the picture's size, an
 TEST_CASE("exposure: a scene without light, and one without anything, have a finite one") {
   Scene dark = lit_floor(0.0f);
   CHECK(std::isfinite(exposure_for(dark).factor));
-  CHECK(exposure_of(Scene{}, {}, {}).factor > 0.0f);
+  CHECK(exposure_of(Scene{}, {}, {}, pilot()).factor > 0.0f);
 }

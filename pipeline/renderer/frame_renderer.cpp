@@ -95,13 +95,14 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
   const Effects effects = effects_of(scene_, *asked_);
   on_device_ = std::make_unique<SceneOnDevice>(scene_, effects, device_);
   if (options_.pilot) on_pilot_ = std::make_unique<SceneOnDevice>(scene_, effects, *options_.pilot);
-  pilot_ = std::make_unique<LightPilot>(on_pilot_ ? *on_pilot_ : *on_device_, registry_);
+  pilot_ = std::make_unique<LightPilot>(on_pilot(), registry_);
   inputs_.settings = &frame_.settings;
   inputs_.effects = &frame_.effects;
   inputs_.views = &frame_.views;
   inputs_.exposure = options_.exposure
                          ? *options_.exposure
-                         : exposure_of(scene_, *asked_, camera_view(scene_, options_.camera, *asked_));
+                         : exposure_of(scene_, *asked_, camera_view(scene_, options_.camera, *asked_),
+                                       {options_.pilot ? *options_.pilot : device_, registry_});
   judge_and_plan();
   if (effects.water_waves.active) water_ = std::make_unique<MovingWater>(scene_, device_, registry_);
   make_targets();

@@ -78,6 +78,9 @@ class FrameRenderer {
   const std::vector<LightViews>& views() const { return frame_.views; }
   const FrameInputs& inputs() const { return inputs_; }
   const SceneOnDevice& on_device() const { return *on_device_; }
+  // Likewise, on the device on which the lights' views are fitted.
+  const SceneOnDevice& on_pilot() const { return on_pilot_ ? *on_pilot_ : *on_device_; }
+  const Registry& registry() const { return registry_; }
   Device& device() const { return device_; }
   bool has_waters() const { return water_ != nullptr; }
 

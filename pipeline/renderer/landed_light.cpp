@@ -17,13 +17,17 @@ double brightest_channel(const glm::dvec3& v) { return std::max({v.x, v.y, v.z})
 
 }  // namespace
 
-LandedLight::LandedLight(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
+LandedLight::LandedLight(const Scene& scene, const Settings& settings, const Pilot& pilot)
+    : scene_(scene), settings_(settings), pilot_(pilot) {}
 
 std::vector<Landed> LandedLight::find(int step) {
   const Effects effects = effects_of(scene_, settings_);
   std::vector<Landed> landed;
   if (!effects.caustics.active) return landed;
-  if (!paths_) paths_.emplace(scene_, effects);
+  if (!paths_) {
+    tables_.emplace(scene_, effects, pilot_.device, true);
+    paths_.emplace(*tables_, effects, settings_, pilot_.registry);
+  }
   Settings even = settings_;  // whatever the frame's grid is: the same rays, the same sun and camera
   even.grid = kPilotRaysASide;
   const glm::dvec3 middle = subject_of(scene_).centre();
@@ -34,7 +38,7 @@ std::vector<Landed> LandedLight::find(int step) {
     const Light& light = scene_.lights[static_cast<std::size_t>(number)];
     const View casters = widest_views(scene_, effects, even, number).caster;
     landings.clear();
-    for (const LightRay& ray : pilot_rays(light, casters, step)) paths_->follow(ray, landings);
+    paths_->follow(pilot_rays(light, casters, step), landings);
     double all = 0.0;
     for (const LightLanding& landing : landings) all += brightest_channel(landing.flux);
     const double away = casters.perspective ? exact::length(middle - light.position) : 1.0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/measure/light_paths.hpp"
+#include "pipeline/renderer/pilot.hpp"
 #include "pipeline/scene/scene.hpp"
 
 namespace caustics {
@@ -21,7 +22,7 @@ struct Landed {
 // The scene must outlive it and keep its meshes and materials; its lights may be others for each search.
 class LandedLight {
  public:
-  LandedLight(const Scene& scene, const Settings& settings);
+  LandedLight(const Scene& scene, const Settings& settings, const Pilot& pilot);
   // By any number of surfaces; by each ray, or each `step`th along each side of their square.
   std::vector<Landed> find(int step = 1);
   // Does a caster stand on the way from p in this direction, up to that distance? None before find() was
@@ -33,6 +34,8 @@ class LandedLight {
  private:
   const Scene& scene_;
   const Settings& settings_;
+  Pilot pilot_;
+  std::optional<RayTables> tables_;
   std::optional<LightPaths> paths_;
 };
 

@@ -3,6 +3,7 @@
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/shapes.hpp"
 
 using namespace caustics;
@@ -32,8 +33,8 @@ TEST_CASE("landed light: the same rays are followed whatever the grid is") {
   const Scene scene = ball();
   Settings fine, coarse;
   coarse.grid = 64;
-  const std::vector<Landed> by_fine = LandedLight(scene, fine).find(),
-                            by_coarse = LandedLight(scene, coarse).find();
+  const std::vector<Landed> by_fine = LandedLight(scene, fine, pilot()).find(),
+                            by_coarse = LandedLight(scene, coarse, pilot()).find();
   REQUIRE(by_fine.size() == by_coarse.size());
   REQUIRE_FALSE(by_fine.empty());
   for (std::size_t i = 0; i < by_fine.size(); ++i) CHECK(by_fine[i].position == by_coarse[i].position);
@@ -42,7 +43,7 @@ TEST_CASE("landed light: the same rays are followed whatever the grid is") {
 TEST_CASE("landed light: a quarter of the rays tells where it lands, and how much") {
   const Scene scene = ball();
   const Settings settings;
-  LandedLight light(scene, settings);
+  LandedLight light(scene, settings, pilot());
   const std::vector<Landed> by_all = light.find(), by_some = light.find(2);
   CHECK(by_some.size() < by_all.size() / 3);
   CHECK(glm::length(middle_of(by_all) - middle_of(by_some)) < 0.1);
@@ -57,7 +58,7 @@ TEST_CASE("landed light: a quarter of the rays tells where it lands, and how muc
 TEST_CASE("landed light: a sun that has been turned lands its light elsewhere") {
   Scene scene = ball();
   const Settings settings;
-  LandedLight light(scene, settings);
+  LandedLight light(scene, settings, pilot());
   CHECK(middle_of(light.find()).x > 0.2);
   set_sun(scene, subject_of(scene), {-0.5, -0.8660254, 0.0}, 10.0f);
   CHECK(middle_of(light.find()).x < -0.2);

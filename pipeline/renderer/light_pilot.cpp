@@ -231,26 +231,21 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const P
   };
   std::map<int, Landed> landed;
   double whole = 0.0;
-  std::vector<LightLanding> landings;
-  std::vector<int> meshes;  // by landing: the caster that its light met first
-  for (const LightRay& ray : pilot_rays(light, caster, step)) {
-    glm::dvec3 astray(0.0);
-    const int mesh = paths.follow(ray, landings, &astray);
-    meshes.resize(landings.size(), mesh);
-    if (const double flux = (astray.x + astray.y) + astray.z; flux > 0.0) {
-      landed[mesh].all += flux;
-      whole += flux;
-    }
+  std::vector<LightLanding> landings, astray;
+  paths.follow(pilot_rays(light, caster, step), landings, 0.0, &astray);
+  for (const LightLanding& other : astray) {
+    landed[other.first].all += flux_of(other);
+    whole += flux_of(other);
   }
   const glm::dvec3 looks = way_to_landings(light, caster, landings);
   double shown = 0.0, shown_simply = 0.0;
-  for (std::size_t i = 0; i < landings.size(); ++i) {
-    const double flux = flux_of(landings[i]);
-    Landed& sum = landed[meshes[i]];
+  for (const LightLanding& landing : landings) {
+    const double flux = flux_of(landing);
+    Landed& sum = landed[landing.first];
     sum.all += flux;
-    const double in_picture = flux * size_in_picture(paths, views.camera, landings[i].position);
+    const double in_picture = flux * size_in_picture(paths, views.camera, landing.position);
     shown += in_picture;
-    if (landings[i].followed && (looks == glm::dvec3(0.0) || shows(caster, landings[i].position))) {
+    if (landing.followed && (looks == glm::dvec3(0.0) || shows(caster, landing.position))) {
       sum.simple += flux;
       shown_simply += in_picture;
     }
@@ -326,7 +321,7 @@ std::vector<LightViews> LightPilot::fit(const Effects& effects, const Settings& 
 std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, const Settings& settings,
                                                      const View* camera) const {
   const Scene& scene = scene_.scene();
-  const LightPaths paths(scene, effects);
+  const LightPaths paths(scene_.tables(), effects, settings, registry_);
   std::vector<FurtherShare> shares;
   Settings coarse = settings;
   coarse.grid = kCoarseGrid;

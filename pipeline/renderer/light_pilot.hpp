@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/measure/landing_survey.hpp"
+#include "pipeline/plan/pass.hpp"
 #include "pipeline/renderer/scene_on_device.hpp"
 
 namespace caustics {

@@ -93,9 +93,9 @@ class PassRunner {
                         .exposure = inputs_.exposure.factor,
                         .contrast = inputs_.exposure.contrast,
                         .drawn_for = planned.drawn_for};
-    context.first_receiver = scene_.first_receiver();
-    context.first_uv = scene_.first_uv();
-    context.touch = scene_.touch();
+    context.first_receiver = scene_.tables().first_receiver();
+    context.first_uv = scene_.tables().first_uv();
+    context.touch = scene_.tables().touch();
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);
       context.light = &scene_.scene().lights[light];
@@ -121,8 +121,8 @@ class PassRunner {
       context.mesh = &scene.meshes[i];
       context.mesh_index = static_cast<int>(i);
       context.material = &scene.materials[static_cast<std::size_t>(context.mesh->material)];
-      context.material_row = scene_.material_row(context.mesh_index);
-      context.first_triangle = scene_.first_triangle(context.mesh_index);
+      context.material_row = scene_.tables().material_row(context.mesh_index);
+      context.first_triangle = scene_.tables().first_triangle(context.mesh_index);
       add_mesh_draw(pass, planned, context, run);
     }
   }

@@ -4,10 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/effects/ray_tables.hpp"
 #include "pipeline/gpu/owned.hpp"
-#include "pipeline/plan/pass.hpp"
-#include "pipeline/scene/caster_texels.hpp"
-#include "pipeline/scene/hierarchy_tables.hpp"
 
 namespace caustics {
 
@@ -33,36 +31,17 @@ class SceneOnDevice {
   TextureId image(int index) const;                   // None for index -1
   TextureId coarser(int index) const;                 // its mip levels but for the first; None: it has none
   TextureId external(const std::string& name) const;  // kCasterMaterials, kEnvironment, a water's, or None
-  // The row of a caster's material in kCasterMaterials; 0 for meshes that are no casters.
-  int material_row(int mesh) const { return rows_[static_cast<std::size_t>(mesh)]; }
-
-  // Of the hierarchy over all casters and receivers (pipeline/scene/hierarchy_tables.hpp): it is made when
-  // one of its textures is first asked for.
-  int first_triangle(int mesh) const {
-    return static_cast<int>(first_triangles_[static_cast<std::size_t>(mesh)]);
-  }
-  int first_receiver() const { return first_receiver_; }
-  int first_uv() const { return first_uv_; }
-  // Metres: surfaces that are as near touch.
-  float touch() const { return touch_; }
+  // What rays read of it.
+  const RayTables& tables() const { return tables_; }
 
  private:
-  void upload_caster_materials(const Effects& effects);
-  CasterTexels upload_caster_texels(const Effects& effects);
-  void number_triangles(const Effects& effects);
-  void upload_hierarchy() const;
-
   const Scene& scene_;
   Device& device_;
+  RayTables tables_;
   std::vector<OwnedMesh> meshes_;
   std::vector<OwnedTexture> images_;
   std::map<int, OwnedTexture> coarser_;
-  std::vector<int> rows_;
-  HierarchyMeshes hierarchy_;
-  std::vector<std::int64_t> first_triangles_;
-  int first_receiver_ = 0, first_uv_ = 0;
-  float touch_ = 0.0f;
-  mutable std::map<std::string, OwnedTexture> externals_;
+  std::map<std::string, OwnedTexture> externals_;
 };
 
 }  // namespace caustics

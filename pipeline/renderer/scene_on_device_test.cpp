@@ -14,8 +14,8 @@ TEST_CASE("scene on device: each caster has a row of its own, whatever its mater
   scene.meshes.push_back(sphere({2.0, 0.8, 0.0}, 0.5, 1, 1));
   const auto device = make_software_device({.threads = 1});
   const SceneOnDevice on_device(scene, effects_of(scene, {}), *device);
-  CHECK(on_device.material_row(1) == 0);
-  CHECK(on_device.material_row(2) == 1);
+  CHECK(on_device.tables().material_row(1) == 0);
+  CHECK(on_device.tables().material_row(2) == 1);
 }
 
 TEST_CASE("scene on device: the software device reads images where they lie, and draws into none") {

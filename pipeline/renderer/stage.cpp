@@ -84,8 +84,12 @@ std::vector<glm::dvec3> bright_part(const std::vector<Landed>& landed, const glm
 
 class Stage {
  public:
-  Stage(Scene& scene, const Settings& settings)
-      : scene_(scene), settings_(settings), around_(surroundings_of(scene)), subject_(around_.thing) {
+  Stage(Scene& scene, const Settings& settings, const Pilot& pilot)
+      : scene_(scene),
+        settings_(settings),
+        pilot_(pilot),
+        around_(surroundings_of(scene)),
+        subject_(around_.thing) {
     if (subject_.empty()) {
       subject_.add(glm::dvec3(-0.5));
       subject_.add(glm::dvec3(0.5));
@@ -99,7 +103,7 @@ class Stage {
     const std::optional<double> height = ground_height();
     const bool tries = settings_.ground.wish == Ground::Wish::Auto && around_.has_floor;
     if (height) add_ground(scene_, subject_, *height);
-    LandedLight light(scene_, settings_);
+    LandedLight light(scene_, settings_, pilot_);
     if (completed_.lights) place_sun(light);
     if ((height && tries) || completed_.cameras) landed_ = light.find();
     if (height) keep_ground(*height, tries);
@@ -294,6 +298,7 @@ class Stage {
 
   Scene& scene_;
   const Settings& settings_;
+  const Pilot pilot_;
   Surroundings around_;
   Bounds subject_;  // what is shown
   std::vector<Landed> landed_;
@@ -302,6 +307,8 @@ class Stage {
 
 }  // namespace
 
-Completed complete_scene(Scene& scene, const Settings& settings) { return Stage(scene, settings).complete(); }
+Completed complete_scene(Scene& scene, const Settings& settings, const Pilot& pilot) {
+  return Stage(scene, settings, pilot).complete();
+}
 
 }  // namespace caustics

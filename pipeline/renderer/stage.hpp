@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/renderer/pilot.hpp"
 #include "pipeline/scene/scene.hpp"
 
 namespace caustics {
@@ -35,6 +36,6 @@ struct Completed {
 // - a sky where there is no environment (pipeline/scene/defaults.hpp).
 // A sun that lights no floor is noted.
 // Throws Error, as effects_of does.
-Completed complete_scene(Scene& scene, const Settings& settings);
+Completed complete_scene(Scene& scene, const Settings& settings, const Pilot& pilot);
 
 }  // namespace caustics

@@ -7,6 +7,7 @@
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/shapes.hpp"
 
 using namespace caustics;
@@ -41,7 +42,7 @@ glm::dvec2 shown_at(const Camera& camera, const glm::dvec3& p) {
 TEST_CASE("stage: a bare glass object gets a ground, a sun, a camera and a sky, and says so") {
   Scene scene = ball();
   scene.notes = {"loaded"};
-  const Completed completed = complete_scene(scene, {});
+  const Completed completed = complete_scene(scene, {}, pilot());
   CHECK(completed.lights);
   CHECK(completed.cameras);
   const Mesh* ground = ground_of(scene);
@@ -68,7 +69,7 @@ TEST_CASE("stage: a bare glass object gets a ground, a sun, a camera and a sky, 
 
 TEST_CASE("stage: the added camera shows the object and the focus of its light, and nothing much larger") {
   Scene scene = ball();
-  complete_scene(scene, {});
+  complete_scene(scene, {}, pilot());
   const Camera& camera = scene.cameras.at(0);
   glm::dvec2 most(0.0);
   for (const Vertex& vertex : scene.meshes[0].vertices)
@@ -113,7 +114,7 @@ TEST_CASE("stage: the added camera shows all of every scene but its floor, at an
       Settings settings;
       settings.width = width;
       settings.height = height;
-      complete_scene(scene, settings);
+      complete_scene(scene, settings, pilot());
       const Camera& camera = scene.cameras.at(0);
       glm::dvec2 most(0.0);
       double nearest = std::numeric_limits<double>::infinity();
@@ -154,7 +155,7 @@ TEST_CASE("stage: the added camera stands inside a room whose walls would hide t
     room.inside_out = walls.inside_out;
     Scene scene = ball({room});
     scene.materials[0].double_sided = walls.double_sided;
-    complete_scene(scene, {});
+    complete_scene(scene, {}, pilot());
     const Camera& camera = scene.cameras.at(0);
     const glm::dvec3 from_middle = glm::abs(camera.position);
     const bool inside = std::max(from_middle.x, from_middle.z) < 2.5 && camera.position.y < 3.0;
@@ -173,7 +174,7 @@ TEST_CASE("stage: the added camera shows the shadow on an added ground") {
   Scene scene = ball();
   Settings settings;
   set_option(settings, "sun", "217,35");  // behind the ball: its shadow comes towards the camera
-  complete_scene(scene, settings);
+  complete_scene(scene, settings, pilot());
   const glm::dvec3 d = scene.lights[0].direction;
   for (const Vertex& vertex : scene.meshes[0].vertices) {
     const glm::dvec3 p(vertex.position);
@@ -186,9 +187,9 @@ TEST_CASE("stage: the added camera shows the shadow on an added ground") {
 TEST_CASE("stage: sun and camera stand where they do whatever the grid is") {
   Scene fine = ball(), coarse = ball();
   Settings settings;
-  complete_scene(fine, settings);
+  complete_scene(fine, settings, pilot());
   settings.grid = 64;
-  complete_scene(coarse, settings);
+  complete_scene(coarse, settings, pilot());
   CHECK(fine.lights[0].direction == coarse.lights[0].direction);
   CHECK(fine.cameras.at(0).position == coarse.cameras.at(0).position);
 }
@@ -196,8 +197,8 @@ TEST_CASE("stage: sun and camera stand where they do whatever the grid is") {
 TEST_CASE("stage: a ground is added where the light lands beside what is there") {
   // A floor beneath catches all of it; a shelf of the same size beside the ball nothing.
   Scene caught = ball({floor(4.0, -1.5, 0)}), missed = ball({box({5.0, -1.0, -1.0}, {5.5, 1.0, 1.0}, 0)});
-  complete_scene(caught, {});
-  complete_scene(missed, {});
+  complete_scene(caught, {}, pilot());
+  complete_scene(missed, {}, pilot());
   CHECK_FALSE(ground_of(caught));
   CHECK(caught.materials.size() == 2);
   CHECK(ground_of(missed));
@@ -208,12 +209,12 @@ TEST_CASE("stage: a ground is laid where it is asked for, at a height of the fil
   Scene scene = ball({floor(4.0, -1.5, 0)});
   scene.origin = {0.0, 2.0, 0.0};
   set_option(settings, "ground", "-1");
-  complete_scene(scene, settings);
+  complete_scene(scene, settings, pilot());
   REQUIRE(ground_of(scene));
   CHECK(ground_of(scene)->upper.y == Approx(-3.0));
   set_option(settings, "ground", "off");
   Scene bare = ball();
-  complete_scene(bare, settings);
+  complete_scene(bare, settings, pilot());
   CHECK_FALSE(ground_of(bare));
 }
 
@@ -221,7 +222,7 @@ TEST_CASE("stage: opaque things that stand on nothing get a ground, those on a f
   Scene flying = ball(), standing = ball({floor(2.5, -1.0, 0)});
   for (Scene* scene : {&flying, &standing}) {
     scene->meshes.back().material = 0;
-    complete_scene(*scene, {});
+    complete_scene(*scene, {}, pilot());
   }
   CHECK(ground_of(flying));
   CHECK_FALSE(ground_of(standing));
@@ -233,8 +234,8 @@ TEST_CASE("stage: a base, a plinth or a tray that catches all the light is no fl
     scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
     Scene shown = scene;
     shown.cameras = {camera_down(4.0, 2.0)};
-    complete_scene(scene, {});
-    complete_scene(shown, {});
+    complete_scene(scene, {}, pilot());
+    complete_scene(shown, {}, pilot());
     REQUIRE(ground_of(scene));
     REQUIRE(ground_of(shown));
     // It lies a thousandth of the extent, at most 3.8 m, below.
@@ -249,7 +250,7 @@ TEST_CASE("stage: no ground comes between the scene and its own camera below, no
   rolled.cameras[0].right = {0.0, 1.0, 0.0};
   rolled.cameras[0].forward = {0.0, 0.0, -1.0};
   rolled.cameras[0].up = {-1.0, 0.0, 0.0};
-  for (Scene* scene : {&below, &above, &rolled}) complete_scene(*scene, {});
+  for (Scene* scene : {&below, &above, &rolled}) complete_scene(*scene, {}, pilot());
   CHECK_FALSE(ground_of(below));
   CHECK_FALSE(ground_of(rolled));
   CHECK(ground_of(above));
@@ -260,7 +261,7 @@ TEST_CASE("stage: a sun that stands level or below is noted, one that lights a f
     Scene scene = ball({floor(4.0, -1.5, 0)});
     Settings settings;
     set_option(settings, "sun", stands);
-    complete_scene(scene, settings);
+    complete_scene(scene, settings, pilot());
     std::string notes;
     for (const std::string& note : scene.notes) notes += note;
     return notes;
@@ -277,7 +278,7 @@ TEST_CASE("stage: a sun and a view that are asked for take the place of the scen
   Scene scene = ball({floor(4.0, -1.5, 0)});
   scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f), sun({0.0, -1.0, 0.0}, 1.0f)};
   scene.cameras = {camera_down(0.2, 1.0)};
-  const Completed completed = complete_scene(scene, settings);
+  const Completed completed = complete_scene(scene, settings, pilot());
   CHECK(completed.lights);
   CHECK(completed.cameras);
   REQUIRE(scene.lights.size() == 1);
@@ -293,13 +294,13 @@ TEST_CASE("stage: a sun that is added gives as much more than an environment ima
   Scene scene = ball();
   scene.environment.image = Image(Format::RGBA32F, 64, 32);
   for (float& value : scene.environment.image->values) value = 10.0f;
-  const Completed completed = complete_scene(scene, {});
+  const Completed completed = complete_scene(scene, {}, pilot());
   // 10 nit from everywhere are 10 pi lux, of a studio 30 % of the sun.
   CHECK(scene.lights.at(0).intensity == Approx(10.0 * 3.14159265 / 0.3).epsilon(0.02));
   CHECK(completed.added.at(0).starts_with("a sun of 10"));
   Settings settings;
   set_option(settings, "sun", "90,30,5");
-  complete_scene(scene, settings);
+  complete_scene(scene, settings, pilot());
   CHECK(scene.lights.at(0).intensity == 5.0f);
 }
 
@@ -308,7 +309,7 @@ TEST_CASE("stage: what the scene has is kept") {
   scene.lights = {sun({0.0, -1.0, 0.0}, 1.0f)};
   scene.cameras = {camera_down(0.2, 1.0)};
   scene.environment.zenith = glm::vec3(1);
-  const Completed completed = complete_scene(scene, {});
+  const Completed completed = complete_scene(scene, {}, pilot());
   CHECK_FALSE(completed.lights);
   CHECK_FALSE(completed.cameras);
   CHECK(scene.meshes.size() == 2);
@@ -344,8 +345,8 @@ TEST_CASE("stage: what moves is framed by where it comes to, not by its bounds' 
   mesh.upper = glm::vec3(3.0f, 3.0f, 1.0f);
   Scene by_outline = by_corners;
   by_outline.meshes.back().outline = {{3.0f, 0.0f, 0.0f}, {0.0f, 3.0f, 0.0f}};
-  complete_scene(by_corners, {});
-  complete_scene(by_outline, {});
+  complete_scene(by_corners, {}, pilot());
+  complete_scene(by_outline, {}, pilot());
   const Camera& camera = by_outline.cameras.at(0);
   CHECK(glm::length(camera.position) < 0.95 * glm::length(by_corners.cameras.at(0).position));
   for (const glm::dvec3 p : {glm::dvec3(3, 0, 0), glm::dvec3(0, 3, 0)}) {
@@ -356,7 +357,7 @@ TEST_CASE("stage: what moves is framed by where it comes to, not by its bounds' 
 
 TEST_CASE("stage: a scene without anything still gets a light and a camera") {
   Scene scene;
-  complete_scene(scene, {});
+  complete_scene(scene, {}, pilot());
   CHECK(scene.meshes.empty());
   CHECK(scene.lights.size() == 1);
   CHECK(scene.cameras.size() == 1);

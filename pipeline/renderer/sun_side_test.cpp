@@ -6,6 +6,7 @@
 #include "pipeline/scene/defaults.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/shapes.hpp"
 
 using namespace caustics;
@@ -29,7 +30,7 @@ Scene ball(bool board) {
 
 SunSide side_of(Scene scene, const glm::dvec3& toward_camera = kFront) {
   const Settings settings;
-  LandedLight landed(scene, settings);
+  LandedLight landed(scene, settings, pilot());
   return sun_side(scene, landed, toward_camera, kFront);
 }
 

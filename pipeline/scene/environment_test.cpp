@@ -5,6 +5,7 @@
 #include "pipeline/renderer/exposure.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/run_pass.hpp"
 
 using namespace caustics;
@@ -25,7 +26,9 @@ Scene in_sun(float lux) {
   return scene;
 }
 
-double factor_of(const Scene& scene) { return static_cast<double>(exposure_of(scene, {}, {}).factor); }
+double factor_of(const Scene& scene) {
+  return static_cast<double>(exposure_of(scene, {}, {}, pilot()).factor);
+}
 
 }  // namespace
 

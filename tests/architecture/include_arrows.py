@@ -26,7 +26,9 @@ MAY = {
     'lab/study': {'lab/metrics', 'pipeline'},
     'lab/paper': {'lab/reference', 'pipeline'},
     'app': {'passes', 'raster', 'gl_backend', 'lab', 'pipeline'},
-    'tests/fuzz': {'passes', 'raster', 'pipeline'},
+    'tests/fuzz': {'passes', 'raster', 'pipeline', 'tests/support'},
+    'tests/support': {'passes', 'raster', 'gl_backend', 'lab', 'pipeline', 'tests/raster'},
+    'tests/raster': {'passes', 'raster', 'pipeline', 'tests/support'},
 }
 
 # Libraries that only some rooms may name: the others build and run without them.

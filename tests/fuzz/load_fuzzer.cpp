@@ -2,6 +2,7 @@
 #include "pipeline/renderer/stage.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/fuzz/fuzzed_scene.hpp"
+#include "tests/support/pilot.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace caustics;
@@ -12,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (const auto later = scene_at(*animated, 0.37 * animated->duration())) check_sound(*later);
   Scene scene = animated->start();
   try {
-    complete_scene(scene, Settings{});
+    complete_scene(scene, Settings{}, test::pilot());
     check_sound(scene);
   } catch (const Error& error) {
     // Water that is no refractor, for example.

@@ -14,6 +14,7 @@
 #include "pipeline/settings/check_settings.hpp"
 #include "raster/software_device.hpp"
 #include "tests/fuzz/fuzzed_scene.hpp"
+#include "tests/support/pilot.hpp"
 
 namespace caustics::fuzz {
 
@@ -154,7 +155,7 @@ bool render_frame(Scene scene, const Settings& settings, double seconds) {
   if (settings.emissive_lights == EmissiveLights::On) add_emissive_lights(scene);
   sample_lights(scene, settings.light_samples);
   try {
-    complete_scene(scene, settings);
+    complete_scene(scene, settings, test::pilot());
     if (scene.lights.size() > kMostLights) return false;
     TinyFrame frame(std::move(scene), settings, seconds);
     frame.run();

@@ -7,6 +7,7 @@
 #include "tests/gl/faulty_driver.hpp"
 #include "tests/gl/gl_or_skip.hpp"
 #include "tests/support/device_contracts.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 const Settings kSettings = through_two_surfaces(small_settings(16, 16, 8));
 
 std::string frame_on(Device& device) {
-  return sha256(render_on(device, sphere_scene(1.5f, 2), kSettings, {})["picture"]);
+  return sha256(render_on(device, sphere_scene(1.5f, 2), kSettings, {}, &pilot().device)["picture"]);
 }
 
 const GlOptions kWithAll = {.measure = true, .debug = true};

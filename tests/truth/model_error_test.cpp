@@ -3,6 +3,7 @@
 
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/pilot.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -16,7 +17,8 @@ ErrorEstimate judged(const Scene& scene, int rays = 4096, Interfaces interfaces 
   settings.interfaces = interfaces;
   const Rendering frame = render(scene, settings, {"caustic", "view_position"});
   const Camera& camera = scene.cameras.front();
-  const LightPaths paths(scene, frame.effects);
+  const RayTables tables(scene, frame.effects, pilot().device);
+  const LightPaths paths(tables, frame.effects, settings, pilot().registry);
   const PictureBlocks blocks(frame["view_position"],
                              view_of(camera, settings.width, settings.height, bounds_of(scene)));
   const std::string light = "[" + scene.lights.front().name + "]";
@@ -46,8 +48,9 @@ Scene slabs(int count) {
 TEST_CASE("model error: a slab lacks what its surfaces mirror to and fro") {
   const ErrorEstimate error = judged(slabs(1));
   // (1 - R) / (1 + R) lands, (1 - R)^2 of it by the passes, R = 0.04: 0.9216 of 0.92308.
+  // Of 4096 rays 157 land so, by draws: +- 8 %, twice that at most.
   CHECK(error.relative(error.model) ==
-        Approx(1.0 - 0.9216 / (0.96 / 1.04)).margin(error.relative(error.sampling)));
+        Approx(1.0 - 0.9216 / (0.96 / 1.04)).margin(error.relative(error.sampling) + 2.5e-4));
   CHECK(error.relative(error.sampling) < 1e-3);
   CHECK(error.relative(error.not_followed) == Approx(1.0 - 0.9216 / (0.96 / 1.04)).margin(5e-4));
   CHECK(error.missing == 0.0);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "pipeline/effects/dressed_optics.hpp"
+#include "lab/reference/tracer/optics.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/in_pieces.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "lab/reference/tracer/optics.hpp"
 #include "lab/reference/tracer/rays.hpp"
-#include "pipeline/effects/optics.hpp"
 
 namespace caustics::tracer {
 

@@ -1,14 +1,31 @@
-#include "pipeline/effects/dressed_optics.hpp"
+#include "lab/reference/tracer/optics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/effects/bodies.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/scene/material_optics.hpp"
 
-namespace caustics {
+namespace caustics::tracer {
 
 namespace {
+
+Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {
+  Optics o{.role = surface.role, .solid = surface.two_interfaces, .ior = static_cast<double>(material.ior)};
+  if (surface.role == Role::Mirror) {
+    o.color = glm::dvec3(metal_reflectance(material));
+    return o;
+  }
+  o.spread = static_cast<double>(main_dispersion(material));
+  o.color = glm::dvec3(glm::vec3(material.base_color) * transmitted_share(material));
+  if (surface.role == Role::Refractor && surface.rough)
+    o.alpha = static_cast<double>(material.roughness) * static_cast<double>(material.roughness);
+  o.fresnel = static_cast<double>(material.fresnel_factor);
+  o.thin = surface.thin;
+  if (surface.role == Role::Refractor && !surface.thin) o.absorption = glm::dvec3(absorption_of(material));
+  return o;
+}
 
 // The texel that a whole number means beyond the picture's sides too (glTF 2.0, 5.26).
 int wrapped(std::int64_t i, int side, Wrap mode) {
@@ -42,6 +59,17 @@ glm::dvec4 sampled(const Scene& scene, const TextureUse& use, const glm::dvec2& 
 }
 
 }  // namespace
+
+std::vector<Optics> optics_of(const Scene& scene, const Effects& effects) {
+  const std::vector<int> bodies = bodies_of(scene);
+  std::vector<Optics> all;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const auto material = static_cast<std::size_t>(scene.meshes[i].material);
+    all.push_back(optics_of_surface(scene.materials[material], effects.surfaces[i]));
+    all.back().body = bodies[i];
+  }
+  return all;
+}
 
 bool is_dressed(const Material& material) {
   return material.base_color_texture.present() || material.transmission_texture.present() ||
@@ -80,4 +108,4 @@ Optics dressed(const Scene& scene, const Material& material, const Optics& plain
   return optics;
 }
 
-}  // namespace caustics
+}  // namespace caustics::tracer

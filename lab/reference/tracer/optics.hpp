@@ -1,11 +1,11 @@
-// What each mesh does to a ray of light, for whoever follows rays through a scene's triangles.
+// What each mesh does to a ray of light, and what its textures change where the ray meets it. In double
+// precision, and shared with no pass.
 #pragma once
-#include <string>
 #include <vector>
 
 #include "pipeline/effects/effects.hpp"
 
-namespace caustics {
+namespace caustics::tracer {
 
 // The numbers are those that the passes work with (pipeline/renderer/scene_on_device.hpp).
 struct Optics {
@@ -25,8 +25,18 @@ struct Optics {
 // By Scene::meshes.
 std::vector<Optics> optics_of(const Scene& scene, const Effects& effects);
 
-// What in the scene following rays does not show: textures that lean normals, tint or cut holes, waves, haze.
-// "textured casters (...)", with the reason; empty where it shows everything.
-std::string not_in_triangles(const Scene& scene, const Effects& effects);
+// Does the material have textures that change what light does at a caster?
+bool is_dressed(const Material& material);
 
-}  // namespace caustics
+// Is the surface cut out there by its alpha mask (glTF 2.0, 3.9.4)? By the nearest texel, as `render` has it.
+bool is_cut_out(const Scene& scene, const Material& material, const glm::dvec2& uv);
+
+// The unit normal as the normal texture leans it around the unit normal n (glTF 2.0, 3.9.3), kept on n's
+// side.
+glm::dvec3 leaned(const Scene& scene, const Material& material, const glm::dvec3& n,
+                  const glm::dvec4& tangent, const glm::dvec2& uv);
+
+// `plain`: what the material does where its textures are white.
+Optics dressed(const Scene& scene, const Material& material, const Optics& plain, const glm::dvec2& uv);
+
+}  // namespace caustics::tracer

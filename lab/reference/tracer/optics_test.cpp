@@ -1,8 +1,9 @@
-#include "pipeline/effects/dressed_optics.hpp"
+#include "lab/reference/tracer/optics.hpp"
 
 #include "tests/support/catch.hpp"
 
 using namespace caustics;
+using namespace caustics::tracer;
 
 namespace {
 
@@ -31,13 +32,13 @@ double red_at(const Material& material, double u) {
 
 }  // namespace
 
-TEST_CASE("dressed optics: between two texels' middles glass has the mixture of their colours") {
+TEST_CASE("tracer optics: between two texels' middles glass has the mixture of their colours") {
   CHECK(red_at(textured(), 0.25) == Approx(0.2));
   CHECK(red_at(textured(), 0.5) == Approx(0.4));
   CHECK(red_at(textured(), 0.625) == Approx(0.5));
 }
 
-TEST_CASE("dressed optics: beyond its sides a picture is repeated, mirrored, or goes on as its border") {
+TEST_CASE("tracer optics: beyond its sides a picture is repeated, mirrored, or goes on as its border") {
   CHECK(red_at(textured(), 1.25) == Approx(0.2));
   CHECK(red_at(textured(), 0.0) == Approx(0.4));
   CHECK(red_at(textured(Wrap::Mirror), 1.25) == Approx(0.6));
@@ -46,20 +47,20 @@ TEST_CASE("dressed optics: beyond its sides a picture is repeated, mirrored, or 
   CHECK(red_at(textured(Wrap::Clamp), 7.0) == Approx(0.6));
 }
 
-TEST_CASE("dressed optics: a metal mirrors its base colour, and the dielectric share as it is") {
+TEST_CASE("tracer optics: a metal mirrors its base colour, and the dielectric share as it is") {
   Material material = textured();
   material.metallic = 0.5f;
   const Optics plain{.role = Role::Mirror, .ior = 1.5};
   CHECK(dressed(with_two_texels(), material, plain, {0.25, 0.5}).color.x == Approx(0.04 * 0.5 + 0.2 * 0.5));
 }
 
-TEST_CASE("dressed optics: a transmission texture's red is the share that passes") {
+TEST_CASE("tracer optics: a transmission texture's red is the share that passes") {
   Material material = textured();
   material.transmission_texture = material.base_color_texture;
   CHECK(red_at(material, 0.25) == Approx(0.2 * 0.2));
 }
 
-TEST_CASE("dressed optics: the nearest texel's opacity tells whether there is a hole") {
+TEST_CASE("tracer optics: the nearest texel's opacity tells whether there is a hole") {
   Material material = textured();
   const Scene scene = with_two_texels();
   CHECK_FALSE(is_cut_out(scene, material, {0.7, 0.5}));
@@ -68,7 +69,7 @@ TEST_CASE("dressed optics: the nearest texel's opacity tells whether there is a 
   CHECK_FALSE(is_cut_out(scene, material, {0.45, 0.5}));
 }
 
-TEST_CASE("dressed optics: a normal texture leans the normal along the tangent, by its scale") {
+TEST_CASE("tracer optics: a normal texture leans the normal along the tangent, by its scale") {
   Scene scene;
   Image image(Format::RGBA32F, 1, 1);
   image.values = {0.8f, 0.5f, 0.9f, 1.0f};

@@ -1,0 +1,67 @@
+// What rays that go from surface to surface read of a scene: tables on a device.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "pipeline/effects/effects.hpp"
+#include "pipeline/gpu/owned.hpp"
+#include "pipeline/scene/caster_texels.hpp"
+#include "pipeline/scene/hierarchy_tables.hpp"
+
+namespace caustics {
+
+// The scene and the device must outlive it. Casters have rows of materials and pictures at once; the
+// hierarchy over all casters and receivers is made when one of its textures is first asked for.
+class RayTables {
+ public:
+  // `waters`: is moving water in the hierarchy, as it stands? Else nothing meets it: a tree of its waves
+  // would have to be made anew for each frame.
+  RayTables(const Scene& scene, const Effects& effects, Device& device, bool waters = false);
+  RayTables(const RayTables&) = delete;
+  RayTables& operator=(const RayTables&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  Device& device() const { return device_; }
+  // Meshes have moved.
+  void renew() { hierarchy_.reset(); }
+
+  TextureId materials() const { return materials_.id(); }
+  TextureId texels() const { return texels_.id(); }  // None where casters have no pictures
+  TextureId nodes() const { return hierarchy().nodes.id(); }
+  TextureId triangles() const { return hierarchy().triangles.id(); }
+  TextureId normals() const { return hierarchy().normals.id(); }
+
+  // The row of a mesh's material in materials(); 0 for meshes that rays do not meet.
+  int material_row(int mesh) const { return rows_[static_cast<std::size_t>(mesh)]; }
+  // The number of a mesh's first triangle; -1: none is in the hierarchy.
+  int first_triangle(int mesh) const {
+    return static_cast<int>(first_triangles_[static_cast<std::size_t>(mesh)]);
+  }
+  // The mesh of a triangle, by its number; an index into Scene::meshes.
+  int mesh_of(int number) const;
+  int first_receiver() const { return first_receiver_; }
+  int first_uv() const { return first_uv_; }
+  // Metres: surfaces that are as near touch.
+  float touch() const { return touch_; }
+
+ private:
+  struct Hierarchy {
+    OwnedTexture nodes, triangles, normals;
+  };
+  const Hierarchy& hierarchy() const;
+  void upload_materials(const Effects& effects);
+  CasterTexels upload_texels(const Effects& effects);
+  void number_triangles(const Effects& effects, bool waters);
+
+  const Scene& scene_;
+  Device& device_;
+  OwnedTexture materials_, texels_;
+  std::vector<int> rows_;
+  HierarchyMeshes meshes_;
+  std::vector<std::int64_t> first_triangles_;
+  int first_receiver_ = 0, first_uv_ = 0;
+  float touch_ = 0.0f;
+  mutable std::optional<Hierarchy> hierarchy_;
+};
+
+}  // namespace caustics
