@@ -51,6 +51,7 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/surface.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hit_texel.glsl"
+Vec3 radiance_aside(Vec3 direction, Bool is_mirrored) { return sky_in_glass(u.sky, direction, is_mirrored); }
 #include "passes/shared/sight.glsl"
 
 // What the picture shows in a direction where it shows no opaque surface: layers over the sky, which count as
@@ -89,6 +90,73 @@ Vec4 hidden_color(Texture ends) {
   return Vec4(sum.x / most, sum.y / most, sum.z / most, there / most);
 }
 
+// The picture's colour where it shows a point, or so many pixels beside: between the four pixels around, of
+// those that show its surface. w: their weight; 0: there are none.
+Vec4 color_between(Vec3 p, Vec2 beside) {
+  Vec3 q = view_coordinates(u.view, p);
+  Vec2 uv = view_uv(u.view, q);
+  Float width = Float(texture_width(picture_position));
+  Float near_by = 8.0f * view_w(u.view, q) / (u.view.scale.x * width);
+  Float x = uv.x * width - 0.5f + beside.x;
+  Float y = uv.y * Float(texture_height(picture_position)) - 0.5f + beside.y;
+  Int column = floor_to_int(x);
+  Int row = floor_to_int(y);
+  Vec3 sum = Vec3(0.0f);
+  Float weights = Float(0.0f);
+  for (int j = 0; j < 2; j++)
+    for (int i = 0; i < 2; i++) {
+      Vec4 position = fetch_clamped(picture_position, column + i, row + j);
+      Float apart = abs(view_coordinates(u.view, Vec3(position)).z - q.z);
+      Float weight = (1.0f - abs(x - Float(column + i))) * (1.0f - abs(y - Float(row + j)));
+      weight = sel(is_covered(position) && apart <= near_by, max_of(weight, 1.0e-4f), Float(0.0f));
+      sum = sum + Vec3(fetch_clamped(scene_color, column + i, row + j)) * weight;
+      weights = weights + weight;
+    }
+  return Vec4(sum / max_of(weights, 1.0e-4f), weights);
+}
+
+// The mean over some places around.
+Vec4 color_beside(Vec3 p) {
+  Vec3 sum = Vec3(0.0f);
+  Float weights = Float(0.0f);
+  for (int k = 0; k < 8; k++) {
+    Float x = Float((k & 1) == 0 ? 1.5f : -1.5f) * Float(k < 4 ? 1.0f : 2.0f);
+    Float y = Float((k & 2) == 0 ? 1.5f : -1.5f) * Float(k < 4 ? 1.0f : 2.0f);
+    Vec4 color = color_between(p, Vec2(x, y));
+    Float weight = color.w;
+    sum = sum + Vec3(color) * weight;
+    weights = weights + weight;
+  }
+  return Vec4(sum / max_of(weights, 1.0e-4f), weights);
+}
+
+// The picture's colour where a point lies, unless nothing is there, it is nearer than a depth, or beside it.
+Vec3 color_at(Vec3 p, Float nearest, Vec3 otherwise) {
+  Vec3 at = view_coordinates(u.view, p);
+  Vec2 uv = view_uv(u.view, at);
+  Vec4 position = fetch_nearest(picture_position, uv.x, uv.y);
+  Bool there = view_w(u.view, at) > 0.0f && inside_unit(uv.x, uv.y) && is_covered(position) &&
+               view_coordinates(u.view, Vec3(position)).z >= nearest;
+  return sel(there, Vec3(fetch_nearest(scene_color, uv.x, uv.y)), otherwise);
+}
+
+Float nothing_nearer() { return Float(-1.0e30f); }
+
+// Of a receiver that the picture does not show. Where no ray beside this one has found such, it is at the edge
+// of what the picture shows.
+Vec3 color_of_hidden(Vec3 p, Texture ends, Vec3 sky) {
+  Vec4 own = hidden_color(ends);
+  Float there = own.w;
+  Vec3 otherwise = sky;
+  Bool at_edge = there == 0.0f;
+  if (any_lane(at_edge)) {
+    Vec4 shown = color_beside(p);
+    Float weight = shown.w;
+    otherwise = sel(at_edge && weight > 0.0f, Vec3(shown), sky);
+  }
+  return Vec3(own) + otherwise * (1.0f - there);
+}
+
 // Radiance of a receiver towards the camera, which stands for that towards the ray; of what the picture does
 // not show, its own; where there is none, the sky's in the ray's direction.
 Vec3 radiance_at(IN(SightEnd) end, Texture ends) {
@@ -100,27 +168,19 @@ Vec3 radiance_at(IN(SightEnd) end, Texture ends) {
   }
   Bool shown = is_shown(end);
   Bool hidden = end.lands && !shown;
-  if (any_lane(hidden)) {
-    Vec4 own = hidden_color(ends);
-    color = sel(hidden, Vec3(own) + color * (1.0f - own.w), color);
-  }
-  Vec2 uv = view_uv(u.view, view_coordinates(u.view, end.point));
-  return sel(shown, Vec3(fetch_bilinear(scene_color, uv.x, uv.y)), color);
-}
-
-// The picture's colour where a point lies, unless nothing is there, or the point is beside it.
-Vec3 color_at(Vec3 p, Vec3 otherwise) {
-  Vec3 at = view_coordinates(u.view, p);
-  Vec2 uv = view_uv(u.view, at);
-  Bool there = view_w(u.view, at) > 0.0f && inside_unit(uv.x, uv.y) &&
-               is_covered(fetch_nearest(picture_position, uv.x, uv.y));
-  return sel(there, Vec3(fetch_nearest(scene_color, uv.x, uv.y)), otherwise);
+  if (any_lane(hidden)) color = sel(hidden, color_of_hidden(end.point, ends, color), color);
+  if (any_lane(shown)) color = sel(shown, Vec3(color_between(end.point, Vec2(0.0f))), color);
+  return color;
 }
 
 // The mean over 16 rays spread by microfacets: as long as the middle one, and where that has met nothing, to
 // where they leave the box around all receivers. Each ray turns them by an angle of its own, after
 // interleaved gradient noise (Jimenez 2014).
 Vec3 spread_radiance(IN(SightEnd) end, Vec3 middle) {
+  // Of what stands before the glass nothing is seen through it.
+  Vec4 glass = texel_fetch(view_caster_position, floor_to_int(frag_x()), floor_to_int(frag_y()));
+  Float glass_z = view_coordinates(u.view, Vec3(glass)).z;
+  Float nearest = sel(end.sight.mirrored, nothing_nearer(), glass_z);
   Vec3 way = end.sight.ray.direction;
   AxesAcross axes = axes_across(way);
   Float diagonal = frag_x() * 0.06711056f + frag_y() * 0.00583715f;
@@ -135,7 +195,7 @@ Vec3 spread_radiance(IN(SightEnd) end, Vec3 middle) {
     Crossing box = cross_receivers(ray_from(end.sight.ray.start, d));
     Vec3 otherwise = sel(end.lands, middle, sky_in_glass(u.sky, d, end.sight.mirrored));
     Vec3 p = end.sight.ray.start + d * sel(end.lands, end.hit.z, box.leaves);
-    sum = sum + sel(box.meets, color_at(p, otherwise), otherwise);
+    sum = sum + sel(box.meets, color_at(p, nearest, otherwise), otherwise);
   }
   return sum / Float(16.0f);
 }
@@ -148,7 +208,7 @@ Vec3 radiance_along(IN(Sight) from, Texture ends) {
     Bool rough = from.under_way && end.sight.blur > 0.0f;
     if (any_lane(rough)) color = sel(rough, spread_radiance(end, color), color);
   }
-  return end.sight.through * color;
+  return end.sight.aside + end.sight.through * color;
 }
 
 Vec3 radiance_of(IN(Front) front, Bool seen) {
@@ -166,9 +226,9 @@ Vec2 place_of(int k) {
 
 // The nearest weights that are not outside a triangle, nor on its edges.
 Vec2 within_triangle(Vec2 weights) {
-  Float x = max_of(weights.x, 0.01f);
-  Float y = max_of(weights.y, 0.01f);
-  Float most = max_of((x + y) / 0.99f, Float(1.0f));
+  Float x = max_of(weights.x, 1.0e-4f);
+  Float y = max_of(weights.y, 1.0e-4f);
+  Float most = max_of((x + y) / 0.9999f, Float(1.0f));
   return Vec2(x / most, y / most);
 }
 
@@ -217,10 +277,17 @@ Vec3 mean_radiance(IN(Front) front, Bool seen) {
   return sum / max_of(count, 1.0f);
 }
 
+// What the body that the camera is in leaves of what comes from a surface.
+Vec3 left_from(Vec4 position) {
+  Float metres = length3(Vec3(position) - Vec3(u.eye));
+  return sel(is_covered(position), left_by(Float(u.eye_media.x), metres), Vec3(1.0f));
+}
+
 void main() {
   Int column = floor_to_int(frag_x());
   Int row = floor_to_int(frag_y());
   Vec4 caster = texel_fetch(view_caster_position, column, row);
+  Vec4 picture = texel_fetch(picture_position, column, row);
   Bool seen = shows_front(caster, column, row);
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) {
@@ -233,6 +300,8 @@ void main() {
     }
     color = sel(seen, shown, color);
   }
+  float body = u.eye_media.x;
+  if (body > 0.0f) color = color * left_from(sel(seen, caster, picture));
   // What the frame lacks is one texel of zeros.
   color = color + Vec3(fetch_clamped(caster_highlight, column, row));
   if (u.blends != 0) color = behind_layers(color, column, row);

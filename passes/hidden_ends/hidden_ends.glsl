@@ -43,6 +43,8 @@ OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/surface.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hit_texel.glsl"
+// Only where ways end is asked for.
+Vec3 radiance_aside(Vec3 direction, Bool is_mirrored) { return Vec3(0.0f); }
 #include "passes/shared/sight.glsl"
 
 // How much of the receiver is shown: an added ground fades.
@@ -57,7 +59,9 @@ Float shown_at(IN(ReceiverMaterial) material, Vec3 p) {
 
 void put_on_textures(INOUT(ReceiverMaterial) receiver, IN(CasterTriangle) triangle, IN(Meeting) at,
                      Bool wanted) {
-  Vec2 uv = dress_at(at, triangle, wanted).uv;
+  Dress dress = dress_at(at, triangle, wanted);
+  Vec2 uv = dress.uv;
+  receiver.albedo = receiver.albedo * sel(receiver.is_colored, Vec3(dress.tangent), Vec3(1.0f));
   receiver.albedo = receiver.albedo * Vec3(fetch_picture(picture_at(triangle.row, 4), uv, Bool(false)));
   receiver.emission = receiver.emission * Vec3(fetch_picture(picture_at(triangle.row, 13), uv, Bool(false)));
 }

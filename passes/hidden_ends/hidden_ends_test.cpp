@@ -28,12 +28,16 @@ struct Bench {
   bool in_picture = false;  // the floor is
   glm::vec4 fade{0.0f};     // its centre and where it begins
   float fade_to = 0.0f;
+  bool ceiling_faces_up = false;
+  bool one_sided = false;  // the ceiling is not seen from behind
 
   PassImages run(bool mirrored) const {
     const View view = down(4.0, 10.0, 20.0);
     HierarchyBench hierarchy;
     hierarchy.touch = 1e-4f;
-    hierarchy.caster(face(5.0f, true)).receiver(face(0.0f, true), 1).receiver(face(12.0f, false), 2);
+    hierarchy.caster(face(5.0f, true))
+        .receiver(face(0.0f, true), 1)
+        .receiver(face(12.0f, ceiling_faces_up), 2);
     const HierarchyTables tables = hierarchy.tables();
     Image materials(Format::RGBA32F, 4, 3);
     const auto put = [&](int row, int column, const glm::vec4& texel) {
@@ -44,6 +48,7 @@ struct Bench {
     put(1, 0, {5.0f, 6.0f, 7.0f, 0.0f});
     put(1, 1, fade);
     put(1, 2, {0.25f, 0.5f, 0.75f, fade_to});
+    put(2, 0, {0.0f, 0.0f, 0.0f, one_sided ? 1.0f : 0.0f});
     put(2, 2, {0.125f, 0.0f, 0.0f, 0.0f});
     const std140::HiddenEnds u{.view = shader_view(view),
                                .eye = view.origin,
@@ -102,4 +107,14 @@ TEST_CASE("hidden_ends: an added ground fades") {
   bench.fade = {-1.5f, 0.0f, -0.25f, 0.5f};
   bench.fade_to = 2.5f;
   CHECK(bench.run(false)["view_albedo"].at(0, 0, 3) == Approx(0.84375));
+}
+
+TEST_CASE("hidden_ends: what is not seen from behind is passed there") {
+  Bench bench;
+  bench.mirror = bench.one_sided = true;
+  CHECK(bench.run(true)["view_position"].at(0, 0, 3) == 1.0f);
+  bench.ceiling_faces_up = true;
+  CHECK(bench.run(true)["view_position"].at(0, 0, 3) == 0.0f);
+  bench.one_sided = false;
+  CHECK(bench.run(true)["view_position"].at(0, 0, 3) == 1.0f);
 }

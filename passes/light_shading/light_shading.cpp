@@ -34,6 +34,14 @@ int samples_across(const PassContext& context) {
   return context.of_picture() ? kMostSamples : kMostBehindGlass;
 }
 
+int lights_backs(const PassContext& context) {
+  if (!context.of_light) return 0;
+  const LitFromBehind behind = context.of_light->lit.behind;
+  if (behind == LitFromBehind::No) return 0;
+  // Light all around has no map of the farthest receivers.
+  return behind == LitFromBehind::InNearest || context.views->caustic.cube ? 2 : 1;
+}
+
 int looks_aside(const PassContext& context) {
   return throws_caustic(context) && context.views->caustic.forward != context.views->shadow.forward;
 }
@@ -184,6 +192,7 @@ Pass light_shading_pass() {
                   {"has_panes", has_panes},
                   {"has_caustic", throws_caustic},
                   {"looks_aside", looks_aside},
+                  {"lights_backs", lights_backs},
                   {"has_cascade", has_finer_map},
                   {"receivers_are_layered", receivers_are_layered},
                   {"caustic_is_grey",

@@ -106,10 +106,17 @@ CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(TangentPlane) map,
 // Points that take a caustic's light, where the map reaches, get it; elsewhere the casters only keep light.
 // How much does not depend on what takes it: direct light is the same where no caustic is asked for.
 CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(TangentPlane) map,
-                             IN(Incidence) light) {
+                             IN(Incidence) incidence) {
   CasterLight casters = nothing_of_casters();
+  Incidence light = incidence;
+  if (u.lights_backs != 0) light.facing = abs(dot3(surface.normal, light.travel));
   if (u.has_caustic != 0) {
     Reception takes = reception_of(surface, map);
+    if (u.lights_backs != 0) {
+      // From behind only what the map shows takes light, not what stands before that.
+      Bool behind = Bool(u.lights_backs > 1) && receives(receiver_position, map, true);
+      takes.near = takes.near && (incidence.facing > 0.0f || behind);
+    }
     Bool in_map = surface.visible;
     if (u.samples_across > 0) {
       Footprint f = footprint_at(surface, map.at, surface.visible);

@@ -158,3 +158,23 @@ TEST_CASE("light_shading: without pixel means a wide pixel shows its middle") {
   const PassImages out = run_wide_pixels(bench, 0, 0);
   for (const float value : out["caustic"].values) CHECK(value == 0.0f);
 }
+
+TEST_CASE("light_shading: from behind a surface takes the light that the pilot says lands so, in its map") {
+  Bench bench = with_caustic();
+  bench.normal = {0.0f, -1.0f, 0.0f};
+  CHECK(bench.caustic() == 0.0f);
+  bench.behind = LitFromBehind::InNearest;
+  CHECK(bench.caustic() == Approx(25.0));
+  // The map shows something below: the point stands before it.
+  bench.receiver = filled(8, 8, {0.0f, -5.0f, 0.0f, 1.0f});
+  CHECK(bench.caustic() == 0.0f);
+  bench.normal = {0.0f, 1.0f, 0.0f};
+  CHECK(bench.caustic() == Approx(25.0));
+  bench = with_caustic();
+  bench.normal = {0.0f, -1.0f, 0.0f};
+  bench.behind = LitFromBehind::InFarthest;
+  CHECK(bench.caustic() == 0.0f);
+  bench.far_receiver = filled(8, 8, {0.0f, 0.0f, 0.0f, 1.0f});
+  bench.far_caustic_map = filled(8, 8, glm::vec4(0.5f));
+  CHECK(bench.caustic() == Approx(50.0));
+}

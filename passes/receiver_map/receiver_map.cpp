@@ -15,6 +15,20 @@ std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& mate
   };
 }
 
+namespace {
+
+std140::ReceiverMap uniforms_of(const PassContext& context) {
+  std140::ReceiverMap block =
+      receiver_map_uniforms(context.views->receiver, *context.material, context.views);
+  if (!context.farthest() || !context.of_light) return block;
+  const OutwardSides sides = context.of_light->lit.hidden_sides;
+  block.without_towards = sides == OutwardSides::Away ? 1 : 0;
+  block.without_away = sides == OutwardSides::Towards ? 1 : 0;
+  return block;
+}
+
+}  // namespace
+
 Pass receiver_map_pass() {
   return {
       .name = "receiver_map",
@@ -36,9 +50,7 @@ Pass receiver_map_pass() {
       .depth_state = {.compare = Compare::Less, .write = true},
       // The last receiver instead of the first: what the nearest hide.
       .states = {{.label = kLightFar.label, .depth_clear = 0.0f, .depth_compare = Compare::Greater}},
-      .shaders = {{&receiver_map_shader, block_of<[](const PassContext& c) {
-                     return receiver_map_uniforms(c.views->receiver, *c.material, c.views);
-                   }>}},
+      .shaders = {{&receiver_map_shader, block_of<uniforms_of>}},
   };
 }
 

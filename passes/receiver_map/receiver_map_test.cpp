@@ -88,3 +88,23 @@ TEST_CASE("receiver_map: a point light's view sees positions in perspective") {
   CHECK(p.x == Approx(3.0));
   CHECK(p.z == Approx(3.0));
 }
+
+TEST_CASE("receiver_map: sides whose outward normal faces the light, or faces away, can be left out") {
+  const glm::vec3 under[4] = {{-2, 2, -2}, {2, 2, -2}, {2, 2, 2}, {-2, 2, 2}};
+  const auto drawn = [](const glm::vec3(&corners)[4], int without_towards, int without_away) {
+    std140::ReceiverMap u = receiver_map_uniforms(down(1.0, 10.0, 20.0), kPlain);
+    u.without_towards = without_towards;
+    u.without_away = without_away;
+    return run_pass(definition_of(receiver_map_pass()),
+                    {.width = 4,
+                     .height = 4,
+                     .uniforms = uniform_bytes(u),
+                     .textures = {Image{}},
+                     .mesh = quad(corners, {0.0f, 1.0f, 0.0f})})["receiver_position"]
+               .at(1, 1, 3) == 1.0f;
+  };
+  CHECK(drawn(kFloor, 0, 1));
+  CHECK_FALSE(drawn(kFloor, 1, 0));
+  CHECK(drawn(under, 1, 0));
+  CHECK_FALSE(drawn(under, 0, 1));
+}

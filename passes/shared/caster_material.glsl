@@ -37,16 +37,21 @@ Material fetch_material(Texture materials, Int row) {
 // A receiver's row has other meanings.
 struct ReceiverMaterial {
   Vec3 emission;     // nit
+  Bool one_sided;    // it is not seen from behind
   Vec3 albedo;       // of all that it sends back
   Vec3 fade_centre;  // from all of it to none, by the distance from here
   Float fade_from;
   Float fade_to;     // 0: it does not fade
+  Bool is_colored;   // its vertices have colours, which stand in the place of their tangents
 };
 
 ReceiverMaterial fetch_receiver(Texture materials, Int row) {
   Vec4 fade_texel = fetch_clamped(materials, Int(1), row);
   ReceiverMaterial receiver;
-  receiver.emission = Vec3(fetch_clamped(materials, Int(0), row));
+  Vec4 emission_texel = fetch_clamped(materials, Int(0), row);
+  receiver.emission = Vec3(emission_texel);
+  receiver.one_sided = emission_texel.w > 0.5f;
+  receiver.is_colored = fetch_clamped(materials, Int(3), row).x > 0.5f;
   receiver.albedo = Vec3(fetch_clamped(materials, Int(2), row));
   receiver.fade_centre = Vec3(fade_texel);
   receiver.fade_from = fade_texel.w;

@@ -1,6 +1,6 @@
 // Lands light that meets no further caster. Needs absorption.glsl, caster_triangles.glsl,
 // light_path.glsl, ray_hit.glsl, shown_point.glsl, view_space.glsl, the texture receiver_position, and the
-// uniforms receiver, caustic, channel_share, first_receiver and can_be_hidden.
+// uniforms light, receiver, caustic, channel_share, first_receiver and can_be_hidden.
 
 // The texels that a grid vertex's light leaves (passes/walk/walk.md).
 struct LandedLight {
@@ -31,6 +31,13 @@ struct PathEnd {
   Bool seen;       // by the light
   Bool given_up;   // nobody knows where
 };
+
+// Has light come to the side of a plane that its light cannot shine on itself?
+Bool comes_from_behind(IN(Ray) ray, Vec3 point, Vec3 plane) {
+  Vec3 travel = Vec3(u.light);
+  if (u.receiver.kind != VIEW_PARALLEL) travel = normalize_or(point - Vec3(u.light), ray.direction);
+  return dot3(ray.direction, plane) * dot3(travel, plane) < -1.0e-3f;
+}
 
 PathEnd end_of(IN(Ray) ray, Vec4 hit, Bool was_ended) {
   PathEnd end;
@@ -80,10 +87,11 @@ Vec2 step_in_map(IN(LightPath) path, IN(PathEnd) end, Vec3 plane, Vec3 moved) {
 void land_light(IN(LightPath) path, Vec4 hit, Bool was_ended, Bool lands, INOUT(LandedLight) landed) {
   CasterTriangle triangle = fetch_triangle(sel(lands && is_surface(hit), hit.w - 1.0f, Float(0.0f)));
   PathEnd end = end_of(path.ray, hit, was_ended);
+  Vec3 plane = normalize_or(cross3(triangle.edge1, triangle.edge2), -path.ray.direction);
+  if (u.can_be_hidden > 1) end.seen = end.seen && !comes_from_behind(path.ray, end.point, plane);
   Vec3 carried = path.flux * sel(end.lands, left_by(path.media.x, end.flight), Vec3(1.0f));
   Float status = status_of(end, carried, path.whole);
   Vec3 share = Vec3(u.channel_share);
-  Vec3 plane = normalize_or(cross3(triangle.edge1, triangle.edge2), -path.ray.direction);
   Vec2 x = step_in_map(path, end, plane, path.width_x + path.spread_x * end.flight);
   Vec2 y = step_in_map(path, end, plane, path.width_y + path.spread_y * end.flight);
   Vec4 footprint = Vec4(bounded(x.x), bounded(x.y), bounded(y.x), bounded(y.y));

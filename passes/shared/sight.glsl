@@ -1,8 +1,8 @@
 // The camera's rays, from the glass or metal that a pixel shows, from surface to surface. Needs
 // caster_material.glsl, caster_triangles.glsl, dressed_meeting.glsl, absorption.glsl, position_texel.glsl,
 // view_space.glsl, hierarchy.glsl, interface.glsl, surface.glsl, rough_surface.glsl, hit_texel.glsl, the
-// textures picture_position, view_caster_position, view_caster_normal and view_caster_triangle, and the
-// uniforms of sight_uniforms.glsl.
+// textures picture_position, view_caster_position, view_caster_normal and view_caster_triangle, the uniforms of
+// sight_uniforms.glsl, and radiance_aside(), what comes by a way that is not followed.
 
 // A ray of sight on its way.
 struct Sight {
@@ -10,6 +10,7 @@ struct Sight {
   Float own;      // the triangle that it starts on
   Vec4 media;     // the bodies that it is in
   Vec3 through;   // what is left of the radiance from its end
+  Vec3 aside;     // radiance by the ways that it has not taken
   Bool mirrored;
   Float blur;     // square of the width of the slopes by which rough surfaces spread it
   Bool under_way;
@@ -30,6 +31,7 @@ Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
   sight.own = sel(condition, a.own, b.own);
   sight.media = sel(condition, a.media, b.media);
   sight.through = sel(condition, a.through, b.through);
+  sight.aside = sel(condition, a.aside, b.aside);
   sight.mirrored = sel(condition, a.mirrored, b.mirrored);
   sight.blur = sel(condition, a.blur, b.blur);
   sight.under_way = sel(condition, a.under_way, b.under_way);
@@ -52,7 +54,13 @@ Surface seen_surface(Vec3 direction, IN(Meeting) at, IN(Interface) both, IN(Mate
   return surface;
 }
 
-// The way that a ray takes at a surface: the stronger, which then stands for both; or `straight` on.
+// What comes by the weaker way from a surface, of which there is a share.
+Vec3 weaker_way(IN(Surface) surface, IN(Material) material, Vec3 direction, Bool stronger_is_mirrored) {
+  Vec3 other = direction_behind(surface, direction, !stronger_is_mirrored);
+  return color_behind(surface, material, !stronger_is_mirrored) * radiance_aside(other, !stronger_is_mirrored);
+}
+
+// The way that a ray takes at a surface: the stronger; or `straight` on.
 void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, Bool straight, Bool wanted) {
   Meeting at = meeting;
   Material material = fetch_material(caster_materials, triangle.row);
@@ -66,17 +74,24 @@ void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, 
   sight.own = at.number;
   sight.mirrored = sight.mirrored || back;
   sight.media = sel(back, sight.media, both.media);
-  sight.through = sight.through * color_behind(surface, material, back);
+  Float weaker = sel(surface.one_way, Float(0.0f), min_of(surface.mirrored, 1.0f - surface.mirrored));
+  if (any_lane(wanted && weaker > 0.0f))
+    sight.aside = sight.aside + sight.through * (weaker_way(surface, material, before, back) * weaker);
+  sight.through = sight.through * (color_behind(surface, material, back) * (1.0f - weaker));
   if (u.has_rough != 0) sight.blur = sight.blur + blur_by(surface, material, at, back);
   sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
 }
 
-// A receiver that an alpha mask has cut out where the ray meets it.
+// A receiver that an alpha mask has cut out where the ray meets it, or that is not seen from behind.
 Bool is_hole(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
-  Meeting met = at;
-  Material unused = fetch_material(caster_materials, triangle.row);
-  put_on_textures(met, unused, triangle, wanted, Bool(false));
-  return wanted && met.hole;
+  Bool hole = fetch_receiver(caster_materials, triangle.row).one_sided && !at.front;
+  if (u.has_textures != 0) {
+    Meeting met = at;
+    Material unused = fetch_material(caster_materials, triangle.row);
+    put_on_textures(met, unused, triangle, wanted, Bool(false));
+    hole = hole || met.hole;
+  }
+  return wanted && hole;
 }
 
 // Follows a ray through all the surfaces that it meets. The last ones do not bend it any more, so that
@@ -98,13 +113,11 @@ SightEnd end_of_sight(IN(Sight) from) {
       CasterTriangle triangle = fetch_triangle(sel(caster || receiver, hit.w - 1.0f, Float(0.0f)));
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
       if (any_lane(caster)) turn(next, at, triangle, Bool(k >= u.surfaces), caster);
-      if (u.has_textures != 0) {
-        Bool cut = is_hole(triangle, at, receiver);
-        next.ray = ray_from(sel(cut, at.point, next.ray.start), next.ray.direction);
-        next.own = sel(cut, at.number, next.own);
-        caster = caster || cut;
-        receiver = receiver && !cut;
-      }
+      Bool cut = is_hole(triangle, at, receiver);
+      next.ray = ray_from(sel(cut, at.point, next.ray.start), next.ray.direction);
+      next.own = sel(cut, at.number, next.own);
+      caster = caster || cut;
+      receiver = receiver && !cut;
     }
     end.hit = sel(receiver, hit, end.hit);
     end.point = sel(receiver, point_along(sight.ray, hit.z), end.point);
@@ -173,12 +186,13 @@ Ways ways_from(IN(Front) drawn, Bool seen) {
   Front front = drawn;
   if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
   Vec3 sight = sight_to(front.at.point);
-  Interface both = interface_at(Vec4(0.0f), front.at, front.triangle, front.material);
+  Interface both = interface_at(Vec4(u.eye_media), front.at, front.triangle, front.material);
   Surface surface = seen_surface(sight, front.at, both, front.material);
   Sight back;
   back.ray = ray_from(front.at.point, direction_behind(surface, sight, Bool(true)));
   back.own = front.at.number;
-  back.media = Vec4(0.0f);
+  back.media = Vec4(u.eye_media);
+  back.aside = Vec3(0.0f);
   back.mirrored = Bool(true);
   Vec3 color = color_behind(surface, front.material, Bool(true));
   back.through = sel(front.material.mirror, color, Vec3(surface.mirrored));

@@ -9,5 +9,6 @@ int first_receiver;
 float touch;
 int first_uv;        // the first texel of texture coordinates in hierarchy_normals
 float rough_from;    // from this roughness on the view is spread
+vec4 eye_media;      // the bodies that the camera is in, as media.glsl has them
 CHOICE(has_textures)     // 1: some surface has
 CHOICE(has_rough)        // some glass is rough

@@ -30,6 +30,7 @@ void set_sight(Block& block, const PassContext& context) {
   block.touch = context.touch;
   block.first_uv = context.first_uv;
   block.rough_from = settings.glass_roughness;
+  block.eye_media = context.eye_media;
 }
 
 inline constexpr Read kReadSeenCasters{.name = "view_caster_position",

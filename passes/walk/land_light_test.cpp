@@ -20,7 +20,8 @@ struct Bench {
   Image receiver = level_map(0.0f);
   Corners floor = level_triangle(0.0f, -1.0f, -1.0f);
   glm::vec3 channel_share{1.0f};
-  bool can_be_hidden = false;  // by other receivers, from the light
+  int can_be_hidden = 0;  // by other receivers, from the light
+  glm::vec3 light{0.0f};
 
   // What the receiver map holds of a floor at this height.
   static Image level_map(float height) {
@@ -43,6 +44,7 @@ struct Bench {
     u.channel_share = channel_share;
     u.first_receiver = 1;
     u.can_be_hidden = can_be_hidden;
+    u.light = light;
     std::vector<Image> textures = path.textures();
     for (const Image& image :
          {filled(1, 1, hit), caster_materials({material}), tables.triangles, tables.normals, receiver})
@@ -86,14 +88,14 @@ TEST_CASE(
 TEST_CASE(
     "walk: landed, what lands where the light does not see is told apart where receivers may hide others") {
   Bench bench;
-  bench.can_be_hidden = true;
+  bench.can_be_hidden = 1;
   CHECK(status(bench.run()) == LandingStatus::Landed);
   bench.receiver = Bench::level_map(3.0f);
   CHECK(status(bench.run()) == LandingStatus::NotConverged);
   CHECK(landing(bench.run()) == glm::vec3(0.5f, 0.0f, 0.25f));
   bench.receiver = Bench::level_map(0.9f);  // texels of 1/8 m: less than eight off
   CHECK(status(bench.run()) == LandingStatus::Landed);
-  bench.can_be_hidden = false;
+  bench.can_be_hidden = 0;
   bench.receiver = Image(Format::RGBA32F, 64, 64);
   CHECK(status(bench.run()) == LandingStatus::Landed);
   bench.hit = glm::vec4(0.0f);
@@ -255,4 +257,15 @@ TEST_CASE(
     effects.receivers_are_one_plane = one_plane;
     CHECK(hidden->value({.effects = &effects}) == (one_plane ? 0 : 1));
   }
+}
+
+TEST_CASE("walk: landed, what comes from behind counts as hidden where the farthest receivers' map has it") {
+  Bench bench;
+  bench.can_be_hidden = 2;
+  bench.light = {0.0f, -1.0f, 0.0f};
+  CHECK(status(bench.run()) == LandingStatus::Landed);
+  bench.light = {0.0f, 1.0f, 0.0f};
+  CHECK(status(bench.run()) == LandingStatus::NotConverged);
+  bench.can_be_hidden = 1;
+  CHECK(status(bench.run()) == LandingStatus::Landed);
 }

@@ -64,6 +64,12 @@ std140::Walk walk_uniforms(const PassContext& context) {
   return block;
 }
 
+int can_be_hidden(const PassContext& context) {
+  if (context.effects->receivers_are_one_plane) return 0;
+  const bool parts = context.of_light && context.of_light->lit.behind == LitFromBehind::InFarthest;
+  return parts && !context.views->caustic.cube ? 2 : 1;
+}
+
 int reads_hit(const PassContext& context) { return context.branch->has_same_start() ? 1 : 0; }
 
 bool some_branch_reads_hits(const Effects& effects) {
@@ -118,8 +124,7 @@ Pass walk_pass() {
       .count_samples = true,
       .shaders = {{&walk_shader, block_of<walk_uniforms>}},
       .choices = {kIsTinted,
-                  {"can_be_hidden",
-                   [](const PassContext& c) { return c.effects->receivers_are_one_plane ? 0 : 1; }},
+                  {"can_be_hidden", can_be_hidden},
                   {"draws", [](const PassContext& c) { return c.branch->drawn ? 1 : 0; }},
                   {"reads_hit", reads_hit},
                   kHasTextures,

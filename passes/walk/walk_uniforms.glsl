@@ -17,7 +17,7 @@ float touch;          // metres: surfaces that are as near touch
 float rough_from;     // roughness above which glass spreads light
 int first_uv;         // the first texel of texture coordinates in hierarchy_normals
 CHOICE(is_tinted)     // 1: blended surfaces may stand before casters
-CHOICE(can_be_hidden) // 1: receivers may hide others from the light
+CHOICE(can_be_hidden) // 1: receivers may hide others from the light; 2: and it lands on backs, which count so
 CHOICE(draws)         // 1: the branch follows what the others leave behind, by ways that are drawn
 CHOICE(reads_hit)     // 1: the second surface has been found by a branch that comes to it alike
 CHOICE(has_textures)  // 1: some caster has

@@ -77,7 +77,9 @@ void add_camera(const Scene& scene, const View* camera, Effects& effects) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
     // A medium shows the light on its way.
-    if (!effects.medium.active || is_dark(light))
+    // So do glass and metal, where there is nothing else for it to light.
+    const bool is_mirrored = receivers.empty() && effects.seen_casters.active && effects.highlights.active;
+    if ((!effects.medium.active && !is_mirrored) || is_dark(light))
       effects.lights[i].lights_nothing = why_it_lights_nothing(scene, light, receivers);
     any |= has_effect(effects, static_cast<int>(i));
     if (i == 0)

@@ -95,6 +95,22 @@ struct Branch {
       1.0f};  // its share of each channel; over the branches that are not reflected, all add up to 1
 };
 
+// Which sides of a triangle's mesh: those whose outward normal faces a light, or faces away from it.
+enum class OutwardSides : std::uint8_t { Both, Towards, Away };
+
+// Which map has what lands on sides that the light itself cannot shine on: that of the nearest receivers, or,
+// where these are lit from before as well, of the farthest.
+enum class LitFromBehind : std::uint8_t { No, InNearest, InFarthest };
+
+// Where the light of casters lands, as a pilot has found.
+struct LitReceivers {
+  // Receivers that others hide from the light, or that it lights from behind, by Scene::meshes, and which
+  // sides of them; none: nobody knows, and all may be.
+  std::vector<bool> hidden{};
+  OutwardSides hidden_sides = OutwardSides::Both;
+  LitFromBehind behind = LitFromBehind::No;
+};
+
 // What is judged light by light. A reason is empty where the answer is no.
 struct LightEffects {
   std::string lights_nothing;  // why its direct light falls on no receiver that the camera sees
@@ -102,6 +118,7 @@ struct LightEffects {
   // Which way its caustic map looks, where its casters send its light behind it, or far aside; 0: towards
   // them.
   glm::dvec3 looks{0.0};
+  LitReceivers lit{};
   std::string cascade;         // why its caustic has a finer second map; known once a pilot has run
   int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
   glm::vec3 of_others{0.0f};   // lux or candela by which its caustic is brighter, as it stands for others'
@@ -118,6 +135,7 @@ struct FurtherShare {
   double of_light = 0.0;  // how much of the light's landed flux comes through this caster, 0..1
   double seen = 0.0;      // `share` of what the picture shows of the light, through all casters
   glm::dvec3 looks{0.0};  // LightEffects::looks
+  LitReceivers lit{};     // LightEffects::lit
 };
 
 // What a light adds to the light on the casters (pipeline/measure/light_shares.hpp).

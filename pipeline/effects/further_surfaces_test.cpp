@@ -16,6 +16,7 @@ const std::vector<FurtherShare> kHalf{{.light = 0, .mesh = 1, .share = 0.5, .of_
 
 Effects of_glass() {
   Effects effects;
+  effects.lights.resize(8);
   effects.surfaces = {{.role = Role::Refractor}};
   return effects;
 }
@@ -96,6 +97,7 @@ TEST_CASE("further surfaces: nothing is drawn where it is not wanted") {
 
 TEST_CASE("further surfaces: light that mirrors alone send on never parts") {
   Effects effects;
+  effects.lights.resize(8);
   effects.branches = {{}};
   effects.surfaces = {{.role = Role::Mirror}, {.role = Role::Receiver}};
   CHECK(names_of(followed(4, effects)) == std::vector<std::string>{""});
@@ -155,8 +157,10 @@ TEST_CASE("further surfaces: light is followed where more than a named share of 
 }
 
 TEST_CASE("further surfaces: the light with the most decides, by all its casters together") {
+  Effects none;
+  none.lights.resize(2);
   const Effects effects =
-      followed(0, {},
+      followed(0, none,
                {{.light = 0, .mesh = 1, .share = 0.9, .of_light = 0.01},
                 {.light = 1, .mesh = 2, .share = 0.2, .of_light = 0.5},
                 {.light = 1, .mesh = 1, .share = 0.04, .of_light = 0.5}});  // 0.1 and 0.02

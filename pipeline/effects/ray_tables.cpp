@@ -10,6 +10,7 @@
 #include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/scene/material_optics.hpp"
+#include "pipeline/scene/triangle_tree.hpp"
 
 namespace caustics {
 
@@ -60,13 +61,20 @@ std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& materi
            material.base_color.a, cutoff}};
 }
 
+// Of receivers of one material: a row each.
+constexpr int kColored = 1, kInsideOut = 2;
+int kind_of_receiver(const Mesh& mesh) {
+  return (mesh.colors.empty() ? 0 : kColored) + (mesh.inside_out ? kInsideOut : 0);
+}
+
 // What of a receiver is shown by glass alone (passes/shared/caster_material.glsl, ReceiverMaterial).
-std::array<glm::vec4, kTexelsOfMaterial> texels_of_receiver(const Material& m) {
+std::array<glm::vec4, kTexelsOfMaterial> texels_of_receiver(const Material& m, int kind) {
   const float cutoff = m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f;
-  return {glm::vec4(m.emissive, 0.0f),
+  const bool one_sided = !m.double_sided && (kind & kInsideOut) == 0;
+  return {glm::vec4(m.emissive, one_sided ? 1.0f : 0.0f),
           {m.fade.centre, m.fade.from},
           {glm::vec3(m.base_color), m.fade.to},
-          {0.0f, m.normal_scale, m.base_color.a, cutoff}};
+          {(kind & kColored) != 0 ? 1.0f : 0.0f, m.normal_scale, m.base_color.a, cutoff}};
 }
 
 void add_once(std::vector<int>& images, const TextureUse& use) {
@@ -91,6 +99,34 @@ int RayTables::mesh_of(int number) const {
   return behind == meshes.begin() ? -1 : *(behind - 1);
 }
 
+glm::dvec3 RayTables::plane_of(int number) const {
+  const int mesh = mesh_of(number);
+  return plane_normal(scene_, {mesh, number - first_triangle(mesh)});
+}
+
+glm::vec4 RayTables::bodies_around(const glm::dvec3& p) const {
+  const glm::dvec3 up{0.0, 1.0, 0.0};
+  std::map<int, TriangleHit> first;  // by body
+  for (const int mesh : media_) {
+    const Mesh& m = scene_.meshes[static_cast<std::size_t>(mesh)];
+    const bool beside = p.x < static_cast<double>(m.lower.x) || p.x > static_cast<double>(m.upper.x) ||
+                        p.z < static_cast<double>(m.lower.z) || p.z > static_cast<double>(m.upper.z);
+    if (beside || p.y > static_cast<double>(m.upper.y)) continue;
+    const auto hit = TriangleTree(scene_, {mesh}).nearest(p, up);
+    if (!hit) continue;
+    const auto [found, fresh] = first.try_emplace(meshes_.bodies[static_cast<std::size_t>(mesh)], *hit);
+    if (!fresh && hit->distance < found->second.distance) found->second = *hit;
+  }
+  std::vector<std::pair<double, int>> around;
+  for (const auto& [body, hit] : first)
+    if (!hit.front) around.emplace_back(hit.distance, body);
+  std::sort(around.begin(), around.end());
+  glm::vec4 media(0.0f);
+  for (int i = 0; i < static_cast<int>(std::min<std::size_t>(around.size(), 4)); ++i)
+    media[i] = static_cast<float>(around[static_cast<std::size_t>(i)].second + 1);
+  return media;
+}
+
 void RayTables::number_triangles(const Effects& effects, bool waters) {
   const std::vector<int> bodies = bodies_of(scene_);
   std::map<int, int> row_of_body;
@@ -101,6 +137,7 @@ void RayTables::number_triangles(const Effects& effects, bool waters) {
                                       [m](const Water& water) { return water.mesh == m; });
     const bool met = waters || !is_water;
     if (is_caster(role) && met) meshes_.casters.push_back(m);
+    if (role == Role::Refractor && !effects.surfaces[index].thin && met) media_.push_back(m);
     if (role == Role::Receiver && met) meshes_.receivers.push_back(m);
     meshes_.bodies.push_back(row_of_body.try_emplace(bodies[index], material_row(m)).first->second);
   }
@@ -148,7 +185,8 @@ void RayTables::upload_materials(const Effects& effects) {
     if (is_caster(effects.surfaces[i].role))
       give_row(i, casters <= kMostOwnRows ? static_cast<int>(i) : 0, effects.surfaces[i]);
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i)
-    if (effects.surfaces[i].role == Role::Receiver) give_row(i, 0, {.role = Role::Receiver});
+    if (effects.surfaces[i].role == Role::Receiver)
+      give_row(i, kind_of_receiver(scene_.meshes[i]), {.role = Role::Receiver});
   const bool dressed = are_dressed(effects) || receivers_are_dressed(effects);
   const CasterTexels texels = upload_texels(effects);
   Image table(Format::RGBA32F, dressed ? kTexelsOfDressed : kTexelsOfMaterial,
@@ -158,7 +196,7 @@ void RayTables::upload_materials(const Effects& effects) {
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
     put_texels(table, row, 0,
                role == Role::Receiver
-                   ? texels_of_receiver(material)
+                   ? texels_of_receiver(material, own)
                    : texels_of_caster(material, role == Role::Mirror, thin, two_interfaces));
     if (!dressed) continue;
     put_texels(table, row, 4, picture_texels(material.base_color_texture, texels));

@@ -39,6 +39,11 @@ class RayTables {
   }
   // The mesh of a triangle, by its number; an index into Scene::meshes.
   int mesh_of(int number) const;
+  // The triangle's outward normal, unit.
+  glm::dvec3 plane_of(int number) const;
+  // The bodies that a point is in, as passes/shared/media.glsl has them: those whose surface is first met
+  // from inside on the way up, the innermost first.
+  glm::vec4 bodies_around(const glm::dvec3& p) const;
   int first_receiver() const { return first_receiver_; }
   int first_uv() const { return first_uv_; }
   // Metres: surfaces that are as near touch.
@@ -58,6 +63,7 @@ class RayTables {
   OwnedTexture materials_, texels_;
   std::vector<int> rows_;
   HierarchyMeshes meshes_;
+  std::vector<int> media_;  // casters that light is in behind their surfaces, indices into Scene::meshes
   std::vector<std::int64_t> first_triangles_;
   int first_receiver_ = 0, first_uv_ = 0;
   float touch_ = 0.0f;

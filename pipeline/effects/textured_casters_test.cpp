@@ -85,3 +85,13 @@ TEST_CASE("textured casters: normals finer than the grid are told, with the rati
   CHECK(contains(effects_of(scene, settings).normal_mapped_casters.reason,
                  "finer than the grid, 4.0 or more to a grid vertex"));
 }
+
+TEST_CASE("textured casters: glass shows receivers' emissive textures and colours of vertices too") {
+  Scene scene = glass_square();
+  CHECK_FALSE(effects_of(scene, {}).textured_receivers.active);
+  scene.materials[0].emissive_texture.image = 0;
+  CHECK(effects_of(scene, {}).textured_receivers.active);
+  scene.materials[0].emissive_texture = {};
+  scene.meshes[0].colors.assign(scene.meshes[0].vertices.size(), glm::vec4(0.5f));
+  CHECK(contains(effects_of(scene, {}).textured_receivers.reason, "its vertices' colours"));
+}

@@ -84,7 +84,7 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
   const LightEffects* light =
       pass.light >= 0 ? &cost.effects.lights[static_cast<std::size_t>(pass.light)] : nullptr;
   for (std::size_t i = 0; i < cost.scene.meshes.size(); ++i) {
-    if (!draws_mesh(draws, *pass.drawn_for, cost.effects.surfaces[i], light)) continue;
+    if (!draws_mesh(draws, *pass.drawn_for, cost.effects, i, light)) continue;
     const Mesh& mesh = cost.scene.meshes[i];
     const std::uint64_t draw = cost.device.draw(*pass.definition, mesh.vertices.size(),
                                                 std::min<std::uint64_t>(mesh.indices.size() / 3, seen));

@@ -207,11 +207,17 @@ class LightPaths::Following {
       const LightRay& ray = rays[i];
       waiting_.push_back({.start = ray.origin,
                           .direction = ray.direction,
+                          .own = static_cast<float>(ray.own + 1),
                           .flux = ray.flux,
                           .whole = largest(ray.flux),
                           .ray = i,
                           .drawn = ray.key * 0x9e3779b97f4a7c15ull});
     }
+  }
+
+  // On their way straight through all casters.
+  void let_astray() {
+    for (Part& part : waiting_) part.astray = true, part.first = 0;
   }
 
   void follow(double bend) {
@@ -255,6 +261,8 @@ class LightPaths::Following {
                     .followed = part.let_go && !part.astray,
                     .surfaces = part.surfaces,
                     .mesh = mesh,
+                    .triangle = met.number,
+                    .front = met.front,
                     .ray = part.ray,
                     .first = part.first});
   }
@@ -313,6 +321,14 @@ class LightPaths::Following {
 void LightPaths::follow(std::span<const LightRay> rays, std::vector<LightLanding>& landings, double bend,
                         std::vector<LightLanding>* astray) const {
   Following(*this, rays, landings, astray).follow(bend);
+}
+
+std::vector<LightLanding> LightPaths::first_receivers(std::span<const LightRay> rays) const {
+  std::vector<LightLanding> met;
+  Following following(*this, rays, met, &met);
+  following.let_astray();
+  following.follow(0.0);
+  return met;
 }
 
 }  // namespace caustics

@@ -19,6 +19,7 @@ struct LightRay {
   glm::dvec3 flux{1.0};
   int emitter = -1;       // Light::emitter, which its light passes
   std::uint64_t key = 0;  // the ray's number: what it draws depends on that alone
+  int own = -1;           // number of the triangle that it starts on, -1: none
 };
 
 // The ray of light through the middle of a texel of the light's view, `side` texels a side. Without its flux.
@@ -30,6 +31,8 @@ struct LightLanding {
   bool followed = false;  // on the way that the passes take: in, out where the caster is solid, and on
   int surfaces = 0;       // of casters, on its way
   int mesh = -1;          // the receiver, an index into Scene::meshes
+  int triangle = -1;      // its triangle, by number (RayTables)
+  bool front = true;      // it is met from outside
   std::size_t ray = 0;    // which it was part of
   int first = -1;         // the caster that the ray met first, an index into Scene::meshes
 };
@@ -51,6 +54,9 @@ class LightPaths {
   // would land although another caster stands before the receiver. `bend`: Branch::bend.
   void follow(std::span<const LightRay> rays, std::vector<LightLanding>& landings, double bend = 0.0,
               std::vector<LightLanding>* astray = nullptr) const;
+  // Where the rays meet the first receivers if casters do not stand in their way; nothing of those that meet
+  // none.
+  std::vector<LightLanding> first_receivers(std::span<const LightRay> rays) const;
   // Do the passes follow it all its way too?
   bool followed_by_passes() const { return effects_.further_surfaces.active; }
   // Does a caster stand on the way from p in this direction, up to that distance?

@@ -9,11 +9,23 @@
 
 namespace caustics {
 
-bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role,
+namespace {
+
+// Of the farthest receivers only those count that others hide, where it is known which these are.
+bool may_be_hidden(const DrawnFor& drawn_for, std::size_t mesh, const LightEffects* light) {
+  if (drawn_for.receivers != ReceiverLayer::Farthest || !light) return true;
+  return light->lit.hidden.empty() || light->lit.hidden[mesh];
+}
+
+}  // namespace
+
+bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const Effects& effects, std::size_t mesh,
                 const LightEffects* light) {
+  const SurfaceRole& role = effects.surfaces[mesh];
   switch (draws) {
     case DrawSet::Receivers:
-      return drawn_for.layer > 0 ? is_layered(role) : role.role == Role::Receiver;
+      return drawn_for.layer > 0 ? is_layered(role)
+                                 : role.role == Role::Receiver && may_be_hidden(drawn_for, mesh, light);
     case DrawSet::Casters:
       return is_caster(role.role);
     case DrawSet::Shadowing:

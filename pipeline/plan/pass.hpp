@@ -134,9 +134,10 @@ enum class DrawSet : std::uint8_t {
   Beams,         // beams * beams quadrilaterals of two triangles
 };
 
-// Is a mesh with such a surface in the set? No mesh is in sets that draw none. `light`: whose pass it is,
+// Is a mesh in the set? No mesh is in sets that draw none. `light`: whose pass it is,
 // null: the frame's.
-bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const SurfaceRole& role, const LightEffects* light);
+bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const Effects& effects, std::size_t mesh,
+                const LightEffects* light);
 
 // What a pass's uniforms are made from. `mesh` and `material` are null for DrawSets without meshes.
 struct PassContext {
@@ -152,11 +153,12 @@ struct PassContext {
   std::int64_t water_step = 0;             // likewise: which step, counted from rest
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
-  int material_row = 0;    // row of `caster_materials`: the mesh's material
-  int first_triangle = 0;  // of the mesh in the hierarchy (pipeline/scene/hierarchy_tables.hpp), -1: none
-  int first_receiver = 0;  // the hierarchy's first triangle that is no caster's
-  int first_uv = 0;        // the first texel of texture coordinates in hierarchy_normals
-  float touch = 0.0f;      // metres: surfaces that are as near touch
+  int material_row = 0;       // row of `caster_materials`: the mesh's material
+  int first_triangle = 0;     // of the mesh in the hierarchy (pipeline/scene/hierarchy_tables.hpp), -1: none
+  int first_receiver = 0;     // the hierarchy's first triangle that is no caster's
+  int first_uv = 0;           // the first texel of texture coordinates in hierarchy_normals
+  float touch = 0.0f;         // metres: surfaces that are as near touch
+  glm::vec4 eye_media{0.0f};  // the bodies that the camera is in (passes/shared/media.glsl)
   int mesh_index = 0;
   int width = 0, height = 0;            // of the pass's targets
   int face = 4;                         // of a cube view: the face that is drawn

@@ -2,6 +2,7 @@
 #include "pipeline/effects/branches.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/dim_lights.hpp"
@@ -18,6 +19,14 @@
 namespace caustics {
 
 namespace {
+
+// A pilot follows the first sample of a light with a size: the others' light lands on the same receivers.
+void share_among_samples(const Scene& scene, Effects& effects) {
+  std::map<int, std::size_t> first;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (scene.lights[i].source >= 0)
+      effects.lights[i].lit = effects.lights[first.try_emplace(scene.lights[i].source, i).first->second].lit;
+}
 
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of
 // moving water hold whatever the waves do, so that maps and shadows do not crawl.
@@ -41,6 +50,7 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
     if (shares.empty() && frame.effects.further_surfaces.reason.empty())
       shares = pilot.further_shares(frame.effects, settings, camera);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);
+    share_among_samples(scene, frame.effects);
     if (asked.grid.automatic && frame.effects.rough_glass.active && !frame.effects.further_surfaces.active)
       frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;
     frame.views = frame.effects.water_waves.active

@@ -14,6 +14,7 @@
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/light_paths.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/renderer/lit_receivers.hpp"
 #include "pipeline/renderer/pilot_rays.hpp"
 #include "pipeline/renderer/run_plan.hpp"
 #include "pipeline/renderer/widest_views.hpp"
@@ -223,8 +224,8 @@ double size_in_picture(const LightPaths& paths, const View* camera, const glm::d
   return blocked ? 0.0 : camera->perspective ? 1.0 / (q.z * q.z) : 1.0;
 }
 
-void add_shares(const LightPaths& paths, const Light& light, int number, const PilotViews& views, int step,
-                std::vector<FurtherShare>& shares) {
+void add_shares(const LightPaths& paths, const RayTables& tables, const Light& light, int number,
+                const PilotViews& views, int step, std::vector<FurtherShare>& shares) {
   const View& caster = views.caster;
   struct Landed {
     double all = 0.0, simple = 0.0;  // on the ways that the passes take which know two surfaces
@@ -238,14 +239,20 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const P
     whole += flux_of(other);
   }
   const glm::dvec3 looks = way_to_landings(light, caster, landings);
+  const std::vector<LandingSeen> seen = seen_by_light(paths, tables, light, landings);
+  const LitReceivers lit = lit_receivers(landings, seen, tables.scene().meshes.size());
   double shown = 0.0, shown_simply = 0.0;
-  for (const LightLanding& landing : landings) {
+  for (std::size_t i = 0; i < landings.size(); ++i) {
+    const LightLanding& landing = landings[i];
     const double flux = flux_of(landing);
     Landed& sum = landed[landing.first];
     sum.all += flux;
     const double in_picture = flux * size_in_picture(paths, views.camera, landing.position);
     shown += in_picture;
-    if (landing.followed && (looks == glm::dvec3(0.0) || shows(caster, landing.position))) {
+    // What the light's own view of its receivers does not show, its maps cannot find.
+    const bool found =
+        (looks == glm::dvec3(0.0) || shows(caster, landing.position)) && !seen[i].hidden && !seen[i].behind;
+    if (landing.followed && found) {
       sum.simple += flux;
       shown_simply += in_picture;
     }
@@ -257,7 +264,8 @@ void add_shares(const LightPaths& paths, const Light& light, int number, const P
                       .share = 1.0 - sum.simple / sum.all,
                       .of_light = sum.all / whole,
                       .seen = shown > 0.0 ? 1.0 - shown_simply / shown : 0.0,
-                      .looks = looks});
+                      .looks = looks,
+                      .lit = lit});
 }
 
 }  // namespace
@@ -330,7 +338,8 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
     const auto index = static_cast<std::size_t>(i);
     const bool all_around = !effects.lights[index].all_around.empty();
     const View caster = widest_views(scene, effects, all_around ? settings : coarse, i).caster;
-    add_shares(paths, scene.lights[index], i, {caster, camera}, pilot_step(lights.size()), shares);
+    add_shares(paths, scene_.tables(), scene.lights[index], i, {caster, camera}, pilot_step(lights.size()),
+               shares);
   }
   return shares;
 }

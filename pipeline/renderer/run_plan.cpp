@@ -39,6 +39,7 @@ class PassRunner {
     const Settings& settings = *inputs.settings;
     for (const SubPixel& by : sub_pixels(samples_a_pixel(settings)))
       cameras_.push_back(shifted(inputs.camera, by, settings.width, settings.height));
+    if (inputs.effects->seen_casters.active) eye_media_ = scene.tables().bodies_around(inputs.camera.origin);
   }
 
   PassRun prepare(const PlannedPass& planned) const {
@@ -96,6 +97,7 @@ class PassRunner {
     context.first_receiver = scene_.tables().first_receiver();
     context.first_uv = scene_.tables().first_uv();
     context.touch = scene_.tables().touch();
+    context.eye_media = eye_media_;
     if (planned.light >= 0) {
       const auto light = static_cast<std::size_t>(planned.light);
       context.light = &scene_.scene().lights[light];
@@ -115,8 +117,7 @@ class PassRunner {
                       PassRun& run) const {
     const Scene& scene = scene_.scene();
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-      if (!draws_mesh(pass.draws, *planned.drawn_for, inputs_.effects->surfaces[i], context.of_light))
-        continue;
+      if (!draws_mesh(pass.draws, *planned.drawn_for, *inputs_.effects, i, context.of_light)) continue;
       if (context.light && context.light->emitter == static_cast<int>(i)) continue;
       context.mesh = &scene.meshes[i];
       context.mesh_index = static_cast<int>(i);
@@ -199,6 +200,7 @@ class PassRunner {
   const FrameTargets& targets_;
   const FrameInputs& inputs_;
   const LightSettings settings_;
+  glm::vec4 eye_media_{0.0f};
   std::vector<View> cameras_;  // of the pixels' middles, then by sample
 };
 

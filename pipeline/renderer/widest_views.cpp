@@ -153,7 +153,7 @@ LightViews through_windows(const LightExtents& extents, const Effects& effects, 
   set_depth(views.receiver, all.nearest, all.farthest, reach);
   views.casters_nearest = extents.casters.nearest;
   views.column = views.caster;
-  if (!effects.mirrors.active && !effects.reflections.active) {
+  if (!effects.mirrors.active && !effects.reflections.active && !effects.further_surfaces.active) {
     views.column.window_lower = glm::dvec2(-kEverywhere);
     views.column.window_upper = glm::dvec2(kEverywhere);
   }

@@ -140,7 +140,10 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
     const std::size_t texel = 3 * count + kTexelsOfUv * number;
     normals.set(texel, glm::vec4(of(0).uv, of(1).uv));
     normals.set(texel + 1, glm::vec4(of(2).uv, 0.0f, 0.0f));
-    for (std::size_t k = 0; k < 3; ++k) normals.set(texel + 2 + k, of(k).tangent);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = mesh.indices[3 * static_cast<std::size_t>(id.triangle) + k];
+      normals.set(texel + 2 + k, mesh.colors.empty() ? of(k).tangent : mesh.colors[vertex]);
+    }
   };
   in_runs(tree.triangles().size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) put(place);

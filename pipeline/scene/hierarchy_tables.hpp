@@ -35,7 +35,7 @@ struct HierarchyTables {
   Image triangles;
   // Likewise, by number: its corners' normals; and its place in `triangles`. Of what is dressed, casters or
   // all, from texel first_uv() on, kTexelsOfUv a triangle by number: texture coordinates of its first and
-  // second corner; of the third; its corners' tangents.
+  // second corner; of the third; its corners' tangents, or colours where they have such.
   Image normals;
 };
 inline constexpr int kTexelsOfUv = 5;

@@ -17,7 +17,7 @@ struct LightViews {
   View panes;     // on the thin panes
   // z of the casters' nearest point: what lies before it within the column's window stands between light and
   // casters, and is no receiver of their light. Refracted light goes on forwards, so the column has
-  // everything in it; mirrored light comes back, so it is the casters' own.
+  // everything in it; mirrored light, and light that is followed, comes back, so it is the casters' own.
   double casters_nearest = 0.0;  // in cubes a distance
   View column;
   std::optional<View>

@@ -22,6 +22,7 @@ struct LightShadingBench {
   float covered = 1.0f;
   bool occluders = false, caustics = false, pixel_means = true;
   double casters_nearest = 0.0;
+  LitFromBehind behind = LitFromBehind::No;
   Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, cascade_map{}, panes{}, far_receiver{},
       far_caustic_map{};
   // What the camera sees with it: reflectance at normal incidence and roughness; glass and metal before it.
@@ -65,12 +66,15 @@ struct LightShadingBench {
       views.cascade->window_lower *= 0.5;
       views.cascade->window_upper *= 0.5;
     }
+    LightEffects of_light;
+    of_light.lit.behind = behind;
     return pass.uniforms({.scene = &scene,
                           .settings = &settings,
                           .effects = &effects,
                           .views = &views,
                           .camera = camera ? &*camera : nullptr,
                           .light = &scene.lights[0],
+                          .of_light = &of_light,
                           .drawn_for = drawn_for});
   }
 

@@ -1,0 +1,102 @@
+#include "pipeline/renderer/lit_receivers.hpp"
+
+#include <limits>
+
+#include "pipeline/scene/exact.hpp"
+
+namespace caustics {
+
+namespace {
+
+// Less of what lands is left to chance: it may be a few rays'.
+constexpr double kLeastHidden = 1e-3, kLeastBehind = 2e-3;
+// So much of what is hidden lies on one kind of sides where only that is looked for.
+constexpr double kNearlyAll = 0.98;
+// Of what lands from behind, as much may land from before on the same receivers: both are shown on both
+// sides.
+constexpr double kMostMixed = 0.1;
+
+double flux_of(const LightLanding& landing) { return (landing.flux.x + landing.flux.y) + landing.flux.z; }
+
+struct TowardsLight {
+  glm::dvec3 direction;
+  double distance;  // metres
+};
+
+TowardsLight towards(const Light& light, const glm::dvec3& p) {
+  if (light.type == LightType::Directional)
+    return {-light.direction, std::numeric_limits<double>::infinity()};
+  const glm::dvec3 way = light.position - p;
+  return {exact::normalise(way, glm::dvec3(0.0, 1.0, 0.0)), exact::length(way)};
+}
+
+}  // namespace
+
+std::vector<LandingSeen> seen_by_light(const LightPaths& paths, const RayTables& tables, const Light& light,
+                                       const std::vector<LightLanding>& landings) {
+  std::vector<LightRay> rays;
+  std::vector<LandingSeen> seen;
+  for (const LightLanding& landing : landings) {
+    const TowardsLight to = towards(light, landing.position);
+    const bool away = exact::dot(tables.plane_of(landing.triangle), to.direction) <= 0.0;
+    seen.push_back({.behind = away == landing.front, .away = away});
+    rays.push_back({.origin = landing.position,
+                    .direction = to.direction,
+                    .emitter = light.emitter,
+                    .own = landing.triangle});
+  }
+  for (const LightLanding& met : paths.first_receivers(rays)) {
+    const glm::dvec3& from = landings[met.ray].position;
+    if (met.mesh != light.emitter && exact::length(met.position - from) < towards(light, from).distance)
+      seen[met.ray].hidden = true;
+  }
+  return seen;
+}
+
+namespace {
+
+// By landing, of those that are not hidden: does the map of the nearest receivers have what comes from
+// behind?
+LitFromBehind from_behind(const std::vector<LightLanding>& landings, const std::vector<LandingSeen>& seen,
+                          std::size_t meshes) {
+  std::vector<double> before(meshes), behind(meshes);
+  double all = 0.0, all_behind = 0.0;
+  for (std::size_t i = 0; i < landings.size(); ++i) {
+    const double flux = flux_of(landings[i]);
+    all += flux;
+    if (seen[i].behind) all_behind += flux;
+    if (!seen[i].hidden)
+      (seen[i].behind ? behind : before)[static_cast<std::size_t>(landings[i].mesh)] += flux;
+  }
+  if (!(all_behind > kLeastBehind * all)) return LitFromBehind::No;
+  double mixed = 0.0, shown = 0.0;
+  for (std::size_t m = 0; m < meshes; ++m) {
+    shown += behind[m];
+    if (behind[m] > 0.0) mixed += before[m];
+  }
+  return mixed > kMostMixed * shown ? LitFromBehind::InFarthest : LitFromBehind::InNearest;
+}
+
+}  // namespace
+
+LitReceivers lit_receivers(const std::vector<LightLanding>& landings, const std::vector<LandingSeen>& seen,
+                           std::size_t meshes) {
+  std::vector<double> by_mesh(meshes);
+  double all = 0.0, hidden = 0.0, away = 0.0;
+  LitReceivers lit{.behind = from_behind(landings, seen, meshes)};
+  for (std::size_t i = 0; i < landings.size(); ++i) {
+    const double flux = flux_of(landings[i]);
+    all += flux;
+    if (!seen[i].hidden && !(seen[i].behind && lit.behind == LitFromBehind::InFarthest)) continue;
+    hidden += flux;
+    by_mesh[static_cast<std::size_t>(landings[i].mesh)] += flux;
+    if (seen[i].away) away += flux;
+  }
+  if (!(hidden > kLeastHidden * all)) return lit;
+  for (const double flux : by_mesh) lit.hidden.push_back(flux > kLeastHidden * hidden);
+  if (away > kNearlyAll * hidden) lit.hidden_sides = OutwardSides::Away;
+  if (hidden - away > kNearlyAll * hidden) lit.hidden_sides = OutwardSides::Towards;
+  return lit;
+}
+
+}  // namespace caustics

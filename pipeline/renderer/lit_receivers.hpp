@@ -1,0 +1,23 @@
+// On what the light of casters lands that its light does not see there.
+#pragma once
+#include <vector>
+
+#include "pipeline/measure/light_paths.hpp"
+
+namespace caustics {
+
+// How a light sees where a part of it has landed.
+struct LandingSeen {
+  bool hidden = false;  // another receiver stands before it
+  bool behind = false;  // it has come to the side that the light cannot shine on
+  bool away = false;    // the triangle's outward normal faces away from the light
+};
+
+// `landings`: a light's, of rays that have been followed through the tables' scene. By landing.
+std::vector<LandingSeen> seen_by_light(const LightPaths& paths, const RayTables& tables, const Light& light,
+                                       const std::vector<LightLanding>& landings);
+
+LitReceivers lit_receivers(const std::vector<LightLanding>& landings, const std::vector<LandingSeen>& seen,
+                           std::size_t meshes);
+
+}  // namespace caustics
