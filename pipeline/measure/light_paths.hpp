@@ -37,6 +37,11 @@ struct LightLanding {
   int first = -1;         // the caster that the ray met first, an index into Scene::meshes
 };
 
+// Of all channels.
+inline double flux_of(const LightLanding& landing) {
+  return (landing.flux.x + landing.flux.y) + landing.flux.z;
+}
+
 // A path is followed both ways at a surface until it has met kBothWays of them or the weaker way has less
 // than kWeakShare of the ray's flux; from then on one way is drawn, in proportion to Fresnel's shares. It is
 // given up after kMostSurfaces, and below kLeastShare of its flux.

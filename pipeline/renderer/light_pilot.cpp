@@ -175,8 +175,6 @@ struct PilotViews {
   const View* camera;
 };
 
-double flux_of(const LightLanding& landing) { return (landing.flux.x + landing.flux.y) + landing.flux.z; }
-
 // Would its widest window show a point?
 bool shows(const View& view, const glm::dvec3& p) {
   const glm::dvec3 q = view.coordinates(p);

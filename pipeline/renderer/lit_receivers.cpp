@@ -16,8 +16,6 @@ constexpr double kNearlyAll = 0.98;
 // sides.
 constexpr double kMostMixed = 0.1;
 
-double flux_of(const LightLanding& landing) { return (landing.flux.x + landing.flux.y) + landing.flux.z; }
-
 struct TowardsLight {
   glm::dvec3 direction;
   double distance;  // metres
