@@ -57,7 +57,8 @@ Surface seen_surface(Vec3 direction, IN(Meeting) at, IN(Interface) both, IN(Mate
 // What comes by the weaker way from a surface, of which there is a share.
 Vec3 weaker_way(IN(Surface) surface, IN(Material) material, Vec3 direction, Bool stronger_is_mirrored) {
   Vec3 other = direction_behind(surface, direction, !stronger_is_mirrored);
-  return color_behind(surface, material, !stronger_is_mirrored) * radiance_aside(other, !stronger_is_mirrored);
+  Vec3 color = color_behind(surface, material, !stronger_is_mirrored);
+  return color * radiance_aside(other, !stronger_is_mirrored);
 }
 
 // The way that a ray takes at a surface: the stronger; or `straight` on.
