@@ -12,7 +12,8 @@ OUTPUT(0, Vec4, receiver_position)
 
 void main() {
   discard_if(outside_tile(u.view, u.map_side));
-  discard_if((Bool(u.without_towards != 0) && front_facing()) || (Bool(u.without_away != 0) && !front_facing()));
+  discard_if(Bool(u.without_towards != 0) && front_facing());
+  discard_if(Bool(u.without_away != 0) && !front_facing());
   discard_if(cut_out(u.mask, surface_uv) ||
              stands_before_casters(u.column, u.casters_nearest, view_coordinates(u.view, surface_position)));
   receiver_position = Vec4(surface_position, Float(1.0f));

@@ -1,8 +1,8 @@
 // The camera's rays, from the glass or metal that a pixel shows, from surface to surface. Needs
 // caster_material.glsl, caster_triangles.glsl, dressed_meeting.glsl, absorption.glsl, position_texel.glsl,
 // view_space.glsl, hierarchy.glsl, interface.glsl, surface.glsl, rough_surface.glsl, hit_texel.glsl, the
-// textures picture_position, view_caster_position, view_caster_normal and view_caster_triangle, the uniforms of
-// sight_uniforms.glsl, and radiance_aside(), what comes by a way that is not followed.
+// textures picture_position, view_caster_position, view_caster_normal and view_caster_triangle, the uniforms
+// of sight_uniforms.glsl, and radiance_aside(), what comes by a way that is not followed.
 
 // A ray of sight on its way.
 struct Sight {
