@@ -142,8 +142,8 @@ Vec3 color_at(Vec3 p, Float nearest, Vec3 otherwise) {
 
 Float nothing_nearer() { return Float(-1.0e30f); }
 
-// Of a receiver that the picture does not show. Where no ray beside this one has found such, it is at the edge
-// of what the picture shows.
+// Of a receiver that the picture does not show. Where no ray beside this one has found such, it is at the
+// edge of what the picture shows.
 Vec3 color_of_hidden(Vec3 p, Texture ends, Vec3 sky) {
   Vec4 own = hidden_color(ends);
   Float there = own.w;

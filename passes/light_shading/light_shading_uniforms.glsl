@@ -14,7 +14,7 @@ CHOICE(has_lift)               // some surfaces bulge over their triangles
 CHOICE(has_panes)
 CHOICE(has_caustic)            // there are maps of casters, of receivers and of the casters' light on them
 CHOICE(looks_aside)            // the maps of receivers and of the casters' light have axes of their own
-CHOICE(lights_backs)           // the casters' light falls on sides that face away: 1: farthest receivers', 2: all
+CHOICE(lights_backs)           // sides that face away take caustics: 1: of the farthest receivers, 2: of all
 CHOICE(has_cascade)            // a part of the caustic map in finer texels
 CHOICE(receivers_are_layered)  // the receivers farthest from the light have maps of their own
 CHOICE(caustic_is_grey)        // caustic maps have one channel
