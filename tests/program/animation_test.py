@@ -76,7 +76,8 @@ class Frames(MovingTest):
         self.assertEqual(self.picture("f.4.png"), self.picture("f.8.png"))
 
     def test_the_device_keeps_what_it_made(self):
-        # But for the hierarchy of what moves, which is made anew.
+        # But for the hierarchy of what moves, which is made anew; and for the rays of pilots, which each frame
+        # has of its own, on the software device.
         for backend in ("software", "gl"):
             result = self.run_program("go.glb", *SMALL, "--backend", backend, "--frames", "0..3", "-D",
                                       "samples=4", "-D", "ambient.occlusion=off", "-o", "f.%d.png", "--stats",
@@ -88,7 +89,11 @@ class Frames(MovingTest):
             first, last = frames["made_by_first"], frames["made_by_all"]
             first.pop("read_backs"), last.pop("read_backs")
             of_hierarchies = 3 * 3  # tables, frames after the first
-            self.assertEqual(first | {"textures": first["textures"] + of_hierarchies}, last, backend)
+            if backend == "software":
+                first.pop("textures"), last.pop("textures")
+            else:
+                first["textures"] += of_hierarchies
+            self.assertEqual(first, last, backend)
             self.succeeds("go.glb", *SMALL, "--backend", backend, "--frames", "3", "-D", "samples=4", "-D",
                           "ambient.occlusion=off", "-o", "one.%d.png")
             self.assertEqual(self.picture("one.3.png"), self.picture("f.3.png"), backend)

@@ -28,6 +28,8 @@ def without_times(value, key=""):
         return {k: "MASKED" if of_times else without_times(v, k) for k, v in value.items()}
     if isinstance(value, list):
         return [without_times(each) for each in value]
+    if isinstance(value, str):  # nor this machine's lanes
+        return re.sub(r"\d+ lanes \(\w+\)", "lanes", value)
     return value
 
 

@@ -176,4 +176,24 @@ TEST_CASE("tracer: what an alpha mask cuts out of a caster is not there") {
   CHECK(Run(cut_out, 8, 8, 1).account().hits == 0.0);
 }
 
+TEST_CASE("tracer: bodies of the same glass that touch are one, stacked or one within the other") {
+  test::need_ray_queries();
+  const auto passed = [](std::vector<Mesh> bodies) {
+    Scene scene;
+    scene.materials = {test::diffuse(0.8f), test::glass(1.5f), test::glass(1.5f)};
+    scene.meshes = std::move(bodies);
+    scene.meshes.insert(scene.meshes.begin(), test::floor(3.0, 0.0, 0));
+    scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
+    scene.cameras = {test::camera_down(0.2, 1.0)};
+    const Run run(scene, 8, 4000, 2, Physics::Full);
+    check_closed(run.account());
+    return run.account().landed.x / run.account().entered.x;
+  };
+  // (1 - R) / (1 + R) with R = 0.04; some thousand draws of what is mirrored twice. Sides take a little.
+  CHECK(passed({test::box({-1, 0.5, -1}, {1, 0.65, 1}, 1), test::box({-1, 0.65, -1}, {1, 0.8, 1}, 2)}) ==
+        Approx(0.96 / 1.04).margin(3e-3));
+  CHECK(passed({test::box({-1, 0.5, -1}, {1, 0.8, 1}, 1), test::box({-1, 0.65, -1}, {1, 0.8, 1}, 2)}) ==
+        Approx(0.96 / 1.04).margin(3e-3));
+}
+
 }  // namespace caustics::tracer

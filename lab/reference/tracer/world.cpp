@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "lab/reference/tracer/touching.hpp"
 #include "pipeline/effects/bodies.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
@@ -41,6 +42,7 @@ World::World(const Scene& scene, const Effects& effects, const std::vector<Exact
   for (const Camera& camera : scene.cameras) everything.add(camera.position);
   size_ = everything.empty() ? 1.0 : std::max(2.0 * everything.radius(), 1e-6);
   nearest_ = 2e-6 * size_;
+  overlapping_ = with_overlaps(scene, optics_, 2.0 * nearest_);
   panes_ = RaySet(scene, meshes_with(optics_, -1, is_pane));
   sets_.push_back(set_without(-1));
   std::map<int, std::size_t> by_emitter{{-1, 0}};
@@ -69,7 +71,7 @@ LitSet World::set_without(int emitter) const {
   for (const int m : casters) bounds.add(bounds_of(scene_.meshes[static_cast<std::size_t>(m)]));
   for (const ExactShape& shape : exact_)
     if (std::find(casters.begin(), casters.end(), shape.mesh) != casters.end()) bounds.add(shape.bounds());
-  return {RaySet(scene_, casters, exact_, true),
+  return {RaySet(overlapping_ ? *overlapping_ : scene_, casters, exact_, true),
           RaySet(scene_, meshes_with(optics_, emitter, is_receiver), exact_), std::move(casters), bounds};
 }
 

@@ -1,5 +1,6 @@
 // A scene as the tracer sees it: which surfaces do what to light, and rays that find them.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "lab/reference/tracer/optics.hpp"
@@ -43,6 +44,7 @@ class World {
   const Effects& effects_;
   std::vector<ExactShape> exact_;
   std::vector<Optics> optics_;
+  std::unique_ptr<const Scene> overlapping_;  // null: no bodies touch
   std::vector<LitSet> sets_;
   std::vector<std::size_t> set_of_;
   std::vector<bool> throws_;
