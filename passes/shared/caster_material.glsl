@@ -1,4 +1,4 @@
-// A row of the texture caster_materials (pipeline/renderer/scene_on_device.cpp fills it), which `w` in a
+// A row of the texture caster_materials (pipeline/effects/ray_tables.cpp fills it), which `w` in a
 // texture of casters' normals points to.
 struct Material {
   Float ior;         // n_d

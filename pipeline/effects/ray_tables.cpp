@@ -105,6 +105,7 @@ glm::dvec3 RayTables::plane_of(int number) const {
 }
 
 glm::vec4 RayTables::bodies_around(const glm::dvec3& p) const {
+  if (around_ && around_->first == p) return around_->second;
   const glm::dvec3 up{0.0, 1.0, 0.0};
   std::map<int, TriangleHit> first;  // by body
   for (const int mesh : media_) {
@@ -124,6 +125,7 @@ glm::vec4 RayTables::bodies_around(const glm::dvec3& p) const {
   glm::vec4 media(0.0f);
   for (int i = 0; i < static_cast<int>(std::min<std::size_t>(around.size(), 4)); ++i)
     media[i] = static_cast<float>(around[static_cast<std::size_t>(i)].second + 1);
+  around_ = {p, media};
   return media;
 }
 

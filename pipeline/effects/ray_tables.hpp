@@ -1,6 +1,7 @@
 // What rays that go from surface to surface read of a scene: tables on a device.
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "pipeline/effects/effects.hpp"
@@ -23,7 +24,10 @@ class RayTables {
   const Scene& scene() const { return scene_; }
   Device& device() const { return device_; }
   // Meshes have moved.
-  void renew() { hierarchy_.reset(); }
+  void renew() {
+    hierarchy_.reset();
+    around_.reset();
+  }
 
   TextureId materials() const { return materials_.id(); }
   TextureId texels() const { return texels_.id(); }  // None where casters have no pictures
@@ -68,6 +72,7 @@ class RayTables {
   int first_receiver_ = 0, first_uv_ = 0;
   float touch_ = 0.0f;
   mutable std::optional<Hierarchy> hierarchy_;
+  mutable std::optional<std::pair<glm::dvec3, glm::vec4>> around_;  // what bodies_around() has found last
 };
 
 }  // namespace caustics

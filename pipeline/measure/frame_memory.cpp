@@ -26,7 +26,7 @@ std::uint64_t float_bytes(const TextureOrMemory& texture) {
          static_cast<std::uint64_t>(channel_count(texture.format)) * sizeof(float);
 }
 
-// The trees of casters and receivers, through which rays for the model's error are followed.
+// The tree of casters, which tells what the camera sees of where rays for the model's error land.
 std::uint64_t tree_bytes(const Scene& scene) {
   std::uint64_t indices = 0;
   for (const Mesh& mesh : scene.meshes) indices += mesh.indices.size();
@@ -180,7 +180,9 @@ std::uint64_t memory_needed(const FrameCost& cost) {
     for (std::size_t i = 0; i < ledgers.size(); ++i) ledgers[i] += copies[i];
   }
   std::vector<bool> drawn_into(plan.memory.size());
-  const HierarchyBytes hierarchy = hierarchy_bytes(cost);
+  // A pilot on the same device has made it: it has been taken.
+  const bool made = !cost.device.copies_looks && !cost.effects.further_shares.empty();
+  const HierarchyBytes hierarchy = made ? HierarchyBytes{} : hierarchy_bytes(cost);
   most = std::max(most, held + hierarchy.held + hierarchy.making);
   held += hierarchy.held;
   for (const PlannedPass& pass : plan.passes) {

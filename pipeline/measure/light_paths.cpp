@@ -18,6 +18,8 @@ namespace {
 constexpr int kMostPassed = 256;
 // Parts that a step takes, and in a row of its textures.
 constexpr std::size_t kMostAtOnce = 16384, kInRow = 128;
+// What is drawn for a facet is less than 1 in single precision too.
+constexpr double kMostShare = 1.0 - 0x1p-23;
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
@@ -149,7 +151,7 @@ class LightPaths::Stepping {
     const std::size_t block = kInRow * static_cast<std::size_t>(height);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       Part part = parts[i];
-      const double share = part.draw(), turn = part.draw();
+      const double share = std::min(part.draw(), kMostShare), turn = part.draw();
       const glm::vec4 texels[] = {
           {part.start, part.own}, {part.direction, 1.0f}, part.media, {share, turn, 0.0f, 0.0f}};
       for (std::size_t k = 0; k < 4; ++k)
@@ -241,20 +243,21 @@ class LightPaths::Following {
     part.flux *= met.left;
     if (part.first < 0) {
       // Nothing stands before casters but what they are lit through.
-      if (receiver || met.hole || mesh == rays_[part.ray].emitter) return pass_straight(part, met);
+      if (receiver || met.hole || mesh == rays_[part.ray].emitter) return pass_straight(part, met, receiver);
       part.first = mesh;
     }
     if (receiver) return land(part, met, mesh);
-    if (part.astray) return pass_straight(part, met);
+    if (part.astray) return pass_straight(part, met, false);
     if (part.let_go && astray_) {
       Part other = part;
       other.astray = true;
-      pass_straight(other, met);
+      pass_straight(other, met, false);
     }
     meet(part, met, mesh);
   }
 
   void land(const Part& part, const Meeting& met, int mesh) {
+    if (!(largest(part.flux) > 0.0)) return;
     (part.astray ? *astray_ : landings_)
         .push_back({.position = glm::dvec3(met.point),
                     .flux = part.flux,
@@ -267,9 +270,10 @@ class LightPaths::Following {
                     .first = part.first});
   }
 
-  void pass_straight(Part part, const Meeting& met) {
+  // `beyond`: and all that lies in the same place.
+  void pass_straight(Part part, const Meeting& met, bool beyond) {
     if (++part.passed > kMostPassed) return;
-    part.start = met.point;
+    part.start = met.point + part.direction * (beyond ? 2.0f * paths_.tables_.touch() : 0.0f);
     part.own = static_cast<float>(met.number + 1);
     waiting_.push_back(part);
   }

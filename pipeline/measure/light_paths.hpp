@@ -17,7 +17,7 @@ namespace caustics {
 struct LightRay {
   glm::dvec3 origin{0.0}, direction{0.0, 0.0, -1.0};
   glm::dvec3 flux{1.0};
-  int emitter = -1;       // Light::emitter, which its light passes
+  int emitter = -1;       // Light::emitter, which its light passes before its first caster
   std::uint64_t key = 0;  // the ray's number: what it draws depends on that alone
   int own = -1;           // number of the triangle that it starts on, -1: none
 };

@@ -2,7 +2,6 @@
 #include "pipeline/effects/branches.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/dim_lights.hpp"
@@ -20,12 +19,13 @@ namespace caustics {
 
 namespace {
 
-// A pilot follows the first sample of a light with a size: the others' light lands on the same receivers.
+// A pilot follows one sample of a light with a size: the others' light lands on the same receivers.
 void share_among_samples(const Scene& scene, Effects& effects) {
-  std::map<int, std::size_t> first;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (scene.lights[i].source >= 0)
-      effects.lights[i].lit = effects.lights[first.try_emplace(scene.lights[i].source, i).first->second].lit;
+  for (const FurtherShare& found : effects.further_shares) {
+    const int source = scene.lights[static_cast<std::size_t>(found.light)].source;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+      if (source >= 0 && scene.lights[i].source == source) effects.lights[i].lit = found.lit;
+  }
 }
 
 // Effects, a pilot's views, what it found, the plan: in this order, here and nowhere else. The views of

@@ -171,7 +171,7 @@ namespace {
 
 // From where a light sees its casters, and the picture its light; no camera: null.
 struct PilotViews {
-  const View& caster;
+  const LightViews& light;
   const View* camera;
 };
 
@@ -224,7 +224,7 @@ double size_in_picture(const LightPaths& paths, const View* camera, const glm::d
 
 void add_shares(const LightPaths& paths, const RayTables& tables, const Light& light, int number,
                 const PilotViews& views, int step, std::vector<FurtherShare>& shares) {
-  const View& caster = views.caster;
+  const View& caster = views.light.caster;
   struct Landed {
     double all = 0.0, simple = 0.0;  // on the ways that the passes take which know two surfaces
   };
@@ -237,7 +237,7 @@ void add_shares(const LightPaths& paths, const RayTables& tables, const Light& l
     whole += flux_of(other);
   }
   const glm::dvec3 looks = way_to_landings(light, caster, landings);
-  const std::vector<LandingSeen> seen = seen_by_light(paths, tables, light, landings);
+  const std::vector<LandingSeen> seen = seen_by_light({paths, tables, light, views.light}, landings);
   const LitReceivers lit = lit_receivers(landings, seen, tables.scene().meshes.size());
   double shown = 0.0, shown_simply = 0.0;
   for (std::size_t i = 0; i < landings.size(); ++i) {
@@ -257,13 +257,14 @@ void add_shares(const LightPaths& paths, const RayTables& tables, const Light& l
     whole += flux;
   }
   for (const auto& [mesh, sum] : landed)
-    shares.push_back({.light = number,
-                      .mesh = mesh,
-                      .share = 1.0 - sum.simple / sum.all,
-                      .of_light = sum.all / whole,
-                      .seen = shown > 0.0 ? 1.0 - shown_simply / shown : 0.0,
-                      .looks = looks,
-                      .lit = lit});
+    if (sum.all > 0.0)
+      shares.push_back({.light = number,
+                        .mesh = mesh,
+                        .share = 1.0 - sum.simple / sum.all,
+                        .of_light = sum.all / whole,
+                        .seen = shown > 0.0 ? 1.0 - shown_simply / shown : 0.0,
+                        .looks = looks,
+                        .lit = lit});
 }
 
 }  // namespace
@@ -335,8 +336,8 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
   for (const int i : lights) {
     const auto index = static_cast<std::size_t>(i);
     const bool all_around = !effects.lights[index].all_around.empty();
-    const View caster = widest_views(scene, effects, all_around ? settings : coarse, i).caster;
-    add_shares(paths, scene_.tables(), scene.lights[index], i, {caster, camera}, pilot_step(lights.size()),
+    const LightViews views = widest_views(scene, effects, all_around ? settings : coarse, i);
+    add_shares(paths, scene_.tables(), scene.lights[index], i, {views, camera}, pilot_step(lights.size()),
                shares);
   }
   return shares;

@@ -28,25 +28,39 @@ TowardsLight towards(const Light& light, const glm::dvec3& p) {
   return {exact::normalise(way, glm::dvec3(0.0, 1.0, 0.0)), exact::length(way)};
 }
 
+// As passes/shared/casters_column.glsl has it.
+bool stands_before_casters(const LightViews& views, const glm::dvec3& p) {
+  const View& column = views.column;
+  const glm::dvec3 q = column.coordinates(p);
+  if (column.cube) return exact::length(q) < views.casters_nearest;
+  const glm::dvec2 at = column.window(q);
+  const bool inside = at.x >= column.window_lower.x && at.x <= column.window_upper.x &&
+                      at.y >= column.window_lower.y && at.y <= column.window_upper.y;
+  return inside && q.z < views.casters_nearest;
+}
+
 }  // namespace
 
-std::vector<LandingSeen> seen_by_light(const LightPaths& paths, const RayTables& tables, const Light& light,
-                                       const std::vector<LightLanding>& landings) {
+std::vector<LandingSeen> seen_by_light(const LitScene& scene, const std::vector<LightLanding>& landings) {
+  const Light& light = scene.light;
+  // Receivers in the landing's place, or in the light's, hide nothing.
+  const double touch = 2.0 * static_cast<double>(scene.tables.touch());
   std::vector<LightRay> rays;
   std::vector<LandingSeen> seen;
   for (const LightLanding& landing : landings) {
     const TowardsLight to = towards(light, landing.position);
-    const bool away = exact::dot(tables.plane_of(landing.triangle), to.direction) <= 0.0;
-    seen.push_back({.behind = away == landing.front, .away = away});
-    rays.push_back({.origin = landing.position,
+    const bool away = exact::dot(scene.tables.plane_of(landing.triangle), to.direction) <= 0.0;
+    seen.push_back({.behind = away == landing.front && landing.mesh != light.emitter, .away = away});
+    rays.push_back({.origin = landing.position + to.direction * touch,
                     .direction = to.direction,
                     .emitter = light.emitter,
                     .own = landing.triangle});
   }
-  for (const LightLanding& met : paths.first_receivers(rays)) {
+  for (const LightLanding& met : scene.paths.first_receivers(rays)) {
     const glm::dvec3& from = landings[met.ray].position;
-    if (met.mesh != light.emitter && exact::length(met.position - from) < towards(light, from).distance)
-      seen[met.ray].hidden = true;
+    const bool between = exact::length(met.position - from) < towards(light, from).distance - 2.0 * touch;
+    seen[met.ray].hidden =
+        between && met.mesh != light.emitter && !stands_before_casters(scene.views, met.position);
   }
   return seen;
 }
@@ -72,7 +86,8 @@ LitFromBehind from_behind(const std::vector<LightLanding>& landings, const std::
     shown += behind[m];
     if (behind[m] > 0.0) mixed += before[m];
   }
-  return mixed > kMostMixed * shown ? LitFromBehind::InFarthest : LitFromBehind::InNearest;
+  const bool apart = shown > kLeastBehind * all && mixed <= kMostMixed * shown;
+  return apart ? LitFromBehind::InNearest : LitFromBehind::InFarthest;
 }
 
 }  // namespace

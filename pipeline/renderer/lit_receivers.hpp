@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pipeline/measure/light_paths.hpp"
+#include "pipeline/views/light_views.hpp"
 
 namespace caustics {
 
@@ -13,9 +14,15 @@ struct LandingSeen {
   bool away = false;    // the triangle's outward normal faces away from the light
 };
 
-// `landings`: a light's, of rays that have been followed through the tables' scene. By landing.
-std::vector<LandingSeen> seen_by_light(const LightPaths& paths, const RayTables& tables, const Light& light,
-                                       const std::vector<LightLanding>& landings);
+// `landings`: of light, by rays that have been followed through the tables' scene; `views`: that light's. By
+// landing. What stands between light and casters hides nothing: maps leave it out.
+struct LitScene {
+  const LightPaths& paths;
+  const RayTables& tables;
+  const Light& light;
+  const LightViews& views;
+};
+std::vector<LandingSeen> seen_by_light(const LitScene& scene, const std::vector<LightLanding>& landings);
 
 LitReceivers lit_receivers(const std::vector<LightLanding>& landings, const std::vector<LandingSeen>& seen,
                            std::size_t meshes);

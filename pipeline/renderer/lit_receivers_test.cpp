@@ -1,5 +1,6 @@
 #include "pipeline/renderer/lit_receivers.hpp"
 
+#include "pipeline/renderer/widest_views.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/pilot.hpp"
@@ -18,7 +19,8 @@ LitReceivers lit(const Scene& scene, const std::vector<LightRay>& rays) {
   const LightPaths paths(tables, effects, settings, pilot().registry);
   std::vector<LightLanding> landings;
   paths.follow(rays, landings);
-  return lit_receivers(landings, seen_by_light(paths, tables, scene.lights[0], landings),
+  const LightViews views = widest_views(scene, effects, settings, 0);
+  return lit_receivers(landings, seen_by_light({paths, tables, scene.lights[0], views}, landings),
                        scene.meshes.size());
 }
 
@@ -54,7 +56,7 @@ TEST_CASE("lit receivers: of a thick ceiling the side that faces away is looked 
   const LitReceivers found = lit(
       scene_of({floor(10.0, 0.0, 0), box({-1, 0.5, -1}, {1, 0.8, 1}, 1), box({-5, 3.0, -5}, {5, 3.5, 5}, 0)}),
       kDown);
-  CHECK(found.behind == LitFromBehind::InNearest);
+  CHECK(found.behind == LitFromBehind::InFarthest);
   CHECK(found.hidden == std::vector<bool>{false, false, true});
   CHECK(found.hidden_sides == OutwardSides::Away);
 }

@@ -39,7 +39,10 @@ class PassRunner {
     const Settings& settings = *inputs.settings;
     for (const SubPixel& by : sub_pixels(samples_a_pixel(settings)))
       cameras_.push_back(shifted(inputs.camera, by, settings.width, settings.height));
-    if (inputs.effects->seen_casters.active) eye_media_ = scene.tables().bodies_around(inputs.camera.origin);
+    const bool sees = std::any_of(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
+      return pass.drawn_for->label == kCamera.label;
+    });
+    if (sees) eye_media_ = scene.tables().bodies_around(inputs.camera.origin);
   }
 
   PassRun prepare(const PlannedPass& planned) const {

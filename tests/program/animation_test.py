@@ -76,8 +76,8 @@ class Frames(MovingTest):
         self.assertEqual(self.picture("f.4.png"), self.picture("f.8.png"))
 
     def test_the_device_keeps_what_it_made(self):
-        # But for the hierarchy of what moves, which is made anew; and for the rays of pilots, which each frame
-        # has of its own, on the software device.
+        # But for the hierarchy of what moves, which is made anew; and for the rays of pilots, of which each
+        # frame has its own, on the software device.
         for backend in ("software", "gl"):
             result = self.run_program("go.glb", *SMALL, "--backend", backend, "--frames", "0..3", "-D",
                                       "samples=4", "-D", "ambient.occlusion=off", "-o", "f.%d.png", "--stats",

@@ -7,7 +7,7 @@
 
 namespace caustics::tracer {
 
-// The numbers are those that the passes work with (pipeline/renderer/scene_on_device.hpp).
+// The numbers are those that the passes work with (pipeline/effects/ray_tables.hpp).
 struct Optics {
   Role role = Role::Receiver;
   bool solid = false;          // light leaves through a second surface

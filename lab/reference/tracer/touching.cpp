@@ -1,5 +1,6 @@
 #include "lab/reference/tracer/touching.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace caustics::tracer {
