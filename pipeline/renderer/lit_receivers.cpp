@@ -28,9 +28,9 @@ TowardsLight towards(const Light& light, const glm::dvec3& p) {
   return {exact::normalise(way, glm::dvec3(0.0, 1.0, 0.0)), exact::length(way)};
 }
 
-// As passes/shared/casters_column.glsl has it.
+// As passes/shared/casters_column.glsl has it of light that is followed, whose column is the casters' own.
 bool stands_before_casters(const LightViews& views, const glm::dvec3& p) {
-  const View& column = views.column;
+  const View& column = views.caster;
   const glm::dvec3 q = column.coordinates(p);
   if (column.cube) return exact::length(q) < views.casters_nearest;
   const glm::dvec2 at = column.window(q);
