@@ -86,8 +86,7 @@ LitFromBehind from_behind(const std::vector<LightLanding>& landings, const std::
     shown += behind[m];
     if (behind[m] > 0.0) mixed += before[m];
   }
-  const bool apart = shown > kLeastBehind * all && mixed <= kMostMixed * shown;
-  return apart ? LitFromBehind::InNearest : LitFromBehind::InFarthest;
+  return mixed > kMostMixed * shown ? LitFromBehind::InFarthest : LitFromBehind::InNearest;
 }
 
 }  // namespace

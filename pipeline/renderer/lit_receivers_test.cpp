@@ -56,7 +56,7 @@ TEST_CASE("lit receivers: of a thick ceiling the side that faces away is looked 
   const LitReceivers found = lit(
       scene_of({floor(10.0, 0.0, 0), box({-1, 0.5, -1}, {1, 0.8, 1}, 1), box({-5, 3.0, -5}, {5, 3.5, 5}, 0)}),
       kDown);
-  CHECK(found.behind == LitFromBehind::InFarthest);
+  CHECK(found.behind == LitFromBehind::InNearest);
   CHECK(found.hidden == std::vector<bool>{false, false, true});
   CHECK(found.hidden_sides == OutwardSides::Away);
 }
