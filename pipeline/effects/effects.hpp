@@ -104,8 +104,8 @@ enum class LitFromBehind : std::uint8_t { No, InNearest, InFarthest };
 
 // Where the light of casters lands, as a pilot has found.
 struct LitReceivers {
-  // Receivers that others hide from the light, or that it lights from behind, by Scene::meshes, and which
-  // sides of them; none: nobody knows, and all may be.
+  // Receivers that only the map of the farthest can have, by Scene::meshes, and which sides of them. Empty
+  // where no light is known to land on such: the map then has all.
   std::vector<bool> hidden{};
   OutwardSides hidden_sides = OutwardSides::Both;
   LitFromBehind behind = LitFromBehind::No;

@@ -61,7 +61,7 @@ std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& materi
            material.base_color.a, cutoff}};
 }
 
-// Of receivers of one material: a row each.
+// Receivers of one material that differ in this have rows of their own.
 constexpr int kColored = 1, kInsideOut = 2;
 int kind_of_receiver(const Mesh& mesh) {
   return (mesh.colors.empty() ? 0 : kColored) + (mesh.inside_out ? kInsideOut : 0);

@@ -14,11 +14,11 @@ namespace caustics {
 
 namespace {
 
-// What it meets before its first caster, and a part that goes astray, light passes straight: so often.
+// How often a part passes something straight: before its first caster, or where it goes astray.
 constexpr int kMostPassed = 256;
 // Parts that a step takes, and in a row of its textures.
 constexpr std::size_t kMostAtOnce = 16384, kInRow = 128;
-// What is drawn for a facet is less than 1 in single precision too.
+// The largest share that is drawn for a facet: less than 1 in single precision too.
 constexpr double kMostShare = 1.0 - 0x1p-23;
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }

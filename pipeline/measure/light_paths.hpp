@@ -37,7 +37,7 @@ struct LightLanding {
   int first = -1;         // the caster that the ray met first, an index into Scene::meshes
 };
 
-// Of all channels.
+// The sum over its channels.
 inline double flux_of(const LightLanding& landing) {
   return (landing.flux.x + landing.flux.y) + landing.flux.z;
 }

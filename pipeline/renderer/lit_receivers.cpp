@@ -12,8 +12,7 @@ namespace {
 constexpr double kLeastHidden = 1e-3, kLeastBehind = 2e-3;
 // So much of what is hidden lies on one kind of sides where only that is looked for.
 constexpr double kNearlyAll = 0.98;
-// Of what lands from behind, as much may land from before on the same receivers: both are shown on both
-// sides.
+// The share of what lands from behind that may land from before on the same receivers: each side shows both.
 constexpr double kMostMixed = 0.1;
 
 struct TowardsLight {
@@ -67,8 +66,7 @@ std::vector<LandingSeen> seen_by_light(const LitScene& scene, const std::vector<
 
 namespace {
 
-// By landing, of those that are not hidden: does the map of the nearest receivers have what comes from
-// behind?
+// Chooses the map for what comes from behind, by the landings that are not hidden.
 LitFromBehind from_behind(const std::vector<LightLanding>& landings, const std::vector<LandingSeen>& seen,
                           std::size_t meshes) {
   std::vector<double> before(meshes), behind(meshes);
