@@ -185,7 +185,7 @@ TEST_CASE("tracer: bodies of the same glass that touch are one, stacked or one w
     scene.meshes.insert(scene.meshes.begin(), test::floor(3.0, 0.0, 0));
     scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
     scene.cameras = {test::camera_down(0.2, 1.0)};
-    const Run run(scene, 8, 4000, 2, Physics::Full);
+    const Run run(scene, 8, 400, 2, Physics::Full);
     check_closed(run.account());
     return run.account().landed.x / run.account().entered.x;
   };
