@@ -8,14 +8,17 @@ Vec2 on_disk(Float share, Float turn) {
   return way * sqrt(share / dot2(way, way));
 }
 
-// The point of a sphere, which looks like a disk from everywhere, or of a rectangle, where the light starts
-// that meets p.
+// The point of a ball, which looks like a disk from everywhere, or of a rectangle, where the light starts
+// that meets p. Near a ball that shines as a Lambertian surface its outline is wider than the ball is.
 Vec3 drawn_origin(Vec3 p, Vec2 drawn) {
   Vec3 origin = Vec3(u.light_middle) + Vec3(u.light_width) * (drawn.x - 0.5f) +
                 Vec3(u.light_height) * (drawn.y - 0.5f);
-  if (u.light_shape == 1) {
-    AxesAcross axes = axes_across(normalize_or(p - Vec3(u.light_middle), Vec3(0.0f, 0.0f, 1.0f)));
+  if (u.light_shape == 1 || u.light_shape == 4) {
+    Vec3 way = p - Vec3(u.light_middle);
+    AxesAcross axes = axes_across(normalize_or(way, Vec3(0.0f, 0.0f, 1.0f)));
     Vec2 at = on_disk(drawn.x, drawn.y) * Float(u.light_radius);
+    if (u.light_shape == 4)
+      at = at / sqrt(max_of(1.0f - dot2(at, at) / max_of(dot3(way, way), 1.0e-20f), 1.0e-4f));
     origin = Vec3(u.light_middle) + (axes.x * at.x + axes.y * at.y);
   }
   return origin;
@@ -36,6 +39,11 @@ Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Vec2 drawn) {
     Vec3 from_middle = p - Vec3(u.light);
     light.direction = normalize_or(way, middle.direction);
     nearer = dot3(from_middle, from_middle) / max_of(dot3(way, way), 1.0e-20f);
+    if (u.light_shape == 4) {
+      Vec3 to_ball = p - Vec3(u.light_middle);
+      Float along = max_of(dot3(to_ball, to_ball), 1.0e-20f);
+      nearer = dot3(from_middle, from_middle) / along * sqrt(dot3(way, way) / along);
+    }
     light.flux = solid_angle(view_coordinates(u.caster, p), cell.face, cell.covered) *
                  cone_falloff(u.cone, light.direction);
     light.flux = sel(cell.covered && !cell.guard, light.flux, Float(0.0f));

@@ -45,7 +45,8 @@ struct Bench {
     if (source) {
       u.light_shape = source->shape == LightShape::Sphere      ? 1
                       : source->shape == LightShape::Rectangle ? 2
-                                                               : 3;
+                      : source->shape == LightShape::Disk      ? 3
+                                                               : 4;
       const bool far_away = source->shape == LightShape::Disk;
       u.light_middle = glm::vec3(far_away ? source->direction : source->position);
       u.light_radius = far_away ? std::tan(static_cast<float>(source->angular_radius))
@@ -321,6 +322,20 @@ TEST_CASE("walk: entered, light from aside falls flatter and from farther onto t
   // 9 m below: 81 / (9 / cos)^2 times the cosine.
   CHECK(path_at(out, 0, 0).whole == Approx(0.0625 * std::pow(static_cast<double>(-d.y), 3.0)).epsilon(1e-4));
   CHECK(d.y > -0.9999f);
+}
+
+TEST_CASE("walk: entered, a ball that shines has the outline of a sphere, and is as bright all over it") {
+  // On the axis of its middle: the sine, not the tangent, is even over a disk, and each ray brings as much.
+  Bench bench = from_point();
+  bench.source = sized(LightShape::Sphere);
+  const glm::vec3 flat = path_at(bench.run(), 1, 1).direction;
+  bench.source->shape = LightShape::Mesh;
+  const PassImages out = bench.run();
+  const glm::vec3 round = path_at(out, 1, 1).direction;
+  const auto across = [](const glm::vec3& d) { return std::hypot(double(d.x), double(d.z)); };
+  CHECK(across(round) == Approx(across(flat) / -double(flat.y)).epsilon(1e-5));
+  CHECK(across(flat) > 0.01);
+  CHECK(double(path_at(out, 1, 1).whole) == Approx(0.0625).epsilon(1e-5));
 }
 
 TEST_CASE("walk: entered, light from behind the surface does not reach it") {

@@ -23,7 +23,8 @@ const Light* wide_source(const PassContext& context) {
 int light_shape(const PassContext& context) {
   const Light* source = wide_source(context);
   if (!source) return 0;
-  return source->shape == LightShape::Sphere ? 1 : source->shape == LightShape::Rectangle ? 2 : 3;
+  if (source->is_ball()) return source->shape == LightShape::Mesh ? 4 : 1;
+  return source->is_rectangle() ? 2 : 3;
 }
 
 void set_size(std140::Walk& block, const PassContext& context) {
@@ -37,7 +38,7 @@ void set_size(std140::Walk& block, const PassContext& context) {
     exact::sin_cos(source->angular_radius, sine, cosine);
     block.light_radius = static_cast<float>(sine / cosine);
   }
-  if (source->shape != LightShape::Rectangle) return;
+  if (!source->is_rectangle()) return;
   block.light_width = glm::vec3(source->width);
   block.light_height = glm::vec3(source->height);
   const double area = exact::length(exact::cross(source->width, source->height));

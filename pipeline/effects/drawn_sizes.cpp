@@ -5,6 +5,7 @@
 
 #include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/effects/surface_role.hpp"
+#include "pipeline/scene/exact.hpp"
 #include "pipeline/settings/settings.hpp"
 
 namespace caustics {
@@ -17,13 +18,22 @@ std::map<int, std::vector<int>> samples_of_sources(const Scene& scene, const Eff
   for (const Expectation& e : effects.expectations) {
     const int source = scene.lights[static_cast<std::size_t>(e.light)].source;
     if (!e.expected || source < 0) continue;
-    const LightShape shape = scene.sources[static_cast<std::size_t>(source)].shape;
-    if (shape == LightShape::None || shape == LightShape::Mesh) continue;
+    const Light& light = scene.sources[static_cast<std::size_t>(source)];
+    if (light.shape != LightShape::Disk && !light.is_ball() && !light.is_rectangle()) continue;
     std::vector<int>& of_source = samples[source];
     if (std::find(of_source.begin(), of_source.end(), e.light) == of_source.end())
       of_source.push_back(e.light);
   }
   return samples;
+}
+
+// The sample that is nearest to its source's middle: it sees the casters as the whole light does.
+int middle_sample(const Scene& scene, int source, const std::vector<int>& samples) {
+  const glm::dvec3 middle = scene.sources[static_cast<std::size_t>(source)].position;
+  const auto away = [&](int sample) {
+    return exact::length(scene.lights[static_cast<std::size_t>(sample)].position - middle);
+  };
+  return *std::min_element(samples.begin(), samples.end(), [&](int a, int b) { return away(a) < away(b); });
 }
 
 }  // namespace
@@ -33,7 +43,7 @@ Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& se
   if (!why_not_followed(scene, settings, effects).empty()) return effects;
   for (const auto& [number, samples] : samples_of_sources(scene, effects)) {
     if (samples.size() < 2) continue;
-    const int drawn = samples.front();
+    const int drawn = middle_sample(scene, number, samples);
     LightEffects& of_drawn = effects.lights[static_cast<std::size_t>(drawn)];
     of_drawn.size_is_drawn = true;
     glm::vec3 all(0.0f);

@@ -1,5 +1,6 @@
 #include "pipeline/effects/drawn_sizes.hpp"
 
+#include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
@@ -58,6 +59,35 @@ TEST_CASE(
   bench.settings.interfaces = Interfaces::Two;
   CHECK(expected(bench.effects()) == each);
   CHECK_FALSE(any_size_is_drawn(bench.effects()));
+}
+
+TEST_CASE("drawn sizes: of a sheet that shines to both sides, one sample stands for one side") {
+  for (const bool double_sided : {false, true}) {
+    Bench bench;
+    bench.scene = sphere_scene(1.5f, 2);
+    Material shining = diffuse(0.5f);
+    shining.emissive = glm::vec3(100.0f);
+    shining.double_sided = double_sided;
+    bench.scene.materials.push_back(shining);
+    Mesh sheet = floor(0.5, 2.0, 2);
+    if (!double_sided)
+      for (std::size_t i = 0; i < sheet.indices.size(); i += 3)
+        std::swap(sheet.indices[i], sheet.indices[i + 1]);
+    bench.scene.meshes.push_back(sheet);
+    bench.scene.lights.clear();
+    add_emissive_lights(bench.scene);
+    sample_lights(bench.scene, 8);
+    const Effects effects = bench.effects();
+    int drawn = 0;
+    for (std::size_t l = 0; l < effects.lights.size(); ++l) {
+      if (!effects.lights[l].size_is_drawn) continue;
+      ++drawn;
+      CHECK(bench.scene.lights[l].direction.y == Approx(-1.0));
+      // Of 100 candela, or on each side as much, without the sample's own.
+      CHECK(effects.lights[l].of_others.x == Approx(double_sided ? 75.0 : 87.5));
+    }
+    CHECK(drawn == 1);
+  }
 }
 
 TEST_CASE("drawn sizes: a light without a size is left as it is") {

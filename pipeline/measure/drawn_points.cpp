@@ -47,9 +47,8 @@ LightRay from_own_point(const Light& source, LightRay ray, const glm::dvec3& p, 
   }
   const glm::dvec3 facing = exact::normalise(p - source.position, glm::dvec3(0.0, 0.0, 1.0));
   ray.origin = source.position;
-  ray.origin += source.shape == LightShape::Sphere
-                    ? across(facing, on_disk(drawn) * source.radius)
-                    : source.width * (drawn.x - 0.5) + source.height * (drawn.y - 0.5);
+  ray.origin += source.is_ball() ? across(facing, on_disk(drawn) * source.radius)
+                                 : source.width * (drawn.x - 0.5) + source.height * (drawn.y - 0.5);
   ray.direction = exact::normalise(p - ray.origin, ray.direction);
   return ray;
 }

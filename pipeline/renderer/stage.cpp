@@ -245,7 +245,8 @@ class Stage {
   bool shows_what_shines(const Camera& camera) const {
     return std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const Light& light) {
       const glm::dvec3 way = camera.position - light.position;
-      return light.emitter < 0 || exact::dot(way, light.direction) > kSeenFromBelow * exact::length(way);
+      return light.emitter < 0 || !light.lambertian ||
+             exact::dot(way, light.direction) > kSeenFromBelow * exact::length(way);
     });
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "pipeline/scene/exact.hpp"
@@ -120,6 +121,34 @@ SurfacePoint middle_of(const std::vector<Candidate>& all) {
       ->point;
 }
 
+// The smallest rectangle along an edge that holds a flat mesh; nothing where that has two normals.
+struct FlatRectangle {
+  glm::dvec3 middle{0.0}, width{0.0}, height{0.0}, normal{0.0};
+  double area() const { return exact::length(exact::cross(width, height)); }
+};
+
+std::optional<FlatRectangle> rectangle_along(const Mesh& mesh, const glm::dvec3& edge,
+                                             const glm::dvec3& normal) {
+  constexpr double kFlat = 1e-4;
+  const glm::dvec3 x = exact::normalise(edge, {1.0, 0.0, 0.0}), y = exact::cross(normal, x);
+  const glm::dvec3 origin = corners_of(mesh, 0).a;
+  glm::dvec3 lower(0.0), upper(0.0);
+  for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+    const Corners corners = corners_of(mesh, t);
+    const glm::dvec3 across = corners.normal();
+    if (exact::dot(across, normal) < (1.0 - kFlat) * exact::length(across)) return {};
+    for (const glm::dvec3& p : {corners.a, corners.b, corners.c}) {
+      const glm::dvec3 q = p - origin, at{exact::dot(q, x), exact::dot(q, y), exact::dot(q, normal)};
+      lower = glm::min(lower, at);
+      upper = glm::max(upper, at);
+    }
+  }
+  const glm::dvec3 size = upper - lower, middle = 0.5 * (lower + upper);
+  if (size.z > kFlat * std::max(size.x, size.y)) return {};
+  return FlatRectangle{origin + x * middle.x + y * middle.y + normal * middle.z, x * size.x, y * size.y,
+                       normal};
+}
+
 }  // namespace
 
 Emitter::Emitter(const Scene& scene, int mesh)
@@ -185,6 +214,43 @@ std::vector<SurfacePoint> Emitter::spread(int count) const {
   return chosen;
 }
 
+bool Emitter::make_rectangle(Light& light) const {
+  constexpr double kFull = 1e-3;
+  if (mesh_.closed() || mesh_.indices.size() < 6) return false;
+  const Corners first = corners_of(mesh_, 0);
+  const glm::dvec3 normal = exact::normalise(first.normal(), glm::dvec3(0.0));
+  for (const glm::dvec3& edge : {first.b - first.a, first.c - first.b, first.a - first.c}) {
+    const std::optional<FlatRectangle> found = rectangle_along(mesh_, edge, normal);
+    const double side = area() / static_cast<double>(sides_);
+    if (!found || !(std::fabs(found->area() - side) < kFull * side)) continue;
+    light.position = found->middle;
+    light.width = found->width;
+    light.height = found->height;
+    light.direction = normal;
+    return true;
+  }
+  return false;
+}
+
+bool Emitter::make_ball(Light& light) const {
+  constexpr double kRound = 0.01;
+  if (!mesh_.closed()) return false;
+  const glm::dvec3 middle = bounds_of(mesh_).centre();
+  double nearest = exact::length(glm::dvec3(mesh_.vertices.front().position) - middle), farthest = nearest;
+  for (const Vertex& v : mesh_.vertices) {
+    const double distance = exact::length(glm::dvec3(v.position) - middle);
+    nearest = std::min(nearest, distance);
+    farthest = std::max(farthest, distance);
+  }
+  // Not a cube, whose corners are as far away.
+  const double radius = std::sqrt(area() / (4.0 * exact::kPi));
+  if (nearest < (1.0 - kRound) * farthest || radius < (1.0 - 2.0 * kRound) * farthest) return false;
+  light.position = middle;
+  light.direction = {0.0, -1.0, 0.0};
+  light.radius = radius;
+  return true;
+}
+
 bool shines(const Scene& scene, const Mesh& mesh) {
   const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
   const float brightest = std::max({material.emissive.x, material.emissive.y, material.emissive.z});
@@ -205,6 +271,7 @@ Light light_of_mesh(const Scene& scene, int number) {
   // A Lambertian surface of luminance L and area A gives L A cos candela.
   light.intensity = static_cast<float>(std::min(static_cast<double>(brightest) * emitter.area(), kBrightest));
   light.position = bounds_of(mesh).centre();
+  if (!emitter.make_ball(light)) emitter.make_rectangle(light);
   return light;
 }
 

@@ -247,7 +247,9 @@ class LampJudge {
     }
     const double shared = has_casters(scene_) ? (large ? 0.5 : 0.25) * samples : samples;
     for (Light& light : result_.lights) {
-      const double both = Emitter(scene_, light.emitter).shines_all_around() ? 2.0 : 1.0;
+      // All samples of a ball shine to every side.
+      const bool half = !light.is_ball() && Emitter(scene_, light.emitter).shines_all_around();
+      const double both = half ? 2.0 : 1.0;
       const double own = both * shared * candela(light) / all;
       light.samples = std::max(static_cast<int>(std::lround(own)), 1);
     }

@@ -43,13 +43,13 @@ void sample_disk(Light& sample, int k, int count) {
 }
 
 void place(Light& sample, int k, int count) {
+  if (sample.is_ball()) return sample_sphere(sample, k, count);
   switch (sample.shape) {
-    case LightShape::Sphere:
-      return sample_sphere(sample, k, count);
     case LightShape::Rectangle:
       return sample_rectangle(sample, k, count);
     case LightShape::Disk:
       return sample_disk(sample, k, count);
+    case LightShape::Sphere:
     case LightShape::Mesh:
     case LightShape::None:
       return;
@@ -70,13 +70,13 @@ constexpr double kSmallest = 1e-4;
 
 // Light::sample_radius: of a sphere or disk that looks as large as a sample's share of the light.
 double sample_radius(const Scene& scene, const Light& source, int count, double least) {
+  if (source.is_ball()) return std::max(source.radius / std::sqrt(static_cast<double>(count)), least);
   switch (source.shape) {
-    case LightShape::Sphere:
-      return std::max(source.radius / std::sqrt(static_cast<double>(count)), least);
     case LightShape::Rectangle:
       return std::sqrt(exact::length(exact::cross(source.width, source.height)) / (count * exact::kPi));
     case LightShape::Mesh:
       return std::sqrt(Emitter(scene, source.emitter).area() / (count * exact::kPi));
+    case LightShape::Sphere:
     case LightShape::Disk:
     case LightShape::None:
       return source.lambertian ? 0.0 : least;
@@ -97,6 +97,8 @@ void put_middle_first(const Light& source, std::vector<Light>& samples) {
 
 // A sample's own intensity and name; it has no size any more.
 void finish(Light& sample, int k, int count) {
+  // Of its surface a ball shows a quarter to each side.
+  if (sample.shape == LightShape::Mesh && sample.is_ball()) sample.intensity *= 0.25f;
   sample.shape = LightShape::None;
   if (count == 1) return;
   sample.intensity = static_cast<float>(static_cast<double>(sample.intensity) / count);
@@ -106,7 +108,8 @@ void finish(Light& sample, int k, int count) {
 std::vector<Light> samples_of(const Scene& scene, const Light& source, int count, double least) {
   std::vector<Light> samples(static_cast<std::size_t>(count), source);
   std::vector<SurfacePoint> points;
-  if (source.shape == LightShape::Mesh) points = Emitter(scene, source.emitter).spread(count);
+  if (source.shape == LightShape::Mesh && !source.is_ball())
+    points = Emitter(scene, source.emitter).spread(count);
   const double radius = sample_radius(scene, source, count, least);
   for (int k = 0; k < count; ++k) {
     Light& sample = samples[static_cast<std::size_t>(k)];

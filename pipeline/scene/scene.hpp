@@ -136,15 +136,21 @@ struct Light {
   // Of a point light: shines on the side of `direction` only, with the cosine to it (Lambert).
   bool lambertian = false;
   LightShape shape = LightShape::None;
-  double radius = 0.0;                 // metres
-  glm::dvec3 width{0.0}, height{0.0};  // the rectangle's edges, scene space
-  double angular_radius = 0.0;         // radians
-  int emitter = -1;  // index into Scene::meshes of what shines: it does not shadow its own light
-  int samples = 0;   // of an area light: by how many it is drawn; 0: as Settings::light_samples has it
+  // Of a sphere, metres; of a rectangle its edges, scene space. A mesh has those of the one that it is, or 0.
+  double radius = 0.0;
+  glm::dvec3 width{0.0}, height{0.0};
+  double angular_radius = 0.0;  // radians
+  int emitter = -1;             // index into Scene::meshes of what shines: it does not shadow its own light
+  int samples = 0;  // of an area light: by how many it is drawn; 0: as Settings::light_samples has it
   // Metres. Of a Lambertian sample: of the disk of its share of the area; near it the light falls off as a
   // disk's on its axis does, I / (d^2 + r^2). Of other samples: nearer than this they get no brighter.
   double sample_radius = 0.0;
   int source = -1;  // index into Scene::sources, once sample_lights has run
+
+  bool is_ball() const { return shape == LightShape::Sphere || (shape == LightShape::Mesh && radius > 0.0); }
+  bool is_rectangle() const {
+    return shape == LightShape::Rectangle || (shape == LightShape::Mesh && width != glm::dvec3(0.0));
+  }
 };
 
 // Its intensity in the brightest of its channels, lux or candela.

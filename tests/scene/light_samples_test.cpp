@@ -138,21 +138,67 @@ TEST_CASE("A rectangle's samples stay on it") {
 }
 
 TEST_CASE("A mesh that shines is a light of luminance times area, on its outside") {
-  Scene scene = glowing(sphere({0.0, 1.0, 0.0}, 0.5, 3, 0), {10.0f, 5.0f, 0.0f});
+  Scene scene = glowing(box({-0.5, 0.5, -0.5}, {0.5, 1.5, 0.5}, 0), {10.0f, 5.0f, 0.0f});
   REQUIRE(scene.lights.size() == 1);
   CHECK(scene.lights[0].color == glm::vec3(1.0f, 0.5f, 0.0f));
-  CHECK(scene.lights[0].intensity == Approx(10.0 * exact::kPi).epsilon(0.01));
+  CHECK(scene.lights[0].intensity == Approx(60.0));
+  CHECK_FALSE(scene.lights[0].is_ball());
+  CHECK_FALSE(scene.lights[0].is_rectangle());
   sample_lights(scene, 100);
   glm::dvec3 mean(0.0);
   for (const Light& sample : scene.lights) {
     const glm::dvec3 out = sample.position - glm::dvec3(0, 1, 0);
     CHECK(sample.emitter == 0);
     CHECK(sample.lambertian);
-    CHECK(exact::length(out) == Approx(0.5).epsilon(0.01));
-    CHECK(exact::dot(exact::normalise(out, {}), sample.direction) > 0.99);
+    CHECK(exact::dot(out, sample.direction) == Approx(0.5));
     mean += sample.direction / 100.0;
   }
   CHECK(exact::length(mean) < 0.05);
+}
+
+TEST_CASE("A ball that shines shows a quarter of its area to each side, by samples within it") {
+  Scene scene = glowing(sphere({0.0, 1.0, 0.0}, 0.5, 4, 0), {10.0f, 5.0f, 0.0f});
+  REQUIRE(scene.lights.size() == 1);
+  CHECK(scene.lights[0].is_ball());
+  CHECK(scene.lights[0].radius == Approx(0.5).epsilon(0.002));
+  CHECK(scene.lights[0].intensity == Approx(10.0 * exact::kPi).epsilon(0.003));
+  sample_lights(scene, 16);
+  double candela = 0.0, farthest = 0.0;
+  for (const Light& sample : scene.lights) {
+    CHECK(sample.emitter == 0);
+    CHECK_FALSE(sample.lambertian);
+    farthest = std::max(farthest, exact::length(sample.position - glm::dvec3(0, 1, 0)));
+    candela += static_cast<double>(sample.intensity);
+  }
+  CHECK(farthest <= 0.5);
+  CHECK(farthest > 0.25);
+  CHECK(candela == Approx(10.0 * exact::kPi / 4.0).epsilon(0.003));
+}
+
+TEST_CASE("A flat rectangle that shines is known by its middle and its edges, whatever its triangles") {
+  // 1 x 2 m, turned and leaning, of one square and of many.
+  const glm::dvec3 x = exact::normalise({1.0, 0.5, 0.2}, {}), y = exact::perpendicular(x);
+  for (const int cells : {1, 3}) {
+    Mesh mesh;
+    for (int j = 0; j <= cells; ++j)
+      for (int i = 0; i <= cells; ++i) {
+        const glm::dvec3 p = glm::dvec3(3, 4, 5) + x * (double(i) / cells) + y * (2.0 * j / cells);
+        mesh.vertices.push_back({.position = glm::vec3(p), .normal = glm::vec3(exact::cross(x, y))});
+      }
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
+    for (int j = 0; j < cells; ++j)
+      for (int i = 0; i < cells; ++i)
+        for (const std::uint32_t v :
+             {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
+          mesh.indices.push_back(v);
+    const Light light = glowing(mesh, glm::vec3(3.0f)).lights.at(0);
+    REQUIRE(light.is_rectangle());
+    CHECK(exact::length(light.position - (glm::dvec3(3, 4, 5) + 0.5 * x + y)) < 1e-5);
+    CHECK(exact::length(exact::cross(light.width, light.height)) == Approx(2.0));
+    CHECK(exact::dot(light.direction, exact::cross(x, y)) == Approx(1.0));
+    mesh.vertices.back().position += glm::vec3(0.1 * x);  // a corner that is drawn out
+    CHECK_FALSE(glowing(mesh, glm::vec3(3.0f)).lights.at(0).is_rectangle());
+  }
 }
 
 TEST_CASE("An open, double-sided sheet shines from both sides, a closed mesh outwards only") {

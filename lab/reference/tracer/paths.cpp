@@ -34,7 +34,10 @@ glm::dvec3 Account::gap() const {
 }
 
 Paths::Paths(const World& world, int source, Physics physics)
-    : world_(world), lit_(world.lit_by(source)), physics_(physics) {
+    : world_(world),
+      lit_(world.lit_by(source)),
+      behind_casters_(physics == Physics::Full ? world.receivers() : lit_.receivers),
+      physics_(physics) {
   for (const Branch& branch : world.effects().branches) {
     if (branch.reflected) {
       reflections_ = true;
@@ -133,7 +136,7 @@ void Paths::through_body(const Arrival& arrival, const Way& way, const glm::dvec
   const auto exit = way_out(ray, optics.body);
   const double until = exit ? exit->distance - world_.nearest() : kFar;
   // A diffuse thing within the glass, or that the glass is sunk into.
-  if (auto within = lit_.receivers.nearest(ray, world_.nearest(), until)) {
+  if (auto within = behind_casters_.nearest(ray, world_.nearest(), until)) {
     const glm::dvec3 left = flux * after(optics.absorption, within->distance);
     account.absorbed += flux - left;
     account.landed += left;
@@ -177,7 +180,7 @@ std::optional<SurfaceHit> Paths::way_out(const Ray& inside, int body) const {
 // was mirrored may not.
 std::optional<SurfaceHit> Paths::receiver_on(const Ray& ray, bool crossed) const {
   const double back = crossed ? world_.nearest() : 0.0;
-  auto hit = lit_.receivers.nearest({ray.at(-back), ray.direction}, crossed ? 0.0 : world_.nearest(), kFar);
+  auto hit = behind_casters_.nearest({ray.at(-back), ray.direction}, crossed ? 0.0 : world_.nearest(), kFar);
   if (hit) hit->distance = std::max(hit->distance - back, 0.0);
   return hit;
 }

@@ -73,6 +73,8 @@ class Paths {
 
   const World& world_;
   const LitSet& lit_;
+  // What light meets that a caster has sent on: of all its ways, also the mesh that shines.
+  const RaySet& behind_casters_;
   Physics physics_;
   std::vector<Way> ways_;
   glm::dvec3 white_{0.0};  // what the shares of all ways add up to
