@@ -65,7 +65,8 @@ Pass glass_pass() {
       .choices = {{"blends", chosen_by<&Effects::layered>},
                   {"several_rays", several_rays},
                   kSightHasTextures,
-                  kSightHasRough},
+                  kSightHasRough,
+                  kHasWalls},
   };
 }
 

@@ -80,6 +80,7 @@ struct Bench {
                           .eye_media = {eye_in_glass ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f},
                           .has_textures = 0,
                           .has_rough = roughness > 0.0f,
+                          .has_walls = thin,
                           .receivers_lower = glm::vec3(-1e4f, -1.0f, -1e4f),
                           .receivers_upper = glm::vec3(1e4f, 1.0f, 1e4f),
                           .blends = 0,

@@ -49,7 +49,7 @@ Pass hidden_ends_pass() {
                   .needed_if = with<&Effects::emission>}},
       .count_samples = true,
       .shaders = {{&hidden_ends_shader, block_of<hidden_ends_uniforms>}},
-      .choices = {{"mirrors", mirrors}, kSightHasTextures, kSightHasRough},
+      .choices = {{"mirrors", mirrors}, kSightHasTextures, kSightHasRough, kHasWalls},
   };
 }
 

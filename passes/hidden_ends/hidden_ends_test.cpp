@@ -63,6 +63,7 @@ struct Bench {
                                .rough_from = 0.2f,
                                .has_textures = 0,
                                .has_rough = 0,
+                               .has_walls = 0,
                                .mirrors = mirrored};
     const auto level = [&](float height) { return filled(1, 1, {-0.5f, height, -0.25f, 1.0f}); };
     return run_pass(definition_of(hidden_ends_pass(), {}, mirrored ? kHiddenMirrored : kHiddenBehind),

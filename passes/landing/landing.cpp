@@ -97,6 +97,7 @@ Pass landing_pass() {
                    [](const PassContext& c) { return c.settings->thickness == Thickness::Wyman ? 1 : 0; }},
                   kIsTinted,
                   {"has_rough", chosen_by<&Effects::rough_glass>},
+                  {"has_walls", chosen_by<&Effects::rough_glass>},
                   {"has_caster_tint", chosen_by<&Effects::textured_casters>},
                   {"only_unconverged", [](const PassContext& c) { return c.farthest() ? 1 : 0; }}},
   };

@@ -64,7 +64,7 @@ struct Entry {
   GridCell cell;
   Vec2 slope;       // of the microfacets that its light enters by, of width 1,
   Vec2 exit_slope;  // and leaves by
-  Float reaching;   // the share of the light that blended surfaces before it leave
+  Vec3 reaching;    // what panes and blended surfaces before it leave of the light
   Float times;      // the light that the branch follows here for others
 };
 
@@ -74,9 +74,9 @@ Entry entry_at(Int column, Int row) {
   entry.at = meeting_in_view(position, Vec4(0.0f));
   entry.cell = cell_of(column, row, is_covered(position));
   entry.covered = entry.cell.covered;
-  entry.reaching = Float(1.0f);
+  entry.reaching = Vec3(1.0f);
   entry.times = Float(1.0f);
-  if (u.is_tinted != 0) entry.reaching = texel_fetch(reaching, column, row).x;
+  if (u.is_tinted != 0) entry.reaching = Vec3(texel_fetch(reaching, column, row));
   if (u.only_unconverged != 0) {
     Vec4 before = texel_fetch(landed_before, column, row);
     entry.covered = entry.covered && has_status(before, STATUS_NOT_CONVERGED);
@@ -429,13 +429,22 @@ void clear_outputs() {
 void follow(IN(Entry) entry) {
   TRACE(entry_point, entry.at.point);
   Incident light = light_onto(entry.cell, entry.at.point);
-  if (u.is_tinted != 0) light.flux = light.flux * entry.reaching;
+  Float most = Float(1.0f);
+  if (u.is_tinted != 0) {
+    most = max_of(max_of(entry.reaching.x, entry.reaching.y), entry.reaching.z);
+    light.flux = light.flux * most;
+  }
   if (u.paper_weights != 0) light.flux = equal_part(entry);
   light.flux = light.flux * entry.times;
   FirstSurface first = enter_caster(entry, light);
   Exit exit = cross_caster(entry, light.direction, first);
   Landing end = fly_to_receiver(exit.ray);
   Account account = book_caster(entry, first, exit, end);
+  if (u.is_tinted != 0) {
+    Vec3 left = account.carried * (entry.reaching * (1.0f / max_of(most, 1.0e-6f)));
+    account.absorbed = account.absorbed + (account.carried - left);
+    account.carried = left;
+  }
 #ifdef HAZE
   book_air(entry.at.point, light.direction, exit, end, account);
 #endif

@@ -53,7 +53,9 @@ Pass light_step_pass() {
            {.name = "crossing_light", .meaning = "rgb: of what crosses, what is left; w: 0"},
            {.name = "crossing_media", .meaning = "the bodies that it is in behind the surface"}},
       .shaders = {{&light_step_shader, block_of<light_step_uniforms>}},
-      .choices = {{"has_textures", meets_textures}, {"has_rough", chosen_by<&Effects::rough_glass>}},
+      .choices = {{"has_textures", meets_textures},
+                  {"has_rough", chosen_by<&Effects::rough_glass>},
+                  kHasWalls},
   };
 }
 

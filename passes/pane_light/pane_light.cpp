@@ -12,8 +12,8 @@ namespace {
 constexpr DrawnFor kCasters{.each = Each::Light,
                             .label = "casters",
                             .size = grid_size,
-                            .also = &Effects::blended,
-                            .reason = "blended surfaces may stand between the light and casters"};
+                            .also = &Effects::tinted_light,
+                            .reason = "panes and blended surfaces may stand between the light and casters"};
 
 // Half the shadow map's side: panes have a window to themselves. A light that sees all around shares the
 // shadow map's tiles.

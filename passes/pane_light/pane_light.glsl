@@ -39,7 +39,7 @@ Bool not_before_casters() {
 void main() {
   Bool left_out = outside_tile(u.view, u.map_side) || not_drawn();
   if (u.before_casters != 0) {
-    left_out = left_out || u.is_blended == 0 || not_before_casters();
+    left_out = left_out || not_before_casters();
   } else {
     left_out = left_out || in_shadow();
   }

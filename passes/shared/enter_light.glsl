@@ -61,13 +61,20 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
   } else {
     light = light_onto(cell, arrival.at.point);
   }
-  if (u.is_tinted != 0) light.flux = light.flux * texel_fetch(reaching, column, row).x;
+  Vec3 tint = Vec3(1.0f);
+  if (u.is_tinted != 0) {
+    tint = Vec3(texel_fetch(reaching, column, row));
+    Float most = max_of(max_of(tint.x, tint.y), tint.z);
+    light.flux = light.flux * most;
+    tint = tint * (1.0f / max_of(most, 1.0e-6f));
+  }
   arrival.path.ray = ray_from(arrival.at.point, light.direction);
   arrival.path.own = number;
   arrival.path.aside = Bool(false);
   arrival.path.parted = Bool(u.draws == 0);
   arrival.path.path = drawn;
   arrival.path.flux = Vec3(light.flux);
+  if (u.is_tinted != 0) arrival.path.flux = tint * light.flux;
   arrival.path.whole = light.flux;
   arrival.path.media = Vec4(0.0f);
   set_differential(cell, arrival.at.point, arrival.path);

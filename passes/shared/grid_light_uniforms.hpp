@@ -22,12 +22,12 @@ void set_grid_light(Block& block, const PassContext& context) {
   block.grid_side = context.settings->grid;
 }
 
-// What blended surfaces leave of the light on its way to the grid vertices.
+// What panes and blended surfaces leave of the light on its way to the grid vertices.
 inline constexpr Read kReadReaching{
     .name = "reaching",
-    .meaning = "r: what blended surfaces before the casters leave of the light",
+    .meaning = "rgb: what panes and blended surfaces before the casters leave of the light",
     .texture = "pane_transmittance.casters",
     .optional = true};
-inline constexpr Choice kIsTinted{"is_tinted", chosen_by<&Effects::blended>};
+inline constexpr Choice kIsTinted{"is_tinted", chosen_by<&Effects::tinted_light>};
 
 }  // namespace caustics

@@ -1,5 +1,7 @@
 // What passes read that follow light or sight from surface to surface.
 #pragma once
+#include <algorithm>
+
 #include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/plan/pass.hpp"
 
@@ -17,5 +19,11 @@ inline constexpr Read kReadCasterTexels{
 
 inline constexpr Choice kHasTextures{
     "has_textures", [](const PassContext& c) { return light_meets_textures(*c.effects) ? 1 : 0; }};
+
+// Walls of rough glass, and panes.
+inline constexpr Choice kHasWalls{"has_walls", [](const PassContext& c) {
+                                    const auto& all = c.effects->surfaces;
+                                    return std::any_of(all.begin(), all.end(), is_wall) ? 1 : 0;
+                                  }};
 
 }  // namespace caustics

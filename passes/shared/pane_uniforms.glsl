@@ -19,6 +19,6 @@ AlphaMask alpha_mask;   // of a blended surface: what is not opaque
 int is_blended;         // a surface that covers a share of what lies behind, not a pane
 View shadow_view;     // of a light: the view of shadow_depth
 CHOICE(has_shadow_map)
-CHOICE(before_casters)  // keep what is blended before casters, not what all panes let through
+CHOICE(before_casters)  // keep what lies before casters, not all before opaque surfaces
 Light light;
 float roughness;

@@ -1,5 +1,5 @@
 // Roughness changes how a surface bends and spreads light. Needs microfacets.glsl, surface.glsl, and the
-// uniforms has_rough and rough_from.
+// uniforms has_rough, has_walls and rough_from.
 
 // The width of the slopes of rough glass' microfacets; 0: the surface is smooth.
 Float width_of_facets(IN(Material) material, IN(Meeting) at) {
@@ -7,7 +7,7 @@ Float width_of_facets(IN(Material) material, IN(Meeting) at) {
   return sel(rough, material.roughness * material.roughness, Float(0.0f));
 }
 
-// Makes the surface a rough wall without thickness, which light passes straight, spread by its facets.
+// Makes the surface a wall without thickness, which light passes straight, spread by its facets.
 void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Vec3 normal) {
   Refraction wall = through_wall(direction, normal, surface.normal, material.ior);
   Bool thin = material.thin && !surface.both.passes;
@@ -38,6 +38,8 @@ Facet facet_at(Vec3 from, IN(Meeting) at, IN(Interface) both, IN(Material) mater
   facet.smooth_normal = facet.surface.normal;
   if (u.has_rough != 0) {
     facet.smooth_normal = facing_normal(at.outward, from, !at.front);
+  }
+  if (u.has_walls != 0) {
     if (any_lane(material.thin)) make_wall(facet.surface, material, from, facet.smooth_normal);
   }
   return facet;

@@ -48,7 +48,7 @@ Float blur_by(IN(Surface) surface, IN(Material) material, IN(Meeting) at, Bool b
 
 Surface seen_surface(Vec3 direction, IN(Meeting) at, IN(Interface) both, IN(Material) material) {
   Surface surface = surface_at(direction, at, both, material);
-  if (u.has_rough != 0) {
+  if (u.has_walls != 0) {
     if (any_lane(material.thin)) make_wall(surface, material, direction, surface.normal);
   }
   return surface;

@@ -130,6 +130,7 @@ Pass walk_pass() {
                   {"reads_hit", reads_hit},
                   kHasTextures,
                   {"has_rough", chosen_by<&Effects::rough_glass>},
+                  kHasWalls,
                   {"light_shape", light_shape}},
   };
 }

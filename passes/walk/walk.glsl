@@ -90,6 +90,12 @@ void book(IN(BentLight) bent, Bool goes, INOUT(LandedLight) landed) {
   landed.absorbed = sel(goes, bent.absorbed * share + landed.absorbed, landed.absorbed);
 }
 
+// What panes before the caster have taken of all channels but the brightest. One branch books it.
+Vec3 taken_before(IN(LightPath) path) {
+  Vec3 taken = (Vec3(path.whole) - path.flux) * Vec3(u.channel_share);
+  return sel(Bool(u.mirrored_at == 0 && u.draws == 0), taken, Vec3(0.0f));
+}
+
 // On to the caster's triangle that the ray meets.
 void go_on(INOUT(Arrival) here, Vec4 hit, Bool on) {
   here.triangle = fetch_triangle(sel(on, hit.w - 1.0f, Float(0.0f)));
@@ -119,6 +125,7 @@ void main() {
   Bool under_way = here.covered;
   Bool ended = Bool(false);
   LandedLight landed = nothing_landed();
+  if (u.is_tinted != 0) landed.absorbed = taken_before(here.path);
   second_hit = Vec4(0.0f);
   Float draw = Float(0.0f);
   for (int surface = 1; surface <= u.bounces && any_lane(under_way); surface++) {

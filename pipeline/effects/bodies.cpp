@@ -33,8 +33,9 @@ std::string not_in_triangles(const Scene& scene, const Effects& effects) {
       return "alpha masks (material '" + m.name + "' has one)";
     if (effects.surfaces[i].blended && m.base_color_texture.present())
       return "textured coverage (material '" + m.name + "' has it)";
-    if (role == Role::ThinPane && (m.base_color_texture.present() || m.transmission_texture.present()))
-      return "textured panes (material '" + m.name + "' is one)";
+    const bool textured = m.base_color_texture.present() || m.transmission_texture.present();
+    if (role == Role::ThinPane && m.alpha_mode == AlphaMode::Blend && textured)
+      return "textured coverage of panes (material '" + m.name + "' has it)";
   }
   return {};
 }

@@ -29,7 +29,7 @@ void add_caustic_color(const Scene& scene, Effects& effects) {
   if (!is_grey(scene.medium.extinction())) return add(true, "the medium takes its colours unequally");
   if (effects.textured_casters.active) return add(true, "a texture tints them");
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (!is_caster(effects.surfaces[i].role)) continue;
+    if (!is_on_the_way(effects.surfaces[i])) continue;
     const auto index = static_cast<std::size_t>(scene.meshes[i].material);
     const std::string tint = tint_of(scene.materials[index], effects.surfaces[i].role);
     if (!tint.empty())

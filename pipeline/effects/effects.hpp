@@ -48,6 +48,13 @@ inline bool has_diffuse(const SurfaceRole& surface) {
 // Is some of it a layer over what lies behind, of which it covers a share?
 inline bool is_layered(const SurfaceRole& surface) { return surface.blended || surface.partly_diffuse; }
 
+// Do rays pass it straight: a pane, or a wall of rough glass?
+inline bool is_wall(const SurfaceRole& surface) { return surface.role == Role::ThinPane || surface.thin; }
+// Does light, or sight, that a caster has sent on go on behind it?
+inline bool is_on_the_way(const SurfaceRole& surface) {
+  return is_caster(surface.role) || surface.role == Role::ThinPane;
+}
+
 // Does it take a share of the light that passes straight through?
 inline bool tints_light(const SurfaceRole& surface) {
   return surface.role == Role::ThinPane || surface.blended;

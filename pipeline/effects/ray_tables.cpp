@@ -61,6 +61,17 @@ std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& materi
            material.base_color.a, cutoff}};
 }
 
+// A pane that covers a share of what lies behind lets the rest through untinted.
+void cover(const Material& material, std::array<glm::vec4, kTexelsOfMaterial>& texels) {
+  const float there = material.base_color.a;
+  const float once = (material.ior - 1.0f) / (material.ior + 1.0f), face = once * once;
+  const float back = there * material.fresnel_factor * 2.0f * face / (1.0f + face);
+  const glm::vec3 through = glm::vec3(texels[2]) * (texels[3].x * (there - back));
+  texels[0].z = 1.0f - there * material.fresnel_factor;
+  texels[2] = {(glm::vec3(1.0f - there) + through) / (1.0f - back), texels[2].w};
+  texels[3].x = 1.0f;
+}
+
 // Receivers of one material that differ in this have rows of their own.
 constexpr int kColored = 1, kInsideOut = 2;
 int kind_of_receiver(const Mesh& mesh) {
@@ -134,13 +145,13 @@ void RayTables::number_triangles(const Effects& effects, bool waters) {
   std::map<int, int> row_of_body;
   for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
     const auto index = static_cast<std::size_t>(m);
-    const Role role = effects.surfaces[index].role;
+    const SurfaceRole& surface = effects.surfaces[index];
     const bool is_water = std::any_of(scene_.waters.begin(), scene_.waters.end(),
                                       [m](const Water& water) { return water.mesh == m; });
     const bool met = waters || !is_water;
-    if (is_caster(role) && met) meshes_.casters.push_back(m);
-    if (role == Role::Refractor && !effects.surfaces[index].thin && met) media_.push_back(m);
-    if (role == Role::Receiver && met) meshes_.receivers.push_back(m);
+    if (is_on_the_way(surface) && met) meshes_.casters.push_back(m);
+    if (surface.role == Role::Refractor && !surface.thin && met) media_.push_back(m);
+    if (surface.role == Role::Receiver && met) meshes_.receivers.push_back(m);
     meshes_.bodies.push_back(row_of_body.try_emplace(bodies[index], material_row(m)).first->second);
   }
   first_triangles_ = first_triangles(scene_, meshes_);
@@ -172,19 +183,18 @@ void RayTables::upload_materials(const Effects& effects) {
   // A row for each caster, so that a grid vertex tells which one it lies on; where there are too many for
   // that, a row for each distinct material, number of interfaces, role and wall. Then one for each receivers'
   // material.
-  const auto casters = std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
-                                     [](const SurfaceRole& s) { return is_caster(s.role); });
+  const auto casters = std::count_if(effects.surfaces.begin(), effects.surfaces.end(), is_on_the_way);
   std::map<std::tuple<int, int, bool, Role, bool>, int> row_of;
   rows_.resize(scene_.meshes.size(), 0);
   const auto give_row = [&](std::size_t mesh, int own, const SurfaceRole& role) {
     rows_[mesh] =
         row_of
-            .try_emplace({own, scene_.meshes[mesh].material, role.two_interfaces, role.role, role.thin},
+            .try_emplace({own, scene_.meshes[mesh].material, role.two_interfaces, role.role, is_wall(role)},
                          static_cast<int>(row_of.size()))
             .first->second;
   };
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i)
-    if (is_caster(effects.surfaces[i].role))
+    if (is_on_the_way(effects.surfaces[i]))
       give_row(i, casters <= kMostOwnRows ? static_cast<int>(i) : 0, effects.surfaces[i]);
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i)
     if (effects.surfaces[i].role == Role::Receiver)
@@ -196,10 +206,11 @@ void RayTables::upload_materials(const Effects& effects) {
   for (const auto& [key, row] : row_of) {
     const auto& [own, index, two_interfaces, role, thin] = key;
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
-    put_texels(table, row, 0,
-               role == Role::Receiver
-                   ? texels_of_receiver(material, own)
-                   : texels_of_caster(material, role == Role::Mirror, thin, two_interfaces));
+    auto own_texels = role == Role::Receiver
+                          ? texels_of_receiver(material, own)
+                          : texels_of_caster(material, role == Role::Mirror, thin, two_interfaces);
+    if (role == Role::ThinPane && material.alpha_mode == AlphaMode::Blend) cover(material, own_texels);
+    put_texels(table, row, 0, own_texels);
     if (!dressed) continue;
     put_texels(table, row, 4, picture_texels(material.base_color_texture, texels));
     put_texels(table, row, 7, picture_texels(material.transmission_texture, texels));
@@ -215,10 +226,10 @@ CasterTexels RayTables::upload_texels(const Effects& effects) {
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
     const Role role = effects.surfaces[i].role;
     const Material& material = scene_.materials[static_cast<std::size_t>(scene_.meshes[i].material)];
-    if (is_caster(role)) {
+    if (is_on_the_way(effects.surfaces[i])) {
       add_once(images, material.base_color_texture);
       add_once(images, material.transmission_texture);
-      add_once(images, material.normal_texture);
+      if (is_caster(role)) add_once(images, material.normal_texture);
     } else if (role == Role::Receiver && receivers_are_dressed(effects)) {
       add_once(coarse, material.base_color_texture);
       add_once(coarse, material.emissive_texture);

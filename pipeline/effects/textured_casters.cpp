@@ -13,15 +13,15 @@ namespace {
 
 // Does a transmission texture tint it texel by texel?
 bool partly_opaque(const Material& material, const SurfaceRole& surface) {
-  return surface.role == Role::Refractor && material.transmission_texture.present();
+  return surface.role != Role::Mirror && material.transmission_texture.present();
 }
 
 bool colored(const Material& material, const SurfaceRole& surface) {
   return material.base_color_texture.present() || partly_opaque(material, surface);
 }
 
-bool normal_mapped(const Material& material, const SurfaceRole&) {
-  return material.normal_texture.present() && material.normal_scale != 0.0f;
+bool normal_mapped(const Material& material, const SurfaceRole& surface) {
+  return is_caster(surface.role) && material.normal_texture.present() && material.normal_scale != 0.0f;
 }
 
 bool cut_out(const Material& material, const SurfaceRole&) {
@@ -108,7 +108,7 @@ bool sight_meets_textures(const Effects& effects) {
 void add_textured_casters(const Scene& scene, const Settings& settings, Effects& effects) {
   const auto found = [&](auto has) {
     return use_of(scene, settings, effects, [&](const Material& material, const SurfaceRole& surface) {
-      return is_caster(surface.role) && has(material, surface);
+      return is_on_the_way(surface) && has(material, surface);
     });
   };
   const Use colors = found(colored);

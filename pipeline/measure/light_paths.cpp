@@ -244,6 +244,8 @@ class LightPaths::Following {
     if (part.first < 0) {
       // Nothing stands before casters but what they are lit through.
       if (receiver || met.hole || mesh == rays_[part.ray].emitter) return pass_straight(part, met, receiver);
+      if (!is_caster(paths_.effects_.surfaces[static_cast<std::size_t>(mesh)].role))
+        return pass_pane(part, met);
       part.first = mesh;
     }
     if (receiver) return land(part, met, mesh);
@@ -276,6 +278,13 @@ class LightPaths::Following {
     part.start = met.point + part.direction * (beyond ? 2.0f * paths_.tables_.touch() : 0.0f);
     part.own = static_cast<float>(met.number + 1);
     waiting_.push_back(part);
+  }
+
+  // What a pane before casters mirrors is not followed.
+  void pass_pane(Part part, const Meeting& met) {
+    part.flux *= met.light_onward * (1.0 - met.mirrored);
+    part.whole = largest(part.flux);
+    pass_straight(part, met, false);
   }
 
   void meet(const Part& before, const Meeting& met, int mesh) {

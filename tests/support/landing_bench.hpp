@@ -133,6 +133,7 @@ struct LandingBench {
     u.facets = facets;
     u.rough_from = 0.2f;
     u.has_rough = roughness > 0.2f || beside_rough;
+    u.has_walls = thin;
     u.smooth_light = smooth_light;
     u.receivers_lower = receivers_lower;
     u.receivers_upper = receivers_upper;

@@ -39,6 +39,21 @@ Material pane(float transmission) {
   return m;
 }
 
+// Lux under a slab of clear glass with a pane at this height: above it, 0.6 m, or below, 0.5.
+glm::dvec3 lux_under_slab_and(const Material& other, double height, float further_share = 0.03f) {
+  Scene scene;
+  scene.materials = {diffuse(0.8f), glass(1.5f), other};
+  scene.meshes = {floor(3.0, 0.0, 0), box({-1, 0.5, -1}, {1, 0.6, 1}, 1), floor(1.5, height, 2)};
+  scene.lights = {sun({0.0, -1.0, 0.0}, 100.0f)};
+  scene.cameras = {camera_down(0.4, 0.2)};
+  Settings settings = small_settings(64, 64, 16);
+  settings.further_share = further_share;
+  const Rendering r = render(scene, settings, {"aov_direct", "aov_caustic"});
+  const Image& caustic = r["aov_caustic"];
+  CHECK(mean_of(r["aov_direct"]) < 1e-4);
+  return {caustic.at(8, 8, 0), caustic.at(8, 8, 1), caustic.at(8, 8, 2)};
+}
+
 }  // namespace
 
 TEST_CASE("shares: a slab and a pane let through what their transmission says, once") {
@@ -54,6 +69,40 @@ TEST_CASE("shares: where a pane's alpha says that it is not, all light passes") 
   m.alpha_mode = AlphaMode::Blend;
   m.base_color = {0.0f, 0.0f, 0.0f, 0.25f};
   CHECK(lux_under(m, false) == Approx(75.0).epsilon(1e-3));
+}
+
+TEST_CASE("shares: a pane tints a caustic, before its caster and behind it") {
+  Material m = pane(1.0f);
+  m.base_color = {1.0f, 0.5f, 0.0f, 1.0f};
+  const glm::dvec3 before = lux_under_slab_and(m, 0.8), behind = lux_under_slab_and(m, 0.45);
+  const double both = 100.0 * kThrough * kThrough;
+  CHECK(before.x == Approx(both).epsilon(0.003));
+  CHECK(before.y == Approx(0.5 * both).epsilon(0.003));
+  CHECK(before.z == 0.0);
+  // Behind it what goes to and fro between slab and pane counts too.
+  const double mirrored = 1.0 - kThrough, all = both / (1.0 - mirrored * mirrored);
+  CHECK(behind.x == Approx(all).epsilon(0.004));
+  CHECK(behind.y == Approx(0.5 * all).epsilon(0.004));
+  CHECK(behind.z == 0.0);
+}
+
+TEST_CASE("shares: a pane tints light that is followed, before its caster") {
+  Material m = pane(1.0f);
+  m.base_color = {1.0f, 0.5f, 0.0f, 1.0f};
+  const glm::dvec3 light = lux_under_slab_and(m, 0.8, 0.0f);
+  const double mirrored = 1.0 - kThrough, all = 100.0 * kThrough * kThrough / (1.0 - mirrored * mirrored);
+  // Which vertices send on what goes to and fro is drawn.
+  CHECK(light.x == Approx(all).epsilon(0.01));
+  CHECK(light.y == Approx(0.5 * all).epsilon(0.01));
+  CHECK(light.z == 0.0);
+}
+
+TEST_CASE("shares: of a caustic behind a pane its alpha leaves what is not covered") {
+  Material m = pane(1.0f);
+  m.alpha_mode = AlphaMode::Blend;
+  m.base_color = {0.0f, 0.0f, 0.0f, 0.25f};
+  CHECK(lux_under_slab_and(m, 0.8).y == Approx(75.0 * kThrough).epsilon(0.003));
+  CHECK(lux_under_slab_and(m, 0.45).y == Approx(75.0 * kThrough).epsilon(0.004));
 }
 
 TEST_CASE("shares: without its specular share a slab takes nothing") {

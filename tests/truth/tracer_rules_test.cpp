@@ -160,6 +160,32 @@ TEST_CASE("tracer: a thin pane passes direct light less what both its faces mirr
     CHECK(value == Approx(0.96 / 1.04).epsilon(1e-6));
 }
 
+TEST_CASE("tracer: a pane tints what a caster sends on, before it and behind it") {
+  test::need_ray_queries();
+  const auto landed = [](double height) {
+    Scene scene;
+    scene.materials = {test::diffuse(0.8f), test::glass(1.5f), test::glass(1.5f)};
+    scene.materials[2].thickness = 0.0f;
+    scene.materials[2].base_color = {1.0f, 0.5f, 0.0f, 1.0f};
+    scene.meshes = {test::floor(3.0, 0.0, 0), test::box({-1, 0.5, -1}, {1, 0.6, 1}, 1),
+                    test::floor(1.5, height, 2)};
+    scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
+    scene.cameras = {test::camera_down(0.2, 1.0)};
+    const Run run(scene, 8, 300, 2, Physics::Full);
+    check_closed(run.account());
+    return run.account().landed / (4.0 * run.batches());
+  };
+  // (1 - R) / (1 + R) with R = 0.04 for each, and what goes to and fro between them.
+  constexpr double through = 0.96 / 1.04, back = 1.0 - through,
+                   both = through * through / (1.0 - back * back);
+  for (const double height : {0.8, 0.45}) {
+    const glm::dvec3 light = landed(height);
+    CHECK(light.x == Approx(both).margin(3e-3));
+    CHECK(light.y == Approx(0.5 * both).margin(3e-3));
+    CHECK(light.z == 0.0);
+  }
+}
+
 TEST_CASE("tracer: what is not simulated is refused by name") {
   test::need_ray_queries();
   Scene hazy = test::sphere_scene(1.5f, 2);

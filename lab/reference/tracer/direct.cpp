@@ -58,33 +58,7 @@ class Lamp {
     const Ray back{seen.position, -travel};
     if (lit_.receivers.blocked(back, world_.nearest(), distance)) return glm::dvec3(0.0);
     if (casters_shadow_ && lit_.casters.blocked(back, world_.nearest(), distance)) return glm::dvec3(0.0);
-    return reaching * through_panes(back, distance);
-  }
-
-  // Of panes both faces and all reflections between them: (1 - r) / (1 + r), times transmission and colour
-  // (passes/view_panes/view_panes.md); of blended surfaces what they do not cover.
-  glm::dvec3 through_panes(const Ray& back, double distance) const {
-    glm::dvec3 left(1.0);
-    double from = world_.nearest();
-    for (int i = 0; i < 64; ++i) {
-      const auto hit = world_.panes().nearest(back, from, distance);
-      if (!hit) break;
-      const Material& m = world_.scene().materials[static_cast<std::size_t>(
-          world_.scene().meshes[static_cast<std::size_t>(hit->mesh)].material)];
-      from = std::max(hit->distance, from) * (1.0 + 1e-6) + world_.nearest();
-      if (world_.optics(hit->mesh).role == Role::Blended) {
-        left *= 1.0 - static_cast<double>(m.base_color.a);
-        continue;
-      }
-      const double r =
-          fresnel(std::fabs(exact::dot(hit->normal, back.direction)), 1.0, static_cast<double>(m.ior))
-              .mean() *
-          static_cast<double>(m.fresnel_factor);
-      const double there = m.alpha_mode == AlphaMode::Blend ? static_cast<double>(m.base_color.a) : 1.0;
-      const double through = static_cast<double>(transmitted_share(m)) * (1.0 - r) / (1.0 + r);
-      left *= (1.0 - there) + glm::dvec3(glm::vec3(m.base_color)) * (there * through);
-    }
-    return left;
+    return reaching * world_.through_panes(back, distance);
   }
 
   const World& world_;

@@ -22,7 +22,9 @@ Optics optics_of_surface(const Material& material, const SurfaceRole& surface) {
   if (surface.role == Role::Refractor && surface.rough)
     o.alpha = static_cast<double>(material.roughness) * static_cast<double>(material.roughness);
   o.fresnel = static_cast<double>(material.fresnel_factor);
-  o.thin = surface.thin;
+  o.thin = surface.thin || surface.role == Role::ThinPane;
+  if (surface.role == Role::ThinPane && material.alpha_mode == AlphaMode::Blend)
+    o.there = static_cast<double>(material.base_color.a);
   if (surface.role == Role::Refractor && !surface.thin) o.absorption = glm::dvec3(absorption_of(material));
   return o;
 }

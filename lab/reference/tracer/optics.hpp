@@ -18,7 +18,8 @@ struct Optics {
   glm::dvec3 absorption{0.0};  // per metre
   glm::dvec3 color{1.0};       // of what passes; of a mirror its reflectance straight on
   int body = 0;                // primitives of one object and material are one body
-  bool thin = false;           // of rough glass: a wall that mirrors by its index, but bends nothing
+  bool thin = false;           // a pane, or a wall of rough glass: it mirrors by its index, but bends nothing
+  double there = 1.0;          // of a pane: the share of it that covers what is behind
   double index(double bend) const { return thin ? 1.0 : ior + spread * bend; }
 };
 

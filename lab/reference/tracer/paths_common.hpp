@@ -11,7 +11,7 @@ namespace caustics::tracer {
 struct Paths::Arrival {
   Ray ray;
   SurfaceHit hit;
-  double flux = 0.0;
+  glm::dvec3 flux{0.0};  // what panes before it have left
 };
 
 inline glm::dvec3 after(const glm::dvec3& absorption, double metres) {

@@ -127,7 +127,9 @@ bool Paths::advance(Moving& moving, SurfaceHit& met, std::vector<Landing>& landi
     account.cut += moving.flux;
     return false;
   }
-  const auto caster = lit_.casters.nearest(moving.ray, world_.nearest(), kNoEnd);
+  auto caster = lit_.casters.nearest(moving.ray, world_.nearest(), kNoEnd);
+  const auto wall = world_.walls().nearest(moving.ray, world_.nearest(), caster ? caster->distance : kNoEnd);
+  if (wall) caster = wall;
   const auto receiver = receiver_on(moving.ray, moving.crossed);
   const double reach = caster ? caster->distance - world_.nearest() : kNoEnd;
   const bool lands = receiver && receiver->distance < reach;
@@ -219,9 +221,10 @@ void Paths::meet(const Moving& moving, const SurfaceHit& met, double bend, Numbe
                                 : refract_direction(d, f.normal, n1 / n2);
   double r = bent ? fresnel(f.cosine, n1, n2).mean() : 1.0;
   if (bent) r *= optics.fresnel;
-  if (optics.thin) r = 2.0 * r / (1.0 + r);  // both faces
+  if (optics.thin) r = optics.there * 2.0 * r / (1.0 + r);  // both faces
   // The tint counts once for each body, as light gets in; or out, where it began inside; and at each wall.
-  const glm::dvec3 tint = met.front || within < 0 ? optics.color : glm::dvec3(1.0);
+  glm::dvec3 tint = met.front || within < 0 ? optics.color : glm::dvec3(1.0);
+  if (optics.there < 1.0) tint = ((1.0 - optics.there) + tint * (optics.there - r)) / (1.0 - r);
   const double weaker = std::min(r, 1.0 - r) * largest(moving.flux);
   // Microfacets send each part to another place anyway: more rays tell more than more parts of one.
   const bool both = !rough && weaker > kSplitShare * moving.first && next.surfaces <= kSplits;

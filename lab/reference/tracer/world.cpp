@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "lab/reference/closed_forms.hpp"
 #include "lab/reference/tracer/touching.hpp"
 #include "pipeline/effects/bodies.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -34,7 +35,12 @@ bool throws_light(Role role) { return is_caster(role); }
 }  // namespace
 
 World::World(const Scene& scene, const Effects& effects, const std::vector<ExactShape>& exact)
-    : scene_(scene), effects_(effects), exact_(exact), optics_(optics_of(scene, effects)), panes_(scene, {}) {
+    : scene_(scene),
+      effects_(effects),
+      exact_(exact),
+      optics_(optics_of(scene, effects)),
+      panes_(scene, {}),
+      walls_(scene, {}) {
   refuse_what_is_not_traced(scene, effects);
   Bounds everything = bounds_of(scene);
   for (const Light& light : scene.sources)
@@ -43,7 +49,9 @@ World::World(const Scene& scene, const Effects& effects, const std::vector<Exact
   size_ = everything.empty() ? 1.0 : std::max(2.0 * everything.radius(), 1e-6);
   nearest_ = 2e-6 * size_;
   overlapping_ = with_overlaps(scene, optics_, 2.0 * nearest_);
-  panes_ = RaySet(scene, meshes_with(optics_, -1, is_pane));
+  panes_ = RaySet(scene, meshes_with(optics_, -1, is_pane), {}, true);
+  walls_ =
+      RaySet(scene, meshes_with(optics_, -1, [](Role role) { return role == Role::ThinPane; }), {}, true);
   sets_.push_back(set_without(-1));
   std::map<int, std::size_t> by_emitter{{-1, 0}};
   for (const Light& light : scene.sources) {
@@ -63,6 +71,28 @@ Optics World::optics_at(const SurfaceHit& hit) const {
   const Material& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
   return is_dressed(material) && hit.triangle >= 0 ? dressed(scene_, material, optics(hit.mesh), hit.uv)
                                                    : optics(hit.mesh);
+}
+
+glm::dvec3 World::through_panes(const Ray& ray, double distance) const {
+  glm::dvec3 left(1.0);
+  double from = nearest_;
+  for (int i = 0; i < 64; ++i) {
+    const auto hit = panes_.nearest(ray, from, distance);
+    if (!hit) break;
+    const Material& m =
+        scene_
+            .materials[static_cast<std::size_t>(scene_.meshes[static_cast<std::size_t>(hit->mesh)].material)];
+    from = std::max(hit->distance, from) * (1.0 + 1e-6) + nearest_;
+    const Optics pane = optics_at(*hit);
+    if (pane.role == Role::Blended) {
+      left *= 1.0 - static_cast<double>(m.base_color.a);
+      continue;
+    }
+    const double r =
+        fresnel(std::fabs(exact::dot(hit->normal, ray.direction)), 1.0, pane.ior).mean() * pane.fresnel;
+    left *= (1.0 - pane.there) + pane.color * (pane.there * (1.0 - r) / (1.0 + r));
+  }
+  return left;
 }
 
 LitSet World::set_without(int emitter) const {

@@ -32,7 +32,12 @@ class World {
   const std::vector<ExactShape>& exact() const { return exact_; }
   const RaySet& casters() const { return sets_.front().casters; }
   const RaySet& receivers() const { return sets_.front().receivers; }
-  const RaySet& panes() const { return panes_; }
+  // What rays of light meet behind a caster, beside casters.
+  const RaySet& walls() const { return walls_; }
+  // The share that panes and blended surfaces leave of light along a ray: of panes both faces and all
+  // reflections between them, (1 - r) / (1 + r), times transmission and colour; of blended surfaces what they
+  // do not cover.
+  glm::dvec3 through_panes(const Ray& ray, double distance) const;
   // Metres; what is nearer than this to where a ray starts is the surface that it starts from.
   double nearest() const { return nearest_; }
   double size() const { return size_; }  // diameter of everything, lights and cameras included
@@ -48,7 +53,7 @@ class World {
   std::vector<LitSet> sets_;
   std::vector<std::size_t> set_of_;
   std::vector<bool> throws_;
-  RaySet panes_;
+  RaySet panes_, walls_;
   double nearest_ = 1e-6, size_ = 1.0;
 };
 
