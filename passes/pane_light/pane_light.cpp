@@ -12,7 +12,7 @@ namespace {
 constexpr DrawnFor kCasters{.each = Each::Light,
                             .label = "casters",
                             .size = grid_size,
-                            .also = &Effects::tinted_light,
+                            .also = &Effects::tinted_caustics,
                             .reason = "panes and blended surfaces may stand between the light and casters"};
 
 // Half the shadow map's side: panes have a window to themselves. A light that sees all around shares the

@@ -28,6 +28,6 @@ inline constexpr Read kReadReaching{
     .meaning = "rgb: what panes and blended surfaces before the casters leave of the light",
     .texture = "pane_transmittance.casters",
     .optional = true};
-inline constexpr Choice kIsTinted{"is_tinted", chosen_by<&Effects::tinted_light>};
+inline constexpr Choice kIsTinted{"is_tinted", chosen_by<&Effects::tinted_caustics>};
 
 }  // namespace caustics

@@ -153,6 +153,9 @@ void add_blended(const Scene& scene, Effects& effects) {
                           effects.thin_panes.active ? effects.thin_panes.reason
                           : blended > 0             ? found
                                                     : "no thin pane, nothing blended"};
+  const bool tints = effects.tinted_light.active && effects.caustics.active;
+  effects.tinted_caustics = {tints,
+                             effects.caustics.active ? effects.tinted_light.reason : "there is no caustic"};
 }
 
 std::string mesh_name(const Scene& scene, int mesh) {
@@ -328,6 +331,7 @@ std::span<const NamedEffect> named_effects() {
       {"layered", &Effects::layered},
       {"blended layers", &Effects::blended_layers},
       {"tinted light", &Effects::tinted_light},
+      {"tinted caustics", &Effects::tinted_caustics},
       {"mirrors", &Effects::mirrors},
       {"highlights", &Effects::highlights},
       {"seen casters", &Effects::seen_casters},

@@ -181,7 +181,8 @@ struct Effects {
   Effect blended;                // a surface that alphaMode BLEND shows over what lies behind
   Effect layered;                // one of those, or glass of which a share is diffuse
   Effect blended_layers;         // several of these in one place
-  Effect tinted_light;           // light passes straight through panes or blended surfaces
+  Effect tinted_light;           // light passes straight through panes or blended surfaces,
+  Effect tinted_caustics;        // maybe on its way to casters
   Effect mirrors;                // smooth metal, which reflects light and view
   Effect highlights;             // what smooth surfaces mirror of the lights
   Effect seen_casters;           // a refractor or mirror, in which the camera sees other things
