@@ -6,6 +6,7 @@
 #include "app/expectations.hpp"
 #include "app/flux.hpp"
 #include "app/json.hpp"
+#include "app/output/light_groups.hpp"
 #include "app/output/stats.hpp"
 #include "app/shell/terminal.hpp"
 #include "app/shell/version.hpp"
@@ -40,7 +41,7 @@ void print_notes(const Scene& scene, const Effects& effects) {
         "note: normal textures of receivers are left out: 'direct', 'normal' and 'caustic' have the "
         "smooth surface\n",
         stderr);
-  for (const NoCaustic& each : missing_caustics(scene, effects.expectations))
+  for (const NoCaustic& each : missing_caustics(scene, expectations_by_source(scene, effects)))
     std::fprintf(stderr, "no caustic: %s\n", one_line(each.sentence()).c_str());
 }
 

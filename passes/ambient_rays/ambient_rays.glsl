@@ -48,12 +48,14 @@ Float share_through(IN(Material) material) {
 
 Float luminance(Vec3 c) { return c.x * 0.2126f + c.y * 0.7152f + c.z * 0.0722f; }
 
-// Of a caster at the end of a stretch inside or outside of it.
+// Of a caster at the end of a stretch inside or outside of it. A pane is passed at once.
 Float share_of_caster(IN(CasterTriangle) triangle, Bool leaves, Float stretch) {
   Material material = fetch_material(caster_materials, triangle.row);
   Float passing = luminance(material.color * material.transmitted);
   Float inside = exp_of(-(luminance(material.absorption) * stretch)) * passing;
   Float through = share_through(material) * sel(leaves, inside, Float(1.0f));
+  Float wall = share_through(material) * share_through(material) * passing;
+  through = sel(material.thin, wall, through);
   return sel(material.mirror, Float(0.0f), through);
 }
 
@@ -68,7 +70,8 @@ void go_on(INOUT(Sight) sight) {
     CasterTriangle triangle = fetch_triangle(sel(at_caster, met.number, Float(0.0f)));
     Bool leaves = sight.body == triangle.body;
     share = sel(at_caster, share_of_caster(triangle, leaves, met.distance), share);
-    sight.body = sel(at_caster, sel(leaves, Float(0.0f), triangle.body), sight.body);
+    Bool thin = fetch_material(caster_materials, triangle.row).thin;
+    sight.body = sel(at_caster && !thin, sel(leaves, Float(0.0f), triangle.body), sight.body);
   }
   Float distance = sel(ends, Float(0.0f), met.distance);
   sight.metres = sight.metres + distance;

@@ -55,7 +55,8 @@ Pass light_step_pass() {
       .shaders = {{&light_step_shader, block_of<light_step_uniforms>}},
       .choices = {{"has_textures", meets_textures},
                   {"has_rough", chosen_by<&Effects::rough_glass>},
-                  kHasWalls},
+                  kHasWalls,
+                  kHasCutOuts},
   };
 }
 

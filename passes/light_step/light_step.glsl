@@ -41,6 +41,7 @@ OUTPUT(6, Vec4, crossing_media)
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/hit_texel.glsl"
+#include "passes/shared/hit_there.glsl"
 
 // One of a ray's four texels, which stand in as many blocks of rows.
 Vec4 ray_texel(Int column, Int row, int block) {
@@ -83,7 +84,7 @@ void main() {
   Vec4 media = ray_texel(column, row, 2);
   Ray ray = ray_from(Vec3(start), Vec3(way));
   Float there = way.w;
-  Vec4 hit = hit_ahead(ray, start.w - 1.0f, media, there > 0.0f);
+  Vec4 hit = hit_there(ray, start.w - 1.0f, media, there > 0.0f);
   Bool caster = is_on_caster(hit);
   CasterTriangle triangle = fetch_triangle(sel(is_surface(hit), hit.w - 1.0f, Float(0.0f)));
   Meeting at = meeting_at(triangle, hit, ray.direction);

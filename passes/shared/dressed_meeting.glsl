@@ -69,6 +69,18 @@ Vec3 dressed_normal(Vec3 n, IN(Dress) dress, Int row) {
   return sel(is_there(picture), leaned_normal(n, dress.tangent, local), n);
 }
 
+// Has an alpha mask cut the surface out there?
+Bool is_cut_out(IN(Dress) dress, Int row, Bool wanted) {
+  Vec4 of_surface = fetch_clamped(caster_materials, Int(3), row);
+  Float opacity = of_surface.z;
+  Float cutoff = of_surface.w;
+  Bool masked = wanted && cutoff > 0.0f;
+  Bool hole = Bool(false);
+  if (any_lane(masked))
+    hole = masked && fetch_picture(picture_at(row, 4), dress.uv, Bool(true)).w * opacity < cutoff;
+  return hole;
+}
+
 // Colour, transmission, holes and normal at a place. `wanted`: there is a caster; `is_drawn`: it is what the
 // caster map shows there, whose normal leans already, and where there is no hole.
 void put_on_textures(INOUT(Meeting) at, INOUT(Material) material, IN(CasterTriangle) triangle,
@@ -81,11 +93,6 @@ void put_on_textures(INOUT(Meeting) at, INOUT(Material) material, IN(CasterTrian
   material.color = grey + (material.color - grey) * color;
   material.transmitted =
       material.transmitted * fetch_picture(picture_at(row, 7), dress.uv, Bool(false)).x;
-  Vec4 of_surface = fetch_clamped(caster_materials, Int(3), row);
-  Float opacity = of_surface.z;
-  Float cutoff = of_surface.w;
-  Bool masked = wanted && !is_drawn && cutoff > 0.0f;
-  if (any_lane(masked))
-    at.hole = masked && fetch_picture(base, dress.uv, Bool(true)).w * opacity < cutoff;
+  at.hole = at.hole || is_cut_out(dress, row, wanted && !is_drawn);
   if (any_lane(!is_drawn)) at.outward = sel(is_drawn, at.outward, dressed_normal(at.outward, dress, row));
 }

@@ -20,6 +20,8 @@ inline constexpr Read kReadCasterTexels{
 inline constexpr Choice kHasTextures{
     "has_textures", [](const PassContext& c) { return light_meets_textures(*c.effects) ? 1 : 0; }};
 
+inline constexpr Choice kHasCutOuts{"has_cut_outs", chosen_by<&Effects::cut_out_receivers>};
+
 // Walls of rough glass, and panes.
 inline constexpr Choice kHasWalls{"has_walls", [](const PassContext& c) {
                                     const auto& all = c.effects->surfaces;

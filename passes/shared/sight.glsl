@@ -86,12 +86,7 @@ void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, 
 // A receiver that an alpha mask has cut out where the ray meets it, or that is not seen from behind.
 Bool is_hole(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
   Bool hole = fetch_receiver(caster_materials, triangle.row).one_sided && !at.front;
-  if (u.has_textures != 0) {
-    Meeting met = at;
-    Material unused = fetch_material(caster_materials, triangle.row);
-    put_on_textures(met, unused, triangle, wanted, Bool(false));
-    hole = hole || met.hole;
-  }
+  if (u.has_textures != 0) hole = hole || is_cut_out(dress_at(at, triangle, wanted), triangle.row, wanted);
   return wanted && hole;
 }
 
@@ -115,7 +110,8 @@ SightEnd end_of_sight(IN(Sight) from) {
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
       if (any_lane(caster)) turn(next, at, triangle, Bool(k >= u.surfaces), caster);
       Bool cut = is_hole(triangle, at, receiver);
-      next.ray = ray_from(sel(cut, at.point, next.ray.start), next.ray.direction);
+      Vec3 beyond = at.point + sight.ray.direction * (u.touch * 2.0f);
+      next.ray = ray_from(sel(cut, beyond, next.ray.start), next.ray.direction);
       next.own = sel(cut, at.number, next.own);
       caster = caster || cut;
       receiver = receiver && !cut;

@@ -131,6 +131,7 @@ Pass walk_pass() {
                   kHasTextures,
                   {"has_rough", chosen_by<&Effects::rough_glass>},
                   kHasWalls,
+                  kHasCutOuts,
                   {"light_shape", light_shape}},
   };
 }

@@ -52,6 +52,7 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/hit_texel.glsl"
+#include "passes/shared/hit_there.glsl"
 #include "passes/shared/way_draw.glsl"
 #include "passes/shared/wide_light.glsl"
 #include "passes/shared/enter_light.glsl"
@@ -142,7 +143,7 @@ void main() {
     Bool has_hit = Bool(surface == 1 && u.reads_hit != 0) && !bent.drawn_back;
     Bool searches = goes && !bent.ends && !has_hit;
     Vec4 hit = Vec4(0.0f);
-    if (any_lane(searches)) hit = hit_ahead(here.path.ray, here.path.own, here.path.media, searches);
+    if (any_lane(searches)) hit = hit_there(here.path.ray, here.path.own, here.path.media, searches);
     if (any_lane(has_hit)) hit = sel(has_hit, texel_fetch(second_surface, column, row), hit);
     if (surface == 1) second_hit = sel(goes, hit, Vec4(0.0f));
     under_way = goes && is_on_caster(hit) && surface < u.bounces;

@@ -21,6 +21,7 @@ CHOICE(can_be_hidden) // 1: receivers may hide others from the light; 2: and it 
 CHOICE(draws)         // 1: the branch follows what the others leave behind, by ways that are drawn
 CHOICE(reads_hit)     // 1: the second surface has been found by a branch that comes to it alike
 CHOICE(has_textures)  // 1: some caster has
+CHOICE(has_cut_outs)  // 1: some receiver has holes
 CHOICE(has_rough)     // 1: some glass is rough
 CHOICE(has_walls)     // 1: some has no thickness
 CHOICE(light_shape)   // 0: the light has no size; 1: a ball, 2: a rectangle, 3: a disk far away,

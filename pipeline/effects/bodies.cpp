@@ -29,8 +29,6 @@ std::string not_in_triangles(const Scene& scene, const Effects& effects) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Material& m = scene.materials[static_cast<std::size_t>(scene.meshes[i].material)];
     const Role role = effects.surfaces[i].role;
-    if (role == Role::Receiver && m.alpha_mode == AlphaMode::Mask && m.base_color_texture.present())
-      return "alpha masks (material '" + m.name + "' has one)";
     if (effects.surfaces[i].blended && m.base_color_texture.present())
       return "textured coverage (material '" + m.name + "' has it)";
     const bool textured = m.base_color_texture.present() || m.transmission_texture.present();

@@ -12,17 +12,31 @@ namespace caustics {
 
 namespace {
 
-// The samples of each source with a size that throw a caustic, by Scene::lights.
-std::map<int, std::vector<int>> samples_of_sources(const Scene& scene, const Effects& effects) {
-  std::map<int, std::vector<int>> samples;
+// A source with a size, or one side of a sheet that shines to both.
+struct LightSide {
+  int source = 0;
+  bool back = false;
+  auto operator<=>(const LightSide&) const = default;
+};
+
+LightSide side_of(const Scene& scene, int sample) {
+  const Light& light = scene.lights[static_cast<std::size_t>(sample)];
+  if (light.source < 0) return {light.source};
+  const Light& source = scene.sources[static_cast<std::size_t>(light.source)];
+  const bool sheet = source.shape == LightShape::Mesh && source.is_rectangle();
+  return {light.source, sheet && exact::dot(light.direction, source.direction) < 0.0};
+}
+
+// The samples of each that throw a caustic, by Scene::lights.
+std::map<LightSide, std::vector<int>> samples_of_sides(const Scene& scene, const Effects& effects) {
+  std::map<LightSide, std::vector<int>> samples;
   for (const Expectation& e : effects.expectations) {
-    const int source = scene.lights[static_cast<std::size_t>(e.light)].source;
-    if (!e.expected || source < 0) continue;
-    const Light& light = scene.sources[static_cast<std::size_t>(source)];
+    const LightSide side = side_of(scene, e.light);
+    if (!e.expected || side.source < 0) continue;
+    const Light& light = scene.sources[static_cast<std::size_t>(side.source)];
     if (light.shape != LightShape::Disk && !light.is_ball() && !light.is_rectangle()) continue;
-    std::vector<int>& of_source = samples[source];
-    if (std::find(of_source.begin(), of_source.end(), e.light) == of_source.end())
-      of_source.push_back(e.light);
+    std::vector<int>& of_side = samples[side];
+    if (std::find(of_side.begin(), of_side.end(), e.light) == of_side.end()) of_side.push_back(e.light);
   }
   return samples;
 }
@@ -41,9 +55,9 @@ int middle_sample(const Scene& scene, int source, const std::vector<int>& sample
 Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& settings) {
   if (!settings.drawn || settings.further_share >= 1.0f) return effects;
   if (!why_not_followed(scene, settings, effects).empty()) return effects;
-  for (const auto& [number, samples] : samples_of_sources(scene, effects)) {
+  for (const auto& [side, samples] : samples_of_sides(scene, effects)) {
     if (samples.size() < 2) continue;
-    const int drawn = middle_sample(scene, number, samples);
+    const int drawn = middle_sample(scene, side.source, samples);
     LightEffects& of_drawn = effects.lights[static_cast<std::size_t>(drawn)];
     of_drawn.size_is_drawn = true;
     glm::vec3 all(0.0f);
@@ -55,8 +69,7 @@ Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& se
     const Light& light = scene.lights[static_cast<std::size_t>(drawn)];
     of_drawn.of_others = all - light.color * light.intensity;
     for (Expectation& e : effects.expectations) {
-      if (!e.expected || e.light == drawn || scene.lights[static_cast<std::size_t>(e.light)].source != number)
-        continue;
+      if (!e.expected || e.light == drawn || side_of(scene, e.light) != side) continue;
       e = {e.light, e.mesh, false,
            "the caustic of " + quoted_name("light", light.name, static_cast<std::size_t>(drawn)) +
                " is that of its whole light"};

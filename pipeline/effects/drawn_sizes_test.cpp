@@ -61,10 +61,15 @@ TEST_CASE(
   CHECK_FALSE(any_size_is_drawn(bench.effects()));
 }
 
-TEST_CASE("drawn sizes: of a sheet that shines to both sides, one sample stands for one side") {
-  for (const bool double_sided : {false, true}) {
+TEST_CASE("drawn sizes: of a sheet that shines to both sides, one sample stands for each side with casters") {
+  for (const auto& [double_sided, above] : {std::pair(false, false), {true, false}, {true, true}}) {
     Bench bench;
     bench.scene = sphere_scene(1.5f, 2);
+    // And a ball with its receiver on the other side of the sheet.
+    if (above) {
+      bench.scene.meshes.push_back(sphere({0.0, 4.0, 0.0}, 0.5, 2, 1));
+      bench.scene.meshes.push_back(floor(5.0, 6.0, 0));
+    }
     Material shining = diffuse(0.5f);
     shining.emissive = glm::vec3(100.0f);
     shining.double_sided = double_sided;
@@ -82,11 +87,11 @@ TEST_CASE("drawn sizes: of a sheet that shines to both sides, one sample stands 
     for (std::size_t l = 0; l < effects.lights.size(); ++l) {
       if (!effects.lights[l].size_is_drawn) continue;
       ++drawn;
-      CHECK(bench.scene.lights[l].direction.y == Approx(-1.0));
+      if (!above) CHECK(bench.scene.lights[l].direction.y == Approx(-1.0));
       // Of 100 candela, or on each side as much, without the sample's own.
       CHECK(effects.lights[l].of_others.x == Approx(double_sided ? 75.0 : 87.5));
     }
-    CHECK(drawn == 1);
+    CHECK(drawn == (above ? 2 : 1));
   }
 }
 

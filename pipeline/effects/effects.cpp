@@ -339,6 +339,7 @@ std::span<const NamedEffect> named_effects() {
       {"normal-mapped casters", &Effects::normal_mapped_casters},
       {"cut-out casters", &Effects::cut_out_casters},
       {"textured receivers", &Effects::textured_receivers},
+      {"cut-out receivers", &Effects::cut_out_receivers},
       {"emissive lights", &Effects::emissive_lights},
       {"dispersion", &Effects::dispersion},
       {"reflections", &Effects::reflections},

@@ -190,6 +190,7 @@ struct Effects {
   Effect normal_mapped_casters;  // a caster with a normal texture
   Effect cut_out_casters;        // a caster with holes by an alpha mask
   Effect textured_receivers;     // whose colour glass may show beside the picture
+  Effect cut_out_receivers;      // in which an alpha mask has cut holes, for followed light
   Effect emissive_lights;        // a mesh that shines and lights the scene
   Effect dispersion;             // a refractor whose index depends on the wavelength
   Effect reflections;            // what refractors mirror, on request

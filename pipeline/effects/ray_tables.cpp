@@ -41,9 +41,6 @@ void put_texels(Image& table, int row, int column, std::span<const glm::vec4> te
 }
 
 bool are_dressed(const Effects& effects) { return caster_detail(effects) != CasterDetail::None; }
-bool receivers_are_dressed(const Effects& effects) {
-  return effects.seen_casters.active && effects.textured_receivers.active;
-}
 
 // Of a caster (passes/shared/caster_material.glsl, Material).
 std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& material, bool mirror, bool thin,
@@ -158,7 +155,7 @@ void RayTables::number_triangles(const Effects& effects, bool waters) {
   first_receiver_ = static_cast<int>(caster_triangles(scene_, meshes_));
   meshes_.dressed = are_dressed(effects);
   // The camera's rays ask for every triangle's texture coordinates, where they meet any texture.
-  meshes_.receivers_dressed = sight_meets_textures(effects);
+  meshes_.receivers_dressed = sight_meets_textures(effects) || receivers_are_dressed(effects);
   first_uv_ = caustics::first_uv(scene_, meshes_);
   const Bounds bounds = bounds_of(scene_);
   if (!bounds.empty()) touch_ = static_cast<float>(4e-6 * std::max(bounds.radius(), 1e-6));
@@ -231,7 +228,8 @@ CasterTexels RayTables::upload_texels(const Effects& effects) {
       add_once(images, material.transmission_texture);
       if (is_caster(role)) add_once(images, material.normal_texture);
     } else if (role == Role::Receiver && receivers_are_dressed(effects)) {
-      add_once(coarse, material.base_color_texture);
+      const bool cut = effects.cut_out_receivers.active && material.alpha_mode == AlphaMode::Mask;
+      add_once(cut ? images : coarse, material.base_color_texture);
       add_once(coarse, material.emissive_texture);
     }
   }

@@ -97,7 +97,13 @@ bool detailed_exits(const Effects& effects) {
 }
 
 bool light_meets_textures(const Effects& effects) {
-  return effects.further_surfaces.active && caster_detail(effects) != CasterDetail::None;
+  return effects.further_surfaces.active &&
+         (caster_detail(effects) != CasterDetail::None || effects.cut_out_receivers.active);
+}
+
+bool receivers_are_dressed(const Effects& effects) {
+  return effects.cut_out_receivers.active ||
+         (effects.seen_casters.active && effects.textured_receivers.active);
 }
 
 bool sight_meets_textures(const Effects& effects) {
@@ -126,6 +132,11 @@ void add_textured_casters(const Scene& scene, const Settings& settings, Effects&
         return surface.role == Role::Receiver &&
                (material.base_color_texture.present() || material.emissive_texture.present());
       });
+  const Use holes =
+      use_of(scene, settings, effects, [](const Material& material, const SurfaceRole& surface) {
+        return surface.role == Role::Receiver && cut_out(material, surface);
+      });
+  effects.cut_out_receivers = effect_of(holes, "an alpha mask cuts holes, which let light straight through");
   effects.textured_receivers = effect_of(receivers, "glass shows its texture where the picture does not");
   for (std::size_t i = 0; i < scene.meshes.size() && !effects.textured_receivers.active; ++i)
     if (effects.surfaces[i].role == Role::Receiver && !scene.meshes[i].colors.empty())

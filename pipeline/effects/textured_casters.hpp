@@ -17,8 +17,11 @@ bool detailed_exits(const Effects& effects);
 // Whether light, or the camera's rays, meet textures on their way from surface to surface.
 bool light_meets_textures(const Effects& effects);
 bool sight_meets_textures(const Effects& effects);
+// Whether either asks for those of receivers.
+bool receivers_are_dressed(const Effects& effects);
 
-// Judges textured_casters, normal_mapped_casters, cut_out_casters and textured_receivers.
+// Judges textured_casters, normal_mapped_casters, cut_out_casters, textured_receivers and
+// cut_out_receivers.
 void add_textured_casters(const Scene& scene, const Settings& settings, Effects& effects);
 
 }  // namespace caustics

@@ -149,6 +149,30 @@ std::optional<FlatRectangle> rectangle_along(const Mesh& mesh, const glm::dvec3&
                        normal};
 }
 
+double outside(double x, float lower, float upper) {
+  return std::max({static_cast<double>(lower) - x, x - static_cast<double>(upper), 0.0});
+}
+
+bool box_is_near(const glm::vec3& lower, const glm::vec3& upper, const glm::dvec3& p, double radius) {
+  const glm::dvec3 way{outside(p.x, lower.x, upper.x), outside(p.y, lower.y, upper.y),
+                       outside(p.z, lower.z, upper.z)};
+  return exact::length(way) < radius;
+}
+
+// May some of a mesh lie nearer to a point than that: is there a triangle whose box and whose plane do?
+bool may_reach(const Mesh& mesh, const glm::dvec3& p, double radius) {
+  if (!box_is_near(mesh.lower, mesh.upper, p, radius)) return false;
+  for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+    const Corners corners = corners_of(mesh, t);
+    const glm::vec3 lower(glm::min(glm::min(corners.a, corners.b), corners.c));
+    const glm::vec3 upper(glm::max(glm::max(corners.a, corners.b), corners.c));
+    if (!box_is_near(lower, upper, p, radius)) continue;
+    const glm::dvec3 normal = exact::normalise(corners.normal(), glm::dvec3(0.0));
+    if (std::fabs(exact::dot(p - corners.a, normal)) < radius) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Emitter::Emitter(const Scene& scene, int mesh)
@@ -234,7 +258,7 @@ bool Emitter::make_rectangle(Light& light) const {
 
 bool Emitter::make_ball(Light& light) const {
   constexpr double kRound = 0.01;
-  if (!mesh_.closed()) return false;
+  if (!mesh_.closed() || mesh_.inside_out) return false;
   const glm::dvec3 middle = bounds_of(mesh_).centre();
   double nearest = exact::length(glm::dvec3(mesh_.vertices.front().position) - middle), farthest = nearest;
   for (const Vertex& v : mesh_.vertices) {
@@ -245,6 +269,8 @@ bool Emitter::make_ball(Light& light) const {
   // Not a cube, whose corners are as far away.
   const double radius = std::sqrt(area() / (4.0 * exact::kPi));
   if (nearest < (1.0 - kRound) * farthest || radius < (1.0 - 2.0 * kRound) * farthest) return false;
+  for (const Mesh& other : scene_.meshes)
+    if (&other != &mesh_ && may_reach(other, middle, radius)) return false;
   light.position = middle;
   light.direction = {0.0, -1.0, 0.0};
   light.radius = radius;

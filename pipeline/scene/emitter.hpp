@@ -24,7 +24,8 @@ class Emitter {
   glm::vec3 radiance() const;
   // A flat rectangle: sets the light's middle, edges and direction, that of its front. Is it one?
   bool make_rectangle(Light& light) const;
-  // A closed sphere, which looks like a disk from all sides: sets middle and radius. Is it one?
+  // A closed sphere within which there is nothing else looks like a disk from all sides: sets middle and
+  // radius. Is it one?
   bool make_ball(Light& light) const;
   // Points that stand for equal areas, near in place and normal; one point stands near the middle.
   std::vector<SurfacePoint> spread(int count) const;

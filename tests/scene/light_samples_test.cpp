@@ -175,6 +175,23 @@ TEST_CASE("A ball that shines shows a quarter of its area to each side, by sampl
   CHECK(candela == Approx(10.0 * exact::kPi / 4.0).epsilon(0.003));
 }
 
+TEST_CASE("A sphere that shines inwards, or has something within it, is no ball of light") {
+  Mesh inwards = sphere({0.0, 1.0, 0.0}, 0.5, 4, 0);
+  inwards.inside_out = true;
+  CHECK_FALSE(glowing(inwards, glm::vec3(3.0f)).lights.at(0).is_ball());
+  const auto beside = [](double x) {
+    Scene scene = glowing(sphere({0.0, 1.0, 0.0}, 0.5, 4, 0), glm::vec3(3.0f));
+    scene.materials.push_back(diffuse(0.5f));
+    scene.meshes.push_back(box({x, 0.5, -5.0}, {x + 10.0, 10.0, 5.0}, 1));
+    const Bounds bounds = bounds_of(scene.meshes.back());
+    scene.meshes.back().lower = bounds.lower;
+    scene.meshes.back().upper = bounds.upper;
+    return light_of_mesh(scene, 0).is_ball();
+  };
+  CHECK(beside(0.51));
+  CHECK_FALSE(beside(0.45));
+}
+
 TEST_CASE("A flat rectangle that shines is known by its middle and its edges, whatever its triangles") {
   // 1 x 2 m, turned and leaning, of one square and of many.
   const glm::dvec3 x = exact::normalise({1.0, 0.5, 0.2}, {}), y = exact::perpendicular(x);

@@ -45,7 +45,7 @@ glm::dvec3 lux_under_slab_and(const Material& other, double height, float furthe
   scene.materials = {diffuse(0.8f), glass(1.5f), other};
   scene.meshes = {floor(3.0, 0.0, 0), box({-1, 0.5, -1}, {1, 0.6, 1}, 1), floor(1.5, height, 2)};
   scene.lights = {sun({0.0, -1.0, 0.0}, 100.0f)};
-  scene.cameras = {camera_down(0.4, 0.2)};
+  scene.cameras = {camera_down(0.4, 0.2)};  // below all of them
   Settings settings = small_settings(64, 64, 16);
   settings.further_share = further_share;
   const Rendering r = render(scene, settings, {"aov_direct", "aov_caustic"});
@@ -95,6 +95,16 @@ TEST_CASE("shares: a pane tints light that is followed, before its caster") {
   CHECK(light.x == Approx(all).epsilon(0.01));
   CHECK(light.y == Approx(0.5 * all).epsilon(0.01));
   CHECK(light.z == 0.0);
+}
+
+TEST_CASE("shares: what an alpha mask leaves of a receiver keeps followed light, its holes let it through") {
+  Material m = diffuse(0.5f);
+  m.alpha_mode = AlphaMode::Mask;
+  m.alpha_cutoff = 0.5f;
+  m.base_color.a = 0.4f;
+  CHECK(lux_under_slab_and(m, 0.45, 0.0f).y == Approx(100.0 * kThrough).epsilon(0.003));
+  m.base_color.a = 0.6f;
+  CHECK(lux_under_slab_and(m, 0.45, 0.0f).y == 0.0);
 }
 
 TEST_CASE("shares: of a caustic behind a pane its alpha leaves what is not covered") {

@@ -198,7 +198,8 @@ RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::ve
     : scene_(&scene), exact_(exact), dressed_(dressed) {
   for (const int m : meshes)
     if (!scene.meshes[static_cast<std::size_t>(m)].indices.empty()) meshes_.push_back(m);
-  for (const int m : meshes_) has_holes_ |= dressed && material_of(scene, m).alpha_mode == AlphaMode::Mask;
+  for (const int m : meshes_)
+    has_holes_ |= !scene.materials.empty() && material_of(scene, m).alpha_mode == AlphaMode::Mask;
   if (meshes_.empty()) return;
   const PlainFloats plain;  // committing changes the mode, and is trusted to put it back only so far
   handles_ = std::make_unique<Handles>();

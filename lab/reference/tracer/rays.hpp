@@ -32,7 +32,7 @@ class RaySet {
  public:
   // Of these meshes; the scene must outlive the set and keep its vertices. No meshes are fine: nothing is
   // hit. Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then. `dressed`: their
-  // textures lean normals, and cut holes that rays pass.
+  // textures lean normals. Rays pass the holes that alpha masks cut.
   RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact = {},
          bool dressed = false);
   ~RaySet();
