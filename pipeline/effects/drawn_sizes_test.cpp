@@ -88,7 +88,7 @@ TEST_CASE("drawn sizes: of a sheet that shines to both sides, one sample stands 
       if (!effects.lights[l].size_is_drawn) continue;
       ++drawn;
       if (!above) CHECK(bench.scene.lights[l].direction.y == Approx(-1.0));
-      // Of 100 candela, or on each side as much, without the sample's own.
+      // Each side has 100 candela; the sample's own part is taken off.
       CHECK(effects.lights[l].of_others.x == Approx(double_sided ? 75.0 : 87.5));
     }
     CHECK(drawn == (above ? 2 : 1));

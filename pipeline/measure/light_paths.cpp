@@ -280,7 +280,7 @@ class LightPaths::Following {
     waiting_.push_back(part);
   }
 
-  // What a pane before casters mirrors is not followed.
+  // The light that a pane before casters mirrors is not followed.
   void pass_pane(Part part, const Meeting& met) {
     part.flux *= met.light_onward * (1.0 - met.mirrored);
     part.whole = largest(part.flux);

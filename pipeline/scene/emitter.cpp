@@ -159,7 +159,8 @@ bool box_is_near(const glm::vec3& lower, const glm::vec3& upper, const glm::dvec
   return exact::length(way) < radius;
 }
 
-// May some of a mesh lie nearer to a point than that: is there a triangle whose box and whose plane do?
+// A cautious test of whether a mesh comes nearer to a point than `radius`: both the box and the plane of one
+// of its triangles do.
 bool may_reach(const Mesh& mesh, const glm::dvec3& p, double radius) {
   if (!box_is_near(mesh.lower, mesh.upper, p, radius)) return false;
   for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {

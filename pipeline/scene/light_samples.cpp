@@ -97,7 +97,7 @@ void put_middle_first(const Light& source, std::vector<Light>& samples) {
 
 // A sample's own intensity and name; it has no size any more.
 void finish(Light& sample, int k, int count) {
-  // Of its surface a ball shows a quarter to each side.
+  // A ball shows a quarter of its surface to each side.
   if (sample.shape == LightShape::Mesh && sample.is_ball()) sample.intensity *= 0.25f;
   sample.shape = LightShape::None;
   if (count == 1) return;

@@ -61,7 +61,7 @@ void Paths::follow(const LightRay& light, Numbers& numbers, std::vector<Landing>
   if (!(light.flux > 0.0)) return;
   const auto hit = lit_.casters.nearest(light.ray, 0.0, kFar);
   if (!hit) return;
-  // What stands before the caster keeps its light away, but panes and blended surfaces.
+  // A receiver before the caster keeps its light away; panes and blended surfaces take their share.
   if (lit_.receivers.blocked(light.ray, 0.0, hit->distance - world_.nearest())) return;
   account.hits += 1.0;
   const Arrival arrival{light.ray, *hit, world_.through_panes(light.ray, hit->distance) * light.flux};

@@ -73,7 +73,7 @@ class Paths {
 
   const World& world_;
   const LitSet& lit_;
-  // What light meets that a caster has sent on: of all its ways, also the mesh that shines.
+  // The receivers that light can meet behind its first caster. In `full` the mesh that shines is among them.
   const RaySet& behind_casters_;
   Physics physics_;
   std::vector<Way> ways_;

@@ -32,7 +32,7 @@ class World {
   const std::vector<ExactShape>& exact() const { return exact_; }
   const RaySet& casters() const { return sets_.front().casters; }
   const RaySet& receivers() const { return sets_.front().receivers; }
-  // What rays of light meet behind a caster, beside casters.
+  // The panes, which light also meets behind its first caster.
   const RaySet& walls() const { return walls_; }
   // The share that panes and blended surfaces leave of light along a ray: of panes both faces and all
   // reflections between them, (1 - r) / (1 + r), times transmission and colour; of blended surfaces what they
