@@ -56,8 +56,8 @@ def is_whole(text):
         if depth < 0 or (depth == 0 and character == ',' and not is_statement):
             return False
     # An operator at the end lacks what it works on.
-    is_part = re.search(r'[-+*/%=<>!&|?:]\s*$|^(for|if|while)\b|^\w+ \w+ = ', text)
-    return depth == 0 and (is_statement or not is_part)
+    is_part = re.search(r'[-+*/%=<>!&|?:]\s*$|^(for|if|while)\b', text)
+    return depth == 0 and (is_statement or not is_part) and not re.match(r'[\w:<>]+ \w+ = ', text)
 
 
 def complaints(faults):
