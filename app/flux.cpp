@@ -129,8 +129,9 @@ std::string why_not_judged(const RenderedFrame& frame) {
   if (frame.settings().weights == Weights::Paper) return "the paper's weights are not those of light";
   if (frame.effects().rough_glass.active && !frame.effects().further_surfaces.active)
     return "two rough surfaces draw their microfacets otherwise than rays do";
-  const std::string beyond = not_in_triangles(frame.scene(), frame.effects());
-  return beyond.empty() ? "" : "rays through the triangles do not show " + beyond;
+  if (frame.effects().water_waves.active && !frame.on_pilot().tables().meets_waters())
+    return "the waves are in no hierarchy, since their light is not followed";
+  return {};
 }
 
 double LightLedger::leaves() const {

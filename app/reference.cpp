@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/frame.hpp"
 #include "app/loaded_scene.hpp"
 #include "app/reference_layers.hpp"
 #include "app/reference_options.hpp"
@@ -13,10 +14,13 @@
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "lab/reference/tracer/state_file.hpp"
+#include "passes/registry.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/image_io/image_io.hpp"
 #include "pipeline/measure/frame_memory.hpp"
+#include "pipeline/renderer/moving_water.hpp"
+#include "raster/software_device.hpp"
 
 namespace caustics::app {
 
@@ -57,6 +61,7 @@ class ReferenceRun {
     loaded_ = load_scene(request_.frame);
     effects_ = effects_of(loaded_->scene(), request_.frame.settings);
     request_.trace.exact = exact_shapes(loaded_->scene(), request_.exact);
+    show_waters();
     progress_.show("what the camera sees");
     if (const std::string refusal =
             memory_refusal(bytes_needed(loaded_->scene(), request_.trace), request_.frame.budget(), "-r");
@@ -67,6 +72,16 @@ class ReferenceRun {
     text_ = tracer::request_text(loaded_->scene(), effects_, loaded_->camera(), request_.trace);
     if (request_.resume) restore();
     timing_.prepare = total_.milliseconds();
+  }
+
+  // Waves as `render` has them at that moment.
+  void show_waters() {
+    if (!effects_.water_waves.active) return;
+    const double seconds = request_.frame.seconds.value_or(0.0);
+    check_water_work(loaded_->scene(), seconds);
+    device_ = make_software_device({.threads = request_.trace.threads});
+    waters_ = std::make_unique<MovingWater>(loaded_->scene(), *device_, pass_registry());
+    waters_->show(seconds, false);
   }
 
   void restore() {
@@ -189,6 +204,8 @@ class ReferenceRun {
   ReferenceTiming timing_;
   std::unique_ptr<LoadedScene> loaded_;
   Effects effects_;
+  std::unique_ptr<Device> device_;  // computes the waves
+  std::unique_ptr<MovingWater> waters_;
   std::unique_ptr<tracer::Tracer> tracer_;
   std::string text_;  // of the request
   double saved_ = 0.0, error_ = 0.0;

@@ -28,6 +28,7 @@
 #include "passes/receiver_map/receiver_map.hpp"
 #include "passes/shadow_bounds/shadow_bounds.hpp"
 #include "passes/shadow_map/shadow_map.hpp"
+#include "passes/stretches/stretches.hpp"
 #include "passes/tone_map/tone_map.hpp"
 #include "passes/view_medium/view_medium.hpp"
 #include "passes/view_panes/view_panes.hpp"
@@ -59,6 +60,7 @@ Registry registered() {
       landing_pass(),
       walk_pass(),
       hidden_landings_pass(),
+      stretches_pass(),
       beams_pass(),
       cells_pass(),
       caustic_cells_pass(),

@@ -6,6 +6,10 @@ namespace caustics {
 
 extern const Shader beams_shader;
 
+int goes_own_ways(const PassContext& context) {
+  return context.branch->drawn || context.branch->spread ? 1 : 0;
+}
+
 Pass beams_pass() {
   return {
       .name = "beams",
@@ -15,9 +19,9 @@ Pass beams_pass() {
       .drawn_for = {kBranch},
       .only_lights_with_caustics = true,
       .size = beams_size,
-      .reads = {{.name = "landing_start", .meaning = "where light leaves the caster, and how far it goes"},
-                {.name = "landing_way", .meaning = "its direction"},
-                {.name = "landing_start_flux", .meaning = "its flux there"}},
+      .reads = {{.name = "stretch_start", .meaning = "where light leaves the caster, and how far it goes"},
+                {.name = "stretch_way", .meaning = "its direction"},
+                {.name = "stretch_flux", .meaning = "its flux there"}},
       .writes = {{.name = "beam_start",
                   .meaning = "xyz: where the beam starts, metres, scene space; w: its length, metres"},
                  {.name = "beam_way", .meaning = "xyz: its unit direction; w: 1 where there is one, else 0"},
@@ -28,6 +32,7 @@ Pass beams_pass() {
                      return std140::Beams{.grid_side = c.settings->grid,
                                           .vertices_per_beam = vertices_per_beam(*c.settings)};
                    }>}},
+      .choices = {{"draws", goes_own_ways}},
   };
 }
 

@@ -15,4 +15,7 @@ namespace caustics {
 // beams.md says what this pass is for, what it reads and writes, and what can go wrong.
 Pass beams_pass();
 
+// 1: each vertex of the branch draws its own way, so that neighbours' light is no beam together; else 0.
+int goes_own_ways(const PassContext& context);
+
 }  // namespace caustics

@@ -10,11 +10,13 @@ using namespace caustics::test;
 
 namespace {
 
-PassImages join(int grid, int vertices, int beams, const Image& start, const Image& way, const Image& flux) {
+PassImages join(int grid, int vertices, int beams, const Image& start, const Image& way, const Image& flux,
+                int draws = 0) {
   return run_pass(definition_of(beams_pass()),
                   {.width = beams,
                    .height = beams,
-                   .uniforms = uniform_bytes(std140::Beams{.grid_side = grid, .vertices_per_beam = vertices}),
+                   .uniforms = uniform_bytes(
+                       std140::Beams{.grid_side = grid, .vertices_per_beam = vertices, .draws = draws}),
                    .textures = {start, way, flux}});
 }
 
@@ -48,6 +50,31 @@ TEST_CASE("beams: flux adds up, and places are its mean") {
   const glm::vec4 mean = texel(join(2, 2, 1, start, way, flux)["beam_way"], 0, 0);
   CHECK(mean.x == Approx(3.0 / std::sqrt(10.0)));
   CHECK(mean.y == Approx(-1.0 / std::sqrt(10.0)));
+}
+
+TEST_CASE("beams: of vertices that go ways of their own one is drawn, with the flux of all") {
+  // 32 x 32 beams of two by two vertices. Each row of vertices goes its own way, the second with three times
+  // the light.
+  Image start = filled(64, 64, glm::vec4(0.0f)), way = start, flux = start;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const bool second = y % 2 == 1;
+      start.at(x, y, 0) = second ? 5.0f : -5.0f;
+      way.at(x, y, second ? 0 : 1) = 1.0f;
+      way.at(x, y, 3) = 1.0f;
+      flux.at(x, y, 0) = second ? 3.0f : 1.0f;
+    }
+  const PassImages out = join(64, 2, 32, start, way, flux, 1);
+  int seconds = 0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const float at = out["beam_start"].at(x, y, 0);
+      CHECK(std::fabs(at) == 5.0f);
+      CHECK(texel(out["beam_way"], x, y) == (at > 0.0f ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 1)));
+      CHECK(out["beam_flux"].at(x, y, 0) == 8.0f);
+      seconds += at > 0.0f ? 1 : 0;
+    }
+  CHECK(seconds / 1024.0 == Approx(0.75).margin(0.03));
 }
 
 TEST_CASE("beams: where no light leaves there is no beam, and the grid's edge is not repeated") {

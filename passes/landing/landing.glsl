@@ -29,9 +29,9 @@ OUTPUT(2, Vec4, landing_fresnel)
 OUTPUT(3, Vec4, landing_absorbed)
 #ifdef HAZE
 OUTPUT(4, Vec4, landing_medium)
-OUTPUT(5, Vec4, landing_start)
-OUTPUT(6, Vec4, landing_way)
-OUTPUT(7, Vec4, landing_start_flux)
+OUTPUT(5, Vec4, stretch_start)
+OUTPUT(6, Vec4, stretch_way)
+OUTPUT(7, Vec4, stretch_flux)
 #endif
 #include "passes/shared/caster_material.glsl"
 #include "passes/shared/cone_falloff.glsl"
@@ -47,13 +47,13 @@ OUTPUT(7, Vec4, landing_start_flux)
 #include "passes/shared/microfacets.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/view_space.glsl"
+#ifdef HAZE
+#include "passes/shared/medium_optics.glsl"
+#endif
 #include "passes/shared/grid_light.glsl"
 #include "passes/shared/intersect.glsl"
 #include "passes/shared/receivers_box.glsl"
 #include "passes/shared/fly_to_receiver.glsl"
-#ifdef HAZE
-#include "passes/shared/medium_optics.glsl"
-#endif
 
 // Enter the caster: a grid vertex, the light's flux on its cell, the first surface.
 
@@ -281,7 +281,7 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
     Refraction bent = facet.surface.bent;
     exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
-    exit.reflectance = sel(solid && !bent.total, bent.reflectance * entry.material.fresnel, Float(0.0f));
+    exit.reflectance = sel(solid && !bent.total, facet.surface.mirrored, Float(0.0f));
     exit.unmasked = sel(solid, unmasked_by(facet, first.direction), Float(1.0f));
     TRACE(exit_point, exit.ray.start);
     TRACE(exit_residual, hit.residual);
@@ -351,18 +351,6 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
 }
 
 #ifdef HAZE
-// How far light has come through the medium to p: from its position, which lies in the box, or from where it
-// enters it.
-Float air_before(Vec3 p, Vec3 travel) {
-  Float way = Float(0.0f);
-  if (u.caster.kind == VIEW_PARALLEL) {
-    way = medium_exit(u.medium, ray_from(p, -travel));
-  } else {
-    way = length3(p - Vec3(u.light));
-  }
-  return way;
-}
-
 // What the air takes before the caster; then on the way from it to the landing, or out of the medium.
 void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing) end,
               INOUT(Account) account) {
@@ -419,9 +407,9 @@ void clear_outputs() {
   landing_absorbed = Vec4(0.0f);
 #ifdef HAZE
   landing_medium = Vec4(0.0f);
-  landing_start = Vec4(0.0f);
-  landing_way = Vec4(0.0f);
-  landing_start_flux = Vec4(0.0f);
+  stretch_start = Vec4(0.0f);
+  stretch_way = Vec4(0.0f);
+  stretch_flux = Vec4(0.0f);
 #endif
 }
 
@@ -457,9 +445,9 @@ void follow(IN(Entry) entry) {
   landing_absorbed = sel(entry.covered, Vec4(account.absorbed * share, exit.inside_length), Vec4(0.0f));
 #ifdef HAZE
   landing_medium = sel(entry.covered, Vec4(account.taken * share, Float(0.0f)), Vec4(0.0f));
-  landing_start = sel(exit.sent, Vec4(exit.ray.start, account.air_way), Vec4(0.0f));
-  landing_way = sel(exit.sent, Vec4(exit.ray.direction, Float(1.0f)), Vec4(0.0f));
-  landing_start_flux = sel(exit.sent, Vec4(account.leaving * share, Float(0.0f)), Vec4(0.0f));
+  stretch_start = sel(exit.sent, Vec4(exit.ray.start, account.air_way), Vec4(0.0f));
+  stretch_way = sel(exit.sent, Vec4(exit.ray.direction, Float(1.0f)), Vec4(0.0f));
+  stretch_flux = sel(exit.sent, Vec4(account.leaving * share, Float(0.0f)), Vec4(0.0f));
 #endif
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "passes/beams/beams.hpp"
 #include "passes/shared/light_uniforms.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -13,13 +14,16 @@ namespace {
 
 // Beams are drawn no wider than this share of the picture's larger side.
 constexpr float kWidest = 0.0625f;
+// And those that have no neighbours, for which a beam is one of many that lie across each other.
+constexpr float kWidestAlone = kWidest / 4.0f;
 
 std140::LightShafts light_shafts_uniforms(const PassContext& context) {
   const float width = static_cast<float>(context.width), height = static_cast<float>(context.height);
+  const float widest = goes_own_ways(context) != 0 ? kWidestAlone : kWidest;
   const double pixels = static_cast<double>(context.width) * static_cast<double>(context.height);
   return {.view = shader_view(*context.camera),
           .picture = {width, height},
-          .widest = std::max(kWidest * std::max(width, height), 4.0f),
+          .widest = std::max(widest * std::max(width, height), 4.0f),
           .pixel_area = static_cast<float>(context.camera->window_area() / pixels),
           .intensity = caustic_intensity(context),
           .beams_a_side = beams_a_side(*context.settings),

@@ -1,5 +1,7 @@
 #include "passes/receiver_map/receiver_map.hpp"
 
+#include "pipeline/scene/material_optics.hpp"
+
 namespace caustics {
 
 extern const Shader receiver_map_shader;
@@ -11,7 +13,7 @@ std140::ReceiverMap receiver_map_uniforms(const View& view, const Material& mate
       .column = shader_view(views ? views->column : view),
       .casters_nearest = views ? static_cast<float>(views->casters_nearest) : -1e30f,
       .map_side = view.cube ? view.cube->side : 0,
-      .mask = std140::alpha_mask(material, std140::opaque_from(material)),
+      .mask = std140::alpha_mask(material, opaque_from(material)),
   };
 }
 

@@ -20,6 +20,7 @@ struct BentLight {
   Bool drawn_back;  // it is mirrored where others go through, as has been drawn
   Vec3 booked;    // what is mirrored or let through, and nobody follows
   Vec3 absorbed;
+  Vec3 taken_by_air;
 };
 
 void widen(INOUT(LightPath) path, Float wider) {
@@ -107,11 +108,11 @@ Float path_with(Float path, Float body, IN(Surface) surface, Bool is_mirrored, F
   return longer - 65521.0f * floor(longer / 65521.0f);
 }
 
-// Moves the path to the surface: its differential, and what the body has left of its flux. Returns what the
-// body has taken.
+// Moves the path to the surface: its differential, and what the body, or the air, has left of its flux.
+// Returns what that has taken.
 Vec3 arrive(INOUT(LightPath) path, IN(Meeting) at) {
   Vec3 before = path.flux;
-  path.flux = path.flux * left_by(path.media.x, at.stretch);
+  path.flux = path.flux * left_on_way(path.ray, path.media.x, at.stretch);
   path.width_x = moved_on_surface(path, at, path.width_x, path.spread_x);
   path.width_y = moved_on_surface(path, at, path.width_y, path.spread_y);
   path.ray.start = at.point;
@@ -177,7 +178,10 @@ BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) tr
   bent.booked = way.booked;
   bent.drawn_back = Bool(u.draws != 0) && way.is_mirrored && !surface.one_way;
   Vec3 absorbed = way.flux - bent.path.flux;
-  absorbed = sel(turn.mirrored || !before.parted, absorbed, absorbed + taken);
+  Bool in_air = is_in_air(before.media.x);
+  Bool on_the_way = !turn.mirrored && before.parted;
+  absorbed = sel(on_the_way && !in_air, absorbed + taken, absorbed);
   bent.absorbed = sel(bent.path.parted, absorbed, Vec3(0.0f));
+  bent.taken_by_air = sel(on_the_way && in_air, taken, Vec3(0.0f));
   return bent;
 }

@@ -12,6 +12,8 @@ struct Material {
   Vec3 color;        // what is left of what glass lets through; what metal mirrors at normal incidence
   Float transmitted; // share of what glass does not mirror that goes through it; of what metal mirrors at
                      // normal incidence that its base colour does not tint
+  Bool blended;      // a pane that is there in part,
+  Float covers;      // and how much: a share of what lies behind
 };
 
 Int material_row(Vec4 normal_texel) { return floor_to_int(normal_texel.w + 0.5f); }
@@ -30,7 +32,10 @@ Material fetch_material(Texture materials, Int row) {
   Vec4 color_texel = fetch_clamped(materials, Int(2), row);
   material.color = Vec3(color_texel);
   material.roughness = color_texel.w;
-  material.transmitted = fetch_clamped(materials, Int(3), row).x;
+  Vec4 share_texel = fetch_clamped(materials, Int(3), row);
+  material.transmitted = share_texel.x;
+  material.blended = share_texel.w < -0.5f;
+  material.covers = sel(material.blended, share_texel.z, Float(1.0f));
   return material;
 }
 

@@ -89,8 +89,9 @@ void put_on_textures(INOUT(Meeting) at, INOUT(Material) material, IN(CasterTrian
   Dress dress = dress_at(at, triangle, wanted);
   Picture base = picture_at(row, 4);
   Vec3 grey = Vec3(sel(material.mirror, material.transmitted, Float(0.0f)));
-  Vec3 color = Vec3(fetch_picture(base, dress.uv, Bool(false)));
-  material.color = grey + (material.color - grey) * color;
+  Vec4 texel = fetch_picture(base, dress.uv, Bool(false));
+  material.color = grey + (material.color - grey) * Vec3(texel);
+  material.covers = sel(material.blended, material.covers * texel.w, material.covers);
   material.transmitted =
       material.transmitted * fetch_picture(picture_at(row, 7), dress.uv, Bool(false)).x;
   at.hole = at.hole || is_cut_out(dress, row, wanted && !is_drawn);

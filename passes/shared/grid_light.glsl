@@ -1,5 +1,5 @@
 // The light that falls on a grid vertex's cell. Needs view_space.glsl, cube_atlas.glsl, cone_falloff.glsl,
-// and of the uniforms caster, cone, light, cell_area and a cube's tiles.
+// and of the uniforms caster, cone, light, cell_area and a cube's tiles; with HAZE medium_optics.glsl.
 
 struct GridCell {
   Bool covered;  // there is a caster
@@ -67,3 +67,17 @@ Incident light_onto(IN(GridCell) cell, Vec3 p) {
   TRACE(light_direction, light.direction);
   return light;
 }
+
+#ifdef HAZE
+// How far light has come through the medium to p: from its position, which lies in the box, or from where it
+// enters it.
+Float air_before(Vec3 p, Vec3 travel) {
+  Float way = Float(0.0f);
+  if (u.caster.kind == VIEW_PARALLEL) {
+    way = medium_exit(u.medium, ray_from(p, -travel));
+  } else {
+    way = length3(p - Vec3(u.light));
+  }
+  return way;
+}
+#endif

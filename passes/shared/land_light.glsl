@@ -8,6 +8,7 @@ struct LandedLight {
   Vec3 flux;
   Vec3 fresnel;
   Vec3 absorbed;
+  Vec3 taken_by_air;
   Float path;
   Vec4 footprint;
 };
@@ -18,6 +19,7 @@ LandedLight nothing_landed() {
   landed.flux = Vec3(0.0f);
   landed.fresnel = Vec3(0.0f);
   landed.absorbed = Vec3(0.0f);
+  landed.taken_by_air = Vec3(0.0f);
   landed.path = Float(0.0f);
   landed.footprint = Vec4(0.0f);
   return landed;
@@ -82,14 +84,21 @@ Vec2 step_in_map(IN(LightPath) path, IN(PathEnd) end, Vec3 plane, Vec3 moved) {
   return result;
 }
 
-// Water on its bed takes its part of the light down to the landing. `hit`: what lies ahead; `was_ended`: the
-// light is followed no further; `lands`: only such light does.
+// What is left of light at its end. Water on its bed takes its part down to the landing, and the air its own,
+// also of light that lands nowhere.
+Vec3 carried_to(IN(PathEnd) end, IN(LightPath) path) {
+  Bool in_air = is_in_air(path.media.x) && !end.given_up;
+  Vec3 left = left_on_way(path.ray, path.media.x, sel(end.lands, end.flight, Float(1.0e30f)));
+  return path.flux * sel(end.lands || in_air, left, Vec3(1.0f));
+}
+
+// `hit`: what lies ahead; `was_ended`: the light is followed no further; `lands`: only such light does.
 void land_light(IN(LightPath) path, Vec4 hit, Bool was_ended, Bool lands, INOUT(LandedLight) landed) {
   CasterTriangle triangle = fetch_triangle(sel(lands && is_surface(hit), hit.w - 1.0f, Float(0.0f)));
   PathEnd end = end_of(path.ray, hit, was_ended);
   Vec3 plane = normalize_or(cross3(triangle.edge1, triangle.edge2), -path.ray.direction);
   if (u.can_be_hidden > 1) end.seen = end.seen && !comes_from_behind(path.ray, end.point, plane);
-  Vec3 carried = path.flux * sel(end.lands, left_by(path.media.x, end.flight), Vec3(1.0f));
+  Vec3 carried = carried_to(end, path);
   Float status = status_of(end, carried, path.whole);
   Vec3 share = Vec3(u.channel_share);
   Vec2 x = step_in_map(path, end, plane, path.width_x + path.spread_x * end.flight);
@@ -97,7 +106,10 @@ void land_light(IN(LightPath) path, Vec4 hit, Bool was_ended, Bool lands, INOUT(
   Vec4 footprint = Vec4(bounded(x.x), bounded(x.y), bounded(y.x), bounded(y.y));
   landed.at = sel(lands, Vec4(end.point, status), landed.at);
   landed.flux = sel(lands, carried * share, landed.flux);
-  landed.absorbed = sel(lands, (path.flux - carried) * share + landed.absorbed, landed.absorbed);
+  Vec3 taken = (path.flux - carried) * share;
+  Bool in_air = is_in_air(path.media.x);
+  landed.absorbed = sel(lands && !in_air, landed.absorbed + taken, landed.absorbed);
+  landed.taken_by_air = sel(lands && in_air, landed.taken_by_air + taken, landed.taken_by_air);
   landed.path = sel(lands, path.path, landed.path);
   landed.footprint = sel(lands, footprint, landed.footprint);
   TRACE(landing_point, end.point);

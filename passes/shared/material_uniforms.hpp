@@ -38,11 +38,4 @@ inline AlphaMask alpha_mask(const caustics::Material& material) {
   return alpha_mask(material, material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.0f);
 }
 
-// From which opacity on a surface that is no glass and no mirror is drawn as an opaque one.
-inline float opaque_from(const caustics::Material& material) {
-  return material.alpha_mode == AlphaMode::Mask    ? material.alpha_cutoff
-         : material.alpha_mode == AlphaMode::Blend ? kCoversAll
-                                                   : 0.0f;
-}
-
 }  // namespace caustics::std140

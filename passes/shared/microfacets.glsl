@@ -33,7 +33,6 @@ Refraction through_wall(Vec3 d, Vec3 n, Vec3 facet, Float ior) {
   Vec3 mirrored = reflected(d, facet, r.cosine);
   Float across = dot3(mirrored, n);
   r.direction = normalize_or(mirrored - n * (across + abs(across)), d);
-  r.reflectance = 2.0f * r.reflectance / (1.0f + r.reflectance);
   r.total = Bool(false);
   return r;
 }

@@ -15,7 +15,8 @@ void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Ve
   surface.eta = sel(thin, Float(1.0f), surface.eta);
   surface.total = surface.total && !thin;
   surface.one_way = surface.one_way && !thin;
-  surface.mirrored = sel(thin, wall.reflectance * material.fresnel, surface.mirrored);
+  Float face = surface.bent.reflectance * material.fresnel;
+  surface.mirrored = sel(thin, material.covers * (2.0f * face / (1.0f + face)), surface.mirrored);
 }
 
 // A surface as light meets it: of rough glass one microfacet.

@@ -1,6 +1,6 @@
 // What a caster's surface does to light and to rays of sight: how much of what comes it mirrors, how much it
 // lets through, where to, and in which colour. Needs caster_material.glsl, meeting.glsl, optics.glsl
-// and refraction.glsl.
+// and refraction.glsl, and the uniform has_walls.
 struct Surface {
   Interface both;
   Vec3 normal;     // smooth, against the ray
@@ -40,5 +40,10 @@ Vec3 color_behind(IN(Surface) surface, IN(Material) material, Bool is_mirrored) 
   Vec3 metal = metal_reflectance(material.color, surface.bent.cosine);
   Bool tints = surface.both.tints && !is_mirrored && !surface.both.passes;
   Vec3 passing = sel(tints, material.color * material.transmitted, Vec3(1.0f));
+  if (u.has_walls != 0) {
+    // What a pane does not cover passes untinted.
+    Vec3 left = Vec3(1.0f - material.covers) + passing * (material.covers - surface.mirrored);
+    passing = sel(material.blended, left / (1.0f - surface.mirrored), passing);
+  }
   return sel(material.mirror, metal, passing);
 }

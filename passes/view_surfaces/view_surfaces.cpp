@@ -40,7 +40,7 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
   return {
       .view = shader_view(*context.camera),
       .base_factor = m.base_color,
-      .alpha_cutoff = role.partly_diffuse ? std140::alpha_mask(m).cutoff : std140::opaque_from(m),
+      .alpha_cutoff = role.partly_diffuse ? std140::alpha_mask(m).cutoff : opaque_from(m),
       .pixel_side = pixel_side(context),
       .has_colors = context.mesh && !context.mesh->colors.empty() ? 1 : 0,
       .is_double_sided = m.double_sided || (context.mesh && context.mesh->inside_out) ? 1 : 0,

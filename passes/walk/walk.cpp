@@ -6,11 +6,13 @@
 #include "passes/landing/landing.hpp"
 #include "passes/shared/grid_light_uniforms.hpp"
 #include "passes/shared/hierarchy_reads.hpp"
+#include "passes/shared/medium_uniforms.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics {
 
 extern const Shader walk_shader;
+extern const Shader walk_in_medium_shader;
 
 namespace {
 
@@ -45,6 +47,21 @@ void set_size(std140::Walk& block, const PassContext& context) {
   block.light_radius = static_cast<float>(std::sqrt(area / exact::kPi));
 }
 
+int can_be_hidden(const PassContext& context) {
+  if (context.effects->receivers_are_one_plane) return 0;
+  const bool parts = context.of_light && context.of_light->lit.behind == LitFromBehind::InFarthest;
+  return parts && !context.views->caustic.cube ? 2 : 1;
+}
+
+int reads_hit(const PassContext& context) { return context.branch->has_same_start() ? 1 : 0; }
+
+bool some_branch_reads_hits(const Effects& effects) {
+  return std::any_of(effects.branches.begin(), effects.branches.end(),
+                     [](const Branch& branch) { return branch.has_same_start(); });
+}
+
+}  // namespace
+
 std140::Walk walk_uniforms(const PassContext& context) {
   std140::Walk block{};
   set_grid_light(block, context);
@@ -65,20 +82,35 @@ std140::Walk walk_uniforms(const PassContext& context) {
   return block;
 }
 
-int can_be_hidden(const PassContext& context) {
-  if (context.effects->receivers_are_one_plane) return 0;
-  const bool parts = context.of_light && context.of_light->lit.behind == LitFromBehind::InFarthest;
-  return parts && !context.views->caustic.cube ? 2 : 1;
+std::vector<Read> reads_of_walk() {
+  return {{.name = "caster_position", .meaning = "grid vertices", .discards_where_zero = true},
+          {.name = "caster_normal", .meaning = "their normals and materials"},
+          {.name = kCasterTriangle, .meaning = "their triangles"},
+          {.name = kCasterMaterials, .meaning = "a row a material"},
+          kReadHierarchyNodes,
+          kReadHierarchyTriangles,
+          kReadHierarchyNormals,
+          kReadReaching,
+          {.name = "receiver_position", .meaning = "what the light sees that its light can land on"},
+          {.name = "second_surface",
+           .meaning = "what light meets second, as a branch has found it that comes there alike",
+           .texture = "second_hit",
+           .optional = true,
+           .of_same_start = true},
+          kReadCasterTexels};
 }
 
-int reads_hit(const PassContext& context) { return context.branch->has_same_start() ? 1 : 0; }
-
-bool some_branch_reads_hits(const Effects& effects) {
-  return std::any_of(effects.branches.begin(), effects.branches.end(),
-                     [](const Branch& branch) { return branch.has_same_start(); });
+std::vector<Choice> choices_of_walk() {
+  return {kIsTinted,
+          {"can_be_hidden", can_be_hidden},
+          {"draws", [](const PassContext& c) { return c.branch->drawn ? 1 : 0; }},
+          {"reads_hit", reads_hit},
+          kHasTextures,
+          {"has_rough", chosen_by<&Effects::rough_glass>},
+          kHasWalls,
+          kHasCutOuts,
+          {"light_shape", light_shape}};
 }
-
-}  // namespace
 
 Pass walk_pass() {
   return {
@@ -89,21 +121,7 @@ Pass walk_pass() {
       .drawn_for = {kBranch},
       .only_lights_with_caustics = true,
       .size = grid_size,
-      .reads = {{.name = "caster_position", .meaning = "grid vertices", .discards_where_zero = true},
-                {.name = "caster_normal", .meaning = "their normals and materials"},
-                {.name = kCasterTriangle, .meaning = "their triangles"},
-                {.name = kCasterMaterials, .meaning = "a row a material"},
-                kReadHierarchyNodes,
-                kReadHierarchyTriangles,
-                kReadHierarchyNormals,
-                kReadReaching,
-                {.name = "receiver_position", .meaning = "what the light sees that its light can land on"},
-                {.name = "second_surface",
-                 .meaning = "what light meets second, as a branch has found it that comes there alike",
-                 .texture = "second_hit",
-                 .optional = true,
-                 .of_same_start = true},
-                kReadCasterTexels},
+      .reads = reads_of_walk(),
       .writes =
           {{.name = kLanding, .meaning = "xyz: where the light lands, metres, scene space; w: LandingStatus"},
            {.name = kLandingFlux,
@@ -121,18 +139,14 @@ Pass walk_pass() {
             .meaning = "what the light meets second. xy: weights of the triangle's second and third "
                        "corner; z: metres to it; w: its number plus 1, 0 where nothing is met, -1 where "
                        "the search took too many steps",
-            .needed_if = some_branch_reads_hits}},
+            .needed_if = some_branch_reads_hits},
+           {.name = kLandingMedium,
+            .meaning = "rgb: flux that the medium takes before the casters, between and behind them",
+            .only_with = with<&Effects::medium>}},
       .count_samples = true,
-      .shaders = {{&walk_shader, block_of<walk_uniforms>}},
-      .choices = {kIsTinted,
-                  {"can_be_hidden", can_be_hidden},
-                  {"draws", [](const PassContext& c) { return c.branch->drawn ? 1 : 0; }},
-                  {"reads_hit", reads_hit},
-                  kHasTextures,
-                  {"has_rough", chosen_by<&Effects::rough_glass>},
-                  kHasWalls,
-                  kHasCutOuts,
-                  {"light_shape", light_shape}},
+      .shaders = {{&walk_shader, block_of<walk_uniforms>},
+                  {&walk_in_medium_shader, block_of<in_medium<walk_uniforms>>, with<&Effects::medium>}},
+      .choices = choices_of_walk(),
   };
 }
 

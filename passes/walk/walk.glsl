@@ -1,8 +1,15 @@
 // Light's whole way on one branch, from its first surface to its landing. walk.md explains.
 #include "passes/shared/light_cone.glsl"
 #include "passes/shared/texture_transform.glsl"
+#include "passes/shared/homogeneous_medium.glsl"
 UNIFORMS_BEGIN
 #include "passes/walk/walk_uniforms.glsl"
+#ifdef HAZE
+Medium medium;
+#endif
+#ifdef STRETCHES
+int vertices_per_beam;
+#endif
 UNIFORMS_END
 TEXTURE(0, caster_position)
 TEXTURE(1, caster_normal)
@@ -19,6 +26,11 @@ TEXTURE(10, caster_texels)
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
 #else
+#ifdef STRETCHES
+OUTPUT(0, Vec4, stretch_start)
+OUTPUT(1, Vec4, stretch_way)
+OUTPUT(2, Vec4, stretch_flux)
+#else
 OUTPUT(0, Vec4, landing)
 OUTPUT(1, Vec4, landing_flux)
 OUTPUT(2, Vec4, landing_fresnel)
@@ -26,6 +38,10 @@ OUTPUT(3, Vec4, landing_absorbed)
 OUTPUT(4, Vec4, landing_path)
 OUTPUT(5, Vec4, landing_footprint)
 OUTPUT(6, Vec4, second_hit)
+#ifdef HAZE
+OUTPUT(7, Vec4, landing_medium)
+#endif
+#endif
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
 #include "passes/shared/position_texel.glsl"
@@ -38,8 +54,11 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/cone_falloff.glsl"
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/optics.glsl"
-#include "passes/shared/absorption.glsl"
 #include "passes/shared/ray.glsl"
+#ifdef HAZE
+#include "passes/shared/medium_optics.glsl"
+#endif
+#include "passes/shared/absorption.glsl"
 #include "passes/shared/refraction.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/shown_point.glsl"
@@ -58,6 +77,11 @@ OUTPUT(6, Vec4, second_hit)
 #include "passes/shared/enter_light.glsl"
 #include "passes/shared/bend_light.glsl"
 #include "passes/shared/land_light.glsl"
+#ifdef STRETCHES
+#include "passes/stretches/drawn_stretch.glsl"
+#else
+#include "passes/walk/landed_light.glsl"
+#endif
 
 // The number that is drawn at a surface. Where both ways are followed 4 x 4 vertices draw together, and their
 // rays stay near one another.
@@ -84,17 +108,14 @@ Turn turn_at(int surface, Float draw, Float facet) {
   return turn;
 }
 
-// Books what stays at a surface. Before a branch parts from another, that other one does.
-void book(IN(BentLight) bent, Bool goes, INOUT(LandedLight) landed) {
-  Vec3 share = Vec3(u.channel_share);
-  landed.fresnel = sel(goes, bent.booked * share + landed.fresnel, landed.fresnel);
-  landed.absorbed = sel(goes, bent.absorbed * share + landed.absorbed, landed.absorbed);
-}
-
-// What panes before the caster have taken of all channels but the brightest. One branch books it.
-Vec3 taken_before(IN(LightPath) path) {
-  Vec3 taken = (Vec3(path.whole) - path.flux) * Vec3(u.channel_share);
-  return sel(Bool(u.mirrored_at == 0 && u.draws == 0), taken, Vec3(0.0f));
+// What light meets behind the surface of this number.
+Vec4 hit_behind(IN(BentLight) bent, Bool goes, int surface, Int column, Int row) {
+  Bool has_hit = Bool(surface == 1 && u.reads_hit != 0) && !bent.drawn_back;
+  Bool searches = goes && !bent.ends && !has_hit;
+  Vec4 hit = Vec4(0.0f);
+  if (any_lane(searches)) hit = hit_there(bent.path.ray, bent.path.own, bent.path.media, searches);
+  if (any_lane(has_hit)) hit = sel(has_hit, texel_fetch(second_surface, column, row), hit);
+  return hit;
 }
 
 // On to the caster's triangle that the ray meets.
@@ -107,13 +128,17 @@ void go_on(INOUT(Arrival) here, Vec4 hit, Bool on) {
   TRACE(surface_normal, here.at.outward);
 }
 
-void write(IN(LandedLight) landed, Float entered) {
-  landing = landed.at;
-  landing_flux = Vec4(landed.flux, Float(0.0f));
-  landing_fresnel = Vec4(landed.fresnel, sel(Bool(u.mirrored_at == 0 && u.draws == 0), entered, Float(0.0f)));
-  landing_absorbed = Vec4(landed.absorbed, Float(0.0f));
-  landing_path = Vec4(landed.path, Float(1.0f), Float(0.0f), Float(0.0f));
-  landing_footprint = landed.footprint;
+// Through the air to the caster; what panes before it have left of the light is in its flux already.
+void come_to_caster(INOUT(Arrival) here, INOUT(Record) record) {
+  Vec3 by_panes = Vec3(here.path.whole) - here.path.flux;
+  Vec3 by_air = Vec3(0.0f);
+#ifdef HAZE
+  Float way = air_before(here.at.point, here.path.ray.direction);
+  Vec3 arriving = here.path.flux * medium_transmittance(u.medium, way);
+  by_air = here.path.flux - arriving;
+  here.path.flux = arriving;
+#endif
+  record_entry(record, by_panes, by_air);
 }
 
 void main() {
@@ -124,12 +149,12 @@ void main() {
   if (u.light_shape != 0) facet = next_facet_draw(next_facet_draw(facet));
   Float entered = here.path.whole;
   Bool under_way = here.covered;
-  Bool ended = Bool(false);
-  LandedLight landed = nothing_landed();
-  if (u.is_tinted != 0) landed.absorbed = taken_before(here.path);
-  second_hit = Vec4(0.0f);
+  Record record = empty_record(column, row);
+  come_to_caster(here, record);
   Float draw = Float(0.0f);
   for (int surface = 1; surface <= u.bounces && any_lane(under_way); surface++) {
+    if (surface > 1 && surface > u.mirrored_at)
+      record_stretch(record, here.path, here.at.stretch, under_way && here.path.parted);
     Material material = fetch_material(caster_materials, here.material);
     draw = draw_at(surface, draw, column, row);
     if (u.has_textures != 0)
@@ -139,20 +164,15 @@ void main() {
     here.path = bent.path;
     TRACE(body, here.path.media.x);
     Bool goes = under_way && bent.goes;
-    if (surface >= u.mirrored_at) book(bent, goes, landed);
-    Bool has_hit = Bool(surface == 1 && u.reads_hit != 0) && !bent.drawn_back;
-    Bool searches = goes && !bent.ends && !has_hit;
-    Vec4 hit = Vec4(0.0f);
-    if (any_lane(searches)) hit = hit_there(here.path.ray, here.path.own, here.path.media, searches);
-    if (any_lane(has_hit)) hit = sel(has_hit, texel_fetch(second_surface, column, row), hit);
-    if (surface == 1) second_hit = sel(goes, hit, Vec4(0.0f));
+    if (surface >= u.mirrored_at) record_surface(record, bent, goes);
+    Vec4 hit = hit_behind(bent, goes, surface, column, row);
+    if (surface == 1) record_hit(sel(goes, hit, Vec4(0.0f)));
     under_way = goes && is_on_caster(hit) && surface < u.bounces;
     Bool ends = goes && !under_way && here.path.parted && surface >= u.mirrored_at;
-    if (any_lane(ends)) land_light(here.path, hit, bent.ends, ends, landed);
-    ended = ended || ends;
+    if (any_lane(ends)) record_end(record, here.path, hit, bent.ends, ends);
     if (any_lane(under_way)) go_on(here, hit, under_way);
   }
-  write(landed, entered);
-  discard_if(!ended);
+  write(record, entered);
+  discard_if(is_empty(record));
 }
 #endif

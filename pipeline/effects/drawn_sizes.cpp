@@ -54,7 +54,7 @@ int middle_sample(const Scene& scene, int source, const std::vector<int>& sample
 
 Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& settings) {
   if (!settings.drawn || settings.further_share >= 1.0f) return effects;
-  if (!why_not_followed(scene, settings, effects).empty()) return effects;
+  if (!why_not_followed(settings, effects).empty()) return effects;
   for (const auto& [side, samples] : samples_of_sides(scene, effects)) {
     if (samples.size() < 2) continue;
     const int drawn = middle_sample(scene, side.source, samples);

@@ -388,7 +388,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_sub_pixels(settings, effects);
   add_paper_weights(settings, effects);
   effects.dim_lights = {false, "there are few lights"};
-  effects.further_surfaces = {false, why_not_followed(scene, settings, effects)};
+  effects.further_surfaces = {false, why_not_followed(settings, effects)};
   add_camera(scene, camera, effects);
   add_ambient_occlusion(scene, settings, effects);
   return effects;

@@ -226,6 +226,10 @@ inline glm::vec3 caustic_intensity(const Light& light, const LightEffects& of_li
 
 // Does the light throw a caustic, through any caster?
 bool throws_caustic(const Effects& effects, int light);
+// Is light followed from surface to surface, or is that not decided yet?
+inline bool may_be_followed(const Effects& effects) {
+  return effects.further_surfaces.active || effects.further_surfaces.reason.empty();
+}
 // Does anything that the camera sees depend on the light?
 bool has_effect(const Effects& effects, int light);
 

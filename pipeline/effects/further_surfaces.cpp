@@ -38,14 +38,14 @@ constexpr const char* kInterfacesAskedFor = "a number of interfaces was asked fo
 
 }  // namespace
 
-std::string why_not_followed(const Scene& scene, const Settings& settings, const Effects& effects) {
+std::string why_not_followed(const Settings& settings, const Effects& effects) {
   if (!effects.caustics.active) return "there is no caustic";
   if (settings.interfaces != Interfaces::Auto) return kInterfacesAskedFor;
   if (settings.weights == Weights::Paper) return "the paper's weights know two surfaces";
   if (settings.thickness == Thickness::Wyman) return "Wyman's thickness knows two surfaces";
   if (settings.draw_unconverged) return "what has not converged is drawn where its search stopped";
   if (settings.estimator == Estimator::Impostor) return "impostors were asked for";
-  return not_in_triangles(scene, effects);
+  return {};
 }
 
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares) {

@@ -6,7 +6,7 @@
 namespace caustics {
 
 // Why it cannot be, whatever a pilot finds; empty where it can.
-std::string why_not_followed(const Scene& scene, const Settings& settings, const Effects& effects);
+std::string why_not_followed(const Settings& settings, const Effects& effects);
 
 // The effects with what a pilot has found, and with the branches that light is followed by.
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares);

@@ -41,7 +41,7 @@ Effects with_branches(std::vector<Branch> branches) {
 
 std::string why_not(const Settings& settings, Effects effects = {}) {
   effects.caustics.active = true;
-  return why_not_followed({}, settings, effects);
+  return why_not_followed(settings, effects);
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ TEST_CASE("further surfaces: the light with the most decides, by all its casters
 
 TEST_CASE("further surfaces: light is not followed where something else was asked for") {
   CHECK(why_not({}) == "");
-  CHECK(why_not_followed({}, {}, {}) == "there is no caustic");
+  CHECK(why_not_followed({}, {}) == "there is no caustic");
   Settings settings;
   settings.interfaces = Interfaces::Two;
   CHECK(why_not(settings) == "a number of interfaces was asked for");
@@ -190,10 +190,4 @@ TEST_CASE("further surfaces: light is not followed where something else was aske
   settings = {};
   settings.estimator = Estimator::Impostor;
   CHECK(why_not(settings) == "impostors were asked for");
-}
-
-TEST_CASE("further surfaces: light is not followed through what triangles alone do not tell") {
-  Effects waves;
-  waves.water_waves = {true, "mesh 'pool' is water"};
-  CHECK(why_not({}, waves).find("mesh 'pool' is water") != std::string::npos);
 }

@@ -42,12 +42,19 @@ void put_texels(Image& table, int row, int column, std::span<const glm::vec4> te
 
 bool are_dressed(const Effects& effects) { return caster_detail(effects) != CasterDetail::None; }
 
+// Opacity below which a surface has a hole, 0: there are none; -1: a pane that covers its opacity's share of
+// what lies behind. Of what is glass or metal alphaMode BLEND is ignored.
+float cutoff_of(const Material& material, Role role) {
+  if (role == Role::Receiver || material.alpha_mode == AlphaMode::Mask) return opaque_from(material);
+  return role == Role::ThinPane && material.alpha_mode == AlphaMode::Blend ? -1.0f : 0.0f;
+}
+
 // Of a caster (passes/shared/caster_material.glsl, Material).
-std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& material, bool mirror, bool thin,
+std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& material, Role role, bool thin,
                                                           bool two_interfaces) {
+  const bool mirror = role == Role::Mirror;
   const glm::vec3 absorption = mirror || thin ? glm::vec3(0.0f) : absorption_of(material);
   const glm::vec3 color = mirror ? metal_reflectance(material) : glm::vec3(material.base_color);
-  const float cutoff = material.alpha_mode == AlphaMode::Mask ? material.alpha_cutoff : 0.0f;
   return {glm::vec4(material.ior, main_dispersion(material), 1.0f - material.fresnel_factor,
                     mirror ? 1.0f
                     : thin ? -1.0f
@@ -55,18 +62,7 @@ std::array<glm::vec4, kTexelsOfMaterial> texels_of_caster(const Material& materi
           {absorption, two_interfaces ? 1.0f : 0.0f},
           {color, material.roughness},
           {mirror ? grey_reflectance(material) : transmission_factor(material), material.normal_scale,
-           material.base_color.a, cutoff}};
-}
-
-// A pane that covers a share of what lies behind lets the rest through untinted.
-void cover(const Material& material, std::array<glm::vec4, kTexelsOfMaterial>& texels) {
-  const float there = material.base_color.a;
-  const float once = (material.ior - 1.0f) / (material.ior + 1.0f), face = once * once;
-  const float back = there * material.fresnel_factor * 2.0f * face / (1.0f + face);
-  const glm::vec3 through = glm::vec3(texels[2]) * (texels[3].x * (there - back));
-  texels[0].z = 1.0f - there * material.fresnel_factor;
-  texels[2] = {(glm::vec3(1.0f - there) + through) / (1.0f - back), texels[2].w};
-  texels[3].x = 1.0f;
+           material.base_color.a, cutoff_of(material, role)}};
 }
 
 // Receivers of one material that differ in this have rows of their own.
@@ -77,12 +73,12 @@ int kind_of_receiver(const Mesh& mesh) {
 
 // What of a receiver is shown by glass alone (passes/shared/caster_material.glsl, ReceiverMaterial).
 std::array<glm::vec4, kTexelsOfMaterial> texels_of_receiver(const Material& m, int kind) {
-  const float cutoff = m.alpha_mode == AlphaMode::Mask ? m.alpha_cutoff : 0.0f;
   const bool one_sided = !m.double_sided && (kind & kInsideOut) == 0;
-  return {glm::vec4(m.emissive, one_sided ? 1.0f : 0.0f),
-          {m.fade.centre, m.fade.from},
-          {glm::vec3(m.base_color), m.fade.to},
-          {(kind & kColored) != 0 ? 1.0f : 0.0f, m.normal_scale, m.base_color.a, cutoff}};
+  return {
+      glm::vec4(m.emissive, one_sided ? 1.0f : 0.0f),
+      {m.fade.centre, m.fade.from},
+      {glm::vec3(m.base_color), m.fade.to},
+      {(kind & kColored) != 0 ? 1.0f : 0.0f, m.normal_scale, m.base_color.a, cutoff_of(m, Role::Receiver)}};
 }
 
 void add_once(std::vector<int>& images, const TextureUse& use) {
@@ -92,10 +88,18 @@ void add_once(std::vector<int>& images, const TextureUse& use) {
 
 }  // namespace
 
-RayTables::RayTables(const Scene& scene, const Effects& effects, Device& device, bool waters)
+RayTables::RayTables(const Scene& scene, const Effects& effects, Device& device)
     : scene_(scene), device_(device) {
   upload_materials(effects);
-  number_triangles(effects, waters);
+  number_triangles(effects);
+}
+
+void RayTables::meet_waters(const Effects& effects) {
+  if (scene_.waters.empty() || may_be_followed(effects) == meets_waters_) return;
+  meshes_ = {};
+  media_.clear();
+  renew();
+  number_triangles(effects);
 }
 
 int RayTables::mesh_of(int number) const {
@@ -137,7 +141,8 @@ glm::vec4 RayTables::bodies_around(const glm::dvec3& p) const {
   return media;
 }
 
-void RayTables::number_triangles(const Effects& effects, bool waters) {
+void RayTables::number_triangles(const Effects& effects) {
+  meets_waters_ = may_be_followed(effects);
   const std::vector<int> bodies = bodies_of(scene_);
   std::map<int, int> row_of_body;
   for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
@@ -145,7 +150,7 @@ void RayTables::number_triangles(const Effects& effects, bool waters) {
     const SurfaceRole& surface = effects.surfaces[index];
     const bool is_water = std::any_of(scene_.waters.begin(), scene_.waters.end(),
                                       [m](const Water& water) { return water.mesh == m; });
-    const bool met = waters || !is_water;
+    const bool met = meets_waters_ || !is_water;
     if (is_on_the_way(surface) && met) meshes_.casters.push_back(m);
     if (surface.role == Role::Refractor && !surface.thin && met) media_.push_back(m);
     if (surface.role == Role::Receiver && met) meshes_.receivers.push_back(m);
@@ -203,11 +208,9 @@ void RayTables::upload_materials(const Effects& effects) {
   for (const auto& [key, row] : row_of) {
     const auto& [own, index, two_interfaces, role, thin] = key;
     const Material& material = scene_.materials[static_cast<std::size_t>(index)];
-    auto own_texels = role == Role::Receiver
-                          ? texels_of_receiver(material, own)
-                          : texels_of_caster(material, role == Role::Mirror, thin, two_interfaces);
-    if (role == Role::ThinPane && material.alpha_mode == AlphaMode::Blend) cover(material, own_texels);
-    put_texels(table, row, 0, own_texels);
+    put_texels(table, row, 0,
+               role == Role::Receiver ? texels_of_receiver(material, own)
+                                      : texels_of_caster(material, role, thin, two_interfaces));
     if (!dressed) continue;
     put_texels(table, row, 4, picture_texels(material.base_color_texture, texels));
     put_texels(table, row, 7, picture_texels(material.transmission_texture, texels));
@@ -228,7 +231,7 @@ CasterTexels RayTables::upload_texels(const Effects& effects) {
       add_once(images, material.transmission_texture);
       if (is_caster(role)) add_once(images, material.normal_texture);
     } else if (role == Role::Receiver && receivers_are_dressed(effects)) {
-      const bool cut = effects.cut_out_receivers.active && material.alpha_mode == AlphaMode::Mask;
+      const bool cut = effects.cut_out_receivers.active && cutoff_of(material, role) > 0.0f;
       add_once(cut ? images : coarse, material.base_color_texture);
       add_once(coarse, material.emissive_texture);
     }

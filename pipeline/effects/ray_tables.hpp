@@ -15,14 +15,16 @@ namespace caustics {
 // hierarchy over all casters and receivers is made when one of its textures is first asked for.
 class RayTables {
  public:
-  // `waters`: is moving water in the hierarchy, as it stands? Else nothing meets it: a tree of its waves
-  // would have to be made anew for each frame.
-  RayTables(const Scene& scene, const Effects& effects, Device& device, bool waters = false);
+  RayTables(const Scene& scene, const Effects& effects, Device& device);
   RayTables(const RayTables&) = delete;
   RayTables& operator=(const RayTables&) = delete;
 
   const Scene& scene() const { return scene_; }
   Device& device() const { return device_; }
+  // Moving water is in the hierarchy, as it stands, where light may be followed. Else nothing meets it: a
+  // tree of its waves would have to be made anew for each frame.
+  void meet_waters(const Effects& effects);
+  bool meets_waters() const { return meets_waters_; }
   // Meshes have moved.
   void renew() {
     hierarchy_.reset();
@@ -60,7 +62,7 @@ class RayTables {
   const Hierarchy& hierarchy() const;
   void upload_materials(const Effects& effects);
   CasterTexels upload_texels(const Effects& effects);
-  void number_triangles(const Effects& effects, bool waters);
+  void number_triangles(const Effects& effects);
 
   const Scene& scene_;
   Device& device_;
@@ -71,6 +73,7 @@ class RayTables {
   std::vector<std::int64_t> first_triangles_;
   int first_receiver_ = 0, first_uv_ = 0;
   float touch_ = 0.0f;
+  bool meets_waters_ = false;
   mutable std::optional<Hierarchy> hierarchy_;
   mutable std::optional<std::pair<glm::dvec3, glm::vec4>> around_;  // what bodies_around() has found last
 };

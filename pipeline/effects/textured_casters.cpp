@@ -24,7 +24,8 @@ bool normal_mapped(const Material& material, const SurfaceRole& surface) {
   return is_caster(surface.role) && material.normal_texture.present() && material.normal_scale != 0.0f;
 }
 
-bool cut_out(const Material& material, const SurfaceRole&) {
+bool cut_out(const Material& material, const SurfaceRole& surface) {
+  if (surface.role == Role::Receiver && surface.blended) return material.base_color_texture.present();
   return material.alpha_mode == AlphaMode::Mask &&
          (material.base_color_texture.present() || material.base_color.a < material.alpha_cutoff);
 }

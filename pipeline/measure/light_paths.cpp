@@ -106,12 +106,30 @@ LightPaths::LightPaths(const RayTables& tables, Effects effects, const Settings&
       effects_(std::move(effects)),
       settings_(settings),
       pass_(light_step_of(registry)),
-      definition_(definition_of(pass_, effects_)) {}
+      definition_(definition_of(pass_, effects_)),
+      medium_(effects_.medium.active ? medium_bounds(tables.scene()) : Bounds{}) {}
 
 bool LightPaths::casters_block(const glm::dvec3& p, const glm::dvec3& direction, double distance) const {
   if (!casters_) casters_.emplace(tables_.scene(), casters_of(effects_));
   const auto caster = casters_->nearest(p + direction * static_cast<double>(tables_.touch()), direction);
   return caster && caster->distance < distance;
+}
+
+glm::dvec3 LightPaths::left_by_air(const Part& part, const Meeting& met) const {
+  if (!effects_.medium.active) return glm::dvec3(1.0);
+  const glm::dvec3 start(part.start), way = glm::dvec3(met.point) - start;
+  double from = 0.0, to = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (way[axis] == 0.0) continue;
+    const double a = (medium_.lower[axis] - start[axis]) / way[axis];
+    const double b = (medium_.upper[axis] - start[axis]) / way[axis];
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  const double metres = exact::length(way) * std::max(to - from, 0.0);
+  const glm::dvec3 extinction(tables_.scene().medium.extinction());
+  return {exact::exp(-extinction.x * metres), exact::exp(-extinction.y * metres),
+          exact::exp(-extinction.z * metres)};
 }
 
 // Its targets serve many steps, and have one of few heights.
@@ -241,6 +259,7 @@ class LightPaths::Following {
     const int mesh = paths_.tables_.mesh_of(met.number);
     const bool receiver = met.number >= paths_.tables_.first_receiver();
     part.flux *= met.left;
+    if (part.media.x == 0.0f) part.flux *= paths_.left_by_air(part, met);
     if (part.first < 0) {
       // Nothing stands before casters but what they are lit through.
       if (receiver || met.hole || mesh == rays_[part.ray].emitter) return pass_straight(part, met, receiver);

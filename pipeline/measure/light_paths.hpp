@@ -73,11 +73,15 @@ class LightPaths {
   class Stepping;   // runs the pass
   class Following;  // of many rays
 
+  // On a part's way to what it meets.
+  glm::dvec3 left_by_air(const Part& part, const Meeting& met) const;
+
   const RayTables& tables_;
   const Effects effects_;
   const Settings& settings_;
   const Pass& pass_;
   const PassDefinition definition_;
+  const Bounds medium_;
   mutable std::optional<TriangleTree> casters_;  // made when it is first asked for
 };
 

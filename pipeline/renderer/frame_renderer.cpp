@@ -121,10 +121,22 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
 
 FrameRenderer::~FrameRenderer() = default;
 
+// Of waters at rest, so that a moment's plan does not depend on those before it.
 void FrameRenderer::judge_and_plan() {
+  if (water_) water_->show_level(0.0);
+  if (!scene_.waters.empty()) {
+    const Effects undecided = effects_of(scene_, *asked_);
+    for (SceneOnDevice* on_device : {on_device_.get(), on_pilot_.get()}) {
+      if (!on_device) continue;
+      on_device->meet_waters(undecided);
+      if (shown_) on_device->renew_waters(false);
+    }
+  }
   const std::optional<View> camera = camera_view(scene_, options_.camera, *asked_);
   frame_ = planned(scene_, *asked_, registry_, *pilot_, camera ? &*camera : nullptr, options_.goal,
                    options_.without);
+  for (SceneOnDevice* on_device : {on_device_.get(), on_pilot_.get()})
+    if (on_device) on_device->meet_waters(frame_.effects);
   done_ = 0;
   inputs_.camera = camera.value_or(View{});
 }
@@ -155,6 +167,7 @@ void FrameRenderer::show_waters(double seconds) {
                                       [](const PlannedPass& pass) { return pass.water >= 0; });
   water_report_ = water_->show(seconds, with_state);
   on_device_->renew_waters(with_state);
+  if (on_pilot_) on_pilot_->renew_waters(false);
   shown_ = seconds;
 }
 

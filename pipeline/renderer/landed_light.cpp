@@ -21,11 +21,12 @@ LandedLight::LandedLight(const Scene& scene, const Settings& settings, const Pil
     : scene_(scene), settings_(settings), pilot_(pilot) {}
 
 std::vector<Landed> LandedLight::find(int step) {
-  const Effects effects = effects_of(scene_, settings_);
+  Effects effects = effects_of(scene_, settings_);
+  effects.further_surfaces = {};  // as if it were followed: whatever the passes do, light lands on its own
   std::vector<Landed> landed;
   if (!effects.caustics.active) return landed;
   if (!paths_) {
-    tables_.emplace(scene_, effects, pilot_.device, true);
+    tables_.emplace(scene_, effects, pilot_.device);
     paths_.emplace(*tables_, effects, settings_, pilot_.registry);
   }
   Settings even = settings_;  // whatever the frame's grid is: the same rays, the same sun and camera

@@ -50,6 +50,7 @@ SceneOnDevice::SceneOnDevice(const Scene& scene, const Effects& effects, Device&
 }
 
 void SceneOnDevice::renew_waters(bool with_state) {
+  if (tables_.meets_waters()) tables_.renew();
   for (std::size_t i = 0; i < scene_.waters.size(); ++i) {
     const auto mesh = static_cast<std::size_t>(scene_.waters[i].mesh);
     meshes_[mesh] = {device_, device_.create_mesh(mesh_data(scene_, mesh))};

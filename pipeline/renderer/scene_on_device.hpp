@@ -28,6 +28,8 @@ class SceneOnDevice {
   MeshId mesh(int index) const { return meshes_[static_cast<std::size_t>(index)].id(); }
   // Takes the scene's waters as they stand now: their meshes, and if asked for Water::before.
   void renew_waters(bool with_state);
+  // As RayTables has it.
+  void meet_waters(const Effects& effects) { tables_.meet_waters(effects); }
   TextureId image(int index) const;                   // None for index -1
   TextureId coarser(int index) const;                 // its mip levels but for the first; None: it has none
   TextureId external(const std::string& name) const;  // kCasterMaterials, kEnvironment, a water's, or None

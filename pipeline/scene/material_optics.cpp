@@ -37,6 +37,12 @@ glm::vec3 dielectric_reflectance(const Material& material) {
   return glm::min(material.specular_color * (r * r), glm::vec3(1.0f)) * material.fresnel_factor;
 }
 
+float opaque_from(const Material& material) {
+  return material.alpha_mode == AlphaMode::Mask    ? material.alpha_cutoff
+         : material.alpha_mode == AlphaMode::Blend ? kCoversAll
+                                                   : 0.0f;
+}
+
 float grey_reflectance(const Material& material) { return 0.04f * (1.0f - material.metallic); }
 
 glm::vec3 metal_reflectance(const Material& material) {

@@ -10,6 +10,10 @@ namespace caustics {
 // (KHR_materials_volume). A colour of 0 absorbs everything within a billionth of the distance.
 glm::vec3 absorption_of(const Material& material);
 
+// From which opacity on a surface that is no glass and no mirror is opaque; below it there is a hole, or of a
+// blended one a layer, which light that casters throw passes. 0: all of it is opaque.
+float opaque_from(const Material& material);
+
 // Of the light that is not mirrored, the share that goes through the material instead of being scattered by
 // it or meeting metal: KHR_materials_transmission, by the mean of its texture.
 float transmitted_share(const Material& material);

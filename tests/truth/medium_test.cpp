@@ -2,6 +2,7 @@
 // focus.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
@@ -36,6 +37,12 @@ Scene side_view() {
 // sphere.
 double under_clear_sphere(double s, double h) {
   return 2.0 * kPi * std::exp(-s * h) * (std::exp(s) * (s - 1.0) + 1.0) / (4.0 * s * s);
+}
+
+// Likewise through `bodies` of radius r in a row, all with their centres on the light's way.
+double under_clear_spheres(double s, double h, double r, int bodies) {
+  const double k = 2.0 * bodies * s;
+  return 2.0 * kPi * std::exp(-s * h) * (std::exp(k * r) * (k * r - 1.0) + 1.0) / (k * k);
 }
 
 Settings without_highlights(int grid, int map, int picture) {
@@ -199,7 +206,7 @@ TEST_CASE("medium: the flux on every plane is the photons' alive, less what the 
   const Settings settings = small_settings(128, 128, 16);
   const Rendering r =
       render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
-  const Image &start = r["landing_start[0]"], &way = r["landing_way[0]"], &flux = r["landing_start_flux[0]"];
+  const Image &start = r["stretch_start[0]"], &way = r["stretch_way[0]"], &flux = r["stretch_flux[0]"];
   for (const double height : {0.25, 0.1, 0.0}) {
     double sum = 0.0;
     for (int y = 0; y < start.height(); ++y)
@@ -216,6 +223,34 @@ TEST_CASE("medium: the flux on every plane is the photons' alive, less what the 
   CHECK(ledger.in_map[0] == Approx(under_clear_sphere(s, 1.3)).epsilon(3e-3));
   CHECK(ledger.medium[0] == Approx(0.25 * kPi - under_clear_sphere(s, 1.3)).epsilon(3e-3));
   CHECK(ledger.residual() < 1e-5);
+}
+
+TEST_CASE("medium: followed light loses what lies outside of all bodies, and a stretch stands for all") {
+  const double s = 0.7, r = 0.25;
+  Scene scene = with_medium(sphere_scene(1.0f), glm::vec3(0.4f), glm::vec3(0.3f));
+  scene.meshes = {floor(3.0, 0.0, 0), sphere({0.0, 1.0, 0.0}, r, 5, 1), sphere({0.0, 0.4, 0.0}, r, 5, 1)};
+  Settings settings = small_settings(128, 128, 16);
+  settings.further_share = 0.0f;
+  const Rendering rendered = render(
+      scene, settings,
+      {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium, "stretch_start", "stretch_flux"});
+  REQUIRE(rendered.effects.further_surfaces.active);
+  const Ledger ledger = ledger_of(rendered, settings);
+  CHECK(ledger.in_map[0] == Approx(under_clear_spheres(s, 1.25, r, 2)).epsilon(3e-3));
+  CHECK(ledger.medium[0] == Approx(kPi * r * r - under_clear_spheres(s, 1.25, r, 2)).epsilon(3e-3));
+  CHECK(ledger.residual() < 1e-5);
+  // Of each vertex one of two stretches is drawn: between the spheres, and below them.
+  const Image &start = rendered["stretch_start[0]"], &flux = rendered["stretch_flux[0]"];
+  for (const auto& [height, bodies] : {std::pair(0.7, 1), std::pair(0.05, 2)}) {
+    double sum = 0.0;
+    for (int y = 0; y < start.height(); ++y)
+      for (int x = 0; x < start.width(); ++x) {
+        const double distance = static_cast<double>(start.at(x, y, 1)) - height;
+        if (distance < 0.0 || distance > static_cast<double>(start.at(x, y, 3)) + 1e-4) continue;
+        sum += static_cast<double>(flux.at(x, y, 0)) * std::exp(-s * distance);
+      }
+    CHECK(sum == Approx(under_clear_spheres(s, 1.25 - height, r, bodies)).epsilon(0.02));
+  }
 }
 
 TEST_CASE("medium: the ledger closes with every branch") {
@@ -266,8 +301,11 @@ TEST_CASE("medium: a sphere's beams cross its axis where a ray of their height d
   // R sin i / sin 2(i - t) from the centre, sin i = b / R = n sin t (0.75 m for b towards 0). Interpolated
   // normals and the exit map's texels scatter single rays; the mean over a ring is held to half a per cent.
   const Scene scene = with_medium(sphere_scene(1.5f, 6), glm::vec3(0.1f), glm::vec3(0.0f));
-  const Rendering r = render(scene, small_settings(256, 64, 16), {kLandingMedium});
-  const Image &start = r["landing_start[0]"], &way = r["landing_way[0]"], &entry = r["caster_position[0]"];
+  const float further_share = GENERATE(0.0f, 1.0f);
+  Settings settings = small_settings(256, 64, 16);
+  settings.further_share = further_share;
+  const Rendering r = render(scene, settings, {"stretch_start", "stretch_way"});
+  const Image &start = r["stretch_start[0]"], &way = r["stretch_way[0]"], &entry = r["caster_position[0]"];
   for (const double ring : {0.05, 0.1, 0.2, 0.3}) {
     double sum = 0.0;
     int count = 0;
@@ -291,7 +329,7 @@ TEST_CASE("medium: clear air has no pass, texture or number of its own") {
   const Scene scene = sphere_scene(1.5f);
   const Settings settings = small_settings(16, 16, 8);
   const FramePlan plan = make_plan(scene, effects_of(scene, settings), settings, pass_registry());
-  for (const char* name : {"haze", "view_range", "landing_medium[0]", "landing_start[0]", "beam_start[0]"})
+  for (const char* name : {"haze", "view_range", "landing_medium[0]", "stretch_start[0]", "beam_start[0]"})
     CHECK(plan.find(name) < 0);
   for (const PlannedPass& pass : plan.passes) CHECK(pass.label.find("medium") == std::string::npos);
 }

@@ -3,6 +3,7 @@
 
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
+#include "tests/support/run_pass.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace caustics;
@@ -39,9 +40,12 @@ Material pane(float transmission) {
   return m;
 }
 
-// Lux under a slab of clear glass with a pane at this height: above it, 0.6 m, or below, 0.5.
-glm::dvec3 lux_under_slab_and(const Material& other, double height, float further_share = 0.03f) {
+// Lux under a slab of clear glass with a pane at this height: above it, 0.6 m, or below, 0.5. The pane's
+// picture, if it has one, is white of this alpha.
+glm::dvec3 lux_under_slab_and(const Material& other, double height, float further_share = 0.03f,
+                              float alpha_of_picture = 1.0f) {
   Scene scene;
+  scene.images = {filled(1, 1, {1.0f, 1.0f, 1.0f, alpha_of_picture})};
   scene.materials = {diffuse(0.8f), glass(1.5f), other};
   scene.meshes = {floor(3.0, 0.0, 0), box({-1, 0.5, -1}, {1, 0.6, 1}, 1), floor(1.5, height, 2)};
   scene.lights = {sun({0.0, -1.0, 0.0}, 100.0f)};
@@ -113,6 +117,26 @@ TEST_CASE("shares: of a caustic behind a pane its alpha leaves what is not cover
   m.base_color = {0.0f, 0.0f, 0.0f, 0.25f};
   CHECK(lux_under_slab_and(m, 0.8).y == Approx(75.0 * kThrough).epsilon(0.003));
   CHECK(lux_under_slab_and(m, 0.45).y == Approx(75.0 * kThrough).epsilon(0.004));
+}
+
+TEST_CASE("shares: a picture's alpha says how much of a pane is there") {
+  Material m = pane(1.0f);
+  m.alpha_mode = AlphaMode::Blend;
+  m.base_color = {0.0f, 0.0f, 0.0f, 0.5f};
+  m.base_color_texture.image = 0;
+  m.least_alpha = m.most_alpha = 0.5f;
+  CHECK(lux_under_slab_and(m, 0.8, 0.03f, 0.5f).y == Approx(75.0 * kThrough).epsilon(0.003));
+  CHECK(lux_under_slab_and(m, 0.45, 0.03f, 0.5f).y == Approx(75.0 * kThrough).epsilon(0.004));
+}
+
+TEST_CASE("shares: followed light passes what is a layer of a blended receiver, and lands on the rest") {
+  Material m = diffuse(0.5f);
+  m.alpha_mode = AlphaMode::Blend;
+  m.base_color_texture.image = 0;
+  m.least_alpha = 0.0f;
+  m.most_alpha = 1.0f;
+  CHECK(lux_under_slab_and(m, 0.45, 0.0f, 0.4f).y == Approx(100.0 * kThrough).epsilon(0.003));
+  CHECK(lux_under_slab_and(m, 0.45, 0.0f, 1.0f).y == 0.0);
 }
 
 TEST_CASE("shares: without its specular share a slab takes nothing") {

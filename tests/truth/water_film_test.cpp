@@ -142,3 +142,44 @@ TEST_CASE("water film: flat water lights the floor evenly at every moment") {
         CHECK(static_cast<double>(r["aov_caustic"].at(x, y, 0)) == Approx(1.0 - 0.0200588).epsilon(2e-3));
   }
 }
+
+namespace {
+
+// A ball of glass hangs in the water, so that light is followed.
+Scene pool_with_ball(const WaterSettings& settings) {
+  Scene scene = pool_scene(0.6, settings);
+  scene.meshes.push_back(sphere({0.0, 0.3, 0.0}, 0.15, 4, 2));
+  scene.materials.push_back(glass(1.6f));
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("water film: where light is followed a frame alone is the frame of a film, to the bit") {
+  const Settings settings = small_settings(64, 64, 48);
+  Film film(pool_with_ball(waves()), settings);
+  const std::string early = sha256(film.show(0.25)["picture"]);
+  const std::string in_film = sha256(film.show(1.0)["picture"]);
+  CHECK(early != in_film);
+  CHECK(sha256(Film(pool_with_ball(waves()), settings).show(1.0)["picture"]) == in_film);
+  CHECK(film.ledger().residual() < 1e-5);
+}
+
+TEST_CASE("water film: flat water sends followed light where a sheet that never moves does") {
+  WaterSettings calm = waves();
+  calm.height = 0.0;
+  Scene still = pool_with_ball(calm);
+  Film film(still, small_settings(128, 128, 32));
+  still.waters.clear();
+  const Image moves = film.show(1.0)["aov_caustic"];
+  const Rendering stands = render(still, small_settings(128, 128, 32), {"aov_caustic"});
+  REQUIRE(stands.effects.further_surfaces.active);
+  double difference = 0.0, sum = 0.0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const double light = static_cast<double>(stands["aov_caustic"].at(x, y, 0));
+      difference += std::fabs(static_cast<double>(moves.at(x, y, 0)) - light);
+      sum += light;
+    }
+  CHECK(difference < 0.03 * sum);
+}

@@ -58,7 +58,7 @@ class Lamp {
     const Ray back{seen.position, -travel};
     if (lit_.receivers.blocked(back, world_.nearest(), distance)) return glm::dvec3(0.0);
     if (casters_shadow_ && lit_.casters.blocked(back, world_.nearest(), distance)) return glm::dvec3(0.0);
-    return reaching * world_.through_panes(back, distance);
+    return reaching * world_.through_panes(back, distance) * world_.through_air(back, distance);
   }
 
   const World& world_;

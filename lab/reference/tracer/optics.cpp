@@ -85,6 +85,11 @@ bool is_cut_out(const Scene& scene, const Material& material, const glm::dvec2& 
   return opacity < static_cast<double>(material.alpha_cutoff);
 }
 
+double opacity_at(const Scene& scene, const Material& material, const glm::dvec2& uv) {
+  return static_cast<double>(material.base_color.a) *
+         sampled(scene, material.base_color_texture, uv, false).w;
+}
+
 glm::dvec3 leaned(const Scene& scene, const Material& material, const glm::dvec3& n,
                   const glm::dvec4& tangent, const glm::dvec2& uv) {
   if (!material.normal_texture.present()) return n;
@@ -102,6 +107,8 @@ Optics dressed(const Scene& scene, const Material& material, const Optics& plain
   const glm::dvec3 base =
       glm::dvec3(material.base_color) * glm::dvec3(sampled(scene, material.base_color_texture, uv, false));
   const double metallic = static_cast<double>(material.metallic);
+  if (optics.role == Role::ThinPane && material.alpha_mode == AlphaMode::Blend)
+    optics.there = opacity_at(scene, material, uv);
   if (optics.role == Role::Mirror)
     optics.color = glm::dvec3(0.04 * (1.0 - metallic)) + base * metallic;
   else

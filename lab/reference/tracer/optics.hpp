@@ -31,6 +31,8 @@ bool is_dressed(const Material& material);
 
 // Is the surface cut out there by its alpha mask (glTF 2.0, 3.9.4)? By the nearest texel, as `render` has it.
 bool is_cut_out(const Scene& scene, const Material& material, const glm::dvec2& uv);
+// The share that a material of alphaMode BLEND covers there.
+double opacity_at(const Scene& scene, const Material& material, const glm::dvec2& uv);
 
 // The unit normal as the normal texture leans it around the unit normal n (glTF 2.0, 3.9.3), kept on n's
 // side.

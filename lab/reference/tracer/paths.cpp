@@ -64,7 +64,8 @@ void Paths::follow(const LightRay& light, Numbers& numbers, std::vector<Landing>
   // A receiver before the caster keeps its light away; panes and blended surfaces take their share.
   if (lit_.receivers.blocked(light.ray, 0.0, hit->distance - world_.nearest())) return;
   account.hits += 1.0;
-  const Arrival arrival{light.ray, *hit, world_.through_panes(light.ray, hit->distance) * light.flux};
+  const glm::dvec3 reaching = world_.through_panes(light.ray, hit->distance) * light.flux;
+  const Arrival arrival{light.ray, *hit, reaching * world_.through_air(light.ray, hit->distance)};
   account.entered += white_ * arrival.flux;
   const Optics& optics = world_.optics(hit->mesh);
   const std::size_t before = landings.size();
@@ -193,7 +194,8 @@ void Paths::land(const Ray& ray, bool crossed, const glm::dvec3& flux, const Opt
     account.missed += flux;
     return;
   }
-  const glm::dvec3 left = medium ? flux * after(medium->absorption, hit->distance) : flux;
+  const glm::dvec3 left =
+      flux * (medium ? after(medium->absorption, hit->distance) : world_.through_air(ray, hit->distance));
   account.absorbed += flux - left;
   account.landed += left;
   landings.push_back({*hit, ray.direction, left});

@@ -137,13 +137,13 @@ bool Paths::advance(Moving& moving, SurfaceHit& met, std::vector<Landing>& landi
     account.missed += moving.flux;
     return false;
   }
-  if (moving.media.count > 0) {
-    const Inside& in = moving.media.list[static_cast<std::size_t>(moving.media.count - 1)];
-    const glm::dvec3 left =
-        moving.flux * after(world_.optics(in.mesh).absorption, lands ? receiver->distance : caster->distance);
-    account.absorbed += moving.flux - left;
-    moving.flux = left;
-  }
+  const double distance = lands ? receiver->distance : caster->distance;
+  const Inside* in =
+      moving.media.count > 0 ? &moving.media.list[static_cast<std::size_t>(moving.media.count - 1)] : nullptr;
+  const glm::dvec3 left = moving.flux * (in ? after(world_.optics(in->mesh).absorption, distance)
+                                            : world_.through_air(moving.ray, distance));
+  account.absorbed += moving.flux - left;
+  moving.flux = left;
   if (lands) {
     account.landed += moving.flux;
     landings.push_back({*receiver, moving.ray.direction, moving.flux});

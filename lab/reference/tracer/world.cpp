@@ -4,6 +4,7 @@
 #include <map>
 
 #include "lab/reference/closed_forms.hpp"
+#include "lab/reference/tracer/paths_common.hpp"
 #include "lab/reference/tracer/touching.hpp"
 #include "pipeline/effects/bodies.hpp"
 #include "pipeline/gpu/error.hpp"
@@ -12,14 +13,6 @@
 namespace caustics::tracer {
 
 namespace {
-
-// Never a picture that silently lacks something.
-void refuse_what_is_not_traced(const Scene& scene, const Effects& effects) {
-  const std::string what = not_in_triangles(scene, effects);
-  if (!what.empty())
-    throw Error(ExitCode::BadInput,
-                "the reference does not trace " + what + "; docs/reference.md lists what it does");
-}
 
 std::vector<int> meshes_with(const std::vector<Optics>& optics, int without, bool (*wanted)(Role)) {
   std::vector<int> meshes;
@@ -41,13 +34,13 @@ World::World(const Scene& scene, const Effects& effects, const std::vector<Exact
       optics_(optics_of(scene, effects)),
       panes_(scene, {}),
       walls_(scene, {}) {
-  refuse_what_is_not_traced(scene, effects);
   Bounds everything = bounds_of(scene);
   for (const Light& light : scene.sources)
     if (light.type != LightType::Directional) everything.add(light.position);
   for (const Camera& camera : scene.cameras) everything.add(camera.position);
   size_ = everything.empty() ? 1.0 : std::max(2.0 * everything.radius(), 1e-6);
   nearest_ = 2e-6 * size_;
+  if (scene.medium.present()) medium_ = medium_bounds(scene);
   overlapping_ = with_overlaps(scene, optics_, 2.0 * nearest_);
   panes_ = RaySet(scene, meshes_with(optics_, -1, is_pane), {}, true);
   walls_ =
@@ -85,7 +78,7 @@ glm::dvec3 World::through_panes(const Ray& ray, double distance) const {
     from = std::max(hit->distance, from) * (1.0 + 1e-6) + nearest_;
     const Optics pane = optics_at(*hit);
     if (pane.role == Role::Blended) {
-      left *= 1.0 - static_cast<double>(m.base_color.a);
+      left *= 1.0 - opacity_at(scene_, m, hit->uv);
       continue;
     }
     const double r =
@@ -93,6 +86,19 @@ glm::dvec3 World::through_panes(const Ray& ray, double distance) const {
     left *= (1.0 - pane.there) + pane.color * (pane.there * (1.0 - r) / (1.0 + r));
   }
   return left;
+}
+
+glm::dvec3 World::through_air(const Ray& ray, double distance) const {
+  if (medium_.empty()) return glm::dvec3(1.0);
+  double from = 0.0, to = distance;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.direction[axis], p = ray.origin[axis];
+    if (d == 0.0) continue;
+    const double lower = (medium_.lower[axis] - p) / d, upper = (medium_.upper[axis] - p) / d;
+    from = std::max(from, std::min(lower, upper));
+    to = std::min(to, std::max(lower, upper));
+  }
+  return after(glm::dvec3(scene_.medium.extinction()), std::max(to - from, 0.0));
 }
 
 LitSet World::set_without(int emitter) const {

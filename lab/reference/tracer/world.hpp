@@ -38,6 +38,8 @@ class World {
   // reflections between them, (1 - r) / (1 + r), times transmission and colour; of blended surfaces what they
   // do not cover.
   glm::dvec3 through_panes(const Ray& ray, double distance) const;
+  // And what the medium leaves of it there, where the scene has one.
+  glm::dvec3 through_air(const Ray& ray, double distance) const;
   // Metres; what is nearer than this to where a ray starts is the surface that it starts from.
   double nearest() const { return nearest_; }
   double size() const { return size_; }  // diameter of everything, lights and cameras included
@@ -54,6 +56,7 @@ class World {
   std::vector<std::size_t> set_of_;
   std::vector<bool> throws_;
   RaySet panes_, walls_;
+  Bounds medium_;
   double nearest_ = 1e-6, size_ = 1.0;
 };
 
