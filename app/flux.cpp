@@ -127,8 +127,6 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
 std::string why_not_judged(const RenderedFrame& frame) {
   if (!frame.has(kViewPosition)) return "the picture has no view of the caustics";
   if (frame.settings().weights == Weights::Paper) return "the paper's weights are not those of light";
-  if (frame.effects().rough_glass.active && !frame.effects().further_surfaces.active)
-    return "two rough surfaces draw their microfacets otherwise than rays do";
   if (frame.effects().water_waves.active && !frame.on_pilot().tables().meets_waters())
     return "the waves are in no hierarchy, since their light is not followed";
   return {};

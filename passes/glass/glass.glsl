@@ -49,6 +49,7 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/media.glsl"
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
+#include "passes/shared/smooth_surface.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hit_texel.glsl"
 Vec3 radiance_aside(Vec3 direction, Bool is_mirrored) { return sky_in_glass(u.sky, direction, is_mirrored); }

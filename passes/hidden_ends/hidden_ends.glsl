@@ -41,6 +41,7 @@ OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/media.glsl"
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
+#include "passes/shared/smooth_surface.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hit_texel.glsl"
 // Only where ways end is asked for.

@@ -20,9 +20,6 @@ std140::Landing landing_uniforms(const PassContext& context) {
   block.channel_share = context.branch->color;
   block.bend = static_cast<float>(context.branch->bend);
   block.exit_tolerance = kExitTolerance;
-  block.facets = glm::vec4(context.branch->facets);
-  block.rough_from = context.settings->glass_roughness;
-  block.smooth_light = context.branch->smooth;
   return block;
 }
 
@@ -96,7 +93,6 @@ Pass landing_pass() {
                   {"wyman_thickness",
                    [](const PassContext& c) { return c.settings->thickness == Thickness::Wyman ? 1 : 0; }},
                   kIsTinted,
-                  {"has_rough", chosen_by<&Effects::rough_glass>},
                   {"has_walls", chosen_by<&Effects::rough_glass>},
                   {"has_caster_tint", chosen_by<&Effects::textured_casters>},
                   {"only_unconverged", [](const PassContext& c) { return c.farthest() ? 1 : 0; }}},

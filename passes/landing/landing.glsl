@@ -44,8 +44,7 @@ OUTPUT(7, Vec4, stretch_flux)
 #include "passes/shared/ray.glsl"
 #include "passes/shared/refraction.glsl"
 #include "passes/shared/surface.glsl"
-#include "passes/shared/microfacets.glsl"
-#include "passes/shared/rough_surface.glsl"
+#include "passes/shared/smooth_surface.glsl"
 #include "passes/shared/view_space.glsl"
 #ifdef HAZE
 #include "passes/shared/medium_optics.glsl"
@@ -62,10 +61,7 @@ struct Entry {
   Meeting at;
   Material material;
   GridCell cell;
-  Vec2 slope;       // of the microfacets that its light enters by, of width 1,
-  Vec2 exit_slope;  // and leaves by
   Vec3 reaching;    // what panes and blended surfaces before it leave of the light
-  Float times;      // the light that the branch follows here for others
 };
 
 Entry entry_at(Int column, Int row) {
@@ -75,31 +71,12 @@ Entry entry_at(Int column, Int row) {
   entry.cell = cell_of(column, row, is_covered(position));
   entry.covered = entry.cell.covered;
   entry.reaching = Vec3(1.0f);
-  entry.times = Float(1.0f);
   if (u.is_tinted != 0) entry.reaching = Vec3(texel_fetch(reaching, column, row));
   if (u.only_unconverged != 0) {
     Vec4 before = texel_fetch(landed_before, column, row);
     entry.covered = entry.covered && has_status(before, STATUS_NOT_CONVERGED);
   }
   return entry;
-}
-
-// What rough glass adds to a normal: a slope that the grid's place and the branch choose. It comes again
-// every 6 to 16 vertices where light enters, and at other places more often where it leaves: cells overlie
-// each other many times, and none of their folds is seen. What is spread more, by wider slopes or a wall,
-// changes more slowly: else its cells would be large.
-Vec2 slope_at(Int column, Int row, IN(Entry) entry, Bool leaves) {
-  Float width = width_of_facets(entry.material, entry.at);
-  Float slower = sel(entry.material.thin, Float(4.0f), Float(1.0f));
-  Float period = min_of(width * 30.0f + 5.0f, Float(16.0f)) * slower;
-  period = sel(leaves, period * 0.61803399f, period);
-  Float x = Float(column) / period;
-  Float y = Float(row) / period;
-  Vec4 facets = Vec4(u.facets);
-  // The steepest 5 % are taken for the least of them: cells would be large.
-  Vec2 first = facet_slope(min_of(folded(x + facets.x), 0.95f), y + facets.y);
-  Vec2 last = facet_slope(min_of(folded(y + facets.z), 0.95f), x + facets.w);
-  return sel(leaves, last, first);
 }
 
 // What the surface is like that the light enters by.
@@ -114,14 +91,6 @@ void find_surface_of(Int column, Int row, INOUT(Entry) entry) {
     entry.covered = entry.covered && !entry.material.mirror && outside;
   }
   entry.material.mirror = entry.material.mirror && u.has_mirrors != 0;
-  entry.slope = Vec2(Float(0.0f), Float(0.0f));
-  entry.exit_slope = entry.slope;
-  if (u.has_rough != 0 && u.is_reflection == 0) {
-    entry.slope = slope_at(column, row, entry, Bool(false));
-    entry.exit_slope = slope_at(column, row, entry, Bool(true));
-    entry.times = sel(width_of_facets(entry.material, entry.at) > 0.0f, Float(1.0f), Float(u.smooth_light));
-    entry.covered = entry.covered && entry.times > 0.0f;
-  }
 }
 
 struct FirstSurface {
@@ -130,7 +99,6 @@ struct FirstSurface {
   Float flux;         // that this branch has of the light on the cell,
   Float reflectance;  // and how much of it the surface keeps off
   Bool blocked;       // total internal reflection
-  Float unmasked;     // of rough glass: what its facet sends on of its share
 };
 
 // Shah et al. 2007, eq. 6: (1/V) of the light onto all V grid vertices, whatever falls on this one.
@@ -153,21 +121,10 @@ Interface skin_of(IN(Material) material, Bool from_inside) {
   return skin;
 }
 
-// What the facet sends on of its share.
-Float unmasked_by(IN(Facet) facet, Vec3 from) {
-  Float sent = Float(1.0f);
-  if (u.has_rough != 0)
-    sent = facet_weight(from, facet.surface.bent.direction, facet.smooth_normal, facet.surface.normal,
-                        facet.width);
-  return sent;
-}
-
 FirstSurface enter_caster(IN(Entry) entry, IN(Incident) light) {
   Interface skin = skin_of(entry.material, !entry.at.front);
-  Facet facet = facet_at(light.direction, entry.at, skin, entry.material, entry.slope);
   FirstSurface first;
-  first.surface = facet.surface;
-  first.unmasked = unmasked_by(facet, light.direction);
+  first.surface = smooth_surface(light.direction, entry.at, skin, entry.material);
   first.direction =
       direction_behind(first.surface, light.direction, entry.material.mirror || u.is_reflection != 0);
   first.flux = light.flux;
@@ -236,7 +193,6 @@ struct Exit {
   Ray ray;
   Float inside_length;  // metres
   Float reflectance;    // of the second surface
-  Float unmasked;       // likewise at the second surface
   Bool blocked;         // total internal reflection, at either surface
   Bool unknown;         // no second surface was met
   Bool stopped;         // nor was it, but the light goes on from where the search stopped
@@ -249,7 +205,6 @@ Exit straight_exit(IN(Entry) entry, IN(FirstSurface) first) {
   exit.ray = ray_from(entry.at.point, first.direction);
   exit.inside_length = Float(0.0f);
   exit.reflectance = Float(0.0f);
-  exit.unmasked = Float(1.0f);
   exit.blocked = first.blocked;
   exit.unknown = Bool(false);
   exit.stopped = Bool(false);
@@ -276,16 +231,15 @@ Exit cross_caster(IN(Entry) entry, Vec3 light_direction, IN(FirstSurface) first)
       exit.unknown = exit.unknown && !exit.stopped;
     }
     Meeting at = meeting_in_view(Vec4(exit.ray.start, Float(-1.0f)), Vec4(outward, Float(0.0f)));
-    Facet facet =
-        facet_at(first.direction, at, skin_of(entry.material, Bool(true)), entry.material, entry.exit_slope);
-    Refraction bent = facet.surface.bent;
+    Interface skin = skin_of(entry.material, Bool(true));
+    Surface last = smooth_surface(first.direction, at, skin, entry.material);
+    Refraction bent = last.bent;
     exit.blocked = first.blocked || (solid && bent.total && !exit.unknown);
     exit.ray.direction = sel(solid, bent.direction, first.direction);
-    exit.reflectance = sel(solid && !bent.total, facet.surface.mirrored, Float(0.0f));
-    exit.unmasked = sel(solid, unmasked_by(facet, first.direction), Float(1.0f));
+    exit.reflectance = sel(solid && !bent.total, last.mirrored, Float(0.0f));
     TRACE(exit_point, exit.ray.start);
     TRACE(exit_residual, hit.residual);
-    TRACE(exit_normal, facet.surface.normal);
+    TRACE(exit_normal, last.normal);
     TRACE(exit_reflectance, exit.reflectance);
   }
   exit.sent = entry.covered && !exit.blocked && !exit.unknown;
@@ -313,10 +267,10 @@ Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, Float a
   Vec3 passed = transmittance(entry.material.absorption, absorbing_length);
   if (u.is_reflection == 0) {
     Vec3 color = entry.material.color;
-    Vec3 passing = color * entry.material.transmitted;
-    Vec3 tint = passing;
-    if (u.has_rough != 0)
-      tint = wall_tint(entry.material, passing, !entry.at.front) * (first.unmasked * exit.unmasked);
+    Vec3 tint = color * entry.material.transmitted;
+    // A closed body of walls tints what passes at both of them; solid glass once.
+    if (u.has_walls != 0)
+      tint = sel(entry.material.thin && entry.material.solid && entry.at.front, tint * tint, tint);
     passed = passed * sel(first.blocked, Vec3(1.0f), tint);
     if (u.has_mirrors != 0)
       passed = sel(entry.material.mirror, metal_reflectance(color, first.surface.bent.cosine), passed);
@@ -423,7 +377,6 @@ void follow(IN(Entry) entry) {
     light.flux = light.flux * most;
   }
   if (u.paper_weights != 0) light.flux = equal_part(entry);
-  light.flux = light.flux * entry.times;
   FirstSurface first = enter_caster(entry, light);
   Exit exit = cross_caster(entry, light.direction, first);
   Landing end = fly_to_receiver(exit.ray);

@@ -4,11 +4,7 @@ View caustic;             // the light's map that the landings are laid into
 vec3 channel_share;       // the branch's share of each channel's flux
 float bend;               // the branch's index of refraction is n_d + bend (n_F - n_C)
 float exit_tolerance;     // how far from its surface a ray may end and still have met it, texels' extents
-vec4 facets;              // the branch's microfacets
-float rough_from;         // from this roughness on glass has them
-float smooth_light;       // times its light that the branch has on what has none
-CHOICE(has_rough)         // 1: some glass has
-CHOICE(has_walls)         // 1: and has no thickness
+CHOICE(has_walls)         // 1: some glass has no thickness
 CHOICE(paper_weights)     // 1: the flux of Shah et al. 2007, eq. 6 and 7
 CHOICE(is_reflection)     // 1: follows what dielectrics mirror, not what they let in
 CHOICE(has_mirrors)       // 1: some casters are metal

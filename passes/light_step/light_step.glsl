@@ -38,6 +38,7 @@ OUTPUT(6, Vec4, crossing_media)
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
 #include "passes/shared/microfacets.glsl"
+#include "passes/shared/smooth_surface.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/hit_texel.glsl"

@@ -1,8 +1,5 @@
 // Rough glass: the lean of its microfacets, GGX (Walter, Marschner, Li, Torrance 2007). Needs
-// axes_across.glsl, caster_material.glsl, refraction.glsl.
-
-// A triangle wave of period 1, between 0 and 1: as even as what it is of.
-Float folded(Float x) { return 1.0f - abs((x - floor(x)) * 2.0f - 1.0f); }
+// axes_across.glsl.
 
 // A sine of period 1 but for a few percent, made of two parabolas.
 Float wave(Float x) {
@@ -23,32 +20,6 @@ Vec2 facet_slope(Float share, Float turn) {
 Vec3 facet_normal(Vec3 n, Vec2 slope) {
   AxesAcross axes = axes_across(n);
   return normalize_or(n + axes.x * slope.x + axes.y * slope.y, n);
-}
-
-// Light along d at a rough wall without thickness: what passes leaves as its facet would mirror it, on the
-// other side (glTF, KHR_materials_transmission); both faces together mirror 2 r / (1 + r). n, facet: unit,
-// against d.
-Refraction through_wall(Vec3 d, Vec3 n, Vec3 facet, Float ior) {
-  Refraction r = refraction_at(d, facet, 1.0f / ior);
-  Vec3 mirrored = reflected(d, facet, r.cosine);
-  Float across = dot3(mirrored, n);
-  r.direction = normalize_or(mirrored - n * (across + abs(across)), d);
-  r.total = Bool(false);
-  return r;
-}
-
-// A closed body of rough walls tints what passes at both of them; solid glass once.
-Vec3 wall_tint(IN(Material) material, Vec3 color, Bool from_inside) {
-  return sel(material.thin && material.solid && !from_inside, color * color, color);
-}
-
-Refraction either(Bool first, IN(Refraction) a, IN(Refraction) b) {
-  Refraction r;
-  r.cosine = sel(first, a.cosine, b.cosine);
-  r.total = (first && a.total) || (!first && b.total);
-  r.direction = sel(first, a.direction, b.direction);
-  r.reflectance = sel(first, a.reflectance, b.reflectance);
-  return r;
 }
 
 // Smith's masking for GGX of one direction, whose cosine to the normal is c (Walter et al., eq. 34).

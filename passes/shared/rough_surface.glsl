@@ -1,22 +1,10 @@
-// Roughness changes how a surface bends and spreads light. Needs microfacets.glsl, surface.glsl, and the
-// uniforms has_rough, has_walls and rough_from.
+// Roughness changes how a surface bends and spreads light. Needs microfacets.glsl, smooth_surface.glsl, and
+// the uniforms has_rough, has_walls and rough_from.
 
 // The width of the slopes of rough glass' microfacets; 0: the surface is smooth.
 Float width_of_facets(IN(Material) material, IN(Meeting) at) {
   Bool rough = material.roughness > u.rough_from && !material.mirror && !at.hole;
   return sel(rough, material.roughness * material.roughness, Float(0.0f));
-}
-
-// Makes the surface a wall without thickness, which light passes straight, spread by its facets.
-void make_wall(INOUT(Surface) surface, IN(Material) material, Vec3 direction, Vec3 normal) {
-  Refraction wall = through_wall(direction, normal, surface.normal, material.ior);
-  Bool thin = material.thin && !surface.both.passes;
-  surface.bent = either(thin, wall, surface.bent);
-  surface.eta = sel(thin, Float(1.0f), surface.eta);
-  surface.total = surface.total && !thin;
-  surface.one_way = surface.one_way && !thin;
-  Float face = surface.bent.reflectance * material.fresnel;
-  surface.mirrored = sel(thin, material.covers * (2.0f * face / (1.0f + face)), surface.mirrored);
 }
 
 // A surface as light meets it: of rough glass one microfacet.

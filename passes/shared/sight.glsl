@@ -46,14 +46,6 @@ Float blur_by(IN(Surface) surface, IN(Material) material, IN(Meeting) at, Bool b
   return sel(surface.both.passes, Float(0.0f), turned * turned);
 }
 
-Surface seen_surface(Vec3 direction, IN(Meeting) at, IN(Interface) both, IN(Material) material) {
-  Surface surface = surface_at(direction, at, both, material);
-  if (u.has_walls != 0) {
-    if (any_lane(material.thin)) make_wall(surface, material, direction, surface.normal);
-  }
-  return surface;
-}
-
 // What comes by the weaker way from a surface, of which there is a share.
 Vec3 weaker_way(IN(Surface) surface, IN(Material) material, Vec3 direction, Bool stronger_is_mirrored) {
   Vec3 other = direction_behind(surface, direction, !stronger_is_mirrored);
@@ -69,7 +61,7 @@ void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, 
   Interface both = interface_at(sight.media, at, triangle, material);
   both.passes = both.passes || straight;
   Vec3 before = sight.ray.direction;
-  Surface surface = seen_surface(before, at, both, material);
+  Surface surface = smooth_surface(before, at, both, material);
   Bool back = most_is_mirrored(surface, material, surface.mirrored > 0.5f);
   sight.ray = ray_from(at.point, direction_behind(surface, before, back));
   sight.own = at.number;
@@ -184,7 +176,7 @@ Ways ways_from(IN(Front) drawn, Bool seen) {
   if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
   Vec3 sight = sight_to(front.at.point);
   Interface both = interface_at(Vec4(u.eye_media), front.at, front.triangle, front.material);
-  Surface surface = seen_surface(sight, front.at, both, front.material);
+  Surface surface = smooth_surface(sight, front.at, both, front.material);
   Sight back;
   back.ray = ray_from(front.at.point, direction_behind(surface, sight, Bool(true)));
   back.own = front.at.number;

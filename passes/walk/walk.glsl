@@ -68,6 +68,7 @@ OUTPUT(7, Vec4, landing_medium)
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
 #include "passes/shared/microfacets.glsl"
+#include "passes/shared/smooth_surface.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/hierarchy.glsl"
 #include "passes/shared/hit_texel.glsl"

@@ -49,30 +49,7 @@ void add_reflections(const Settings& settings, Effects& effects) {
   add(true, "what refractors mirror throws a caustic, as asked for");
 }
 
-// Each branch once for each way through rough glass; through smooth glass there is one. Their microfacets are
-// the first points of a sequence that fills four dimensions evenly (Roberts 2018: powers of 1 /
-// 1.16730397826, the root of x^5 = x + 1).
-std::vector<Branch> by_microfacets(const std::vector<Branch>& smooth, int ways) {
-  constexpr double kSteps[4] = {0.856674883854502, 0.733891856627126, 0.628706721037855, 0.538597257223616};
-  std::vector<Branch> branches;
-  for (const Branch& branch : smooth)
-    for (int way = 1; way <= ways; ++way) {
-      Branch rough = branch;
-      rough.name += (branch.name.empty() ? "way " : " way ") + std::to_string(way);
-      rough.color /= static_cast<float>(ways);
-      rough.smooth = way == 1 ? static_cast<float>(ways) : 0.0f;
-      for (int i = 0; i < 4; ++i) {
-        const double place = way * kSteps[i];
-        rough.facets[i] = place - std::floor(place);
-      }
-      branches.push_back(rough);
-    }
-  return branches;
-}
-
-}  // namespace
-
-std::vector<Branch> branches_by_color(const Settings& settings, const Effects& effects) {
+std::vector<Branch> branches_of(const Settings& settings, const Effects& effects) {
   std::vector<Branch> branches;
   if (effects.dispersion.active) {
     for (const Wavelength& w :
@@ -82,15 +59,6 @@ std::vector<Branch> branches_by_color(const Settings& settings, const Effects& e
   } else {
     branches.push_back({});
   }
-  return branches;
-}
-
-namespace {
-
-std::vector<Branch> branches_of(const Settings& settings, const Effects& effects) {
-  std::vector<Branch> branches = branches_by_color(settings, effects);
-  if (effects.rough_glass.active && effects.caustics.active)
-    branches = by_microfacets(branches, ways_through_rough_glass(settings));
   if (effects.reflections.active) branches.push_back({.name = "reflected", .reflected = true});
   return branches;
 }
@@ -99,12 +67,10 @@ std::vector<Branch> branches_of(const Settings& settings, const Effects& effects
 
 bool all_light_is_spread(const Effects& effects) {
   if (all_sizes_are_drawn(effects)) return true;
-  return effects.rough_glass.active &&
+  return effects.rough_glass.active && effects.further_surfaces.active &&
          std::all_of(effects.surfaces.begin(), effects.surfaces.end(),
                      [](const SurfaceRole& s) { return !is_caster(s.role) || s.rough; });
 }
-
-int ways_through_rough_glass(const Settings& settings) { return (settings.light_samples + 1) / 2; }
 
 void add_branches(const Scene& scene, const Settings& settings, Effects& effects) {
   add_dispersion(scene, settings, effects);

@@ -4,13 +4,7 @@
 
 namespace caustics {
 
-// Branches that each branch becomes where there is rough glass.
-int ways_through_rough_glass(const Settings& settings);
-
-// One for each wavelength that is simulated, or for all of them.
-std::vector<Branch> branches_by_color(const Settings& settings, const Effects& effects);
-
-// Is every caster rough glass?
+// Is light followed, and every caster rough glass?
 bool all_light_is_spread(const Effects& effects);
 
 // Adds the effects "dispersion" and "reflections" to those that are there already, and sets the branches.

@@ -273,15 +273,17 @@ void add_sub_pixels(const Settings& settings, Effects& effects) {
                                                  "pictures to look at"};
 }
 
-// Before the branches, which follow it.
+// Light through two surfaces is not spread: where it is not followed rough glass is as smooth for it.
 void add_rough_glass(const Settings& settings, Effects& effects) {
   const auto rough = static_cast<std::size_t>(std::count_if(effects.surfaces.begin(), effects.surfaces.end(),
                                                             [](const SurfaceRole& s) { return s.rough; }));
-  effects.rough_glass = {
-      rough > 0, rough > 0
-                     ? count(rough, "surface", "surfaces") + " of rough glass: light is spread over " +
-                           count(static_cast<std::size_t>(ways_through_rough_glass(settings)), "way", "ways")
-                     : "none in the scene"};
+  const bool followed = effects.further_surfaces.reason.empty() && settings.further_share < 1.0f;
+  effects.rough_glass = {rough > 0, rough == 0
+                                        ? "none in the scene"
+                                        : count(rough, "surface", "surfaces") + " of rough glass" +
+                                              (followed ? ": light is followed, and spread"
+                                                        : ": the view is blurred, but light is not "
+                                                          "followed, and goes as through smooth glass")};
 }
 
 }  // namespace
@@ -376,7 +378,6 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_blended(scene, effects);
   add_emitters(scene, effects);
   add_occlusion(scene, effects);
-  add_rough_glass(settings, effects);
   add_branches(scene, settings, effects);
   add_caustic_color(scene, effects);
   add_water_waves(scene, effects);
@@ -389,6 +390,7 @@ Effects effects_of(const Scene& scene, const Settings& settings, const View* cam
   add_paper_weights(settings, effects);
   effects.dim_lights = {false, "there are few lights"};
   effects.further_surfaces = {false, why_not_followed(settings, effects)};
+  add_rough_glass(settings, effects);
   add_camera(scene, camera, effects);
   add_ambient_occlusion(scene, settings, effects);
   return effects;

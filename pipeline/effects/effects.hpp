@@ -92,12 +92,6 @@ struct Branch {
   bool has_same_start() const { return mirrored_at >= 2 || drawn; }
   // Index of refraction: n_d + bend * (n_F - n_C). 0 at the d line.
   double bend = 0.0;
-  // Of rough glass: which microfacets it meets, 0..1 each: by where the light enters how steep and which way
-  // they lean, and likewise where it leaves (passes/shared/microfacets.glsl).
-  glm::dvec4 facets{0.0};
-  // Times its share that it has of the light onto smooth surfaces, which rough glass' first way follows for
-  // all of them; 0: none.
-  float smooth = 1.0f;
   glm::vec3 color{
       1.0f};  // its share of each channel; over the branches that are not reflected, all add up to 1
 };

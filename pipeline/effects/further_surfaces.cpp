@@ -50,6 +50,8 @@ std::string why_not_followed(const Settings& settings, const Effects& effects) {
 
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares) {
   const bool sizes = any_size_is_drawn(effects);
+  // Of rough glass all light goes other ways.
+  const bool spread = effects.rough_glass.active && settings.further_share < 1.0f;
   if (shares.empty() && !sizes) return effects;
   std::map<int, double> of_lights;
   for (const FurtherShare& found : shares) of_lights[found.light] += found.share * found.of_light;
@@ -61,21 +63,19 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   effects.further_shares = std::move(shares);
   const bool by_sight = seen > share;
   const bool enough = std::max(share, seen) > static_cast<double>(settings.further_share);
-  const bool active = enough || sizes;
+  const bool active = enough || sizes || spread;
   const std::string limit = percent(static_cast<double>(settings.further_share));
   effects.further_surfaces = {
       active, percent(std::max(share, seen)) + " of the light that " + (by_sight ? "is seen" : "lands") +
                   " goes other ways than through two surfaces, " + (enough ? "more than " : "no more than ") +
-                  limit + (sizes ? "; and a light has a size" : "")};
+                  limit + (sizes ? "; and a light has a size" : "") + (spread ? "; and glass is rough" : "")};
   if (!active) return effects;
   for (const FurtherShare& found : effects.further_shares)
     if (found.looks != glm::dvec3(0.0))
       effects.lights[static_cast<std::size_t>(found.light)].looks = found.looks;
   std::vector<Branch> branches;
   const bool parts = any_refractor(effects);
-  // Each vertex draws its own microfacets of rough glass, so that one way has all light.
-  for (const Branch& branch :
-       effects.rough_glass.active ? branches_by_color(settings, effects) : effects.branches)
+  for (const Branch& branch : effects.branches)
     if (!branch.reflected) {
       branches.push_back(branch);
       if (parts) add_parted(branch, std::min(settings.splits, settings.bounces), settings.drawn, branches);

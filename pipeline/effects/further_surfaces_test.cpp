@@ -76,16 +76,17 @@ TEST_CASE("further surfaces: light that hardly lands is followed where it is mos
                   .further_surfaces.active);
 }
 
-TEST_CASE("further surfaces: rough glass is followed by one way, which has all light") {
+TEST_CASE("further surfaces: light through rough glass is followed, however little goes other ways") {
   Effects effects = of_glass();
   effects.surfaces[0].rough = true;
   effects.rough_glass.active = true;
-  effects.branches = {{.name = "way 1", .color = glm::vec3(0.5f)},
-                      {.name = "way 2", .color = glm::vec3(0.5f)}};
-  const Effects found = followed(0, effects);
+  const std::vector<FurtherShare> none{{.light = 0, .mesh = 1, .share = 0.0, .of_light = 1.0}};
+  const Effects found = followed(0, effects, none);
   CHECK(names_of(found) == std::vector<std::string>{"", "drawn"});
-  CHECK(found.branches[0].color == glm::vec3(1.0f));
   CHECK(found.branches[0].spread);
+  Settings settings;
+  settings.further_share = 1.0f;
+  CHECK_FALSE(with_further_surfaces(effects, settings, none).further_surfaces.active);
 }
 
 TEST_CASE("further surfaces: nothing is drawn where it is not wanted") {

@@ -43,8 +43,7 @@ std::string no_samples(const Frame& frame) {
   const auto& sources = frame.scene.sources;
   const bool sized = std::any_of(sources.begin(), sources.end(),
                                  [](const Light& light) { return light.shape != LightShape::None; });
-  if (sized || frame.effects.emissive_lights.active || frame.effects.rough_glass.active) return {};
-  return "no light has a size, and no glass is rough";
+  return sized || frame.effects.emissive_lights.active ? "" : "no light has a size";
 }
 
 std::string no_dispersion(const Frame& frame) {

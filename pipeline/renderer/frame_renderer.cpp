@@ -51,8 +51,6 @@ PlannedFrame planned(Scene& scene, const Settings& asked, const Registry& regist
       shares = pilot.further_shares(frame.effects, settings, camera);
     frame.effects = with_further_surfaces(std::move(frame.effects), settings, shares);
     share_among_samples(scene, frame.effects);
-    if (asked.grid.automatic && frame.effects.rough_glass.active && !frame.effects.further_surfaces.active)
-      frame.settings.grid = all_light_is_spread(frame.effects) ? kGridOfSpreadLight : kGridBesideSpreadLight;
     frame.views = frame.effects.water_waves.active
                       ? fit_moving_views(scene, pilot.device(), frame.effects, settings, registry)
                       : pilot.fit(frame.effects, frame.settings, surveys);

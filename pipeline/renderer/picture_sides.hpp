@@ -15,10 +15,6 @@ bool chooses_sides(const Scene& scene, const Settings& settings);
 // The settings with sides that are given: those that are chosen by themselves stay at the least, 512.
 Settings with_least_sides(Settings settings);
 
-// Where all light is spread no caustic has a sharp edge, and the least map is enough. Of grid vertices, which
-// each way through two rough surfaces follows, this many a side; more where other casters stand beside it.
-inline constexpr int kGridOfSpreadLight = 256, kGridBesideSpreadLight = 384;
-
 // The same, with the least sides for which maps blur no more of the caustics' light over their edges, as the
 // camera sees them, than 0.4 %, or the largest that may be expected to take at most twice the time of the
 // least. `surveys` and `views` by Scene::lights. Lights that are drawn by several samples do not count: their

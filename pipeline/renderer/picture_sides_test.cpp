@@ -71,6 +71,8 @@ TEST_CASE("picture sides: where every caster is rough glass all light is spread"
   effects.surfaces = {{.role = Role::Receiver, .reason = ""},
                       {.role = Role::Refractor, .reason = "", .rough = true}};
   effects.rough_glass.active = true;
+  CHECK_FALSE(all_light_is_spread(effects));  // as long as light is not followed
+  effects.further_surfaces.active = true;
   CHECK(all_light_is_spread(effects));
   effects.surfaces.push_back({.role = Role::Mirror, .reason = ""});
   CHECK_FALSE(all_light_is_spread(effects));

@@ -191,8 +191,7 @@ constexpr Setting kTable[] = {
                   "side of caustic and receiver map; auto: 512 to 1280, as the picture shows sharp edges"),
     number<&S::shadow>("shadow", Part::Maps, {1, 8192, "texels"}, "side of the shadow map"),
     number<&S::light_samples>("light.samples", Part::Maps, {1, 256},
-                              "points by which a light with a size is drawn; half as many ways "
-                              "through rough glass"),
+                              "points by which a light with a size is drawn"),
     number<&S::least_light>("light.least", Part::Maps, {0, 1},
                             "of more than 16 lights, the weakest that together give less than this share of "
                             "the light on any caster throw no caustic"),

@@ -60,11 +60,7 @@ struct LandingBench {
   float bend = 0.0f;
   bool reflected = false;
   std::optional<glm::vec3> tint;  // the grid vertices' own colour, in place of `color`
-  float roughness = 0.0f;
   float transmitted = 1.0f;
-  glm::vec4 facets{0.0f};
-  bool beside_rough = false;  // other casters are rough glass
-  float smooth_light = 1.0f;
   bool wyman = false;
   bool solid = false;
   bool thin = false;      // a rough wall
@@ -110,7 +106,6 @@ struct LandingBench {
     image.at(0, 0, 1) = dispersion;
     image.at(0, 0, 3) = mirror ? 1.0f : thin ? -1.0f : 0.0f;
     image.at(1, 0, 3) = solid ? 1.0f : 0.0f;
-    image.at(2, 0, 3) = roughness;
     image.at(3, 0, 0) = transmitted;
     return image;
   }
@@ -130,11 +125,7 @@ struct LandingBench {
     u.channel_share = channel_share;
     u.bend = bend;
     u.grid_side = 2;
-    u.facets = facets;
-    u.rough_from = 0.2f;
-    u.has_rough = roughness > 0.2f || beside_rough;
     u.has_walls = thin;
-    u.smooth_light = smooth_light;
     u.receivers_lower = receivers_lower;
     u.receivers_upper = receivers_upper;
     u.paper_weights = paper_weights;

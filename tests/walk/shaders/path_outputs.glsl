@@ -22,6 +22,7 @@ OUTPUT(7, Vec4, absorbed)
 #include "passes/shared/interface.glsl"
 #include "passes/shared/surface.glsl"
 #include "passes/shared/microfacets.glsl"
+#include "passes/shared/smooth_surface.glsl"
 #include "passes/shared/rough_surface.glsl"
 #include "passes/shared/bend_light.glsl"
 
