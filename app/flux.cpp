@@ -3,7 +3,6 @@
 #include "app/output/light_groups.hpp"
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
-#include "pipeline/effects/bodies.hpp"
 #include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/pixel_side.hpp"

@@ -61,12 +61,17 @@ class ReferenceRun {
     loaded_ = load_scene(request_.frame);
     effects_ = effects_of(loaded_->scene(), request_.frame.settings);
     request_.trace.exact = exact_shapes(loaded_->scene(), request_.exact);
-    show_waters();
+    for (const Water& water : loaded_->scene().waters)
+      for (const tracer::ExactShape& shape : request_.trace.exact)
+        if (shape.mesh == water.mesh)
+          throw Error(ExitCode::WrongUsage,
+                      "--exact: " + in_quotes(water.name) + " is water that moves, and has no shape");
     progress_.show("what the camera sees");
     if (const std::string refusal =
             memory_refusal(bytes_needed(loaded_->scene(), request_.trace), request_.frame.budget(), "-r");
         !refusal.empty())
       throw Error(ExitCode::WrongUsage, refusal);
+    show_waters();
     tracer_ = std::make_unique<tracer::Tracer>(loaded_->scene(), effects_, loaded_->camera(), request_.trace);
     stop_if_interrupted();
     text_ = tracer::request_text(loaded_->scene(), effects_, loaded_->camera(), request_.trace);

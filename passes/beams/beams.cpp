@@ -7,7 +7,10 @@ namespace caustics {
 extern const Shader beams_shader;
 
 int goes_own_ways(const PassContext& context) {
-  return context.branch->drawn || context.branch->spread ? 1 : 0;
+  const Effects& effects = *context.effects;
+  const bool facets = effects.rough_glass.active && effects.further_surfaces.active;
+  const bool points = context.of_light && context.of_light->size_is_drawn;
+  return context.branch->drawn || facets || points ? 1 : 0;
 }
 
 Pass beams_pass() {

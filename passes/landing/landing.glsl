@@ -278,10 +278,15 @@ Vec3 let_through(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, Float a
   return passed;
 }
 
+// Is there one interface only, and water behind it, not air?
+Bool is_open(IN(Entry) entry) {
+  return !entry.material.solid && entry.at.front && !entry.material.mirror && u.is_reflection == 0;
+}
+
 Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(Landing) end) {
   // Through one interface only, the material reaches down to the receiver (water on its bed).
   Bool lands = exit.sent && end.hit.covered && end.lands;
-  Bool open = !entry.material.solid && entry.at.front && !entry.material.mirror && u.is_reflection == 0;
+  Bool open = is_open(entry);
   Float absorbing_length = sel(open, sel(lands, end.flight, Float(0.0f)), exit.inside_length);
   Vec3 passed = let_through(entry, first, exit, absorbing_length);
   // Shah et al. 2007, eq. 6 and 7: N.L of it, and no Fresnel.
@@ -306,9 +311,8 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
 
 #ifdef HAZE
 // What the air takes before the caster; then on the way from it to the landing, or out of the medium.
-void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing) end,
-              INOUT(Account) account) {
-  Vec3 arriving = transmittance(Vec3(u.medium.extinction), air_before(entry_point, light_direction));
+void book_air(IN(Entry) entry, Vec3 light_direction, IN(Exit) exit, IN(Landing) end, INOUT(Account) account) {
+  Vec3 arriving = transmittance(Vec3(u.medium.extinction), air_before(entry.at.point, light_direction));
   Vec3 taken = Vec3(account.entered) - arriving * account.entered;
   account.mirrored = account.mirrored * arriving;
   account.absorbed = account.absorbed * arriving;
@@ -321,7 +325,8 @@ void book_air(Vec3 entry_point, Vec3 light_direction, IN(Exit) exit, IN(Landing)
   account.leaving = account.leaving * arriving;
   Float way_out = medium_exit(u.medium, exit.ray);
   Bool meets = end.hit.inside && end.hit.covered && end.lands;
-  account.air_way = sel(exit.sent, sel(meets, min_of(end.flight, way_out), way_out), Float(0.0f));
+  Bool in_air = exit.sent && !is_open(entry);
+  account.air_way = sel(in_air, sel(meets, min_of(end.flight, way_out), way_out), Float(0.0f));
   account.carried = account.leaving * transmittance(Vec3(u.medium.extinction), account.air_way);
   account.taken = taken + (account.leaving - account.carried);
 }
@@ -387,7 +392,7 @@ void follow(IN(Entry) entry) {
     account.carried = left;
   }
 #ifdef HAZE
-  book_air(entry.at.point, light.direction, exit, end, account);
+  book_air(entry, light.direction, exit, end, account);
 #endif
   Float status = status_of(entry, exit, end, account);
 

@@ -127,7 +127,7 @@ struct Front {
   Material material;
 };
 
-// Moving water is not in the hierarchy: what the view shows of it is all that there is.
+// Water whose light is not followed is in no hierarchy: what the view shows of it is all that there is.
 void be_no_triangle(INOUT(CasterTriangle) triangle, Bool is_none, Int row) {
   Vec3 none = Vec3(0.0f);
   triangle.edge1 = sel(is_none, none, triangle.edge1);

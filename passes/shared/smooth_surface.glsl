@@ -1,5 +1,5 @@
-// A surface whose microfacets do not spread what comes: as sight meets it, whose picture is blurred later, and
-// light that is followed through two surfaces. Needs surface.glsl, and the uniform has_walls.
+// A surface whose microfacets do not spread what comes: as sight meets it, whose picture is blurred later, as
+// light meets it that goes through two surfaces. Needs surface.glsl, and the uniform has_walls.
 
 // Light along d at a rough wall without thickness: what passes leaves as its facet would mirror it, on the
 // other side (glTF, KHR_materials_transmission); both faces together mirror 2 r / (1 + r). n, facet: unit,

@@ -1,6 +1,6 @@
 // Light from a source with a size, at a grid vertex: from a point of it that is the vertex' own. Needs
 // axes_across.glsl, cone_falloff.glsl, grid_light.glsl, light_path.glsl, microfacets.glsl, refraction.glsl,
-// and the uniforms // light_middle, light_width, light_height, light_radius and light_shape.
+// and the uniforms light_middle, light_width, light_height, light_radius and light_shape.
 
 // A point of a disk of radius 1.
 Vec2 on_disk(Float share, Float turn) {

@@ -19,11 +19,12 @@ Record empty_record(Int column, Int row) {
   record.weight = Float(0.0f);
   record.all = Float(0.0f);
   Float inverse = Float(1.0f) / Float(float(u.vertices_per_beam));
-  record.draw = first_draw(floor((Float(column) + 0.5f) * inverse), floor((Float(row) + 0.5f) * inverse));
+  Float draw = first_draw(floor((Float(column) + 0.5f) * inverse), floor((Float(row) + 0.5f) * inverse));
+  record.draw = below_4093(draw * 1237.0f);  // other numbers than those by which light parts
   return record;
 }
 
-Bool is_empty(IN(Record) record) { return Bool(false); }
+Bool is_discarded(IN(Record) record) { return Bool(false); }
 
 // The next stretch, as long as the medium reaches. `wanted`: it is this branch's, and another one's not.
 void record_stretch(INOUT(Record) record, IN(LightPath) path, Float metres, Bool wanted) {

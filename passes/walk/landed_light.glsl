@@ -13,7 +13,7 @@ Record empty_record(Int column, Int row) {
   return record;
 }
 
-Bool is_empty(IN(Record) record) { return !record.ended; }
+Bool is_discarded(IN(Record) record) { return !record.ended; }
 
 // Of a light's branches one books what is taken before the caster: by panes, of all channels but the
 // brightest, and by the air.

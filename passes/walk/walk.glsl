@@ -135,9 +135,10 @@ void come_to_caster(INOUT(Arrival) here, INOUT(Record) record) {
   Vec3 by_air = Vec3(0.0f);
 #ifdef HAZE
   Float way = air_before(here.at.point, here.path.ray.direction);
-  Vec3 arriving = here.path.flux * medium_transmittance(u.medium, way);
-  by_air = here.path.flux - arriving;
-  here.path.flux = arriving;
+  Vec3 left = medium_transmittance(u.medium, way);
+  by_air = here.path.flux - here.path.flux * left;
+  here.path.flux = here.path.flux * left;
+  here.path.whole = here.path.whole * max_of(max_of(left.x, left.y), left.z);
 #endif
   record_entry(record, by_panes, by_air);
 }
@@ -174,6 +175,6 @@ void main() {
     if (any_lane(under_way)) go_on(here, hit, under_way);
   }
   write(record, entered);
-  discard_if(is_empty(record));
+  discard_if(is_discarded(record));
 }
 #endif

@@ -245,7 +245,7 @@ void add_hidden_receivers(const Settings& settings, Effects& effects) {
                                   [](const LightEffects& light) { return light.all_around.empty(); });
   const bool plane = effects.receivers_are_one_plane;
   const bool active = effects.caustics.active && settings.hidden_receivers && !settings.draw_unconverged &&
-                      !plane && window && !effects.medium.active && settings.estimator != Estimator::Impostor;
+                      !plane && window && settings.estimator != Estimator::Impostor;
   effects.hidden_receivers = {
       active, active                       ? "receivers can hide others from a light"
               : !effects.caustics.active   ? "there is no caustic"
@@ -253,8 +253,7 @@ void add_hidden_receivers(const Settings& settings, Effects& effects) {
               : !settings.hidden_receivers ? "not asked for"
               : settings.draw_unconverged  ? "what has not converged is drawn where its search stopped"
               : settings.estimator == Estimator::Impostor ? "impostors see around the casters"
-              : !window                                   ? "the lights see all around"
-                                                          : "not simulated in a medium"};
+                                                          : "the lights see all around"};
 }
 
 void add_paper_weights(const Settings& settings, Effects& effects) {

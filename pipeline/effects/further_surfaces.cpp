@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "pipeline/effects/bodies.hpp"
 #include "pipeline/effects/branches.hpp"
 #include "pipeline/effects/drawn_sizes.hpp"
 #include "pipeline/gpu/text.hpp"
@@ -52,7 +51,10 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   const bool sizes = any_size_is_drawn(effects);
   // Of rough glass all light goes other ways.
   const bool spread = effects.rough_glass.active && settings.further_share < 1.0f;
-  if (shares.empty() && !sizes) return effects;
+  if (shares.empty() && !sizes) {
+    if (may_be_followed(effects)) effects.further_surfaces.reason = "none of the casters' light lands";
+    return effects;
+  }
   std::map<int, double> of_lights;
   for (const FurtherShare& found : shares) of_lights[found.light] += found.share * found.of_light;
   double share = 0.0, seen = 0.0;

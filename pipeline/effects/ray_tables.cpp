@@ -231,7 +231,8 @@ CasterTexels RayTables::upload_texels(const Effects& effects) {
       add_once(images, material.transmission_texture);
       if (is_caster(role)) add_once(images, material.normal_texture);
     } else if (role == Role::Receiver && receivers_are_dressed(effects)) {
-      const bool cut = effects.cut_out_receivers.active && cutoff_of(material, role) > 0.0f;
+      const bool cut = effects.cut_out_receivers.active &&
+                       (material.alpha_mode == AlphaMode::Mask || effects.surfaces[i].blended);
       add_once(cut ? images : coarse, material.base_color_texture);
       add_once(coarse, material.emissive_texture);
     }

@@ -137,7 +137,9 @@ void add_textured_casters(const Scene& scene, const Settings& settings, Effects&
       use_of(scene, settings, effects, [](const Material& material, const SurfaceRole& surface) {
         return surface.role == Role::Receiver && cut_out(material, surface);
       });
-  effects.cut_out_receivers = effect_of(holes, "an alpha mask cuts holes, which let light straight through");
+  effects.cut_out_receivers = effect_of(
+      holes,
+      "what an alpha mask cuts out, or alphaMode BLEND does not cover whole, lets followed light through");
   effects.textured_receivers = effect_of(receivers, "glass shows its texture where the picture does not");
   for (std::size_t i = 0; i < scene.meshes.size() && !effects.textured_receivers.active; ++i)
     if (effects.surfaces[i].role == Role::Receiver && !scene.meshes[i].colors.empty())

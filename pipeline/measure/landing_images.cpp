@@ -41,6 +41,7 @@ void merge_far(BranchImages& images, const BranchImages& far) {
   for (ImageView BranchImages::*image :
        {&BranchImages::flux, &BranchImages::fresnel, &BranchImages::absorbed, &BranchImages::landing})
     images.*image = merged(images.*image, far.*image, far.landing);
+  if (!far.medium.values.empty()) images.medium = merged(images.medium, far.medium, far.landing);
   if (!far.cell_flux.values.empty())
     images.cell_flux = merged(images.cell_flux, far.cell_flux, far.cell_flux);
 }
@@ -63,9 +64,11 @@ BranchImages images_of_branch(int light, const Branch& branch, const HasTexture&
                       if_any(kLandingFootprint)};
   if (!has(branch_texture(far_texture(kLanding), light, branch))) return images;
   const auto far = [&](const char* name) { return own(far_texture(name).c_str()); };
-  const bool cells = has(branch_texture(far_texture(kCellFlux), light, branch));
+  const auto far_if_any = [&](const char* name) {
+    return has(branch_texture(far_texture(name), light, branch)) ? far(name) : ImageView{};
+  };
   merge_far(images, {branch, far(kLanding), far(kLandingFlux), far(kLandingFresnel), far(kLandingAbsorbed),
-                     cells ? far(kCellFlux) : ImageView{}, ImageView{}, ImageView{}});
+                     far_if_any(kCellFlux), far_if_any(kLandingMedium), ImageView{}});
   return images;
 }
 
@@ -99,10 +102,10 @@ std::vector<CellImages> cell_images(int light, const std::vector<Branch>& branch
 }
 
 std::vector<std::string> ledger_textures() {
-  std::vector<std::string> textures{kCasterPosition,   kCasterNormal, kLandingMedium,
-                                    kLandingFootprint, kCascadeMap,   kViewPosition};
-  for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kCellNear, kCellFar,
-                           kCellFlux, kCausticMap}) {
+  std::vector<std::string> textures{kCasterPosition, kCasterNormal, kLandingFootprint, kCascadeMap,
+                                    kViewPosition};
+  for (const char* name : {kLanding, kLandingFlux, kLandingFresnel, kLandingAbsorbed, kLandingMedium,
+                           kCellNear, kCellFar, kCellFlux, kCausticMap}) {
     textures.emplace_back(name);
     textures.push_back(far_texture(name));
   }

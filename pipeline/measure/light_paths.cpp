@@ -266,6 +266,7 @@ class LightPaths::Following {
       if (!is_caster(paths_.effects_.surfaces[static_cast<std::size_t>(mesh)].role))
         return pass_pane(part, met);
       part.first = mesh;
+      part.whole = largest(part.flux);
     }
     if (receiver) return land(part, met, mesh);
     if (part.astray) return pass_straight(part, met, false);

@@ -78,13 +78,10 @@ TEST_CASE("far receivers: only what has not landed before is followed again") {
   CHECK(again > 20);
 }
 
-TEST_CASE("far receivers: receivers in one plane, haze and impostors do without") {
+TEST_CASE("far receivers: receivers in one plane, and impostors, do without") {
   Settings settings;
   CHECK_FALSE(effects_of(sphere_above(false), settings).hidden_receivers.active);
   CHECK(effects_of(sphere_above(true), settings).hidden_receivers.active);
-  Scene hazy = sphere_above(true);
-  hazy.medium.scattering = glm::vec3(0.1f);
-  CHECK_FALSE(effects_of(hazy, settings).hidden_receivers.active);
   settings.estimator = Estimator::Impostor;
   CHECK_FALSE(effects_of(sphere_above(true), settings).hidden_receivers.active);
 }

@@ -79,10 +79,10 @@ bool is_dressed(const Material& material) {
 }
 
 bool is_cut_out(const Scene& scene, const Material& material, const glm::dvec2& uv) {
-  if (material.alpha_mode != AlphaMode::Mask) return false;
+  const float opaque = opaque_from(material);
   const double opacity =
       static_cast<double>(material.base_color.a) * sampled(scene, material.base_color_texture, uv, true).w;
-  return opacity < static_cast<double>(material.alpha_cutoff);
+  return opaque > 0.0f && opacity < static_cast<double>(opaque);
 }
 
 double opacity_at(const Scene& scene, const Material& material, const glm::dvec2& uv) {

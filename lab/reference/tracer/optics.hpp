@@ -29,7 +29,8 @@ std::vector<Optics> optics_of(const Scene& scene, const Effects& effects);
 // Does the material have textures that change what light does at a caster?
 bool is_dressed(const Material& material);
 
-// Is the surface cut out there by its alpha mask (glTF 2.0, 3.9.4)? By the nearest texel, as `render` has it.
+// Is the surface cut out there by its alpha mask (glTF 2.0, 3.9.4), or of alphaMode BLEND not opaque? By the
+// nearest texel, as `render` has it.
 bool is_cut_out(const Scene& scene, const Material& material, const glm::dvec2& uv);
 // The share that a material of alphaMode BLEND covers there.
 double opacity_at(const Scene& scene, const Material& material, const glm::dvec2& uv);

@@ -1,13 +1,10 @@
 #include "lab/reference/tracer/rays.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
-#include "lab/reference/tracer/numbers.hpp"
 #include "lab/reference/tracer/optics.hpp"
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
@@ -25,13 +22,6 @@ namespace {
 
 // That a ray passes one behind the other, at most.
 constexpr int kMostHoles = 256;
-
-// In [0, 1): what a place draws.
-double drawn_by(const glm::dvec3& p) {
-  Numbers numbers(std::bit_cast<std::uint64_t>(p.x) ^ mixed(std::bit_cast<std::uint64_t>(p.y)),
-                  std::bit_cast<std::uint64_t>(p.z));
-  return numbers.next();
-}
 
 const Material& material_of(const Scene& scene, int mesh) {
   const int material = scene.meshes[static_cast<std::size_t>(mesh)].material;
@@ -208,9 +198,7 @@ RaySet::RaySet(const Scene& scene, const std::vector<int>& meshes, const std::ve
     : scene_(&scene), exact_(exact), dressed_(dressed) {
   for (const int m : meshes)
     if (!scene.meshes[static_cast<std::size_t>(m)].indices.empty()) meshes_.push_back(m);
-  for (const int m : meshes_)
-    has_holes_ |=
-        !scene.materials.empty() && (material_of(scene, m).alpha_mode == AlphaMode::Mask || covers(m));
+  for (const int m : meshes_) has_holes_ |= !scene.materials.empty() && may_have_holes(m);
   if (meshes_.empty()) return;
   const PlainFloats plain;  // committing changes the mode, and is trusted to put it back only so far
   handles_ = std::make_unique<Handles>();
@@ -273,15 +261,14 @@ RaySet::~RaySet() = default;
 RaySet::RaySet(RaySet&&) noexcept = default;
 RaySet& RaySet::operator=(RaySet&&) noexcept = default;
 
-bool RaySet::covers(int mesh) const {
-  return !dressed_ && material_of(*scene_, mesh).alpha_mode == AlphaMode::Blend;
+bool RaySet::may_have_holes(int mesh) const {
+  const AlphaMode mode = material_of(*scene_, mesh).alpha_mode;
+  return mode == AlphaMode::Mask || (mode == AlphaMode::Blend && !dressed_);
 }
 
 bool RaySet::is_hole(const SurfaceHit& hit) const {
-  if (!has_holes_ || hit.triangle < 0) return false;
-  const Material& material = material_of(*scene_, hit.mesh);
-  if (covers(hit.mesh)) return drawn_by(hit.position) >= opacity_at(*scene_, material, hit.uv);
-  return is_cut_out(*scene_, material, hit.uv);
+  return has_holes_ && hit.triangle >= 0 && may_have_holes(hit.mesh) &&
+         is_cut_out(*scene_, material_of(*scene_, hit.mesh), hit.uv);
 }
 
 std::optional<SurfaceHit> RaySet::nearest(const Ray& ray, double from, double to) const {

@@ -32,8 +32,8 @@ class RaySet {
  public:
   // Of these meshes; the scene must outlive the set and keep its vertices. No meshes are fine: nothing is
   // hit. Those in `exact` are traced as the shapes given there; a hit's triangle is -1 then. `dressed`: their
-  // textures lean normals. Rays pass the holes that alpha masks cut, and of surfaces that are not dressed,
-  // and blended, as many as their opacity lets through.
+  // textures lean normals. Rays pass the holes that alpha masks cut, and of blended surfaces that are not
+  // dressed all that is not opaque.
   RaySet(const Scene& scene, const std::vector<int>& meshes, const std::vector<ExactShape>& exact = {},
          bool dressed = false);
   ~RaySet();
@@ -49,8 +49,7 @@ class RaySet {
   struct Handles;
   std::optional<SurfaceHit> nearest_surface(const Ray& ray, double from, double to) const;
   bool is_hole(const SurfaceHit& hit) const;
-  // Is it a receiver of which a share lets rays through, as its opacity says?
-  bool covers(int mesh) const;
+  bool may_have_holes(int mesh) const;
   SurfaceHit met_again(const Ray& ray, int mesh, int triangle, double distance) const;
   const ExactShape* shape_of(int mesh) const;
 

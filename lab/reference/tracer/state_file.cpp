@@ -50,7 +50,11 @@ std::string meshes_text(const Scene& scene, const Effects& effects) {
   }
   for (const Material& m : scene.materials)
     d << m.base_color << m.metallic << m.roughness << m.transmission << m.ior << m.thickness
-      << m.attenuation_color << m.attenuation_distance << m.dispersion << m.double_sided;
+      << m.attenuation_color << m.attenuation_distance << m.dispersion << m.double_sided << m.alpha_mode
+      << m.alpha_cutoff << m.fresnel_factor << m.normal_scale;
+  for (const Image& image : scene.images) d.block(image.values);
+  const Bounds box = medium_bounds(scene);
+  d << scene.medium.scattering << scene.medium.absorption << box.lower << box.upper;
   return d.text();
 }
 

@@ -6,8 +6,6 @@
 #include "lab/reference/closed_forms.hpp"
 #include "lab/reference/tracer/paths_common.hpp"
 #include "lab/reference/tracer/touching.hpp"
-#include "pipeline/effects/bodies.hpp"
-#include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics::tracer {
@@ -42,7 +40,11 @@ World::World(const Scene& scene, const Effects& effects, const std::vector<Exact
   nearest_ = 2e-6 * size_;
   if (scene.medium.present()) medium_ = medium_bounds(scene);
   overlapping_ = with_overlaps(scene, optics_, 2.0 * nearest_);
-  panes_ = RaySet(scene, meshes_with(optics_, -1, is_pane), {}, true);
+  std::vector<int> panes = meshes_with(optics_, -1, is_pane);
+  for (int m = 0; m < static_cast<int>(optics_.size()); ++m)
+    if (optics(m).role == Role::Receiver && effects.surfaces[static_cast<std::size_t>(m)].blended)
+      panes.push_back(m);
+  panes_ = RaySet(scene, panes, {}, true);
   walls_ =
       RaySet(scene, meshes_with(optics_, -1, [](Role role) { return role == Role::ThinPane; }), {}, true);
   sets_.push_back(set_without(-1));
@@ -77,7 +79,7 @@ glm::dvec3 World::through_panes(const Ray& ray, double distance) const {
             .materials[static_cast<std::size_t>(scene_.meshes[static_cast<std::size_t>(hit->mesh)].material)];
     from = std::max(hit->distance, from) * (1.0 + 1e-6) + nearest_;
     const Optics pane = optics_at(*hit);
-    if (pane.role == Role::Blended) {
+    if (is_diffuse(pane.role)) {
       left *= 1.0 - opacity_at(scene_, m, hit->uv);
       continue;
     }
