@@ -14,7 +14,7 @@ Rendering map_below(float roughness, bool sheet, float further_share) {
   Scene scene = sphere_scene(1.5f, 4);
   if (sheet) scene.meshes[1] = floor(0.4, 0.3, 1);
   scene.materials[1].roughness = roughness;
-  Settings settings = small_settings(96, 64, 32);
+  Settings settings = small_settings(96, 256, 32);
   settings.further_share = further_share;
   settings.cascades = false;
   settings.splits = 0;
