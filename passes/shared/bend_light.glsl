@@ -20,7 +20,9 @@ struct BentLight {
   Bool drawn_back;  // it is mirrored where others go through, as has been drawn
   Vec3 booked;    // what is mirrored or let through, and nobody follows
   Vec3 absorbed;
+#ifdef HAZE
   Vec3 taken_by_air;
+#endif
 };
 
 void widen(INOUT(LightPath) path, Float wider) {
@@ -178,10 +180,12 @@ BentLight bend_light(IN(LightPath) before, IN(Meeting) at, IN(CasterTriangle) tr
   bent.booked = way.booked;
   bent.drawn_back = Bool(u.draws != 0) && way.is_mirrored && !surface.one_way;
   Vec3 absorbed = way.flux - bent.path.flux;
+#ifdef HAZE
   Bool in_air = is_in_air(before.media.x);
-  Bool on_the_way = !turn.mirrored && before.parted;
-  absorbed = sel(on_the_way && !in_air, absorbed + taken, absorbed);
+  bent.taken_by_air = sel(!turn.mirrored && before.parted && in_air, taken, Vec3(0.0f));
+  taken = sel(in_air, Vec3(0.0f), taken);
+#endif
+  absorbed = sel(turn.mirrored || !before.parted, absorbed, absorbed + taken);
   bent.absorbed = sel(bent.path.parted, absorbed, Vec3(0.0f));
-  bent.taken_by_air = sel(on_the_way && in_air, taken, Vec3(0.0f));
   return bent;
 }

@@ -8,7 +8,9 @@ struct LandedLight {
   Vec3 flux;
   Vec3 fresnel;
   Vec3 absorbed;
+#ifdef HAZE
   Vec3 taken_by_air;
+#endif
   Float path;
   Vec4 footprint;
 };
@@ -19,7 +21,9 @@ LandedLight nothing_landed() {
   landed.flux = Vec3(0.0f);
   landed.fresnel = Vec3(0.0f);
   landed.absorbed = Vec3(0.0f);
+#ifdef HAZE
   landed.taken_by_air = Vec3(0.0f);
+#endif
   landed.path = Float(0.0f);
   landed.footprint = Vec4(0.0f);
   return landed;
@@ -87,9 +91,13 @@ Vec2 step_in_map(IN(LightPath) path, IN(PathEnd) end, Vec3 plane, Vec3 moved) {
 // What is left of light at its end. Water on its bed takes its part down to the landing, and the air its own,
 // also of light that lands nowhere.
 Vec3 carried_to(IN(PathEnd) end, IN(LightPath) path) {
+#ifdef HAZE
   Bool in_air = is_in_air(path.media.x) && !end.given_up;
   Vec3 left = left_on_way(path.ray, path.media.x, sel(end.lands, end.flight, Float(1.0e30f)));
   return path.flux * sel(end.lands || in_air, left, Vec3(1.0f));
+#else
+  return path.flux * sel(end.lands, left_by(path.media.x, end.flight), Vec3(1.0f));
+#endif
 }
 
 // `hit`: what lies ahead; `was_ended`: the light is followed no further; `lands`: only such light does.
@@ -107,9 +115,12 @@ void land_light(IN(LightPath) path, Vec4 hit, Bool was_ended, Bool lands, INOUT(
   landed.at = sel(lands, Vec4(end.point, status), landed.at);
   landed.flux = sel(lands, carried * share, landed.flux);
   Vec3 taken = (path.flux - carried) * share;
+#ifdef HAZE
   Bool in_air = is_in_air(path.media.x);
-  landed.absorbed = sel(lands && !in_air, landed.absorbed + taken, landed.absorbed);
-  landed.taken_by_air = sel(lands && in_air, landed.taken_by_air + taken, landed.taken_by_air);
+  landed.taken_by_air = sel(lands && in_air, taken + landed.taken_by_air, landed.taken_by_air);
+  taken = sel(in_air, Vec3(0.0f), taken);
+#endif
+  landed.absorbed = sel(lands, taken + landed.absorbed, landed.absorbed);
   landed.path = sel(lands, path.path, landed.path);
   landed.footprint = sel(lands, footprint, landed.footprint);
   TRACE(landing_point, end.point);

@@ -19,8 +19,10 @@ Bool is_discarded(IN(Record) record) { return !record.ended; }
 // brightest, and by the air.
 void record_entry(INOUT(Record) record, Vec3 by_panes, Vec3 by_air) {
   Vec3 share = sel(Bool(u.mirrored_at == 0 && u.draws == 0), Vec3(u.channel_share), Vec3(0.0f));
-  record.landed.absorbed = by_panes * share;
+  if (u.is_tinted != 0) record.landed.absorbed = by_panes * share;
+#ifdef HAZE
   record.landed.taken_by_air = by_air * share;
+#endif
 }
 
 void record_stretch(INOUT(Record) record, IN(LightPath) path, Float metres, Bool wanted) {}
@@ -31,7 +33,9 @@ void record_surface(INOUT(Record) record, IN(BentLight) bent, Bool goes) {
   LandedLight landed = record.landed;
   landed.fresnel = sel(goes, bent.booked * share + landed.fresnel, landed.fresnel);
   landed.absorbed = sel(goes, bent.absorbed * share + landed.absorbed, landed.absorbed);
+#ifdef HAZE
   landed.taken_by_air = sel(goes, bent.taken_by_air * share + landed.taken_by_air, landed.taken_by_air);
+#endif
   record.landed = landed;
 }
 
