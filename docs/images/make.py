@@ -77,6 +77,7 @@ PASSES = {  # pass: (dump, the instances shown)
     'ambient_rays': ('step', ['ambient_rays']),
     'average_samples': ('smooth', ['average_samples.sample 1', 'average_samples.sample 4']),
     'beams': ('lens', ['beams[sun]']),
+    'stretches': ('lens', ['stretches[sun]']),
     'caster_exit_map': ('sphere', ['caster_exit_map[sun]']),
     'caster_flux': ('paper', ['caster_flux[sun]']),
     'caster_map': ('sphere', ['caster_map[sun]']),
