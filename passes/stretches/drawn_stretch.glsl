@@ -3,7 +3,7 @@
 // absorption.glsl, light_path.glsl, medium_optics.glsl and way_draw.glsl.
 struct Record {
   Ray ray;
-  Float length;  // metres
+  Float metres;
   Vec3 flux;
   Float weight;  // its light times its length; 0: there is none
   Float all;     // likewise of all stretches so far
@@ -14,7 +14,7 @@ struct Record {
 Record empty_record(Int column, Int row) {
   Record record;
   record.ray = ray_from(Vec3(0.0f), Vec3(0.0f));
-  record.length = Float(0.0f);
+  record.metres = Float(0.0f);
   record.flux = Vec3(0.0f);
   record.weight = Float(0.0f);
   record.all = Float(0.0f);
@@ -28,16 +28,16 @@ Bool is_discarded(IN(Record) record) { return Bool(false); }
 
 // The next stretch, as long as the medium reaches. `wanted`: it is this branch's, and another one's not.
 void record_stretch(INOUT(Record) record, IN(LightPath) path, Float metres, Bool wanted) {
-  Float length = min_of(metres, medium_exit(u.medium, path.ray));
+  Float in_air = min_of(metres, medium_exit(u.medium, path.ray));
   Float most = max_of(max_of(path.flux.x, path.flux.y), path.flux.z);
-  Float weight = sel(wanted && is_in_air(path.media.x), most * length, Float(0.0f));
+  Float weight = sel(wanted && is_in_air(path.media.x), most * in_air, Float(0.0f));
   Bool counts = weight > 0.0f;
   record.all = record.all + weight;
   record.draw = sel(counts, next_draw(record.draw), record.draw);
   Bool takes = counts && drawn_share(record.draw) * record.all < weight;
   record.ray = ray_from(sel(takes, path.ray.start, record.ray.start),
                         sel(takes, path.ray.direction, record.ray.direction));
-  record.length = sel(takes, length, record.length);
+  record.metres = sel(takes, in_air, record.metres);
   record.flux = sel(takes, path.flux, record.flux);
   record.weight = sel(takes, weight, record.weight);
 }
@@ -54,7 +54,7 @@ void record_hit(Vec4 hit) {}
 void write(IN(Record) record, Float entered) {
   Bool any = record.weight > 0.0f;
   Vec3 flux = record.flux * (record.all / sel(any, record.weight, Float(1.0f)));
-  stretch_start = sel(any, Vec4(record.ray.start, record.length), Vec4(0.0f));
+  stretch_start = sel(any, Vec4(record.ray.start, record.metres), Vec4(0.0f));
   stretch_way = sel(any, Vec4(record.ray.direction, Float(1.0f)), Vec4(0.0f));
   stretch_flux = sel(any, Vec4(flux * Vec3(u.channel_share), Float(0.0f)), Vec4(0.0f));
 }
