@@ -84,6 +84,8 @@ def complaints(faults):
         begin = source.index(fault.text)
         is_statement = fault.choice().startswith('if')
         is_operand = re.search(r'(\breturn|[=,?({])\s*$', source[:begin])
+        if re.search(r'_of\([-\d.ef]+, [-\d.ef]+\)', fault.fault):
+            complain('a function of two numbers is ambiguous where lanes are wide')
         if not is_statement and not fault.fault.strip():
             complain('nothing cannot take the place of an expression')
         if is_statement and is_operand and not source[:begin].rstrip().endswith('{'):
