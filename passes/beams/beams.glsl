@@ -34,7 +34,7 @@ void main() {
       Bool counts = weight > 0.0f;
       flux = flux + sel(counts, carried, Vec3(0.0f));
       sum = sum + weight;
-      // What takes the place of what was found so far, or is added to it.
+      // This vertex' way replaces the one that was drawn so far, or is added to the mean.
       draw = next_draw(draw);
       Bool replaces = u.draws != 0 && counts && drawn_share(draw) * sum < weight;
       Float share = sel(Bool(u.draws != 0), sel(replaces, Float(1.0f), Float(0.0f)), weight);

@@ -4,13 +4,13 @@
 // Is light in no body? `body`: its row in caster_materials plus 1, of the body that it was last to enter.
 Bool is_in_air(Float body) { return body == 0.0f; }
 
-// What the body leaves of light over a length in metres.
+// The share of light that the body leaves over a length in metres.
 Vec3 left_by(Float body, Float metres) {
   Material material = fetch_material(caster_materials, floor_to_int(body) - 1);
   return sel(body > 0.0f, transmittance(material.absorption, metres), Vec3(1.0f));
 }
 
-// Likewise the body, or where there is none the air.
+// The share that the body leaves, or the air where light is in none.
 #ifdef HAZE
 Vec3 left_on_way(IN(Ray) ray, Float body, Float metres) {
   Float in_air = min_of(metres, medium_exit(u.medium, ray));

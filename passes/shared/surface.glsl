@@ -41,7 +41,7 @@ Vec3 color_behind(IN(Surface) surface, IN(Material) material, Bool is_mirrored) 
   Bool tints = surface.both.tints && !is_mirrored && !surface.both.passes;
   Vec3 passing = sel(tints, material.color * material.transmitted, Vec3(1.0f));
   if (u.has_walls != 0) {
-    // What a pane does not cover passes untinted.
+    // Light that a pane does not cover passes untinted.
     Vec3 left = Vec3(1.0f - material.covers) + passing * (material.covers - surface.mirrored);
     passing = sel(material.blended, left / (1.0f - surface.mirrored), passing);
   }

@@ -46,7 +46,7 @@ void record_end(INOUT(Record) record, IN(LightPath) path, Vec4 hit, Bool was_end
   record_stretch(record, path, sel(is_surface(hit), hit.z, Float(1.0e30f)), ends && !was_ended);
 }
 
-// What the walk books besides is no stretch.
+// The walk books these besides; they are no stretches.
 void record_entry(INOUT(Record) record, Vec3 by_panes, Vec3 by_air) {}
 void record_surface(INOUT(Record) record, IN(BentLight) bent, Bool goes) {}
 void record_hit(Vec4 hit) {}

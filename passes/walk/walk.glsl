@@ -109,7 +109,7 @@ Turn turn_at(int surface, Float draw, Float facet) {
   return turn;
 }
 
-// What light meets behind the surface of this number.
+// Finds the surface that light meets behind the one of this number.
 Vec4 hit_behind(IN(BentLight) bent, Bool goes, int surface, Int column, Int row) {
   Bool has_hit = Bool(surface == 1 && u.reads_hit != 0) && !bent.drawn_back;
   Bool searches = goes && !bent.ends && !has_hit;

@@ -49,7 +49,7 @@ std::string why_not_followed(const Settings& settings, const Effects& effects) {
 
 Effects with_further_surfaces(Effects effects, const Settings& settings, std::vector<FurtherShare> shares) {
   const bool sizes = any_size_is_drawn(effects);
-  // Of rough glass all light goes other ways.
+  // Rough glass sends all its light other ways.
   const bool spread = effects.rough_glass.active && settings.further_share < 1.0f;
   if (shares.empty() && !sizes) {
     if (may_be_followed(effects)) effects.further_surfaces.reason = "none of the casters' light lands";

@@ -119,7 +119,7 @@ FrameRenderer::FrameRenderer(Scene& scene, const Settings& settings, const Regis
 
 FrameRenderer::~FrameRenderer() = default;
 
-// Of waters at rest, so that a moment's plan does not depend on those before it.
+// Waters are at rest meanwhile, so that a moment's plan does not depend on those before it.
 void FrameRenderer::judge_and_plan() {
   if (water_) water_->show_level(0.0);
   if (!scene_.waters.empty()) {

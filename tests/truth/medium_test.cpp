@@ -39,7 +39,7 @@ double under_clear_sphere(double s, double h) {
   return 2.0 * kPi * std::exp(-s * h) * (std::exp(s) * (s - 1.0) + 1.0) / (4.0 * s * s);
 }
 
-// Likewise through `bodies` of radius r in a row, all with their centres on the light's way.
+// The same light through `bodies` of radius r in a row, all with their centres on its way.
 double under_clear_spheres(double s, double h, double r, int bodies) {
   const double k = 2.0 * bodies * s;
   return 2.0 * kPi * std::exp(-s * h) * (std::exp(k * r) * (k * r - 1.0) + 1.0) / (k * k);
@@ -239,7 +239,7 @@ TEST_CASE("medium: followed light loses what lies outside of all bodies, and a s
   CHECK(ledger.in_map[0] == Approx(under_clear_spheres(s, 1.25, r, 2)).epsilon(3e-3));
   CHECK(ledger.medium[0] == Approx(kPi * r * r - under_clear_spheres(s, 1.25, r, 2)).epsilon(3e-3));
   CHECK(ledger.residual() < 1e-5);
-  // Of each vertex one of two stretches is drawn: between the spheres, and below them.
+  // Each vertex draws one of two stretches: between the spheres, or below them.
   const Image &start = rendered["stretch_start[0]"], &flux = rendered["stretch_flux[0]"];
   for (const auto& [height, bodies] : {std::pair(0.7, 1), std::pair(0.05, 2)}) {
     double sum = 0.0;

@@ -192,7 +192,7 @@ TEST_CASE("tracer: a medium takes its part of light outside of glass") {
   hazy.medium.scattering = glm::vec3(0.7f);
   const Run run(hazy, 8, 400, 2, Physics::Full);
   check_closed(run.account());
-  // By the light's way to the sphere and beyond it, over its disk: integrals of exp(-s (0.5 - c)) 2 pi r dr
+  // The light's way to the sphere and beyond it, over its disk: integrals of exp(-s (0.5 - c)) 2 pi r dr
   // and of exp(-s (1.3 - 2 c)) 2 pi r dr, c = sqrt(R^2 - r^2), R = 0.5.
   const double s = 0.7, before = std::exp(-0.5 * s) * (std::exp(0.5 * s) * (0.5 * s - 1.0) + 1.0) / (s * s);
   const double whole = std::exp(-1.3 * s) * (std::exp(s) * (s - 1.0) + 1.0) / (4.0 * s * s);

@@ -67,7 +67,7 @@ TEST_CASE("tracer optics: the nearest texel's opacity tells whether there is a h
   material.alpha_mode = AlphaMode::Mask;
   CHECK(is_cut_out(scene, material, {0.55, 0.5}));
   CHECK_FALSE(is_cut_out(scene, material, {0.45, 0.5}));
-  // What is blended is a hole where it is not opaque.
+  // A blended surface has a hole where it is not opaque.
   material.alpha_mode = AlphaMode::Blend;
   CHECK(is_cut_out(scene, material, {0.55, 0.5}));
   CHECK_FALSE(is_cut_out(scene, material, {0.45, 0.5}));
