@@ -20,30 +20,10 @@ OUTPUT(0, Vec4, view_position)
 OUTPUT(1, Vec4, view_normal)
 OUTPUT(2, Vec4, view_albedo)
 OUTPUT(3, Vec4, view_emission)
-#include "passes/shared/axes_across.glsl"
-#include "passes/shared/caster_material.glsl"
-#include "passes/shared/position_texel.glsl"
-#include "passes/shared/meeting.glsl"
-#include "passes/shared/caster_triangles.glsl"
-#include "passes/shared/wrapped.glsl"
-#include "passes/shared/material.glsl"
-#include "passes/shared/tangent_space.glsl"
-#include "passes/shared/dressed_meeting.glsl"
+#include "passes/shared/bodies.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/optics.glsl"
-#include "passes/shared/ray.glsl"
-#include "passes/shared/absorption.glsl"
-#include "passes/shared/refraction.glsl"
-#include "passes/shared/microfacets.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/shown_point.glsl"
-#include "passes/shared/hierarchy.glsl"
-#include "passes/shared/media.glsl"
-#include "passes/shared/interface.glsl"
-#include "passes/shared/surface.glsl"
-#include "passes/shared/smooth_surface.glsl"
-#include "passes/shared/rough_surface.glsl"
-#include "passes/shared/hit_texel.glsl"
 // Only where ways end is asked for.
 Vec3 radiance_aside(Vec3 direction, Bool is_mirrored) { return Vec3(0.0f); }
 #include "passes/shared/sight.glsl"

@@ -21,27 +21,7 @@ OUTPUT(3, Vec4, mirrored_light)
 OUTPUT(4, Vec4, crossing_way)
 OUTPUT(5, Vec4, crossing_light)
 OUTPUT(6, Vec4, crossing_media)
-#include "passes/shared/axes_across.glsl"
-#include "passes/shared/caster_material.glsl"
-#include "passes/shared/position_texel.glsl"
-#include "passes/shared/meeting.glsl"
-#include "passes/shared/caster_triangles.glsl"
-#include "passes/shared/wrapped.glsl"
-#include "passes/shared/material.glsl"
-#include "passes/shared/tangent_space.glsl"
-#include "passes/shared/dressed_meeting.glsl"
-#include "passes/shared/optics.glsl"
-#include "passes/shared/ray.glsl"
-#include "passes/shared/absorption.glsl"
-#include "passes/shared/refraction.glsl"
-#include "passes/shared/media.glsl"
-#include "passes/shared/interface.glsl"
-#include "passes/shared/surface.glsl"
-#include "passes/shared/microfacets.glsl"
-#include "passes/shared/smooth_surface.glsl"
-#include "passes/shared/rough_surface.glsl"
-#include "passes/shared/hierarchy.glsl"
-#include "passes/shared/hit_texel.glsl"
+#include "passes/shared/bodies.glsl"
 #include "passes/shared/hit_there.glsl"
 
 // One of a ray's four texels, which stand in as many blocks of rows.

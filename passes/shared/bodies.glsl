@@ -1,0 +1,26 @@
+// What a ray needs that goes from surface to surface: the casters' triangles, materials and textures, what
+// each surface does to it, and the next one. Needs the uniforms and tables that these texts name.
+#include "passes/shared/axes_across.glsl"
+#include "passes/shared/caster_material.glsl"
+#include "passes/shared/position_texel.glsl"
+#include "passes/shared/meeting.glsl"
+#include "passes/shared/caster_triangles.glsl"
+#include "passes/shared/wrapped.glsl"
+#include "passes/shared/material.glsl"
+#include "passes/shared/tangent_space.glsl"
+#include "passes/shared/dressed_meeting.glsl"
+#include "passes/shared/optics.glsl"
+#include "passes/shared/ray.glsl"
+#ifdef HAZE
+#include "passes/shared/medium_optics.glsl"
+#endif
+#include "passes/shared/absorption.glsl"
+#include "passes/shared/refraction.glsl"
+#include "passes/shared/media.glsl"
+#include "passes/shared/interface.glsl"
+#include "passes/shared/surface.glsl"
+#include "passes/shared/microfacets.glsl"
+#include "passes/shared/smooth_surface.glsl"
+#include "passes/shared/rough_surface.glsl"
+#include "passes/shared/hierarchy.glsl"
+#include "passes/shared/hit_texel.glsl"
