@@ -5,6 +5,7 @@
 #include "app/shell/terminal.hpp"
 #include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/gpu/device.hpp"
+#include "pipeline/measure/drawn_points.hpp"
 #include "pipeline/measure/pixel_side.hpp"
 #include "pipeline/scene/in_pieces.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -64,11 +65,12 @@ void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vecto
   for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum[i], outcomes[i], share);
 }
 
-// Returns the light of which this one is a sample, where the size of that is drawn; else null.
-const Light* whole_light(const RenderedFrame& frame, int light) {
+// Of the light of which this one is a sample, where the size of that is drawn.
+std::optional<DrawnPoints> points_of(const RenderedFrame& frame, int light) {
   const auto index = static_cast<std::size_t>(light);
-  if (!frame.effects().lights[index].size_is_drawn) return nullptr;
-  return &frame.scene().sources[static_cast<std::size_t>(frame.scene().lights[index].source)];
+  if (!frame.effects().lights[index].size_is_drawn) return {};
+  const auto source = static_cast<std::size_t>(frame.scene().lights[index].source);
+  return DrawnPoints(frame.scene(), frame.scene().sources[source]);
 }
 
 // Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.
@@ -96,6 +98,7 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
   }
   Ledger ledger;
   double pixel = 0.0;
+  const std::optional<DrawnPoints> points = model ? points_of(frame, light) : std::nullopt;
   const Stopwatch rays;
   run_side_by_side(
       {[&] {
@@ -107,7 +110,7 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
                        .samples = maps.caster_position.values.empty()
                                       ? static_cast<int>(samples_of(frame.scene(), sum.light).size())
                                       : 1,
-                       .source = whole_light(frame, light),
+                       .points = points ? &*points : nullptr,
                        .caster_position = maps.caster_position});
        },
        [&] { ledger = ledger_sum.with_maps(maps.map, maps.far_map); },

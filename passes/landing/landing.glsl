@@ -311,8 +311,8 @@ Account book_caster(IN(Entry) entry, IN(FirstSurface) first, IN(Exit) exit, IN(L
 
 #ifdef HAZE
 // What the air takes before the caster; then on the way from it to the landing, or out of the medium.
-void book_air(IN(Entry) entry, Vec3 light_direction, IN(Exit) exit, IN(Landing) end, INOUT(Account) account) {
-  Vec3 arriving = transmittance(Vec3(u.medium.extinction), air_before(entry.at.point, light_direction));
+void book_air(IN(Entry) entry, Vec3 from, IN(Exit) exit, IN(Landing) end, INOUT(Account) account) {
+  Vec3 arriving = transmittance(Vec3(u.medium.extinction), air_before(entry.at.point, from));
   Vec3 taken = Vec3(account.entered) - arriving * account.entered;
   account.mirrored = account.mirrored * arriving;
   account.absorbed = account.absorbed * arriving;
@@ -392,7 +392,7 @@ void follow(IN(Entry) entry) {
     account.carried = left;
   }
 #ifdef HAZE
-  book_air(entry, light.direction, exit, end, account);
+  book_air(entry, light.from, exit, end, account);
 #endif
   Float status = status_of(entry, exit, end, account);
 

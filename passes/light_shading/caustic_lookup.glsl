@@ -80,11 +80,47 @@ Vec3 flux_all_around(Vec3 q) {
   return flux;
 }
 
-// Is a point so far inside the cascade that all its light is there?
-Bool in_cascade(Vec3 at) {
+// Is a texel of the caustic map so far inside the cascade that all its light is there? Points in it take
+// their light from the cascade, and no others do: so none is shown twice.
+Bool is_in_cascade(Int column, Int row) {
+  Float x = Float(column) * u.cascade_step.x + u.cascade_from.x;
+  Float y = Float(row) * u.cascade_step.y + u.cascade_from.y;
+  return inside_unit(x - u.cascade_border, y - u.cascade_border) &&
+         inside_unit(x + (u.cascade_step.x + u.cascade_border), y + (u.cascade_step.y + u.cascade_border));
+}
+
+// Is a point in the cascade, or so far beside it, in its coordinates?
+Bool is_near_cascade(Vec3 at, Vec2 beside) {
   Vec2 finer = view_uv(u.cascade_view, at);
-  return inside_unit(finer.x - u.cascade_border, finer.y - u.cascade_border) &&
-         inside_unit(finer.x + u.cascade_border, finer.y + u.cascade_border);
+  return inside_unit((finer.x + beside.x) / (beside.x * 2.0f + 1.0f),
+                     (finer.y + beside.y) / (beside.y * 2.0f + 1.0f));
+}
+
+Bool cascade_shows(Vec2 uv) {
+  return is_in_cascade(floor_to_int(uv.x * u.caustic_side), floor_to_int(uv.y * u.caustic_side));
+}
+
+// The caustic map's flux at a point, which the cascade does not show: between those of the four texels around
+// that it does not show either.
+Vec3 flux_beside_cascade(Vec2 uv) {
+  Float x = uv.x * u.caustic_side - 0.5f;
+  Float y = uv.y * u.caustic_side - 0.5f;
+  Int column = floor_to_int(x);
+  Int row = floor_to_int(y);
+  Float across = x - Float(column);
+  Float upward = y - Float(row);
+  Vec3 sum = Vec3(0.0f);
+  Float weights = Float(0.0f);
+  for (int j = 0; j < 2; j++)
+    for (int i = 0; i < 2; i++) {
+      Float of_column = Float(i == 0 ? 1.0f : 0.0f) - across;
+      Float of_row = Float(j == 0 ? 1.0f : 0.0f) - upward;
+      Float weight = abs(of_column * of_row);
+      weight = sel(is_in_cascade(column + i, row + j), Float(0.0f), weight);
+      sum = sum + Vec3(fetch_clamped(caustic_map, column + i, row + j)) * weight;
+      weights = weights + weight;
+    }
+  return sum / max_of(weights, 1.0e-4f);
 }
 
 // A map of one channel has the same flux in all.
@@ -108,7 +144,9 @@ Deposit deposit_at(Vec3 at) {
     TRACE(caustic_map_at, Vec3(uv.x, uv.y, Float(1.0f)));
     if (u.has_cascade != 0) {
       Vec2 finer = view_uv(u.cascade_view, at);
-      Bool reaches = in_cascade(at);
+      Bool reaches = cascade_shows(uv);
+      Bool beside = !reaches && is_near_cascade(at, Vec2(u.cascade_step.x, u.cascade_step.y));
+      if (any_lane(beside)) d.flux = sel(beside, flux_beside_cascade(uv), d.flux);
       if (any_lane(reaches)) {
         d.flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), d.flux);
         TRACE(cascade_map_at, Vec3(finer.x, finer.y, Float(1.0f)));

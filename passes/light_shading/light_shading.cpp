@@ -5,7 +5,7 @@
 #include "passes/shared/light_uniforms.hpp"
 #include "passes/shared/medium_uniforms.hpp"
 #include "pipeline/settings/settings.hpp"
-#include "pipeline/settings/splat_kernel.hpp"
+#include "pipeline/views/cascades.hpp"
 
 namespace caustics::std140 {
 
@@ -22,8 +22,6 @@ extern const Shader light_shading_in_medium_shader;
 
 namespace {
 
-// Texels along a cascade's border whose splats may have their middles beyond it, and one for the look-up.
-constexpr double kBorder = 1.0;
 // Of a caustic over a pixel, along an axis: pixels up to this many texels wide see the mean without gaps.
 // Pixels on one surface share its texels, so there are hardly more samples in all than texels, however wide
 // the pixels are. What glass shows is bent by it, or mirrored.
@@ -78,6 +76,9 @@ std140::LightShading light_shading_uniforms(const PassContext& context) {
   const View cascade_view = views.cascade.value_or(View{});
   const View camera = context.camera ? *context.camera : View{};
   const double texels = static_cast<double>(settings.map) * static_cast<double>(settings.map);
+  const glm::dvec2 part = cascade_view.window_upper - cascade_view.window_lower;
+  const glm::dvec2 whole = views.caustic.window_upper - views.caustic.window_lower;
+  const glm::dvec2 from = views.caustic.window_lower - cascade_view.window_lower;
   return {
       .light = shader_light(*context.light, views.shadow.forward),
       .caustic_intensity = caustic_intensity(context),
@@ -92,8 +93,9 @@ std140::LightShading light_shading_uniforms(const PassContext& context) {
       .casters_nearest = static_cast<float>(views.casters_nearest),
       .caustic_texel_area = static_cast<float>(views.caustic.window_area() / texels),
       .cascade_texel_area = cascade ? static_cast<float>(cascade_view.window_area() / texels) : 0.0f,
-      .cascade_border =
-          cascade ? static_cast<float>((splat_kernel(settings).radius + kBorder) / settings.map) : 0.0f,
+      .cascade_border = cascade ? static_cast<float>(cascade_border(settings) / settings.map) : 0.0f,
+      .cascade_from = cascade ? glm::vec2(from / part) : glm::vec2(0.0f),
+      .cascade_step = cascade ? glm::vec2(whole / part / static_cast<double>(settings.map)) : glm::vec2(0.0f),
       .tile_reach = tile_reach(views.caustic),
       .eye = camera.origin,
       .forward = camera.forward,

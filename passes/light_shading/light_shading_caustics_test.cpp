@@ -91,23 +91,55 @@ TEST_CASE("light_shading: a light that throws no caustic neither reads nor is bl
   CHECK(bench.caustic() == 0.0f);
 }
 
-TEST_CASE("light_shading: a cascade is taken where it reaches, in its own texels") {
+namespace {
+
+// A map of 64 x 64 texels of 1/8 m, of which the cascade shows those within a metre of the middle, twice as
+// much flux in each of its own texels.
+Bench with_cascade() {
   Bench bench = with_caustic();
-  // Half as wide and high as the map: texels of a quarter of the area, so 0.5 is 8 times as much a square
-  // metre.
-  bench.cascade_map = filled(8, 8, {0.5f, 1.0f, 0.0f, 1.0f});
-  const float by_map = bench.caustic();
-  bench.position = {0.05f, 0.0f, -0.05f};
-  CHECK(bench.caustic() == 8.0f * by_map);
-  // Three texels from the cascade's border, where splats may lack, the map is taken.
-  bench.position = {0.5f, 0.0f, -0.5f};
-  CHECK(bench.caustic() == by_map);
-  bench.light.type = LightType::Point;
-  bench.light.position = {0.0, 10.0, 0.0};
-  bench.position = {0.01f, 0.0f, -0.01f};
-  const float finer = bench.caustic();
+  bench.map = 64;
+  bench.caustic_map = filled(64, 64, {0.25f, 0.5f, 0.0f, 1.0f});
+  bench.cascade_map = filled(64, 64, {0.5f, 1.0f, 0.0f, 1.0f});
+  return bench;
+}
+
+// 3.1 texels along each border are not shown: 57.8 of its texels stand for 16 of the map, and a hundredth of
+// one on either side.
+constexpr double kTexelsInOne = 57.8 / 16.02;
+
+}  // namespace
+
+TEST_CASE("light_shading: a cascade is taken where it reaches, in its own texels") {
+  Bench bench = with_cascade();
+  Bench without = bench;
+  without.cascade_map = Image{};
+  const auto finer_at = [&](float x, float z) {
+    bench.position = without.position = {x, 0.0f, z};
+    return static_cast<double>(bench.caustic() / without.caustic());
+  };
+  const double twice = 2.0 * kTexelsInOne * kTexelsInOne;
+  CHECK(finer_at(0.05f, -0.05f) == Approx(twice));
+  CHECK(finer_at(0.99f, -0.99f) == Approx(twice));
+  CHECK(finer_at(1.01f, -0.99f) == 1.0);
+  CHECK(finer_at(0.99f, 1.01f) == 1.0);
+  for (Bench* b : {&bench, &without}) {
+    b->light.type = LightType::Point;
+    b->light.position = {0.0, 10.0, 0.0};
+  }
+  CHECK(finer_at(0.01f, -0.01f) == Approx(twice));
+}
+
+TEST_CASE("light_shading: beside a cascade none of the light is taken that it shows") {
+  Bench bench = with_cascade();
+  bench.position = {1.01f, 0.0f, 0.01f};
+  const float even = bench.caustic();
+  for (int y = 24; y < 40; ++y)
+    for (int x = 24; x < 40; ++x) bench.caustic_map.at(x, y, 0) = 100.0f;
+  CHECK(bench.caustic() == Approx(even));
+  bench.position = {1.01f, 0.0f, 1.01f};
+  CHECK(bench.caustic() == Approx(even));
   bench.cascade_map = Image{};
-  CHECK(finer == Approx(8.0 * bench.caustic()));
+  CHECK(bench.caustic() > 2.0f * even);
 }
 
 TEST_CASE(

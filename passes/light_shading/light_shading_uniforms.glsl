@@ -21,6 +21,8 @@ CHOICE(caustic_is_grey)        // caustic maps have one channel
 float caustic_texel_area;      // of a caustic map's texel, window units squared
 float cascade_texel_area;
 float cascade_border;          // map coordinates from the cascade's border that are not looked up
+vec2 cascade_from;             // where the caustic map's lower corner lies in the cascade, map coordinates,
+vec2 cascade_step;             // and how wide and high one of its texels is there
 vec2 tile_reach;               // of a cube: from a tile's middle to its outermost texels' centres, map units
 vec3 eye;                      // the camera's position
 CHOICE(has_highlights)

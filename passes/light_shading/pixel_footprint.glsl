@@ -59,9 +59,12 @@ Footprint footprint_at(IN(SurfacePoint) surface, Vec3 at, Bool receives) {
   Float rows = texels_along(u.caustic_view, at, f.upward);
   Bool finer = Bool(false);
   if (u.has_cascade != 0) {
-    finer = in_cascade(at);
-    columns = sel(finer, texels_along(u.cascade_view, at, f.across), columns);
-    rows = sel(finer, texels_along(u.cascade_view, at, f.upward), rows);
+    Float finer_columns = texels_along(u.cascade_view, at, f.across);
+    Float finer_rows = texels_along(u.cascade_view, at, f.upward);
+    Float half_pixel = (finer_columns + finer_rows) * 0.5f / u.caustic_side;
+    finer = is_near_cascade(at, Vec2(half_pixel, half_pixel));
+    columns = sel(finer, finer_columns, columns);
+    rows = sel(finer, finer_rows, rows);
   }
   Vec2 uv = view_uv(u.caustic_view, at);
   Float reach = (columns + rows) / u.caustic_side;

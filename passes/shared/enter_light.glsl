@@ -38,10 +38,21 @@ struct Arrival {
   CasterTriangle triangle;
   Meeting at;
   Int material;  // row of caster_materials
+  Vec3 from;     // Incident::from
   LightPath path;
 };
 
-// At the grid vertex. `drawn`: a whole number for the light's point, where it has a size.
+// `drawn`: a whole number for the light's point, where it has a size.
+Incident light_at_vertex(IN(GridCell) cell, IN(Meeting) at, Float drawn) {
+  Incident light;
+  if (u.light_shape != 0) {
+    light = light_of_size(cell, at.point, at.plane, drawn);
+  } else {
+    light = light_onto(cell, at.point);
+  }
+  return light;
+}
+
 Arrival arrival_at(Int column, Int row, Float drawn) {
   Vec4 position = texel_fetch(caster_position, column, row);
   Vec4 normal = texel_fetch(caster_normal, column, row);
@@ -54,13 +65,7 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
   arrival.at = meeting_in_view(position, normal);
   arrival.at.plane = plane_of(arrival.triangle, arrival.at.outward);
   arrival.at.number = number;
-  Incident light;
-  if (u.light_shape != 0) {
-    light = light_of_size(cell, arrival.at.point, arrival.at.plane,
-                          Vec2(drawn_share(drawn), drawn_share(next_facet_draw(drawn))));
-  } else {
-    light = light_onto(cell, arrival.at.point);
-  }
+  Incident light = light_at_vertex(cell, arrival.at, drawn);
   Vec3 tint = Vec3(1.0f);
   if (u.is_tinted != 0) {
     tint = Vec3(texel_fetch(reaching, column, row));
@@ -68,6 +73,9 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
     light.flux = light.flux * most;
     tint = tint * (1.0f / max_of(most, 1.0e-6f));
   }
+  // Half of a lamp's points look away.
+  if (u.light_shape == 5) arrival.covered = arrival.covered && light.flux > 0.0f;
+  arrival.from = light.from;
   arrival.path.ray = ray_from(arrival.at.point, light.direction);
   arrival.path.own = number;
   arrival.path.aside = Bool(false);

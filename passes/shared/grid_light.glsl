@@ -32,6 +32,7 @@ GridCell cell_of(Int column, Int row, Bool covered) {
 }
 
 struct Incident {
+  Vec3 from;  // as the uniform light has it: where it starts, or of parallel light the way it travels
   Vec3 direction;
   Float flux;  // relative to the light's intensity
 };
@@ -51,7 +52,8 @@ Float solid_angle(Vec3 q, Int face, Bool covered) {
 // times the cone's falloff.
 Incident light_from_view(IN(GridCell) cell, Vec3 p) {
   Incident light;
-  light.direction = Vec3(u.light);
+  light.from = Vec3(u.light);
+  light.direction = light.from;
   light.flux = Float(u.cell_area);
   if (u.caster.kind != VIEW_PARALLEL) {
     light.direction = normalize_or(p - Vec3(u.light), Vec3(u.cone.axis));
@@ -69,14 +71,14 @@ Incident light_onto(IN(GridCell) cell, Vec3 p) {
 }
 
 #ifdef HAZE
-// How far light has come through the medium to p: from its position, which lies in the box, or from where it
-// enters it.
-Float air_before(Vec3 p, Vec3 travel) {
+// How far light has come through the medium to p: from where it starts, which lies in the box, or from where
+// it enters that. `from`: as Incident has it.
+Float air_before(Vec3 p, Vec3 from) {
   Float way = Float(0.0f);
   if (u.caster.kind == VIEW_PARALLEL) {
-    way = medium_exit(u.medium, ray_from(p, -travel));
+    way = medium_exit(u.medium, ray_from(p, -from));
   } else {
-    way = length3(p - Vec3(u.light));
+    way = length3(p - from);
   }
   return way;
 }

@@ -25,10 +25,21 @@ struct Bench {
   Light light{};
   bool both_ways = false, follows_mirrored = false;
   std::optional<Light> source;  // whose size is drawn
+  std::optional<Corners> lamp;  // that is its mesh
+
+  HierarchyBench hierarchy() const {
+    HierarchyBench bench;
+    bench.scene.materials.resize(1);
+    bench.caster(mesh_of({level_triangle(9.0f), triangle}));
+    if (!lamp) return bench;
+    bench.receiver(mesh_of({*lamp}));
+    bench.meshes.lamps = {1};
+    return bench;
+  }
 
   PassImages run() const {
-    const HierarchyTables tables =
-        HierarchyBench{}.caster(mesh_of({level_triangle(9.0f), triangle})).tables();
+    const HierarchyBench bench = hierarchy();
+    const HierarchyTables tables = bench.tables();
     std140::Walk u{};
     u.caster = shader_view(view);
     u.cone = shader_cone(light);
@@ -46,7 +57,9 @@ struct Bench {
       u.light_shape = source->shape == LightShape::Sphere      ? 1
                       : source->shape == LightShape::Rectangle ? 2
                       : source->shape == LightShape::Disk      ? 3
+                      : lamp                                   ? 5
                                                                : 4;
+      if (lamp) u.light_points = first_point(bench.scene, bench.meshes, 0);
       const bool far_away = source->shape == LightShape::Disk;
       u.light_middle = glm::vec3(far_away ? source->direction : source->position);
       u.light_radius = far_away ? std::tan(static_cast<float>(source->angular_radius))
@@ -304,7 +317,7 @@ TEST_CASE("walk: entered, each vertex takes its own point of a light with a size
     for (int y = 0; y < 2; ++y)
       for (int x = 0; x < 2; ++x) {
         const LightRay middle{.origin = {0.0, 10.0, 0.0}, .direction = {0.0, -1.0, 0.0}};
-        const LightRay ray = from_own_point(*bench.source, middle, glm::dvec3(bench.point), x, y);
+        const LightRay ray = DrawnPoints({}, *bench.source).ray(middle, glm::dvec3(bench.point), x, y);
         directions.push_back(path_at(out, x, y).direction);
         check_near(directions.back(), glm::vec3(ray.direction), 1e-5);
       }
@@ -322,6 +335,40 @@ TEST_CASE("walk: entered, light from aside falls flatter and from farther onto t
   // 9 m below: 81 / (9 / cos)^2 times the cosine.
   CHECK(path_at(out, 0, 0).whole == Approx(0.0625 * std::pow(static_cast<double>(-d.y), 3.0)).epsilon(1e-4));
   CHECK(d.y > -0.9999f);
+}
+
+TEST_CASE("walk: entered, any other mesh that shines sends light from all over its outer side") {
+  // A level triangle at 10 m that looks down. Less falls on the surface from aside: by the cosines at both
+  // ends, and by the square of the distance.
+  Bench bench = from_point();
+  bench.source = sized(LightShape::Mesh);
+  bench.source->radius = 0.0;
+  bench.source->emitter = 1;
+  bench.lamp = level_triangle(10.0f);
+  std::swap((*bench.lamp)[1], (*bench.lamp)[2]);
+  const auto directions = [&] {
+    std::vector<glm::vec3> found;
+    const PassImages out = bench.run();
+    const HierarchyBench hierarchy = bench.hierarchy();
+    const DrawnPoints points(hierarchy.scene, *bench.source);
+    for (int y = 0; y < 2; ++y)
+      for (int x = 0; x < 2; ++x) {
+        const LightRay middle{.origin = {0.0, 10.0, 0.0}, .direction = {0.0, -1.0, 0.0}};
+        const glm::vec3 d = path_at(out, x, y).direction;
+        check_near(d, glm::vec3(points.ray(middle, glm::dvec3(bench.point), x, y).direction), 1e-5);
+        CHECK(path_at(out, x, y).whole ==
+              Approx(0.0625 * std::pow(static_cast<double>(-d.y), 4.0)).epsilon(1e-4));
+        found.push_back(d);
+      }
+    return found;
+  };
+  const std::vector<glm::vec3> found = directions();
+  CHECK(found[0] != found[1]);
+  CHECK(found[0] != found[2]);
+  // Its back is dark, and no vertex is followed from there.
+  std::swap((*bench.lamp)[1], (*bench.lamp)[2]);
+  const PassImages dark = bench.run();
+  for (int x = 0; x < 2; ++x) CHECK(path_at(dark, x, 0).mark == 0.0f);
 }
 
 TEST_CASE("walk: entered, a ball that shines has the outline of a sphere, and is as bright all over it") {

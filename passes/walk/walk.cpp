@@ -26,7 +26,8 @@ int light_shape(const PassContext& context) {
   const Light* source = wide_source(context);
   if (!source) return 0;
   if (source->is_ball()) return source->shape == LightShape::Mesh ? 4 : 1;
-  return source->is_rectangle() ? 2 : 3;
+  if (source->is_rectangle()) return 2;
+  return source->shape == LightShape::Disk ? 3 : 5;
 }
 
 void set_size(std140::Walk& block, const PassContext& context) {
@@ -39,6 +40,11 @@ void set_size(std140::Walk& block, const PassContext& context) {
     double sine, cosine;
     exact::sin_cos(source->angular_radius, sine, cosine);
     block.light_radius = static_cast<float>(sine / cosine);
+  }
+  block.light_points = context.first_point;
+  if (context.first_point >= 0) {
+    const Mesh& mesh = context.scene->meshes[static_cast<std::size_t>(source->emitter)];
+    block.light_radius = static_cast<float>(0.5 * bounds_of(mesh).radius());
   }
   if (!source->is_rectangle()) return;
   block.light_width = glm::vec3(source->width);

@@ -111,7 +111,7 @@ void come_to_caster(INOUT(Arrival) here, INOUT(Record) record) {
   Vec3 by_panes = Vec3(here.path.whole) - here.path.flux;
   Vec3 by_air = Vec3(0.0f);
 #ifdef HAZE
-  Float way = air_before(here.at.point, here.path.ray.direction);
+  Float way = air_before(here.at.point, here.from);
   Vec3 left = medium_transmittance(u.medium, way);
   by_air = here.path.flux - here.path.flux * left;
   here.path.flux = here.path.flux * left;

@@ -16,6 +16,7 @@ int first_receiver;   // number of the first triangle that is no caster's
 float touch;          // metres: surfaces that are as near touch
 float rough_from;     // roughness above which glass spreads light
 int first_uv;         // the first texel of texture coordinates in hierarchy_normals
+int light_points;     // of a mesh that shines: the first texel of its points in hierarchy_normals
 CHOICE(is_tinted)     // 1: blended surfaces may stand before casters
 CHOICE(can_be_hidden) // 1: receivers may hide others from the light; 2: and it lands on backs, which count so
 CHOICE(draws)         // 1: the branch follows what the others leave behind, by ways that are drawn
@@ -25,4 +26,4 @@ CHOICE(has_cut_outs)  // 1: some receiver has holes
 CHOICE(has_rough)     // 1: some glass is rough
 CHOICE(has_walls)     // 1: some has no thickness
 CHOICE(light_shape)   // 0: the light has no size; 1: a ball, 2: a rectangle, 3: a disk far away,
-                      // 4: a ball that shines as a Lambertian surface
+                      // 4: a ball that shines as a Lambertian surface, 5: any other mesh that does

@@ -5,6 +5,7 @@
 
 #include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/effects/surface_role.hpp"
+#include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/exact.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -30,22 +31,40 @@ LightSide side_of(const Scene& scene, int sample) {
 // The samples of each that throw a caustic, by Scene::lights.
 std::map<LightSide, std::vector<int>> samples_of_sides(const Scene& scene, const Effects& effects) {
   std::map<LightSide, std::vector<int>> samples;
+  const std::vector<int> lamps = lamps_of_points(scene);
   for (const Expectation& e : effects.expectations) {
     const LightSide side = side_of(scene, e.light);
     if (!e.expected || side.source < 0) continue;
     const Light& light = scene.sources[static_cast<std::size_t>(side.source)];
-    if (light.shape != LightShape::Disk && !light.is_ball() && !light.is_rectangle()) continue;
+    const bool lamp = std::find(lamps.begin(), lamps.end(), side.source) != lamps.end();
+    if (light.shape != LightShape::Disk && !light.is_ball() && !light.is_rectangle() && !lamp) continue;
     std::vector<int>& of_side = samples[side];
     if (std::find(of_side.begin(), of_side.end(), e.light) == of_side.end()) of_side.push_back(e.light);
   }
   return samples;
 }
 
-// The sample that is nearest to its source's middle: it sees the casters as the whole light does.
-int middle_sample(const Scene& scene, int source, const std::vector<int>& samples) {
-  const glm::dvec3 middle = scene.sources[static_cast<std::size_t>(source)].position;
+bool is_lamp(const Light& source) {
+  return source.shape == LightShape::Mesh && !source.is_ball() && !source.is_rectangle();
+}
+
+// The middle of all casters that a light shines through.
+glm::dvec3 casters_of(const Scene& scene, const Effects& effects, int light) {
+  Bounds bounds;
+  for (const Expectation& e : effects.expectations)
+    if (e.expected && e.light == light) bounds.add(bounds_of(scene.meshes[static_cast<std::size_t>(e.mesh)]));
+  return bounds.centre();
+}
+
+// The sample that sees the casters as the whole light does: the one nearest to its source's middle; of a lamp
+// the one that faces them most.
+int middle_sample(const Scene& scene, const Effects& effects, int source, const std::vector<int>& samples) {
+  const Light& whole = scene.sources[static_cast<std::size_t>(source)];
   const auto away = [&](int sample) {
-    return exact::length(scene.lights[static_cast<std::size_t>(sample)].position - middle);
+    const Light& light = scene.lights[static_cast<std::size_t>(sample)];
+    if (!is_lamp(whole)) return exact::length(light.position - whole.position);
+    const glm::dvec3 way = casters_of(scene, effects, sample) - light.position;
+    return -exact::dot(light.direction, exact::normalise(way, light.direction));
   };
   return *std::min_element(samples.begin(), samples.end(), [&](int a, int b) { return away(a) < away(b); });
 }
@@ -57,7 +76,7 @@ Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& se
   if (!why_not_followed(settings, effects).empty()) return effects;
   for (const auto& [side, samples] : samples_of_sides(scene, effects)) {
     if (samples.size() < 2) continue;
-    const int drawn = middle_sample(scene, side.source, samples);
+    const int drawn = middle_sample(scene, effects, side.source, samples);
     LightEffects& of_drawn = effects.lights[static_cast<std::size_t>(drawn)];
     of_drawn.size_is_drawn = true;
     glm::vec3 all(0.0f);
@@ -67,6 +86,9 @@ Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& se
       effects.lights[index].casters_shadow = sample != drawn;
     }
     const Light& light = scene.lights[static_cast<std::size_t>(drawn)];
+    // Samples that look away from the casters throw none; the light's points are all over it.
+    const Light& source = scene.sources[static_cast<std::size_t>(side.source)];
+    if (is_lamp(source)) all = glm::max(all, source.color * source.intensity);
     of_drawn.of_others = all - light.color * light.intensity;
     for (Expectation& e : effects.expectations) {
       if (!e.expected || e.light == drawn || side_of(scene, e.light) != side) continue;

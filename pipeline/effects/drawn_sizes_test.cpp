@@ -4,6 +4,7 @@
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/settings/settings.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/light_path_bench.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace caustics;
@@ -93,6 +94,35 @@ TEST_CASE("drawn sizes: of a sheet that shines to both sides, one sample stands 
     }
     CHECK(drawn == (above ? 2 : 1));
   }
+}
+
+TEST_CASE(
+    "drawn sizes: of any other mesh that shines one sample that faces the casters stands for all of it") {
+  // A tetrahedron above the ball: three of its sides look away from that, and count as points of it do.
+  Bench bench;
+  bench.scene = sphere_scene(1.5f, 2);
+  Material shining = diffuse(0.5f);
+  shining.emissive = glm::vec3(100.0f);
+  shining.double_sided = false;
+  bench.scene.materials.push_back(shining);
+  const glm::vec3 a{0.0f, 3.0f, 0.1f}, b{0.1f, 3.0f, -0.1f}, c{-0.1f, 3.0f, -0.1f}, top{0.0f, 4.0f, 0.0f};
+  Mesh lamp = mesh_of({{{a, c, b}}, {{a, b, top}}, {{b, c, top}}, {{c, a, top}}});
+  lamp.material = 2;
+  bench.scene.meshes.push_back(lamp);
+  bench.scene.lights.clear();
+  add_emissive_lights(bench.scene);
+  REQUIRE(bench.scene.lights.size() == 1);
+  const float whole = bench.scene.lights.front().intensity;
+  sample_lights(bench.scene, 16);
+  const Effects effects = bench.effects();
+  int drawn = 0;
+  for (std::size_t l = 0; l < effects.lights.size(); ++l) {
+    if (!effects.lights[l].size_is_drawn) continue;
+    ++drawn;
+    CHECK(bench.scene.lights[l].direction.y == Approx(-1.0));
+    CHECK(effects.lights[l].of_others.x == Approx(whole * 15.0f / 16.0f));
+  }
+  CHECK(drawn == 1);
 }
 
 TEST_CASE("drawn sizes: a light without a size is left as it is") {

@@ -9,6 +9,7 @@
 #include "pipeline/effects/bodies.hpp"
 #include "pipeline/effects/textured_casters.hpp"
 #include "pipeline/gpu/device.hpp"
+#include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/material_optics.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
 
@@ -111,6 +112,12 @@ int RayTables::mesh_of(int number) const {
   return behind == meshes.begin() ? -1 : *(behind - 1);
 }
 
+int RayTables::first_point(int source) const {
+  const auto lamp = std::find(lamps_.begin(), lamps_.end(), source);
+  if (lamp == lamps_.end()) return -1;
+  return caustics::first_point(scene_, meshes_, static_cast<std::size_t>(lamp - lamps_.begin()));
+}
+
 glm::dvec3 RayTables::plane_of(int number) const {
   const int mesh = mesh_of(number);
   return plane_normal(scene_, {mesh, number - first_triangle(mesh)});
@@ -162,6 +169,9 @@ void RayTables::number_triangles(const Effects& effects) {
   // The camera's rays ask for every triangle's texture coordinates, where they meet any texture.
   meshes_.receivers_dressed = sight_meets_textures(effects) || receivers_are_dressed(effects);
   first_uv_ = caustics::first_uv(scene_, meshes_);
+  lamps_ = lamps_of_points(scene_);
+  for (const int lamp : lamps_)
+    meshes_.lamps.push_back(scene_.sources[static_cast<std::size_t>(lamp)].emitter);
   const Bounds bounds = bounds_of(scene_);
   if (!bounds.empty()) touch_ = static_cast<float>(4e-6 * std::max(bounds.radius(), 1e-6));
 }

@@ -52,6 +52,8 @@ class RayTables {
   glm::vec4 bodies_around(const glm::dvec3& p) const;
   int first_receiver() const { return first_receiver_; }
   int first_uv() const { return first_uv_; }
+  // The first texel of a lamp's points in normals(), by Scene::sources; -1: it has none.
+  int first_point(int source) const;
   // Metres: surfaces that are as near touch.
   float touch() const { return touch_; }
 
@@ -69,6 +71,7 @@ class RayTables {
   OwnedTexture materials_, texels_;
   std::vector<int> rows_;
   HierarchyMeshes meshes_;
+  std::vector<int> lamps_;  // whose points are in the table, indices into Scene::sources
   std::vector<int> media_;  // casters that light is in behind their surfaces, indices into Scene::meshes
   std::vector<std::int64_t> first_triangles_;
   int first_receiver_ = 0, first_uv_ = 0;

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "pipeline/scene/exact.hpp"
+#include "pipeline/scene/hierarchy_tables.hpp"
 
 namespace caustics {
 
 namespace {
 
-constexpr int kModulus = 4093;
-
-double share(int number) { return (number + 0.5) / kModulus; }
+double share(int number) { return (number + 0.5) / kPointsOfLamp; }
 
 double wave(double x) {
   const double t = 2.0 * (x - std::floor(x));
@@ -32,23 +31,32 @@ glm::dvec3 across(const glm::dvec3& d, const glm::dvec2& at) {
 
 }  // namespace
 
-LightRay from_own_point(const Light& source, LightRay ray, const glm::dvec3& p, int column, int row) {
-  const int first =
-      (column % kModulus * 3681 % kModulus + row % kModulus * 2435 % kModulus) % kModulus * 117 % kModulus;
-  const glm::dvec2 drawn(share(first), share(first * 1936 % kModulus));
-  if (source.shape == LightShape::Disk) {
+DrawnPoints::DrawnPoints(const Scene& scene, const Light& source) : source_(source) {
+  if (source.shape == LightShape::Mesh && !source.is_ball() && !source.is_rectangle())
+    points_ = Emitter(scene, source.emitter).list(kPointsOfLamp);
+}
+
+glm::dvec3 DrawnPoints::start(const glm::dvec3& p, int number) const {
+  if (!points_.empty()) return points_[static_cast<std::size_t>(number)].position;
+  const glm::dvec2 drawn(share(number), share(number * 1936 % kPointsOfLamp));
+  if (!source_.is_ball())
+    return source_.position + source_.width * (drawn.x - 0.5) + source_.height * (drawn.y - 0.5);
+  const glm::dvec3 facing = exact::normalise(p - source_.position, glm::dvec3(0.0, 0.0, 1.0));
+  return source_.position + across(facing, on_disk(drawn) * source_.radius);
+}
+
+LightRay DrawnPoints::ray(LightRay ray, const glm::dvec3& p, int column, int row) const {
+  constexpr int n = kPointsOfLamp;
+  const int number = (column % n * 3681 % n + row % n * 2435 % n) % n * 117 % n;
+  if (source_.shape == LightShape::Disk) {
     double sine, cosine;
-    exact::sin_cos(source.angular_radius, sine, cosine);
-    const glm::dvec3 direction = exact::normalise(
-        source.direction + across(source.direction, on_disk(drawn)) * (sine / cosine), source.direction);
-    ray.origin = p - direction * exact::dot(p - ray.origin, source.direction);
-    ray.direction = direction;
+    exact::sin_cos(source_.angular_radius, sine, cosine);
+    const glm::dvec2 at = on_disk({share(number), share(number * 1936 % n)}) * (sine / cosine);
+    ray.direction = exact::normalise(source_.direction + across(source_.direction, at), source_.direction);
+    ray.origin = p - ray.direction * exact::dot(p - ray.origin, source_.direction);
     return ray;
   }
-  const glm::dvec3 facing = exact::normalise(p - source.position, glm::dvec3(0.0, 0.0, 1.0));
-  ray.origin = source.position;
-  ray.origin += source.is_ball() ? across(facing, on_disk(drawn) * source.radius)
-                                 : source.width * (drawn.x - 0.5) + source.height * (drawn.y - 0.5);
+  ray.origin = start(p, number);
   ray.direction = exact::normalise(p - ray.origin, ray.direction);
   return ray;
 }

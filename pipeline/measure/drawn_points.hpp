@@ -2,14 +2,25 @@
 // are held against it (passes/shared/wide_light.glsl and way_draw.glsl, in double precision).
 #pragma once
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "pipeline/measure/light_paths.hpp"
-#include "pipeline/scene/scene.hpp"
+#include "pipeline/scene/emitter.hpp"
 
 namespace caustics {
 
-// The ray from the vertex' own point of `source` to p, where the vertex is, scene space. `ray`: the one from
-// the light's view.
-LightRay from_own_point(const Light& source, LightRay ray, const glm::dvec3& p, int column, int row);
+class DrawnPoints {
+ public:
+  DrawnPoints(const Scene& scene, const Light& source);
+  // The ray from the vertex' own point of the source to p, where the vertex is, scene space. `ray`: the one
+  // from the light's view.
+  LightRay ray(LightRay ray, const glm::dvec3& p, int column, int row) const;
+
+ private:
+  glm::dvec3 start(const glm::dvec3& p, int number) const;
+
+  const Light& source_;
+  std::vector<SurfacePoint> points_;  // of a mesh that is neither ball nor rectangle
+};
 
 }  // namespace caustics

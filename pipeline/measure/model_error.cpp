@@ -1,7 +1,5 @@
 #include "pipeline/measure/model_error.hpp"
 
-#include "pipeline/measure/drawn_points.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,7 +47,7 @@ void ModelError::add(const Sample& sample) {
   int step = 1;
   while (static_cast<double>(covered) > wanted * step * step) ++step;
   for (const BranchImages& images : sample.branches) any_drawn_ = any_drawn_ || images.branch.drawn;
-  any_drawn_ = any_drawn_ || sample.source != nullptr;
+  any_drawn_ = any_drawn_ || sample.points != nullptr;
   least_step_ = least_step_ == 0 ? step : std::min(least_step_, step);
   std::vector<Vertex> vertices;
   for (int y = step / 2; y < landing.height(); y += step)
@@ -86,9 +84,8 @@ void ModelError::compare(const Sample& sample, Vertex& vertex) {
 LightRay ModelError::ray_onto(const Sample& sample, const Vertex& vertex) {
   const int side = sample.branches.front().landing.width();
   const LightRay ray = light_ray(sample.light, sample.caster, side, vertex.x, vertex.y);
-  if (!sample.source) return ray;
-  return from_own_point(*sample.source, ray, texel_rgb(sample.caster_position, vertex.x, vertex.y), vertex.x,
-                        vertex.y);
+  if (!sample.points) return ray;
+  return sample.points->ray(ray, texel_rgb(sample.caster_position, vertex.x, vertex.y), vertex.x, vertex.y);
 }
 
 void ModelError::follow(const Sample& sample, const std::vector<Vertex>& vertices) {

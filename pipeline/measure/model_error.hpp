@@ -4,6 +4,7 @@
 #pragma once
 #include <vector>
 
+#include "pipeline/measure/drawn_points.hpp"
 #include "pipeline/measure/error_estimate.hpp"
 #include "pipeline/measure/landing_images.hpp"
 #include "pipeline/measure/light_paths.hpp"
@@ -32,8 +33,8 @@ class ModelError {
     const std::vector<BranchImages>& branches;
     double share = 1.0;  // of the sample's flux, in the light's unit
     int samples = 1;     // of the light
-    // Of a light whose size is drawn: the light of which this is a sample; and where the vertices are.
-    const Light* source = nullptr;
+    // Of a light whose size is drawn: its points; and where the vertices are.
+    const DrawnPoints* points = nullptr;
     ImageView caster_position{};
   };
   void add(const Sample& sample);

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "pipeline/settings/splat_kernel.hpp"
+#include "pipeline/views/cascades.hpp"
 
 namespace caustics {
 
@@ -81,13 +81,13 @@ ShownMaps::ShownMaps(const LightViews& views, const Settings& settings, int map_
   const glm::dvec2 part = views.cascade->window_upper - views.cascade->window_lower;
   scale = whole / part;
   offset = (views.caustic.window_lower - views.cascade->window_lower) / part * static_cast<double>(side);
-  border = splat_kernel(settings).radius + 1.0;
+  border = cascade_border(settings);
 }
 
 bool ShownMaps::cascade_shows(const glm::dvec2& texel) const {
   if (!has_cascade) return false;
-  const glm::dvec2 p = in_cascade(texel);
-  return std::min(p.x, p.y) >= border && std::max(p.x, p.y) <= static_cast<double>(side) - border;
+  const glm::dvec2 lower = in_cascade(glm::floor(texel)), upper = in_cascade(glm::floor(texel) + 1.0);
+  return std::min(lower.x, lower.y) >= border && std::max(upper.x, upper.y) <= side - border;
 }
 
 void ShownLight::add(const glm::dvec2& texel, double flux) {

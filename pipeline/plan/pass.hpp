@@ -157,6 +157,7 @@ struct PassContext {
   int first_triangle = 0;     // of the mesh in the hierarchy (pipeline/scene/hierarchy_tables.hpp), -1: none
   int first_receiver = 0;     // the hierarchy's first triangle that is no caster's
   int first_uv = 0;           // the first texel of texture coordinates in hierarchy_normals
+  int first_point = -1;       // the first there of the light's points, where it is a mesh that shines
   float touch = 0.0f;         // metres: surfaces that are as near touch
   glm::vec4 eye_media{0.0f};  // the bodies that the camera is in (passes/shared/media.glsl)
   int mesh_index = 0;

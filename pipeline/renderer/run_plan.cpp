@@ -106,6 +106,8 @@ class PassRunner {
       context.light = &scene_.scene().lights[light];
       context.of_light = &inputs_.effects->lights[light];
       context.views = &(*inputs_.views)[light];
+      if (context.of_light->size_is_drawn)
+        context.first_point = scene_.tables().first_point(context.light->source);
     }
     if (planned.water >= 0) {
       context.water = &scene_.scene().waters[static_cast<std::size_t>(planned.water)];

@@ -61,6 +61,17 @@ constexpr int kCandidates = 64;  // a chosen point
 // Opposite normals are as far apart as half the mesh.
 constexpr double kTurn = 0.25;
 
+std::vector<Candidate> candidates_of(const std::vector<SurfacePoint>& points, const Mesh& mesh) {
+  const double size = 2.0 * std::max(bounds_of(mesh).radius(), 1e-30);
+  std::vector<Candidate> candidates;
+  for (const SurfacePoint& p : points) {
+    const glm::dvec3 place = p.position / size, turn = kTurn * p.normal;
+    candidates.push_back(
+        {p, {place.x, place.y, place.z, turn.x, turn.y, turn.z}, static_cast<int>(candidates.size())});
+  }
+  return candidates;
+}
+
 std::size_t widest_axis(const Candidate* first, const Candidate* last) {
   std::size_t widest = 0;
   double most = -1.0;
@@ -195,10 +206,7 @@ glm::vec3 Emitter::radiance() const {
   if (!material_.emissive_texture.present()) return material_.emissive;
   const Image& image = scene_.images[static_cast<std::size_t>(material_.emissive_texture.image)];
   glm::dvec3 sum(0.0);
-  for (int k = 0; k < kMeanPoints; ++k) {
-    const SurfacePoint p = point(stratum(k, kMeanPoints), stepped(k, kPairStep1), stepped(k, kPairStep2));
-    sum += texel_at(image, material_.emissive_texture, p.uv);
-  }
+  for (const SurfacePoint& p : even(kMeanPoints)) sum += texel_at(image, material_.emissive_texture, p.uv);
   return material_.emissive * glm::vec3(sum / static_cast<double>(kMeanPoints));
 }
 
@@ -220,23 +228,27 @@ SurfacePoint Emitter::point(double along, double u, double v) const {
           uv(0) + (uv(1) - uv(0)) * u + (uv(2) - uv(0)) * v};
 }
 
+// By their numbers all over the area, in no order.
+std::vector<SurfacePoint> Emitter::even(int count) const {
+  std::vector<SurfacePoint> points;
+  for (int k = 0; k < count; ++k)
+    points.push_back(point(stratum(k, count), stepped(k, kPairStep1), stepped(k, kPairStep2)));
+  return points;
+}
+
 std::vector<SurfacePoint> Emitter::spread(int count) const {
-  const int candidates = kCandidates * count;
-  const double size = 2.0 * std::max(bounds_of(mesh_).radius(), 1e-30);
-  std::vector<Candidate> cell;
-  for (int k = 0; k < candidates; ++k) {
-    const SurfacePoint p = point(stratum(k, candidates), stepped(k, kPairStep1), stepped(k, kPairStep2));
-    const glm::dvec3 place = p.position / size;
-    cell.push_back(
-        {p, {place.x, place.y, place.z, kTurn * p.normal.x, kTurn * p.normal.y, kTurn * p.normal.z}, k});
-  }
+  std::vector<Candidate> cell = candidates_of(even(kCandidates * count), mesh_);
+  if (count == 1) return {middle_of(cell)};
   std::vector<SurfacePoint> chosen;
-  if (count == 1) {
-    chosen.push_back(middle_of(cell));
-  } else {
-    choose(cell.data(), cell.data() + cell.size(), count, chosen);
-  }
+  choose(cell.data(), cell.data() + cell.size(), count, chosen);
   return chosen;
+}
+
+std::vector<SurfacePoint> Emitter::list(int count) const {
+  std::vector<Candidate> all = candidates_of(even(count), mesh_);
+  std::vector<SurfacePoint> points;
+  choose(all.data(), all.data() + all.size(), count, points);
+  return points;
 }
 
 bool Emitter::make_rectangle(Light& light) const {
@@ -300,6 +312,17 @@ Light light_of_mesh(const Scene& scene, int number) {
   light.position = bounds_of(mesh).centre();
   if (!emitter.make_ball(light)) emitter.make_rectangle(light);
   return light;
+}
+
+std::vector<int> lamps_of_points(const Scene& scene) {
+  constexpr std::size_t kMostLamps = 64;  // of which each takes 130 kB
+  std::vector<int> lamps;
+  for (std::size_t i = 0; i < scene.sources.size() && lamps.size() < kMostLamps; ++i) {
+    const Light& light = scene.sources[i];
+    if (light.shape == LightShape::Mesh && !light.is_ball() && !light.is_rectangle())
+      lamps.push_back(static_cast<int>(i));
+  }
+  return lamps;
 }
 
 void add_emissive_lights(Scene& scene) {

@@ -29,8 +29,11 @@ class Emitter {
   bool make_ball(Light& light) const;
   // Points that stand for equal areas, near in place and normal; one point stands near the middle.
   std::vector<SurfacePoint> spread(int count) const;
+  // As many points, spread evenly over the area; neighbours in the list are near in place and normal.
+  std::vector<SurfacePoint> list(int count) const;
 
  private:
+  std::vector<SurfacePoint> even(int count) const;
   // `along` (0..1) chooses the triangle by its share of the area, u and v (0..1) the point on it.
   SurfacePoint point(double along, double u, double v) const;
 
@@ -46,6 +49,9 @@ bool shines(const Scene& scene, const Mesh& mesh);
 
 // A light of LightShape::Mesh for a mesh that shines. Its intensity is luminance times area, candela.
 Light light_of_mesh(const Scene& scene, int mesh);
+
+// Those of Scene::sources that are neither balls nor rectangles but shine by a mesh: the first so many.
+std::vector<int> lamps_of_points(const Scene& scene);
 
 // Adds a light of every mesh that shines after the lights that the scene has. To be called before
 // sample_lights.

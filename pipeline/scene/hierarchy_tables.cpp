@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/gpu/error.hpp"
+#include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/in_pieces.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
 
@@ -87,6 +88,14 @@ std::size_t triangles_with_uv(const Scene& scene, const HierarchyMeshes& meshes)
   return static_cast<std::size_t>(triangles_of(scene, meshes.casters) + receivers);
 }
 
+void put_points(const std::vector<SurfacePoint>& points, int first, Table& table) {
+  auto texel = static_cast<std::size_t>(first);
+  for (const SurfacePoint& point : points) {
+    table.set(texel++, glm::vec3(point.position), 0.0f);
+    table.set(texel++, glm::vec3(point.normal), 0.0f);
+  }
+}
+
 }  // namespace
 
 std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMeshes& meshes) {
@@ -108,12 +117,18 @@ int first_uv(const Scene& scene, const HierarchyMeshes& meshes) {
   return static_cast<int>(3 * (triangles_of(scene, meshes.casters) + triangles_of(scene, meshes.receivers)));
 }
 
+int first_point(const Scene& scene, const HierarchyMeshes& meshes, std::size_t lamp) {
+  return static_cast<int>(static_cast<std::size_t>(first_uv(scene, meshes)) +
+                          kTexelsOfUv * triangles_with_uv(scene, meshes) + 2 * kPointsOfLamp * lamp);
+}
+
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
                                  const std::vector<int>& rows, float touch, int threads) {
   const auto count =
       static_cast<std::size_t>(triangles_of(scene, meshes.casters) + triangles_of(scene, meshes.receivers));
   const auto texels_of_uv = kTexelsOfUv * triangles_with_uv(scene, meshes);
-  if (count > kMostTriangles || rows_for(3 * count + texels_of_uv) > kMostRows)
+  const auto texels_of_normals = static_cast<std::size_t>(first_point(scene, meshes, meshes.lamps.size()));
+  if (count > kMostTriangles || rows_for(texels_of_normals) > kMostRows)
     throw Error(ExitCode::BadInput, "casters and receivers have " + std::to_string(count) +
                                         " triangles, and light can be followed through at most " +
                                         std::to_string(kMostTriangles) +
@@ -122,7 +137,7 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
   all.insert(all.end(), meshes.receivers.begin(), meshes.receivers.end());
   const TriangleTree tree(scene, all, threads);
   const std::vector<std::int64_t> first = first_triangles(scene, meshes);
-  Table triangles(3 * count), normals(3 * count + texels_of_uv);
+  Table triangles(3 * count), normals(texels_of_normals);
   const auto put = [&](std::size_t place) {
     const TriangleId& id = tree.triangles()[place];
     const auto m = static_cast<std::size_t>(id.mesh);
@@ -148,6 +163,8 @@ HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& mesh
   in_runs(tree.triangles().size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) put(place);
   });
+  for (std::size_t i = 0; i < meshes.lamps.size(); ++i)
+    put_points(Emitter(scene, meshes.lamps[i]).list(kPointsOfLamp), first_point(scene, meshes, i), normals);
   return {node_table(tree, touch, threads), triangles.image(), normals.image()};
 }
 

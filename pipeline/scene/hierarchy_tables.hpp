@@ -23,6 +23,7 @@ struct HierarchyMeshes {
   std::vector<int> bodies;              // by Scene::meshes: of a caster the row of its body's material
   bool dressed = false;                 // casters have textures, for which texture coordinates are needed
   bool receivers_dressed = false;       // so have receivers
+  std::vector<int> lamps{};             // whose points are wanted, indices into Scene::meshes
 };
 
 struct HierarchyTables {
@@ -35,10 +36,12 @@ struct HierarchyTables {
   Image triangles;
   // Likewise, by number: its corners' normals; and its place in `triangles`. Of what is dressed, casters or
   // all, from texel first_uv() on, kTexelsOfUv a triangle by number: texture coordinates of its first and
-  // second corner; of the third; its corners' tangents, or colours where they have such.
+  // second corner; of the third; its corners' tangents, or colours where they have such. From texel
+  // first_point() on, kPointsOfLamp of each lamp: their places and normals in turn.
   Image normals;
 };
 inline constexpr int kTexelsOfUv = 5;
+inline constexpr int kPointsOfLamp = 4093;  // as passes/shared/way_draw.glsl draws them
 
 // The number of a mesh's first triangle, by Scene::meshes; -1 for those that are not in the hierarchy.
 std::vector<std::int64_t> first_triangles(const Scene& scene, const HierarchyMeshes& meshes);
@@ -47,6 +50,8 @@ std::int64_t caster_triangles(const Scene& scene, const HierarchyMeshes& meshes)
 
 // The first texel of texture coordinates in `normals`: behind all normals.
 int first_uv(const Scene& scene, const HierarchyMeshes& meshes);
+// The first texel of points of the lamp of this number among HierarchyMeshes::lamps.
+int first_point(const Scene& scene, const HierarchyMeshes& meshes, std::size_t lamp);
 
 // Made anew for each moment of a scene that moves, in 0.7 us a triangle on one thread. New boxes in the old
 // tree would take a tenth of that; but rays then walk up to 15 % longer after a turn of 30 degrees, and 1.2

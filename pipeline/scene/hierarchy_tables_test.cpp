@@ -6,6 +6,7 @@
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/light_path_bench.hpp"
 
 using namespace caustics;
 
@@ -115,6 +116,36 @@ TEST_CASE("hierarchy tables: normals are found by number, and tell the triangle'
   }
   CHECK(entry(tables.normals, 3 * 2 + 1) == glm::vec4(101.0f, 2.0f, 1.0f, 0.0f));
   CHECK(entry(tables.normals, 3 * 5 + 2) == glm::vec4(3.0f, 0.0f, 2.0f, 0.0f));
+}
+
+TEST_CASE(
+    "hierarchy tables: behind all normals a lamp has its points, which lie even over it, near by near") {
+  // A triangle of half a square metre that looks along x.
+  Scene scene;
+  scene.materials.resize(1);
+  const test::Corners upright{{{2, 0, 0}, {2, 1, 0}, {2, 0, 1}}}, level{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
+  scene.meshes = {test::mesh_of({upright}), test::mesh_of({level})};
+  HierarchyMeshes meshes;
+  meshes.receivers = {0, 1};
+  meshes.bodies = {-1, -1};
+  meshes.lamps = {1, 0};
+  const HierarchyTables tables = hierarchy_tables(scene, meshes, {0, 0}, 0.0f);
+  const auto first = static_cast<std::size_t>(first_point(scene, meshes, 1));
+  CHECK(first == 2 * 3 + 2 * kPointsOfLamp);
+  glm::dvec3 sum(0.0);
+  double steps = 0.0;
+  for (std::size_t k = 0; k < kPointsOfLamp; ++k) {
+    const glm::vec4 place = entry(tables.normals, first + 2 * k);
+    CHECK(entry(tables.normals, first + 2 * k + 1) == glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
+    sum += glm::dvec3(place);
+    if (k > 0) steps += double(glm::length(place - entry(tables.normals, first + 2 * k - 2)));
+  }
+  sum /= double{kPointsOfLamp};
+  CHECK(sum.x == 2.0);
+  CHECK(sum.y == Approx(1.0 / 3.0).epsilon(5e-3));
+  CHECK(sum.z == Approx(1.0 / 3.0).epsilon(5e-3));
+  // Points in no order are half a metre apart on the mean.
+  CHECK(steps / kPointsOfLamp < 0.03);
 }
 
 TEST_CASE("hierarchy tables: a node has both children's boxes, larger by what touches, and what is in them") {

@@ -4,13 +4,16 @@
 
 #include "pipeline/effects/camera.hpp"
 #include "pipeline/scene/visibility.hpp"
+#include "pipeline/settings/settings.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
 
 namespace {
 
-// Of the flux, left out at each end of each axis: the windows that are tried.
-constexpr double kShares[] = {0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15};
+// Of the flux, left out at each end of each axis: the windows that are tried. In small steps: a bright part
+// ends at an edge, and a window that cuts into it leaves its brightest light to coarse texels.
+constexpr double kLeast = 0.002, kMost = 0.16, kStep = 1.2;
 // How much finer the texels under the mean flux must become to be worth a second map.
 constexpr double kWorth = 0.5;
 
@@ -27,7 +30,7 @@ std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, 
                                  double shortest) {
   std::optional<View> best;
   double least = kWorth;
-  for (const double share : kShares) {
+  for (double share = kLeast; share < kMost; share *= kStep) {
     View view = caustic;
     const Window window = landed.window(share);
     set_window(view, window, margin, shortest);
@@ -39,6 +42,21 @@ std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, 
     best = view;
   }
   return best;
+}
+
+double cascade_border(const Settings& settings) { return splat_kernel(settings).radius + 1.0; }
+
+void cover_texels(View& cascade, const View& caustic, const Settings& settings) {
+  // Of a texel: more than is lost to rounding.
+  constexpr double kSlack = 0.01;
+  const glm::dvec2 texel = (caustic.window_upper - caustic.window_lower) / static_cast<double>(settings.map);
+  const auto in_texels = [&](const glm::dvec2& p) { return (p - caustic.window_lower) / texel; };
+  const glm::dvec2 lower = glm::floor(in_texels(cascade.window_lower)) - kSlack;
+  const glm::dvec2 upper = glm::ceil(in_texels(cascade.window_upper)) + kSlack;
+  const double border = cascade_border(settings) / static_cast<double>(settings.map);
+  const glm::dvec2 beyond = (upper - lower) * (border / (1.0 - 2.0 * border));
+  cascade.window_lower = caustic.window_lower + (lower - beyond) * texel;
+  cascade.window_upper = caustic.window_lower + (upper + beyond) * texel;
 }
 
 std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views, const Effects& effects,

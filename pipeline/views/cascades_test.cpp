@@ -39,6 +39,35 @@ TEST_CASE("cascades: a bright spot in a faint halo has one around the spot") {
   CHECK(cascade->window_lower.y == Approx(-cascade->window_upper.y));
 }
 
+TEST_CASE("cascades: what is looked up of one is whole texels of the map, and a hundredth of one around") {
+  // Texels of half a metre, of which it touches four along x and three along y.
+  Settings settings;
+  settings.map = 32;
+  View cascade = square_view(16.0);
+  cascade.window_lower = {-0.9, 1.6};
+  cascade.window_upper = {0.6, 2.6};
+  cover_texels(cascade, square_view(16.0), settings);
+  const double border = cascade_border(settings) / 32.0;
+  const glm::dvec2 size = cascade.window_upper - cascade.window_lower;
+  const glm::dvec2 lower = cascade.window_lower + border * size, upper = cascade.window_upper - border * size;
+  CHECK(lower.x == Approx(-1.005));
+  CHECK(upper.x == Approx(1.005));
+  CHECK(lower.y == Approx(1.495));
+  CHECK(upper.y == Approx(3.005));
+}
+
+TEST_CASE("cascades: a window takes in the whole of a bright spot, whatever share of the light lies apart") {
+  for (const double apart : {0.02, 0.05, 0.09}) {
+    std::vector<WeightedPoint> points;
+    add_square(points, 40, 40.0, apart);
+    add_square(points, 60, 1.0, 1.0 - apart);
+    const std::optional<View> cascade = cascade_view(square_view(40.0), LandedFlux(points), 0.0);
+    REQUIRE(cascade);
+    INFO(apart);
+    CHECK(cascade->window_upper.x - cascade->window_lower.x > 0.95);
+  }
+}
+
 TEST_CASE("landed flux: a window leaves out the share that it may at each end") {
   std::vector<WeightedPoint> points;
   points.reserve(100);

@@ -4,6 +4,7 @@
 
 #include "passes/light_shading/light_shading.hpp"
 #include "pipeline/settings/settings.hpp"
+#include "pipeline/views/cascades.hpp"
 #include "tests/support/run_pass.hpp"
 
 namespace caustics::test {
@@ -22,6 +23,7 @@ struct LightShadingBench {
   float covered = 1.0f;
   bool occluders = false, caustics = false, pixel_means = true;
   double casters_nearest = 0.0;
+  int map = 8;
   LitFromBehind behind = LitFromBehind::No;
   Image shadow_depth{}, caster{}, receiver{}, caustic_map{}, cascade_map{}, panes{}, far_receiver{},
       far_caustic_map{};
@@ -35,7 +37,7 @@ struct LightShadingBench {
     Scene scene;
     scene.lights = {light};
     Settings settings;
-    settings.map = 8;
+    settings.map = map;
     settings.pixel_means = pixel_means;
     Effects effects;
     effects.occluders.active = occluders;
@@ -63,8 +65,9 @@ struct LightShadingBench {
                      .cascade = {}};
     if (!cascade_map.values.empty()) {
       views.cascade = view;
-      views.cascade->window_lower *= 0.5;
-      views.cascade->window_upper *= 0.5;
+      views.cascade->window_lower *= 0.25;
+      views.cascade->window_upper *= 0.25;
+      cover_texels(*views.cascade, view, settings);
     }
     LightEffects of_light;
     of_light.lit.behind = behind;

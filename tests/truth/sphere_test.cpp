@@ -142,6 +142,22 @@ TEST_CASE(
   CHECK(error(128, true) < error(256, false));
 }
 
+TEST_CASE("truth: a picture shows as much of a sphere's light with a cascade as without") {
+  using namespace caustics;
+  using namespace caustics::test;
+  const Scene scene = sphere_scene(1.5f, 6);
+  const auto shown = [&](bool cascades) {
+    Settings settings = small_settings(256, 64, 256);
+    settings.cascades = cascades;
+    const Image caustic = render(scene, settings, {"aov_caustic"})["aov_caustic"];
+    double sum = 0.0;
+    for (int y = 0; y < caustic.height(); ++y)
+      for (int x = 0; x < caustic.width(); ++x) sum += static_cast<double>(caustic.at(x, y, 0));
+    return sum;
+  };
+  CHECK(shown(true) == Approx(shown(false)).epsilon(0.01));
+}
+
 TEST_CASE("truth: the estimated error of a sphere's caustic is honest") {
   using namespace caustics;
   using namespace caustics::test;
