@@ -71,7 +71,6 @@ std::uint64_t shade_vertices(const VertexStage& stage, std::size_t first, std::s
                              const Workers& workers, ShadedVertices& out) {
   out.stride = ShadedVertices::kHeader + stage.interface->varying_components();
   out.first = first;
-  out.count = count;
   out.hold(count);
   const std::vector<int> offsets =
       stage.mesh ? attribute_offsets(*stage.interface, *stage.mesh) : std::vector<int>{};

@@ -14,7 +14,7 @@ namespace caustics::raster {
 struct ShadedVertices {
   static constexpr int kHeader = 5;
   int stride = kHeader;
-  std::size_t first = 0, count = 0;
+  std::size_t first = 0;
   Texels values{};
   std::size_t room = 0;  // floats in `values`
   // For so many vertices, in memory of before where that is enough. Undefined contents.

@@ -1,4 +1,5 @@
 // What a study writes of itself, and reads back.
+#include "lab/study/report_page.hpp"
 #include "lab/study/study.hpp"
 #include "tests/support/catch.hpp"
 
@@ -72,4 +73,19 @@ TEST_CASE("study files: a table's fields are quoted where a comma would part the
   CHECK(table.find(
             "\ngrid,software,64,0.1,0.2,,,,,0.3,4.0,3.0,5.0,2.0,1.0,2.5,1099511627776,0,0,img/64.png,\n") !=
         std::string::npos);
+}
+
+TEST_CASE("study report: a row on the front is in the front's table, and one that is beaten is not") {
+  Study study = study_of_two();
+  study.rows[1].problem = "";
+  study.rows[1].caustic.median = 1.0;  // errs by a third, but takes half of the first row's time
+  study.rows.push_back(row_with("256", 0.5));
+  judge(study);
+  const std::string page = report_page(study, "no folder");
+  const std::size_t from = page.find("<h2>What nothing beats"), to = page.find("<h2>", from + 1);
+  REQUIRE((from != std::string::npos && to != std::string::npos));
+  const std::string table = page.substr(from, to - from);
+  CHECK(table.find("<td>64</td>") != std::string::npos);
+  CHECK(table.find("<td>128</td>") != std::string::npos);
+  CHECK(table.find("<td>256</td>") == std::string::npos);
 }

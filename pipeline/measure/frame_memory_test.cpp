@@ -11,11 +11,11 @@ using namespace caustics::test;
 
 namespace {
 
-// Of a pass without textures that draws two receivers of two triangles, a megabyte each, where the device
-// keeps so much for the next.
-std::uint64_t needed(std::size_t kept) {
+// Of a pass without textures over two receivers of two triangles, where each triangle or point that it draws
+// takes a megabyte, and the device keeps so much for the next.
+std::uint64_t needed(DrawSet draws, std::size_t kept, const Settings& settings = {}) {
   Pass pass;
-  pass.draws = DrawSet::Receivers;
+  pass.draws = draws;
   FramePlan plan;
   PlannedPass planned;
   planned.pass = 0;
@@ -26,7 +26,6 @@ std::uint64_t needed(std::size_t kept) {
   Scene scene;
   scene.materials = {diffuse(0.8f)};
   scene.meshes = {floor(1.0, 0.0, 0), floor(1.0, 1.0, 0)};
-  const Settings settings;
   const Registry registry = {pass};
   return memory_needed({.plan = plan,
                         .registry = registry,
@@ -42,8 +41,18 @@ std::uint64_t needed(std::size_t kept) {
 }  // namespace
 
 TEST_CASE("frame memory: meshes' draws wait together, the largest and what the device keeps beside it") {
-  CHECK(needed(1'000'000) == 3'000'000);
-  CHECK(needed(3'000'000) == 4'000'000);
+  CHECK(needed(DrawSet::Receivers, 1'000'000) == 3'000'000);
+  CHECK(needed(DrawSet::Receivers, 3'000'000) == 4'000'000);
+}
+
+TEST_CASE("frame memory: a grid's draws take memory for each of their points, beams two each") {
+  // 16 x 16 vertices of the light's grid, 4 x 4 of them in a beam.
+  Settings settings;
+  settings.grid = 16;
+  settings.shafts = 4;
+  CHECK(needed(DrawSet::GridVertices, 0, settings) == 256'000'000);
+  CHECK(needed(DrawSet::GridColumns, 0, settings) == 16'000'000);
+  CHECK(needed(DrawSet::Beams, 0, settings) == 32'000'000);
 }
 
 TEST_CASE("frame memory: a device that copies what is looked at takes a ledger's textures again") {

@@ -98,6 +98,19 @@ TEST_CASE("light groups: lights far apart as the casters see them stay alone, wh
   CHECK(alone(shares) == 40);
 }
 
+TEST_CASE("light groups: a lamp is far from another by as much as that is from the nearest caster") {
+  // Both lamps are 10 m and more from the box around the glass, whose upper side is at 0.1 m.
+  const auto alone_at = [](double apart) {
+    Scene scene = two_clusters(0);
+    scene.lights = {lamp({0.0, 10.1, 0.0}, 1.0f), lamp({apart, 10.1, 0.0}, 1.0f)};
+    std::vector<LightShare> shares(2, {.on_casters = 1.0});
+    group_lights(scene, effects_of(scene, {}), 1, shares);
+    return alone(shares);
+  };
+  CHECK(alone_at(9.0) == 1);
+  CHECK(alone_at(11.0) == 2);
+}
+
 TEST_CASE("light groups: a sun stands for no lamp, nor a lamp for a sun") {
   Scene scene = two_clusters(40);
   for (std::size_t i = 0; i < scene.lights.size(); i += 4) {

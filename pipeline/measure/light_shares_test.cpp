@@ -1,5 +1,7 @@
 #include "pipeline/measure/light_shares.hpp"
 
+#include <cmath>
+
 #include "pipeline/effects/dim_lights.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/shapes.hpp"
@@ -68,6 +70,19 @@ TEST_CASE("light shares: samples of one lamp count together, as the lamp that th
 TEST_CASE("light shares: the weakest are left out as long as all of them give less than asked for") {
   CHECK(left_out(shares_in(lit_by(20), 0.05)) == 5);
   CHECK(left_out(shares_in(lit_by(20), 0.005)) == 0);
+}
+
+TEST_CASE("light shares: a Lambertian lamp gives by the cosine, and nothing to its back") {
+  Scene scene = lit_by(20);
+  Light& lamp = scene.lights[0];
+  lamp.lambertian = true;
+  lamp.direction = {0.0, -1.0, 0.0};
+  CHECK(shares_in(scene, 0.0)[0].share == Approx(100.0 / 120.0));
+  // Turned by 60 degrees: half as much. Turned away: nothing.
+  lamp.direction = {std::sqrt(0.75), -0.5, 0.0};
+  CHECK(shares_in(scene, 0.0)[0].share == Approx(50.0 / 70.0).epsilon(0.01));
+  lamp.direction = {0.0, 1.0, 0.0};
+  CHECK(shares_in(scene, 0.0)[0].share == 0.0);
 }
 
 TEST_CASE("light shares: what a wall hides from the caster outshines nothing") {

@@ -165,6 +165,17 @@ TEST_CASE("size search: what cannot be reached gives what comes close, not the m
   CHECK(fast.chosen.map == 64);
 }
 
+TEST_CASE("size search: what hardly lowers an error that cannot be reached is not tried") {
+  // A tenth of the light is missing whatever the sizes: the first ones come so close to that error that no
+  // finer ones take a tenth off what they leave.
+  const Frame missing = [](int grid, int map) {
+    Trial trial = exact(grid, map);
+    trial.missing = 0.1;
+    return trial;
+  };
+  CHECK(search(missing, {.error = 0.05, .milliseconds = {}}).trials == 1);
+}
+
 TEST_CASE("size search: of all sizes that would be better the best is tried, not the first or the last") {
   // An error of 0.42 is met by every size from 64 on: of them 64 x 64 is the quickest.
   SizeSearch quick(CostModel(exact(128, 128), exact(256, 128), exact(128, 256)),

@@ -1,6 +1,7 @@
 // How bright a picture is made, by what it shows.
 #include "pipeline/renderer/exposure.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/settings/settings.hpp"
@@ -82,6 +83,19 @@ TEST_CASE("exposure: white that fills much of the picture keeps its texture") {
   scene.materials.push_back(diffuse(0.8f));
   scene.meshes.push_back(box({-9.0, 0.0, -9.0}, {-1.2, 0.1, 9.0}, 2));
   CHECK(shown(exposure_for(scene), 0.8) == Approx(0.8).epsilon(0.02));
+}
+
+TEST_CASE("exposure: a floor's picture counts with the mean of all its rows and columns") {
+  // One texel of 16 is white, the others are of 0.2: 0.25 in the mean, of the floor's 0.8.
+  for (const bool upright : {false, true}) {
+    Scene scene = lit_floor();
+    Image picture(Format::RGBA32F, upright ? 1 : 16, upright ? 16 : 1);
+    std::fill(picture.values.begin(), picture.values.end(), 0.2f);
+    std::fill_n(picture.values.begin(), 4, 1.0f);
+    scene.images = {picture};
+    scene.materials[0].base_color_texture.image = 0;
+    CHECK(shown(exposure_for(scene), 0.25 * 0.8) == Approx(0.31).epsilon(1e-3));
+  }
 }
 
 TEST_CASE("exposure: metal has no colour of its own that would glow") {

@@ -32,6 +32,8 @@ namespace {
 
 // Of the share that may fall outside of a map, where the map has a cascade.
 constexpr double kCascadedShare = 0.25;
+// Around a cascade's light, of its window; the border that is not looked up comes besides (cover_texels).
+constexpr double kCascadeMargin = 0.03;
 // What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the
 // ledger's kernel_edge has it.
 constexpr double kWidestMargin = 1.0;
@@ -98,7 +100,7 @@ void fit_to_landings(LightViews& views, const FoundLandings& found, const Settin
   set_window(views.caustic, landed.window(0.25 * settings.outside_share), margin, shortest);
   // Light that is spread has no bright part to be shown finer, and the farthest receivers have no cascade.
   if (can_have_cascades(settings) && !all_light_is_spread(effects) && !found.is_hidden())
-    views.cascade = cascade_view(views.caustic, landed, margin, shortest);
+    views.cascade = cascade_view(views.caustic, landed, kCascadeMargin, shortest);
   // Where a cascade shows the bright part, the map around it can be wider and lose less; but the receiver map
   // would have to be as wide, and on receivers that are not flat its texels tell where light lands.
   if (views.cascade && effects.receivers_are_one_plane)

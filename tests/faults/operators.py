@@ -141,7 +141,7 @@ def statements(source):
 def returned(source, begin, end):
     first, last = source.stripped(begin + len('return'), end - 1)
     value = source.text[first:last]
-    zero = r'(?:\{\}|nullptr|false|true|0|\d+|"[^"]*"|std::nullopt|null|undefined|ExitCode::Done)$'
+    zero = r'(?:\{\}|nullptr|false|true|0|\d+|0\.0f?|"[^"]*"|std::nullopt|null|undefined|ExitCode::Done)$'
     if re.match(zero, value) or has_text(source, (first, last)):
         return
     if source.language == 'js':

@@ -200,6 +200,19 @@ TEST_CASE("parity: one wrong value is found, in its pass alone, and with it a wr
   CHECK_FALSE(judged.passes());
 }
 
+TEST_CASE("parity: a comparison that is told to stop after a pass runs no further one") {
+  ReadyFrame frame(sphere_scene(1.5f, 1));
+  const SceneOnDevice tested(frame.scene, frame.renderer.effects(), *frame.software);
+  std::size_t told = 0;
+  const auto compare = [&] {
+    compare_devices(
+        frame.renderer.plan(), pass_registry(), frame.renderer.on_device(), tested, frame.renderer.inputs(),
+        {}, [&](const PlannedPass&, const PassResult&, std::size_t, std::size_t) { return ++told < 3; });
+  };
+  CHECK_THROWS_AS(compare(), Error);
+  CHECK(told == 3);
+}
+
 TEST_CASE("parity: a pass, an attachment or a texture of the frame that was not compared fails") {
   ReadyFrame frame;
   const FrameParity whole = frame.against(*make_software_device());

@@ -98,6 +98,17 @@ class Frames(MovingTest):
                           "ambient.occlusion=off", "-o", "one.%d.png")
             self.assertEqual(self.picture("one.3.png"), self.picture("f.3.png"), backend)
 
+    def test_the_times_of_a_row_are_those_of_all_its_frames(self):
+        self.succeeds("go.glb", *SMALL, "--frames", "0..7", "--fps", "8", "-o", "f.%d.png",
+                      "--stats", "s.json")
+        times = json.loads((self.folder / "s.json").read_text())["milliseconds"]
+        parts = [times[part] for part in ("load", "prepare", "passes", "write")]
+        for part in parts:
+            self.assertGreater(part, 0)
+        # Light is looked for anew in each frame, and what is none of these parts is short beside that.
+        self.assertLessEqual(sum(parts), times["total"])
+        self.assertLess(times["total"] - sum(parts), times["prepare"])
+
     def test_both_backends_draw_the_same_moment(self):
         result = self.run_program("parity", "go.glb", *SMALL, "--time", "0.7")
         if result.returncode == 5:

@@ -5,6 +5,7 @@ import math
 
 from pictures import exr, png
 from program import ProgramTest, main
+from shown import png_channels
 
 
 class MetricsTest(ProgramTest):
@@ -240,6 +241,12 @@ class Flip(MetricsTest):
         for channel in self.document(1, "d_caustic_flip.png", "black.exr")["channels"]:
             self.assertNotIn("mismatch", channel)
             self.assertEqual(channel["worst"]["a"], 1)
+        # A row of the bar, 12 pixels from either side, whose ends are black and white.
+        _, _, channels = png_channels((self.folder / "d_caustic_flip.png").read_bytes())
+        for values in channels.values():
+            row = values[12 * 180:13 * 180]
+            self.assertEqual(row[:12] + row[168:], 24 * [row[0]])
+            self.assertEqual((row[12], row[167]), (0, 255))
         (self.folder / "e_flip.png").write_bytes(png([(0, 0, 0)] * 4, 2, 2))
         self.fails(2, "compare", "e_flip.png", "e_flip.png", "--flip", "--diff=e",
                    saying="--diff would replace an image")

@@ -8,6 +8,7 @@ import subprocess
 
 from pictures import exr
 from program import PROGRAM, SMALL, ProgramTest, main
+from shown import png_channels
 
 
 class CompareTest(ProgramTest):
@@ -164,6 +165,16 @@ class DifferenceImages(CompareTest):
         for channel in self.document(1, "d_color.png", "black.exr")["channels"]:
             self.assertEqual(channel["differing"], 2)
             self.assertEqual(channel["worst"], {"x": 0, "y": 1, "a": 1, "b": 0})
+
+    def test_the_largest_difference_is_white_however_small_it_is(self):
+        self.pair([1, 1, 1, 1], [1, 1 + 2**-10, 1 + 2**-7, 1])
+        result = self.run_program("compare", "a.exr", "b.exr", "--diff", "d")
+        self.assertIn("white is a difference of 0.00781,", result.stderr)
+        width, height, channels = png_channels((self.folder / "d_color.png").read_bytes())
+        self.assertEqual((width, height), (2, 2))
+        for values in channels.values():
+            self.assertEqual((values[0], values[2], values[3]), (0, 255, 0))
+            self.assertGreater(values[1], 0)
 
     def test_same_bytes_again(self):
         self.pair([1, 2, 3, 4], [1, 2.5, 1, 4])

@@ -1,4 +1,7 @@
 // Containers and the files that a scene refers to.
+#include <algorithm>
+
+#include "pipeline/image_io/image_io.hpp"
 #include "pipeline/scene/gltf/load_environment.hpp"
 #include "tests/scene/gltf_builder.hpp"
 #include "tests/support/skip.hpp"
@@ -143,4 +146,28 @@ TEST_CASE("Other images are no environments") {
   CHECK_THROWS_AS(load_environment(folder.write("a.hdr", "not an image")), Error);
   CHECK_THROWS_AS(load_environment(folder.write("a.hdr", "#?RADIANCE\n\n-Y 99999 +X 99999\n")), Error);
   CHECK_THROWS_AS(load_environment(folder.write("a.exr", "\x76\x2f\x31\x01 broken")), Error);
+}
+
+TEST_CASE("An environment with too long a side is refused with its width and height") {
+  const Folder folder;
+  std::vector<unsigned char> bytes;
+  const ImageToEncode image{
+      .width = 3, .height = 1, .channels = {"R", "G", "B"}, .row = [](int, float* values) {
+        std::fill_n(values, 9, 1.0f);
+      }};
+  REQUIRE(image_io().encode(image, bytes) == "");
+  const auto exr = folder.write("sky.exr", std::string(bytes.begin(), bytes.end()));
+  const auto hdr = folder.write("sky.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 3\n");
+  LoadOptions options;
+  options.max_image_side = 2;
+  const auto problem = [&](const fs::path& path) -> std::string {
+    try {
+      load_environment(path, options);
+      return "loaded";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  CHECK(contains(problem(exr), "is 3x1, larger than 2 pixels a side"));
+  CHECK(contains(problem(hdr), "is 3x1, larger than 2 pixels a side"));
 }

@@ -93,6 +93,15 @@ TEST_CASE("Water on anything but a level open sheet is refused") {
   CHECK(contains(refusal(sheet("{}", R"(,"rotation":[1,0,0,0])")), "turn its faces over"));
 }
 
+TEST_CASE("Water may rise by a quarter of its sheet's shorter side at rest") {
+  // A sheet of 4 x 1 m, its long side turned up by an angle whose sine is 0.05, then 0.1: 0.2 and 0.4 m.
+  const auto turned = [](const std::string& half_sine, const std::string& half_cosine) {
+    return sheet("{}", R"(,"scale":[2,1,0.5],"rotation":[0,0,)" + half_sine + "," + half_cosine + "]");
+  };
+  CHECK(load(turned("0.0250078", "0.9996873")).waters.size() == 1);
+  CHECK(contains(refusal(turned("0.0500628", "0.9987461")), "no horizontal sheet"));
+}
+
 TEST_CASE("All waters together have a limited number of cells") {
   Gltf gltf = sheet(R"({"cells":16})", R"(,"children":[1]},{"mesh":0,"extras":{"water":{"cells":16}})");
   LoadOptions options;
