@@ -52,13 +52,13 @@ Row composition_row() {
           {{"layers",
             "glass_sphere.glb",
             {"-r", "512x512", "--camera", "floor", "-D", "highlights=off", "-D", "ambient.occlusion=off",
-             "-D", "further.share=1"},
+             "-D", "further.share=1", "-D", "cascades=off"},
             "beauty,direct,caustic"},
            floor_shot("preset_512", "glass_sphere.glb", {"--preset", "paper", "--grid", "512"})},
           "layers",
           "the picture is albedo / pi times direct light and caustic, and an even sky: 1e-5; the direct "
           "light is the "
-          "same to the bit whatever the caustic",
+          "same to the bit whatever the caustic, in maps as fine",
           [](const Shots& s) -> Finding {
             const FloorLayer beauty = s.layer("layers", "beauty"), direct = s.layer("layers", "direct");
             const FloorLayer caustic = s.layer("layers", "caustic"), other = s.layer("preset_512", "direct");
