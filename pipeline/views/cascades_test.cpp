@@ -56,6 +56,17 @@ TEST_CASE("cascades: what is looked up of one is whole texels of the map, and a 
   CHECK(upper.y == Approx(3.005));
 }
 
+TEST_CASE(
+    "cascades: the smallest map that has one keeps most of its texels to show, a smaller one has none") {
+  Settings settings;
+  settings.map = 16;
+  CHECK(can_have_cascades(settings));
+  CHECK(cascade_border(settings) < 0.25 * settings.map);
+  settings.map = 15;
+  CHECK_FALSE(can_have_cascades(settings));
+  CHECK(why_no_cascades(settings) == "a map of fewer than 16 texels a side has no room for one");
+}
+
 TEST_CASE("cascades: a window takes in the whole of a bright spot, whatever share of the light lies apart") {
   for (const double apart : {0.02, 0.05, 0.09}) {
     std::vector<WeightedPoint> points;
