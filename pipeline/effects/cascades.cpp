@@ -8,19 +8,19 @@ namespace caustics {
 
 namespace {
 
-constexpr int kLeastMap = 16;  // smaller ones are hardly more than a cascade's border
+constexpr int kLeastCascadedMap = 16;  // smaller ones are hardly more than a cascade's border
 
 }  // namespace
 
 bool can_have_cascades(const Settings& settings) {
   return settings.cascades && settings.splat == Splat::Cell && 2 * settings.grid >= settings.map &&
-         settings.map >= kLeastMap;
+         settings.map >= kLeastCascadedMap;
 }
 
 std::string why_no_cascades(const Settings& settings) {
   if (!settings.cascades) return "asked for one map a light";
   if (settings.splat != Splat::Cell) return "points would leave gaps in finer texels";
-  if (settings.map < kLeastMap) return "a map of fewer than 16 texels a side has no room for one";
+  if (settings.map < kLeastCascadedMap) return "a map of fewer than 16 texels a side has no room for one";
   return can_have_cascades(settings)
              ? "no light's caustic is small in its map"
              : "a grid of less than half the map's side would show its cells in finer texels";
