@@ -111,13 +111,16 @@ Vec3 flux_beside_cascade(Vec2 uv) {
   Float upward = y - Float(row);
   Vec3 sum = Vec3(0.0f);
   Float weights = Float(0.0f);
+  Int last = Int(texture_width(caustic_map) - 1);
   for (int j = 0; j < 2; j++)
     for (int i = 0; i < 2; i++) {
+      Int x_there = clamp_to(column + i, Int(0), last);
+      Int y_there = clamp_to(row + j, Int(0), last);
       Float of_column = Float(i == 0 ? 1.0f : 0.0f) - across;
       Float of_row = Float(j == 0 ? 1.0f : 0.0f) - upward;
       Float weight = abs(of_column * of_row);
-      weight = sel(is_in_cascade(column + i, row + j), Float(0.0f), weight);
-      sum = sum + Vec3(fetch_clamped(caustic_map, column + i, row + j)) * weight;
+      weight = sel(is_in_cascade(x_there, y_there), Float(0.0f), weight);
+      sum = sum + Vec3(texel_fetch(caustic_map, x_there, y_there)) * weight;
       weights = weights + weight;
     }
   return sum / max_of(weights, 1.0e-4f);

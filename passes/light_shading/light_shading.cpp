@@ -5,7 +5,7 @@
 #include "passes/shared/light_uniforms.hpp"
 #include "passes/shared/medium_uniforms.hpp"
 #include "pipeline/settings/settings.hpp"
-#include "pipeline/views/cascades.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics::std140 {
 

@@ -1,6 +1,7 @@
 // Light at a grid vertex, where it meets its first surface. Needs caster_triangles.glsl, grid_light.glsl,
 // wide_light.glsl, light_path.glsl, way_draw.glsl, the textures caster_position, caster_normal,
-// caster_triangle and reaching, and the uniforms of grid_light_uniforms.glsl, light_shape and is_tinted.
+// caster_triangle, hierarchy_normals and reaching, and the uniforms of grid_light_uniforms.glsl, light_shape
+// and is_tinted.
 
 // A direction of the view's axes, as a cube's face turns them, in scene space.
 Vec3 grid_axis(Vec3 axis, Int face) {
@@ -73,7 +74,7 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
     light.flux = light.flux * most;
     tint = tint * (1.0f / max_of(most, 1.0e-6f));
   }
-  // Half of a lamp's points look away.
+  // A lamp's points on the sides that look away send nothing.
   if (u.light_shape == 5) arrival.covered = arrival.covered && light.flux > 0.0f;
   arrival.from = light.from;
   arrival.path.ray = ray_from(arrival.at.point, light.direction);

@@ -7,6 +7,7 @@
 #include "passes/shared/grid_light_uniforms.hpp"
 #include "passes/shared/hierarchy_reads.hpp"
 #include "passes/shared/medium_uniforms.hpp"
+#include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/exact.hpp"
 
 namespace caustics {
@@ -27,7 +28,7 @@ int light_shape(const PassContext& context) {
   if (!source) return 0;
   if (source->is_ball()) return source->shape == LightShape::Mesh ? 4 : 1;
   if (source->is_rectangle()) return 2;
-  return source->shape == LightShape::Disk ? 3 : 5;
+  return source->is_lamp() ? 5 : 3;
 }
 
 void set_size(std140::Walk& block, const PassContext& context) {
@@ -41,8 +42,10 @@ void set_size(std140::Walk& block, const PassContext& context) {
     exact::sin_cos(source->angular_radius, sine, cosine);
     block.light_radius = static_cast<float>(sine / cosine);
   }
-  block.light_points = context.first_point;
-  if (context.first_point >= 0) {
+  if (source->is_lamp()) {
+    if (context.first_point < 0)
+      throw Error(ExitCode::InternalError, "the points of light '" + source->name + "' are in no table");
+    block.light_points = context.first_point;
     const Mesh& mesh = context.scene->meshes[static_cast<std::size_t>(source->emitter)];
     block.light_radius = static_cast<float>(0.5 * bounds_of(mesh).radius());
   }

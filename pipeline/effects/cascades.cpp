@@ -3,24 +3,26 @@
 #include <cmath>
 
 #include "pipeline/settings/settings.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
 
 namespace {
 
-constexpr int kLeastCascadedMap = 16;  // smaller ones are hardly more than a cascade's border
+// Is no more than half of a cascade border, which is not shown?
+bool has_room(const Settings& settings) { return settings.map >= 4.0 * cascade_border(settings); }
 
 }  // namespace
 
 bool can_have_cascades(const Settings& settings) {
   return settings.cascades && settings.splat == Splat::Cell && 2 * settings.grid >= settings.map &&
-         settings.map >= kLeastCascadedMap;
+         has_room(settings);
 }
 
 std::string why_no_cascades(const Settings& settings) {
   if (!settings.cascades) return "asked for one map a light";
   if (settings.splat != Splat::Cell) return "points would leave gaps in finer texels";
-  if (settings.map < kLeastCascadedMap) return "a map of fewer than 16 texels a side has no room for one";
+  if (!has_room(settings)) return "half of one would be border; a larger --map has room";
   return can_have_cascades(settings)
              ? "no light's caustic is small in its map"
              : "a grid of less than half the map's side would show its cells in finer texels";

@@ -1,7 +1,9 @@
 #include "pipeline/effects/drawn_sizes.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "pipeline/effects/further_surfaces.hpp"
 #include "pipeline/effects/surface_role.hpp"
@@ -44,29 +46,57 @@ std::map<LightSide, std::vector<int>> samples_of_sides(const Scene& scene, const
   return samples;
 }
 
-bool is_lamp(const Light& source) {
-  return source.shape == LightShape::Mesh && !source.is_ball() && !source.is_rectangle();
+// The casters that a light throws caustics through, indices into Scene::meshes.
+std::set<int> casters_of(const Effects& effects, int light) {
+  std::set<int> casters;
+  for (const Expectation& e : effects.expectations)
+    if (e.expected && e.light == light) casters.insert(e.mesh);
+  return casters;
 }
 
-// The middle of all casters that a light shines through.
-glm::dvec3 casters_of(const Scene& scene, const Effects& effects, int light) {
+// How much a sample of a lamp faces the middle of these casters: a cosine.
+double facing(const Scene& scene, const std::set<int>& casters, const Light& sample) {
   Bounds bounds;
-  for (const Expectation& e : effects.expectations)
-    if (e.expected && e.light == light) bounds.add(bounds_of(scene.meshes[static_cast<std::size_t>(e.mesh)]));
-  return bounds.centre();
+  for (const int mesh : casters) bounds.add(bounds_of(scene.meshes[static_cast<std::size_t>(mesh)]));
+  return exact::dot(sample.direction, exact::normalise(bounds.centre() - sample.position, sample.direction));
 }
 
 // The sample that sees the casters as the whole light does: the one nearest to its source's middle; of a lamp
-// the one that faces them most.
+// the one that faces them most, of those that all of them lie before. -1: there is none.
 int middle_sample(const Scene& scene, const Effects& effects, int source, const std::vector<int>& samples) {
   const Light& whole = scene.sources[static_cast<std::size_t>(source)];
-  const auto away = [&](int sample) {
+  std::set<int> all;
+  if (whole.is_lamp())
+    for (const int sample : samples) all.merge(casters_of(effects, sample));
+  int middle = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int sample : samples) {
+    if (whole.is_lamp() && casters_of(effects, sample) != all) continue;
     const Light& light = scene.lights[static_cast<std::size_t>(sample)];
-    if (!is_lamp(whole)) return exact::length(light.position - whole.position);
-    const glm::dvec3 way = casters_of(scene, effects, sample) - light.position;
-    return -exact::dot(light.direction, exact::normalise(way, light.direction));
+    const double away =
+        whole.is_lamp() ? -facing(scene, all, light) : exact::length(light.position - whole.position);
+    if (away >= least) continue;
+    least = away;
+    middle = sample;
+  }
+  return middle;
+}
+
+// Of all its samples together, lux or candela: those of a lamp that look away from the casters throw no
+// caustic, but its points are all over it.
+glm::vec3 intensity_of_all(const Scene& scene, const Effects& effects, int drawn,
+                           const std::vector<int>& samples) {
+  const auto of = [&](int sample) {
+    const auto index = static_cast<std::size_t>(sample);
+    return caustic_intensity(scene.lights[index], effects.lights[index]);
   };
-  return *std::min_element(samples.begin(), samples.end(), [&](int a, int b) { return away(a) < away(b); });
+  const int source = scene.lights[static_cast<std::size_t>(drawn)].source;
+  if (scene.sources[static_cast<std::size_t>(source)].is_lamp())
+    return of(drawn) * static_cast<float>(std::count_if(scene.lights.begin(), scene.lights.end(),
+                                                        [&](const Light& l) { return l.source == source; }));
+  glm::vec3 all(0.0f);
+  for (const int sample : samples) all += of(sample);
+  return all;
 }
 
 }  // namespace
@@ -77,19 +107,14 @@ Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& se
   for (const auto& [side, samples] : samples_of_sides(scene, effects)) {
     if (samples.size() < 2) continue;
     const int drawn = middle_sample(scene, effects, side.source, samples);
+    if (drawn < 0) continue;
     LightEffects& of_drawn = effects.lights[static_cast<std::size_t>(drawn)];
     of_drawn.size_is_drawn = true;
-    glm::vec3 all(0.0f);
-    for (const int sample : samples) {
-      const auto index = static_cast<std::size_t>(sample);
-      all += caustic_intensity(scene.lights[index], effects.lights[index]);
-      effects.lights[index].casters_shadow = sample != drawn;
-    }
     const Light& light = scene.lights[static_cast<std::size_t>(drawn)];
-    // Samples that look away from the casters throw none; the light's points are all over it.
-    const Light& source = scene.sources[static_cast<std::size_t>(side.source)];
-    if (is_lamp(source)) all = glm::max(all, source.color * source.intensity);
+    const glm::vec3 all = intensity_of_all(scene, effects, drawn, samples);
     of_drawn.of_others = all - light.color * light.intensity;
+    for (const int sample : samples)
+      effects.lights[static_cast<std::size_t>(sample)].casters_shadow = sample != drawn;
     for (Expectation& e : effects.expectations) {
       if (!e.expected || e.light == drawn || side_of(scene, e.light) != side) continue;
       e = {e.light, e.mesh, false,

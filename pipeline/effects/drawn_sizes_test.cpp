@@ -96,11 +96,14 @@ TEST_CASE("drawn sizes: of a sheet that shines to both sides, one sample stands 
   }
 }
 
-TEST_CASE(
-    "drawn sizes: of any other mesh that shines one sample that faces the casters stands for all of it") {
-  // A tetrahedron above the ball: three of its sides look away from that, and count as points of it do.
+namespace {
+
+// A tetrahedron that shines, above the ball and to the left of another: three of its sides look away from the
+// first, two from the second.
+Bench under_lamp(bool beside) {
   Bench bench;
   bench.scene = sphere_scene(1.5f, 2);
+  if (beside) bench.scene.meshes.push_back(sphere({6.0, 3.5, 0.0}, 0.5, 2, 1));
   Material shining = diffuse(0.5f);
   shining.emissive = glm::vec3(100.0f);
   shining.double_sided = false;
@@ -111,9 +114,16 @@ TEST_CASE(
   bench.scene.meshes.push_back(lamp);
   bench.scene.lights.clear();
   add_emissive_lights(bench.scene);
-  REQUIRE(bench.scene.lights.size() == 1);
-  const float whole = bench.scene.lights.front().intensity;
   sample_lights(bench.scene, 16);
+  return bench;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "drawn sizes: of any other mesh that shines one sample that faces the casters stands for all of it") {
+  Bench bench = under_lamp(false);
+  const float whole = bench.scene.sources.front().intensity;
   const Effects effects = bench.effects();
   int drawn = 0;
   for (std::size_t l = 0; l < effects.lights.size(); ++l) {
@@ -123,6 +133,23 @@ TEST_CASE(
     CHECK(effects.lights[l].of_others.x == Approx(whole * 15.0f / 16.0f));
   }
   CHECK(drawn == 1);
+}
+
+TEST_CASE("drawn sizes: a mesh that stands for other lights is brighter by theirs, whichever way it looks") {
+  Bench bench = under_lamp(false);
+  Effects effects = effects_of(bench.scene, bench.settings);
+  for (LightEffects& light : effects.lights) light.of_others = glm::vec3(3.0f);
+  effects = with_drawn_sizes(std::move(effects), bench.scene, bench.settings);
+  const float whole = bench.scene.sources.front().intensity;
+  for (const LightEffects& light : effects.lights)
+    if (light.size_is_drawn) CHECK(light.of_others.x == Approx(whole * 15.0f / 16.0f + 16.0f * 3.0f));
+  CHECK(any_size_is_drawn(effects));
+}
+
+TEST_CASE("drawn sizes: a mesh that shines among its casters has no sample that stands for all of it") {
+  const Bench bench = under_lamp(true);
+  CHECK_FALSE(any_size_is_drawn(bench.effects()));
+  CHECK(expected(bench.effects()) == expected(effects_of(bench.scene, bench.settings)));
 }
 
 TEST_CASE("drawn sizes: a light without a size is left as it is") {

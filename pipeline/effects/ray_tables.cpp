@@ -148,6 +148,19 @@ glm::vec4 RayTables::bodies_around(const glm::dvec3& p) const {
   return media;
 }
 
+void RayTables::renew() {
+  hierarchy_.reset();
+  around_.reset();
+  list_lamps();
+}
+
+void RayTables::list_lamps() {
+  lamps_ = lamps_of_points(scene_);
+  meshes_.lamps.clear();
+  for (const int lamp : lamps_)
+    meshes_.lamps.push_back(scene_.sources[static_cast<std::size_t>(lamp)].emitter);
+}
+
 void RayTables::number_triangles(const Effects& effects) {
   meets_waters_ = may_be_followed(effects);
   const std::vector<int> bodies = bodies_of(scene_);
@@ -169,9 +182,7 @@ void RayTables::number_triangles(const Effects& effects) {
   // The camera's rays ask for every triangle's texture coordinates, where they meet any texture.
   meshes_.receivers_dressed = sight_meets_textures(effects) || receivers_are_dressed(effects);
   first_uv_ = caustics::first_uv(scene_, meshes_);
-  lamps_ = lamps_of_points(scene_);
-  for (const int lamp : lamps_)
-    meshes_.lamps.push_back(scene_.sources[static_cast<std::size_t>(lamp)].emitter);
+  list_lamps();
   const Bounds bounds = bounds_of(scene_);
   if (!bounds.empty()) touch_ = static_cast<float>(4e-6 * std::max(bounds.radius(), 1e-6));
 }

@@ -25,11 +25,8 @@ class RayTables {
   // tree of its waves would have to be made anew for each frame.
   void meet_waters(const Effects& effects);
   bool meets_waters() const { return meets_waters_; }
-  // Meshes have moved.
-  void renew() {
-    hierarchy_.reset();
-    around_.reset();
-  }
+  // Meshes have moved, and what shines may have another shape.
+  void renew();
 
   TextureId materials() const { return materials_.id(); }
   TextureId texels() const { return texels_.id(); }  // None where casters have no pictures
@@ -65,6 +62,7 @@ class RayTables {
   void upload_materials(const Effects& effects);
   CasterTexels upload_texels(const Effects& effects);
   void number_triangles(const Effects& effects);
+  void list_lamps();
 
   const Scene& scene_;
   Device& device_;

@@ -32,8 +32,7 @@ glm::dvec3 across(const glm::dvec3& d, const glm::dvec2& at) {
 }  // namespace
 
 DrawnPoints::DrawnPoints(const Scene& scene, const Light& source) : source_(source) {
-  if (source.shape == LightShape::Mesh && !source.is_ball() && !source.is_rectangle())
-    points_ = Emitter(scene, source.emitter).list(kPointsOfLamp);
+  if (source.is_lamp()) points_ = Emitter(scene, source.emitter).list(kPointsOfLamp);
 }
 
 glm::dvec3 DrawnPoints::start(const glm::dvec3& p, int number) const {

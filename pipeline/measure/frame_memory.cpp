@@ -10,6 +10,7 @@
 #include "pipeline/gpu/text.hpp"
 #include "pipeline/measure/landing_images.hpp"
 #include "pipeline/plan/frame_plan.hpp"
+#include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/hierarchy_tables.hpp"
 #include "pipeline/scene/scene.hpp"
 #include "pipeline/scene/triangle_tree.hpp"
@@ -34,7 +35,8 @@ std::uint64_t tree_bytes(const Scene& scene) {
 }
 
 // The hierarchy that passes walk: what its tables take (hierarchy_tables.hpp: seven texels a triangle, where
-// a leaf has four; and five where casters have textures), and what making them takes beside.
+// a leaf has four; and five where casters have textures; two a point of a lamp), and what making them takes
+// beside.
 struct HierarchyBytes {
   std::uint64_t held = 0, making = 0;
 };
@@ -49,7 +51,8 @@ HierarchyBytes hierarchy_bytes(const FrameCost& cost) {
   for (const Mesh& mesh : cost.scene.meshes) indices += mesh.indices.size();
   const std::uint64_t texels =
       light_meets_textures(cost.effects) || sight_meets_textures(cost.effects) ? 7 + kTexelsOfUv : 7;
-  return {indices / 3 * texels * sizeof(glm::vec4), TriangleTree::building_bytes(indices / 3)};
+  const std::uint64_t points = 2 * kPointsOfLamp * lamps_of_points(cost.scene).size();
+  return {(indices / 3 * texels + points) * sizeof(glm::vec4), TriangleTree::building_bytes(indices / 3)};
 }
 
 // The largest of the pass's draws and those that are sorted into tiles with it, beside textures.

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "pipeline/views/cascades.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 
 namespace caustics {
 

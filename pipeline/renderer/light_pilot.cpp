@@ -106,7 +106,7 @@ void fit_to_landings(LightViews& views, const FoundLandings& found, const Settin
   if (views.cascade && effects.receivers_are_one_plane)
     set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin,
                shortest);
-  if (views.cascade) cover_texels(*views.cascade, views.caustic, settings);
+  if (views.cascade) views.cascade = covering_texels(*views.cascade, views.caustic, settings);
   const bool apart = views.caustic.forward != views.caster.forward;
   views.receiver.window_lower =
       apart ? views.caustic.window_lower : glm::min(views.caustic.window_lower, views.caster.window_lower);

@@ -317,11 +317,8 @@ Light light_of_mesh(const Scene& scene, int number) {
 std::vector<int> lamps_of_points(const Scene& scene) {
   constexpr std::size_t kMostLamps = 64;  // of which each takes 130 kB
   std::vector<int> lamps;
-  for (std::size_t i = 0; i < scene.sources.size() && lamps.size() < kMostLamps; ++i) {
-    const Light& light = scene.sources[i];
-    if (light.shape == LightShape::Mesh && !light.is_ball() && !light.is_rectangle())
-      lamps.push_back(static_cast<int>(i));
-  }
+  for (std::size_t i = 0; i < scene.sources.size() && lamps.size() < kMostLamps; ++i)
+    if (scene.sources[i].is_lamp()) lamps.push_back(static_cast<int>(i));
   return lamps;
 }
 

@@ -50,7 +50,7 @@ bool shines(const Scene& scene, const Mesh& mesh);
 // A light of LightShape::Mesh for a mesh that shines. Its intensity is luminance times area, candela.
 Light light_of_mesh(const Scene& scene, int mesh);
 
-// Those of Scene::sources that are neither balls nor rectangles but shine by a mesh: the first so many.
+// Those of Scene::sources that are lamps (Light::is_lamp): the first 64.
 std::vector<int> lamps_of_points(const Scene& scene);
 
 // Adds a light of every mesh that shines after the lights that the scene has. To be called before

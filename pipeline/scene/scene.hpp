@@ -151,6 +151,8 @@ struct Light {
   bool is_rectangle() const {
     return shape == LightShape::Rectangle || (shape == LightShape::Mesh && width != glm::dvec3(0.0));
   }
+  // A mesh that shines and is neither: known by points of it.
+  bool is_lamp() const { return shape == LightShape::Mesh && !is_ball() && !is_rectangle(); }
 };
 
 // Its intensity in the brightest of its channels, lux or candela.

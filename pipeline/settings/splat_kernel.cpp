@@ -40,4 +40,6 @@ SplatKernel splat_kernel(const Settings& settings) {
   return kernel;
 }
 
+double cascade_border(const Settings& settings) { return splat_kernel(settings).radius + 1.0; }
+
 }  // namespace caustics

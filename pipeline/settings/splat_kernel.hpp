@@ -21,4 +21,8 @@ struct SplatKernel {
 };
 SplatKernel splat_kernel(const Settings& settings);
 
+// Texels along a cascade's border that are not looked up: splats may have their middles beyond it, and one
+// for the look-up.
+double cascade_border(const Settings& settings);
+
 }  // namespace caustics

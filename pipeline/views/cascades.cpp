@@ -44,9 +44,7 @@ std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, 
   return best;
 }
 
-double cascade_border(const Settings& settings) { return splat_kernel(settings).radius + 1.0; }
-
-void cover_texels(View& cascade, const View& caustic, const Settings& settings) {
+std::optional<View> covering_texels(const View& cascade, const View& caustic, const Settings& settings) {
   // Of a texel: more than is lost to rounding.
   constexpr double kSlack = 0.01;
   const glm::dvec2 texel = (caustic.window_upper - caustic.window_lower) / static_cast<double>(settings.map);
@@ -55,8 +53,11 @@ void cover_texels(View& cascade, const View& caustic, const Settings& settings) 
   const glm::dvec2 upper = glm::ceil(in_texels(cascade.window_upper)) + kSlack;
   const double border = cascade_border(settings) / static_cast<double>(settings.map);
   const glm::dvec2 beyond = (upper - lower) * (border / (1.0 - 2.0 * border));
-  cascade.window_lower = caustic.window_lower + (lower - beyond) * texel;
-  cascade.window_upper = caustic.window_lower + (upper + beyond) * texel;
+  View wider = cascade;
+  wider.window_lower = caustic.window_lower + (lower - beyond) * texel;
+  wider.window_upper = caustic.window_lower + (upper + beyond) * texel;
+  if (!(wider.window_area() < kWorth * kWorth * caustic.window_area())) return {};
+  return wider;
 }
 
 std::vector<PilotFinding> findings_of(const std::vector<LightViews>& views, const Effects& effects,

@@ -18,13 +18,10 @@ namespace caustics {
 std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, double margin,
                                  double shortest = 1e-9);
 
-// Texels along a cascade's border that are not looked up: splats may have their middles beyond it, and one
-// for the look-up.
-double cascade_border(const Settings& settings);
-
-// Widens the cascade until what of it is looked up is all of each texel of the caustic map that it touches.
-// A texel of which it has a part only is not shown by it (passes/light_shading/caustic_lookup.glsl).
-void cover_texels(View& cascade, const View& caustic, const Settings& settings);
+// The cascade, widened until what of it is looked up is all of each texel of the caustic map that it touches:
+// a texel of which it has a part only is not shown by it (passes/light_shading/caustic_lookup.glsl). Nothing
+// where its texels are not half as wide as the map's then.
+std::optional<View> covering_texels(const View& cascade, const View& caustic, const Settings& settings);
 
 // What the lights' views tell the effects. `camera`: the picture's view; null: it counts as seeing
 // everything.

@@ -46,7 +46,7 @@ TEST_CASE("cascades: what is looked up of one is whole texels of the map, and a 
   View cascade = square_view(16.0);
   cascade.window_lower = {-0.9, 1.6};
   cascade.window_upper = {0.6, 2.6};
-  cover_texels(cascade, square_view(16.0), settings);
+  cascade = covering_texels(cascade, square_view(16.0), settings).value();
   const double border = cascade_border(settings) / 32.0;
   const glm::dvec2 size = cascade.window_upper - cascade.window_lower;
   const glm::dvec2 lower = cascade.window_lower + border * size, upper = cascade.window_upper - border * size;
@@ -56,15 +56,26 @@ TEST_CASE("cascades: what is looked up of one is whole texels of the map, and a 
   CHECK(upper.y == Approx(3.005));
 }
 
-TEST_CASE(
-    "cascades: the smallest map that has one keeps most of its texels to show, a smaller one has none") {
+TEST_CASE("cascades: where half of one or more would be border, there is none") {
+  // Three sigma and a texel: 3.1 and 13 texels.
+  Settings settings;
+  for (const auto& [sigma, least] : {std::pair(0.7f, 13), {4.0f, 52}}) {
+    settings.gaussian_sigma = sigma;
+    settings.map = least;
+    CHECK(can_have_cascades(settings));
+    settings.map = least - 1;
+    CHECK_FALSE(can_have_cascades(settings));
+    CHECK(why_no_cascades(settings) == "half of one would be border; a larger --map has room");
+  }
+}
+
+TEST_CASE("cascades: one that whole texels and its border make too wide to be worth it is none") {
   Settings settings;
   settings.map = 16;
-  CHECK(can_have_cascades(settings));
-  CHECK(cascade_border(settings) < 0.25 * settings.map);
-  settings.map = 15;
-  CHECK_FALSE(can_have_cascades(settings));
-  CHECK(why_no_cascades(settings) == "a map of fewer than 16 texels a side has no room for one");
+  View cascade = square_view(7.0);
+  CHECK_FALSE(covering_texels(cascade, square_view(16.0), settings));
+  cascade = square_view(2.0);
+  CHECK(covering_texels(cascade, square_view(16.0), settings));
 }
 
 TEST_CASE("cascades: a window takes in the whole of a bright spot, whatever share of the light lies apart") {

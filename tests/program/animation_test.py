@@ -105,9 +105,7 @@ class Frames(MovingTest):
         parts = [times[part] for part in ("load", "prepare", "passes", "write")]
         for part in parts:
             self.assertGreater(part, 0)
-        # Light is looked for anew in each frame, and what is none of these parts is short beside that.
         self.assertLessEqual(sum(parts), times["total"])
-        self.assertLess(times["total"] - sum(parts), times["prepare"])
 
     def test_both_backends_draw_the_same_moment(self):
         result = self.run_program("parity", "go.glb", *SMALL, "--time", "0.7")

@@ -67,7 +67,7 @@ struct LightShadingBench {
       views.cascade = view;
       views.cascade->window_lower *= 0.25;
       views.cascade->window_upper *= 0.25;
-      cover_texels(*views.cascade, view, settings);
+      views.cascade = covering_texels(*views.cascade, view, settings);
     }
     LightEffects of_light;
     of_light.lit.behind = behind;
