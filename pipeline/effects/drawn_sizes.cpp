@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "pipeline/effects/further_surfaces.hpp"
@@ -54,15 +55,23 @@ std::set<int> casters_of(const Effects& effects, int light) {
   return casters;
 }
 
-// How much a sample of a lamp faces the middle of these casters: a cosine.
-double facing(const Scene& scene, const std::set<int>& casters, const Light& sample) {
-  Bounds bounds;
-  for (const int mesh : casters) bounds.add(bounds_of(scene.meshes[static_cast<std::size_t>(mesh)]));
-  return exact::dot(sample.direction, exact::normalise(bounds.centre() - sample.position, sample.direction));
+// How much a sample of a lamp faces the middle of these casters, a cosine; nothing where one of them does not
+// lie wholly before it.
+std::optional<double> facing(const Scene& scene, const std::set<int>& casters, const Light& sample) {
+  Bounds all;
+  for (const int caster : casters) {
+    const Bounds box = bounds_of(scene.meshes[static_cast<std::size_t>(caster)]);
+    const glm::dvec3 half = 0.5 * (box.upper - box.lower);
+    const double nearest = exact::dot(box.centre() - sample.position, sample.direction) -
+                           exact::dot(half, glm::abs(sample.direction));
+    if (!(nearest > 0.0)) return {};
+    all.add(box);
+  }
+  return exact::dot(sample.direction, exact::normalise(all.centre() - sample.position, sample.direction));
 }
 
 // The sample that sees the casters as the whole light does: the one nearest to its source's middle; of a lamp
-// the one that faces them most, of those that all of them lie before. -1: there is none.
+// the one that faces them most, of those that see all of them. -1: there is none.
 int middle_sample(const Scene& scene, const Effects& effects, int source, const std::vector<int>& samples) {
   const Light& whole = scene.sources[static_cast<std::size_t>(source)];
   std::set<int> all;
@@ -71,10 +80,13 @@ int middle_sample(const Scene& scene, const Effects& effects, int source, const 
   int middle = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const int sample : samples) {
-    if (whole.is_lamp() && casters_of(effects, sample) != all) continue;
     const Light& light = scene.lights[static_cast<std::size_t>(sample)];
-    const double away =
-        whole.is_lamp() ? -facing(scene, all, light) : exact::length(light.position - whole.position);
+    double away = exact::length(light.position - whole.position);
+    if (whole.is_lamp()) {
+      const std::optional<double> cosine = facing(scene, all, light);
+      if (!cosine) continue;
+      away = -*cosine;
+    }
     if (away >= least) continue;
     least = away;
     middle = sample;
