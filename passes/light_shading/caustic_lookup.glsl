@@ -100,30 +100,31 @@ Bool cascade_shows(Vec2 uv) {
   return is_in_cascade(floor_to_int(uv.x * u.caustic_side), floor_to_int(uv.y * u.caustic_side));
 }
 
-// The caustic map's flux at a point, which the cascade does not show: between those of the four texels around
-// that it does not show either.
+// How much a texel of the caustic map counts at a point, given in texels from the first texel's middle: as
+// between the four around, but nothing of what the cascade shows.
+Float weight_beside(Int column, Int row, Float x, Float y) {
+  Float weight = (1.0f - abs(x - Float(column))) * (1.0f - abs(y - Float(row)));
+  Int last = Int(texture_width(caustic_map) - 1);
+  Bool shown = is_in_cascade(clamp_to(column, Int(0), last), clamp_to(row, Int(0), last));
+  return sel(shown, Float(0.0f), weight);
+}
+
+// The caustic map's flux at a point, which the cascade does not show.
 Vec3 flux_beside_cascade(Vec2 uv) {
   Float x = uv.x * u.caustic_side - 0.5f;
   Float y = uv.y * u.caustic_side - 0.5f;
   Int column = floor_to_int(x);
   Int row = floor_to_int(y);
-  Float across = x - Float(column);
-  Float upward = y - Float(row);
+  Float all = Float(0.0f);
+  for (int k = 0; k < 4; k++) all = all + weight_beside(column + (k & 1), row + k / 2, x, y);
   Vec3 sum = Vec3(0.0f);
-  Float weights = Float(0.0f);
-  Int last = Int(texture_width(caustic_map) - 1);
-  for (int j = 0; j < 2; j++)
-    for (int i = 0; i < 2; i++) {
-      Int x_there = clamp_to(column + i, Int(0), last);
-      Int y_there = clamp_to(row + j, Int(0), last);
-      Float of_column = Float(i == 0 ? 1.0f : 0.0f) - across;
-      Float of_row = Float(j == 0 ? 1.0f : 0.0f) - upward;
-      Float weight = abs(of_column * of_row);
-      weight = sel(is_in_cascade(x_there, y_there), Float(0.0f), weight);
-      sum = sum + Vec3(texel_fetch(caustic_map, x_there, y_there)) * weight;
-      weights = weights + weight;
-    }
-  return sum / max_of(weights, 1.0e-4f);
+  for (int k = 0; k < 4; k++) {
+    Float share = weight_beside(column + (k & 1), row + k / 2, x, y) / max_of(all, 1.0e-4f);
+    sum = sum + Vec3(fetch_clamped(caustic_map, column + (k & 1), row + k / 2)) * share;
+    TRACE(caustic_map_at, Vec3((Float(column + (k & 1)) + 0.5f) / u.caustic_side,
+                               (Float(row + k / 2) + 0.5f) / u.caustic_side, share));
+  }
+  return sum;
 }
 
 // A map of one channel has the same flux in all.
@@ -143,12 +144,19 @@ Deposit deposit_at(Vec3 at) {
   } else {
     Vec2 uv = view_uv(u.caustic_view, at);
     d.inside = inside_unit(uv.x, uv.y);
-    d.flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
-    TRACE(caustic_map_at, Vec3(uv.x, uv.y, Float(1.0f)));
+    Bool reaches = Bool(false);
+    Bool beside = Bool(false);
+    if (u.has_cascade != 0) {
+      reaches = cascade_shows(uv);
+      beside = !reaches && is_near_cascade(at, Vec2(u.cascade_step.x, u.cascade_step.y));
+    }
+    d.flux = Vec3(0.0f);
+    if (any_lane(!beside)) {
+      d.flux = Vec3(fetch_bilinear(caustic_map, uv.x, uv.y));
+      TRACE(caustic_map_at, Vec3(uv.x, uv.y, Float(1.0f)));
+    }
     if (u.has_cascade != 0) {
       Vec2 finer = view_uv(u.cascade_view, at);
-      Bool reaches = cascade_shows(uv);
-      Bool beside = !reaches && is_near_cascade(at, Vec2(u.cascade_step.x, u.cascade_step.y));
       if (any_lane(beside)) d.flux = sel(beside, flux_beside_cascade(uv), d.flux);
       if (any_lane(reaches)) {
         d.flux = sel(reaches, Vec3(fetch_bilinear(cascade_map, finer.x, finer.y)), d.flux);

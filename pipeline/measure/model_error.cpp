@@ -106,7 +106,6 @@ void ModelError::follow(const Sample& sample, const std::vector<Vertex>& vertice
       const double flux = static_cast<double>(images.fresnel.at(vertex.x, vertex.y, 3)) * vertex.times;
       of_branch[i].flux = glm::dvec3(images.branch.color) * std::max(flux, 0.0);
       of_branch[i].key = (rays[i].key + branch) * 0x10001u;
-      entered_ += sum_of(of_branch[i].flux);
     }
     std::vector<LightLanding> landings;
     paths_.follow(of_branch, landings, images.branch.bend);

@@ -66,7 +66,7 @@ class ModelError {
   Sums surplus_[2];     // of rays in turn: what the frame has more of than light
   double lit_ = 0.0;    // in the picture, by light
   double lost_ = 0.0;   // of that, what goes the way of the passes, which have not found its landing
-  double landed_ = 0.0, entered_ = 0.0;
+  double landed_ = 0.0;
   double followed_ = 0.0;  // of what has landed, on ways that the passes take; or all that they have landed
 };
 

@@ -336,12 +336,6 @@ std::optional<TriangleHit> TriangleTree::nearest(const glm::dvec3& origin, const
   return best;
 }
 
-glm::dvec3 shading_normal(const Scene& scene, const TriangleHit& hit) {
-  glm::dvec3 sum(0.0);
-  for (int k = 0; k < 3; ++k) sum += glm::dvec3(vertex_of(scene, hit.id, k).normal) * hit.weights[k];
-  return exact::normalise(sum, plane_normal(scene, hit.id));
-}
-
 glm::dvec3 plane_normal(const Scene& scene, const TriangleId& id) {
   const glm::dvec3 a(vertex_of(scene, id, 0).position), b(vertex_of(scene, id, 1).position),
       c(vertex_of(scene, id, 2).position);
@@ -351,18 +345,6 @@ glm::dvec3 plane_normal(const Scene& scene, const TriangleId& id) {
 glm::dvec3 position_of(const Scene& scene, const TriangleHit& hit) {
   glm::dvec3 sum(0.0);
   for (int k = 0; k < 3; ++k) sum += glm::dvec3(vertex_of(scene, hit.id, k).position) * hit.weights[k];
-  return sum;
-}
-
-glm::dvec2 uv_of(const Scene& scene, const TriangleHit& hit) {
-  glm::dvec2 sum(0.0);
-  for (int k = 0; k < 3; ++k) sum += glm::dvec2(vertex_of(scene, hit.id, k).uv) * hit.weights[k];
-  return sum;
-}
-
-glm::dvec4 tangent_of(const Scene& scene, const TriangleHit& hit) {
-  glm::dvec4 sum(0.0);
-  for (int k = 0; k < 3; ++k) sum += glm::dvec4(vertex_of(scene, hit.id, k).tangent) * hit.weights[k];
   return sum;
 }
 

@@ -63,12 +63,8 @@ class TriangleTree {
   std::vector<Node> nodes_;
 };
 
-// At a hit: the interpolated unit normal, the triangle's plane's, and its place on that plane.
-glm::dvec3 shading_normal(const Scene& scene, const TriangleHit& hit);
+// A triangle's unit normal; and a hit's place.
 glm::dvec3 plane_normal(const Scene& scene, const TriangleId& id);
 glm::dvec3 position_of(const Scene& scene, const TriangleHit& hit);
-// Its texture coordinates, and the interpolated tangent.
-glm::dvec2 uv_of(const Scene& scene, const TriangleHit& hit);
-glm::dvec4 tangent_of(const Scene& scene, const TriangleHit& hit);
 
 }  // namespace caustics
