@@ -51,7 +51,7 @@ HierarchyBytes hierarchy_bytes(const FrameCost& cost) {
   for (const Mesh& mesh : cost.scene.meshes) indices += mesh.indices.size();
   const std::uint64_t texels =
       light_meets_textures(cost.effects) || sight_meets_textures(cost.effects) ? 7 + kTexelsOfUv : 7;
-  const std::uint64_t points = 2 * kPointsOfLamp * lamps_of_points(cost.scene).size();
+  const std::uint64_t points = 2 * std::uint64_t{kPointsOfLamp} * lamps_of_points(cost.scene).size();
   return {(indices / 3 * texels + points) * sizeof(glm::vec4), TriangleTree::building_bytes(indices / 3)};
 }
 

@@ -231,6 +231,7 @@ SurfacePoint Emitter::point(double along, double u, double v) const {
 // By their numbers all over the area, in no order.
 std::vector<SurfacePoint> Emitter::even(int count) const {
   std::vector<SurfacePoint> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     points.push_back(point(stratum(k, count), stepped(k, kPairStep1), stepped(k, kPairStep2)));
   return points;

@@ -119,7 +119,8 @@ int first_uv(const Scene& scene, const HierarchyMeshes& meshes) {
 
 int first_point(const Scene& scene, const HierarchyMeshes& meshes, std::size_t lamp) {
   return static_cast<int>(static_cast<std::size_t>(first_uv(scene, meshes)) +
-                          kTexelsOfUv * triangles_with_uv(scene, meshes) + 2 * kPointsOfLamp * lamp);
+                          kTexelsOfUv * triangles_with_uv(scene, meshes) +
+                          2 * std::size_t{kPointsOfLamp} * lamp);
 }
 
 HierarchyTables hierarchy_tables(const Scene& scene, const HierarchyMeshes& meshes,
