@@ -65,7 +65,7 @@ void add_outcomes(const std::vector<Outcome>& outcomes, double share, std::vecto
   for (std::size_t i = 0; i < outcomes.size(); ++i) add(sum[i], outcomes[i], share);
 }
 
-// Of the light of which this one is a sample, where the size of that is drawn.
+// Returns the points of the light of which this one is a sample, if the size of that is drawn.
 std::optional<DrawnPoints> points_of(const RenderedFrame& frame, int light) {
   const auto index = static_cast<std::size_t>(light);
   if (!frame.effects().lights[index].size_is_drawn) return {};

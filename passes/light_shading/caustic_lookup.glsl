@@ -100,8 +100,8 @@ Bool cascade_shows(Vec2 uv) {
   return is_in_cascade(floor_to_int(uv.x * u.caustic_side), floor_to_int(uv.y * u.caustic_side));
 }
 
-// How much a texel of the caustic map counts at a point, given in texels from the first texel's middle: as
-// between the four around, but nothing of what the cascade shows.
+// Returns the bilinear weight of a texel of the caustic map at a point, which is given in texels from the
+// first texel's middle; 0 for a texel that the cascade shows.
 Float weight_beside(Int column, Int row, Float x, Float y) {
   Float weight = (1.0f - abs(x - Float(column))) * (1.0f - abs(y - Float(row)));
   Int last = Int(texture_width(caustic_map) - 1);

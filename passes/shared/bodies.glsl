@@ -1,5 +1,5 @@
-// What a ray needs that goes from surface to surface: the casters' triangles, materials and textures, what
-// each surface does to it, and the next one. Needs the uniforms and tables that these texts name.
+// A ray that goes from surface to surface needs these texts: the casters' triangles, materials and textures,
+// the optics of a surface, and the search for the next one. They name the uniforms and tables that they need.
 #include "passes/shared/axes_across.glsl"
 #include "passes/shared/caster_material.glsl"
 #include "passes/shared/position_texel.glsl"

@@ -25,15 +25,15 @@ Vec3 drawn_origin(Vec3 p, Vec2 drawn) {
   return origin;
 }
 
-// Where on a light near by the light starts that meets p.
+// The point of a light near by that sends light to p.
 struct Start {
   Vec3 point;
   Vec3 direction;  // to p
   Float toward;    // how much of it the light sends that way, of the most
 };
 
-// `number`: the whole number that the vertex has drawn. Of a mesh that shines and is neither ball nor
-// rectangle it is a point's in a list.
+// `number` is the whole number that the vertex has drawn: of a mesh that is neither ball nor rectangle the
+// place of a point in its list.
 Start start_of(Vec3 p, Float number, Vec2 drawn, Vec3 otherwise) {
   Start start;
   if (u.light_shape == 5) {

@@ -55,7 +55,7 @@ std::set<int> casters_of(const Effects& effects, int light) {
   return casters;
 }
 
-// How much a sample of a lamp faces the middle of these casters, a cosine; nothing where one of them does not
+// The cosine by which a sample of a lamp faces the middle of these casters; nothing if one of them does not
 // lie wholly before it.
 std::optional<double> facing(const Scene& scene, const std::set<int>& casters, const Light& sample) {
   Bounds all;
@@ -94,8 +94,8 @@ int middle_sample(const Scene& scene, const Effects& effects, int source, const 
   return middle;
 }
 
-// Of all its samples together, lux or candela: those of a lamp that look away from the casters throw no
-// caustic, but its points are all over it.
+// The intensity of all samples together, lux or candela. A lamp's samples that look away from the casters
+// throw no caustic, but they count, because its points are all over it.
 glm::vec3 intensity_of_all(const Scene& scene, const Effects& effects, int drawn,
                            const std::vector<int>& samples) {
   const auto of = [&](int sample) {

@@ -33,7 +33,7 @@ class ModelError {
     const std::vector<BranchImages>& branches;
     double share = 1.0;  // of the sample's flux, in the light's unit
     int samples = 1;     // of the light
-    // Of a light whose size is drawn: its points; and where the vertices are.
+    // Set for a light whose size is drawn: its points, and the places of the vertices.
     const DrawnPoints* points = nullptr;
     ImageView caster_position{};
   };

@@ -32,7 +32,8 @@ namespace {
 
 // Of the share that may fall outside of a map, where the map has a cascade.
 constexpr double kCascadedShare = 0.25;
-// Around a cascade's light, of its window; the border that is not looked up comes besides (cover_texels).
+// A cascade's window is wider than its light by this share; covering_texels adds the border that is not
+// looked up.
 constexpr double kCascadeMargin = 0.03;
 // What a window is widened by for its splats at most: a map of few texels is no kernel's width. Beyond, the
 // ledger's kernel_edge has it.

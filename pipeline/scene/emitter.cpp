@@ -228,7 +228,7 @@ SurfacePoint Emitter::point(double along, double u, double v) const {
           uv(0) + (uv(1) - uv(0)) * u + (uv(2) - uv(0)) * v};
 }
 
-// By their numbers all over the area, in no order.
+// The points lie evenly over the area; their order means nothing.
 std::vector<SurfacePoint> Emitter::even(int count) const {
   std::vector<SurfacePoint> points;
   points.reserve(static_cast<std::size_t>(count));

@@ -29,7 +29,7 @@ class Emitter {
   bool make_ball(Light& light) const;
   // Points that stand for equal areas, near in place and normal; one point stands near the middle.
   std::vector<SurfacePoint> spread(int count) const;
-  // As many points, spread evenly over the area; neighbours in the list are near in place and normal.
+  // So many points, spread evenly over the area; neighbours in the list are near in place and normal.
   std::vector<SurfacePoint> list(int count) const;
 
  private:

@@ -11,8 +11,9 @@ namespace caustics {
 
 namespace {
 
-// Of the flux, left out at each end of each axis: the windows that are tried. In small steps: a bright part
-// ends at an edge, and a window that cuts into it leaves its brightest light to coarse texels.
+// Windows are tried that leave out these shares of the flux at each end of each axis. The steps are small,
+// because a bright part ends at an edge, and a window that cuts into it leaves its brightest light to coarse
+// texels.
 constexpr double kLeast = 0.002, kMost = 0.16, kStep = 1.2;
 // How much finer the texels under the mean flux must become to be worth a second map.
 constexpr double kWorth = 0.5;
@@ -45,7 +46,7 @@ std::optional<View> cascade_view(const View& caustic, const LandedFlux& landed, 
 }
 
 std::optional<View> covering_texels(const View& cascade, const View& caustic, const Settings& settings) {
-  // Of a texel: more than is lost to rounding.
+  // This share of a texel is more than rounding loses.
   constexpr double kSlack = 0.01;
   const glm::dvec2 texel = (caustic.window_upper - caustic.window_lower) / static_cast<double>(settings.map);
   const auto in_texels = [&](const glm::dvec2& p) { return (p - caustic.window_lower) / texel; };

@@ -1,7 +1,7 @@
 // A second caustic map for the part of a light's caustic where most of its flux falls on little of the first.
 //
 // The first map holds all flux and is what the ledger counts. The cascade shows a part of it again through a
-// smaller window, finer by as much; shading takes the cascade where it reaches and the first map elsewhere
+// smaller window, finer by as much; shading takes each texel of the first map from one of them alone
 // (passes/caustic_cells/caustic_cells.md).
 #pragma once
 #include <optional>
