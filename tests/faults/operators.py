@@ -241,9 +241,11 @@ def all_places(source):
                 continue
             if '//' in source.text[begin:end] or COST_ONLY.search(source.text[line_begin:line_end]):
                 continue
-            # In a class or a namespace: the values that members begin with, but no array's size.
+            # In a class or a namespace: the values that members begin with, but no array's size, and no zero,
+            # which nearly all replace before anything reads it.
             if source.language == 'cpp' and not source.is_in_function(begin) and (
-                    kind != 'constant' or '[' in source.text[line_begin:begin].split('=')[0]):
+                    kind != 'constant' or '[' in source.text[line_begin:begin].split('=')[0] or
+                    re.fullmatch(r'0(?:\.0)?f?|false', source.text[begin:end])):
                 continue
             if kind != 'message' and source.text[begin:end].strip() == fault.strip():
                 continue
