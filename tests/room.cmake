@@ -16,6 +16,7 @@ caustics_target_options(caustics_tests)
 target_compile_options(caustics_tests PRIVATE $<$<CONFIG:Release>:-O1>)
 if(CAUSTICS_SANITIZE)  # whose checks of optimised tests take the compiler three times as long
   target_compile_options(caustics_tests PRIVATE -O0)
+  target_compile_definitions(caustics_tests PRIVATE CAUSTICS_SANITIZED)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/catch_main.cpp PROPERTIES
     COMPILE_OPTIONS -fno-sanitize=all)
 endif()

@@ -24,7 +24,7 @@ import time
 
 from faults import ROOT, all_faults
 from plant import drawn_in
-from reach import LONGEST, SKIPPED, Runner, groups, known_or_found, run
+from reach import LONGEST, SKIPPED, Runner, by_subject, known_or_found, run
 
 
 class Tests:
@@ -74,7 +74,7 @@ class Tests:
 
 
 class DrawnTests:
-    """The drawn faults, by the tests that reach their places."""
+    """The drawn faults, by the tests that reach their places: those of the same subject first."""
 
     def __init__(self, build, source, wanted, pool):
         self.runner, self.patience = Runner(build, source), wanted.patience
@@ -84,7 +84,7 @@ class DrawnTests:
         begun = time.monotonic()
         place = fault.number() % (1 << 16)
         reaching = [test for test in self.tests if place in test.places]
-        for group in groups(reaching):
+        for group in by_subject(reaching, fault.file):
             if time.monotonic() - begun > self.patience:
                 break
             by = self.runner.notices(group, fault.name)

@@ -158,6 +158,20 @@ def groups(tests):
     return sorted(together, key=lambda group: sum(t.seconds for t in group) + (0.3 if group[0].file else 0))
 
 
+def words(text):
+    """Of a path or a test's name, without what many have."""
+    common = {'test', 'tests', 'program', 'pipeline', 'passes', 'page', 'inspect', 'scene', 'light', 'shared',
+              'glsl'}
+    return set(re.findall(r'[a-z0-9]{4,}', text.lower())) - common
+
+
+def by_subject(tests, path):
+    """Groups of the tests whose file or subject has a word of the fault's path, then of the others."""
+    subject = words(path)
+    about = [t for t in tests if subject & words(pathlib.Path(t.file).stem or t.name.split(':')[0])]
+    return groups(about) + groups([t for t in tests if t not in about])
+
+
 class Runner:
     """Runs groups of tests with a fault."""
 
