@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "lab/paper/row.hpp"
+#include "lab/reference/closed_forms.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace caustics::paper;
@@ -32,6 +33,9 @@ class StatedShots : public Shots {
   explicit StatedShots(const Row& row) : row_(row) {}
 
   FloorLayer& state(const std::string& name, const std::string& layer) { return layers_[{name, layer}]; }
+  Texels& state_texels(const std::string& name, const std::string& attachment) {
+    return texels_[{name, attachment}];
+  }
   // The names of those that were asked for anything.
   const std::set<std::string>& used() const { return used_; }
   const std::set<std::string>& drawn() const { return drawn_; }
@@ -58,9 +62,11 @@ class StatedShots : public Shots {
     const auto stated = layers_.find({name, layer});
     return stated == layers_.end() ? floor_of(4, 4, {1.0, 1.0, 1.0}) : stated->second;
   }
-  Texels attachment(const std::string& name, const std::string&) const override {
+  Texels attachment(const std::string& name, const std::string& attachment) const override {
     INFO(name);
     CHECK(shot(name).dumped);
+    const auto stated = texels_.find({name, attachment});
+    if (stated != texels_.end()) return stated->second;
     return {2, 2, std::vector<std::array<double, 4>>(4, {1.0, 1.0, 1.0, 1.0})};
   }
   bool taken(const std::string& name) const override {
@@ -88,6 +94,7 @@ class StatedShots : public Shots {
 
   const Row& row_;
   std::map<std::pair<std::string, std::string>, FloorLayer> layers_;
+  std::map<std::pair<std::string, std::string>, Texels> texels_;
   mutable std::set<std::string> used_, drawn_;
 };
 
@@ -195,4 +202,68 @@ TEST_CASE("paper rows: how even a sky must be goes by the brightest pixel, whate
       shots.state("preset_512", "direct").pixels[1][1] *= 1.0 + 1e-12;
       CHECK_FALSE(row.check(shots).holds);
     }
+}
+
+TEST_CASE("paper rows: nothing is precomputed if a frame alone is that of a row, and another than before") {
+  const Row row = row_of("11");
+  for (const bool same : {false, true})
+    for (const bool moved : {false, true}) {
+      StatedShots shots(row);
+      shots.state("row_of_frames.0003", "caustic") = floor_of(2, 1, {2.0, 2.0, 2.0});
+      shots.state("alone.0003", "caustic") = floor_of(2, 1, {2.0, 2.0, same ? 2.0 : 2.5});
+      shots.state("row_of_frames.0002", "caustic") = floor_of(2, 1, {2.0, moved ? 1.5 : 2.0, 2.0});
+      const Finding finding = row.check(shots);
+      INFO(same << " " << moved);
+      CHECK(finding.holds == (same && moved));
+      CHECK(finding.figure == (same ? "equal" : "they differ"));
+    }
+}
+
+TEST_CASE("paper rows: tessellation and grid are told with the errors of their own pictures") {
+  const Row row = row_of("27");
+  const caustics::GlassSphere sphere{.radius = 0.5, .index = 1.5, .distance = 0.8};
+  constexpr int side = 32;
+  const caustics::FloorIrradiance truth =
+      irradiance_average(sphere, {.lower = glm::dvec2(-1.0), .side = 2.0, .pixels = side});
+  // All of a truth times 1 + e is wrong by e; beside the shadow, where nothing is judged, it is dark here.
+  const auto finding = [&](double fine, double coarse, double half) {
+    StatedShots shots(row);
+    const auto state = [&](const std::string& name, double error) {
+      shots.state(name, "direct") = floor_of(side, side);
+      FloorLayer& caustic = shots.state(name, "caustic") = floor_of(side, side);
+      for (std::size_t i = 0; i < caustic.pixels.size(); ++i)
+        caustic.pixels[i].fill((1.0 + error) * truth.values[i]);
+    };
+    state("grid_128", fine);
+    state("coarse_128", coarse);
+    state("grid_64", half);
+    return row.check(shots);
+  };
+  const Finding holds = finding(0.02, 0.03, 0.25);
+  CHECK(holds.holds);
+  CHECK(holds.figure == "relative L1, grid 128: 20 480 triangles 2.0%, 1 280 3.0%; grid 64: 25.0%");
+  CHECK_FALSE(finding(0.02, 0.25, 0.03).holds);
+}
+
+TEST_CASE("paper rows: refraction and reflection are told with the mean distances of their landings") {
+  const Row row = row_of("28");
+  const auto finding = [&](const std::vector<double>& water, const std::vector<double>& ring) {
+    StatedShots shots(row);
+    const auto state = [&](const std::string& scene, const std::vector<double>& apart) {
+      for (const bool paper : {false, true}) {
+        Texels& texels = shots.state_texels(scene + (paper ? "_paper" : "_secant"), "landing[0]");
+        texels = {static_cast<int>(apart.size()), 1, {}};
+        for (const double distance : apart) texels.values.push_back({0.0, paper ? distance : 0.0, 0.0, 1.0});
+      }
+    };
+    state("water_patch", water);
+    state("metal_ring", ring);
+    return row.check(shots);
+  };
+  const Finding holds = finding({0.001, 0.003}, {0.002, 0.004, 0.009});
+  CHECK(holds.holds);
+  CHECK(holds.figure == "mean distance of landings: water 2 mm, ring 5 mm");
+  CHECK_FALSE(finding({0.002, 0.004, 0.009}, {0.001, 0.003}).holds);
+  // Of none that has landed the mean is 0, not a number that is none.
+  CHECK(finding({}, {0.007}).figure == "mean distance of landings: water 0 mm, ring 7 mm");
 }

@@ -199,6 +199,20 @@ TEST_CASE(
   CHECK(bench.seen() == Approx(behind_surfaces(1.5 + 0.25 * 0.5, 2)));
 }
 
+TEST_CASE(
+    "glass: what the picture does not show is taken from the nearest four that hold it, not from beside") {
+  // The pixel's own is the lower left one; each of nine in turn holds a radiance of 2, alone.
+  Bench bench;
+  bench.in_picture = false;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) {
+      INFO("texel " << x << ", " << y);
+      bench.hidden = filled(3, 3, {0.0f, 0.0f, 0.0f, 1.0f});
+      for (int c = 0; c < 4; ++c) bench.hidden.at(x, y, c) = c < 3 ? 2.0f : 0.0f;
+      CHECK(bench.seen() == Approx(x < 2 && y < 2 ? behind_surfaces(2.0, 2) : 0.5));
+    }
+}
+
 TEST_CASE("glass: a rough plate shows the mean of what lies behind it") {
   Bench bench;
   bench.at = {-2.5f, -2.0f};

@@ -61,3 +61,22 @@ TEST_CASE("splat counts: a cell counts in the rectangle around its four corners,
       CHECK(counts[static_cast<std::size_t>(8 * y + x)] == (x >= 1 && x <= 3 && y >= 2 && y <= 5 ? 1u : 0u));
     }
 }
+
+TEST_CASE("splat counts: where landings are splatted one by one, no cell counts") {
+  Image landing(Format::RGBA32F, 1, 1);
+  const float place[4] = {1.5f, 0.0f, 1.5f, STATUS_LANDED};  // in texel (5, 2)
+  for (int c = 0; c < 4; ++c) landing.at(0, 0, c) = place[c];
+  const Image corners = filled(1, 1, {0.5f, 0.5f, 1.5f, 1.5f});
+  BranchImages branch{};
+  branch.landing = landing;
+  CellImages cells{};
+  cells.near = cells.far = corners;
+  SplatKernel kernel;
+  kernel.radius = 0.0;
+  const View view = down(4.0, 10.0, 20.0);
+  SplatCounts splats(kernel, view, 8);
+  splats.add(branch, cells);
+  std::vector<std::uint32_t> expected(64, 0u);
+  expected[8 * 2 + 5] = 1u;
+  CHECK(splats.by_texel() == expected);
+}

@@ -186,6 +186,20 @@ TEST_CASE("gl: a run is timed, and its figures are those of the software device"
   CHECK((b.result.fragments == 0 || b.result.fragments >= 4096));
 }
 
+TEST_CASE("gl: a run drops the side that it culls and no other, whatever was culled before it") {
+  const auto device = gl_or_skip();
+  RasterBench b = counting(4, 4);
+  b.on = device.get();
+  const std::vector<RasterVertex> front = {b.at(0, 0), b.at(8, 0), b.at(0, 8)};
+  const std::vector<RasterVertex> back = {front[0], front[2], front[1]};
+  for (const Cull cull :
+       {Cull::None, Cull::Back, Cull::None, Cull::Front, Cull::Back, Cull::Front, Cull::None}) {
+    b.definition.cull = cull;
+    CHECK(RasterBench::sum(b.draw(front)[0]) == (cull == Cull::Front ? 0.0 : 16.0));
+    CHECK(RasterBench::sum(b.draw(back)[0]) == (cull == Cull::Back ? 0.0 : 16.0));
+  }
+}
+
 TEST_CASE("gl: where no sample passed, what depends on the occlusion query is cleared and not drawn") {
   for (const bool measures : {true, false}) {
     const auto device = gl_or_skip({.measure = measures});

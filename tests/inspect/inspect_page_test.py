@@ -204,6 +204,35 @@ class InspectPage(BrowserTest):
         self.press("p")
         self.wait(lambda: "projector" in self.find("html").get_attribute("class"))
 
+    def test_zooming_keeps_what_lies_under_the_pointer(self):
+        # Readings at a pointer that does not move and, beside it, a texel of the whole picture farther right.
+        self.open("panel=passes&pass=view_surfaces")
+        self.wait_text(".texture-view h3", "view_position")
+        read = """
+        const [x, down, width, height, turns] = arguments;
+        const canvas = document.querySelector(".passes-panel .middle canvas");
+        const box = canvas.getBoundingClientRect(), side = Math.min(box.width / width, box.height / height);
+        const clientX = Math.round(box.left + (x + 0.5) * side);
+        const clientY = Math.round(box.top + (down + 0.5) * side);
+        const at = {bubbles: true, cancelable: true, clientX, clientY};
+        const texel = (clientX) => {
+          canvas.dispatchEvent(new PointerEvent("pointermove", {...at, clientX}));
+          return document.querySelector(".passes-panel .reading").textContent.split(".")[0];
+        };
+        return [0, ...turns].map((deltaY) => {
+          if (deltaY) canvas.dispatchEvent(new WheelEvent("wheel", {...at, deltaY}));
+          return [texel(clientX), texel(clientX + side)];
+        });
+        """
+        turns = [-500, -300, 200, -100, 700]
+        for x, down in ((3, 2), (20, 40), (61, 17)):
+            self.press("0")
+            readings = self.browser.execute_script(read, x, down, WIDTH, HEIGHT, turns)
+            here, beside = (f"Texel ({i}, {HEIGHT - 1 - down})" for i in (x, x + 1))
+            self.assertEqual([at for at, _ in readings], [here] * 6)
+            # At the first, and where the wheel has been turned back, the picture is as large as it was.
+            self.assertEqual([right for _, right in readings], [beside] + [here] * 4 + [beside])
+
     def test_brackets_change_the_exposure_by_half_a_stop(self):
         self.open("panel=passes&pass=compose")
         stops = lambda: float(self.find("[data-control=exposure]").get_attribute("value"))

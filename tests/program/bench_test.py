@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import time
@@ -135,6 +136,25 @@ class Bench(ProgramTest):
         stdout, stderr = process.communicate(timeout=60)  # the pipes close when all of them have ended
         self.assertEqual((process.returncode, stdout), (130, ""))
         self.assertIn("interrupted", stderr)
+
+    def test_off_a_terminal_progress_is_told_after_two_seconds_and_once_a_second_at_most(self):
+        process = subprocess.Popen([PROGRAM, "bench", "ball.glb", *SMALL, "--frames", "10000", "-t", "1"],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                                   text=True)
+        # Most of the time it stands still, so that the machine is free for others.
+        time.sleep(0.3)
+        process.send_signal(signal.SIGSTOP)
+        time.sleep(2)
+        process.send_signal(signal.SIGCONT)
+        first = process.stderr.readline()
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        *further, last = process.communicate(timeout=60)[1].splitlines()
+        self.assertEqual(last, "caustics: interrupted; no incomplete file is left")
+        seconds = [float(re.search(r"  ([\d.]+) s$", line)[1]) for line in (first.rstrip(), *further)]
+        self.assertGreaterEqual(seconds[0], 2)
+        for before, after in zip(seconds, seconds[1:]):
+            self.assertGreaterEqual(after - before, 0.99)  # what is printed has three digits
 
 
 if __name__ == "__main__":

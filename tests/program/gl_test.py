@@ -85,6 +85,11 @@ class Talk(GlTest):
             self.assertIn(name, closing)
         compared = self.run_program("parity", "ball.glb", "ball.glb", *SMALL).stdout.splitlines()
         self.assertRegex(compared[0], "^software: software, .*; gl: OpenGL, ")
+        # The report of one scene has them in lines of its own.
+        alone = self.run_program("parity", "ball.glb", *SMALL).stdout.splitlines()
+        self.assertEqual([line for line in alone if "software, " in line], alone[1:2])
+        self.assertEqual([line for line in alone if "OpenGL, " in line], alone[2:3])
+        self.assertEqual(alone[0], "ball.glb")
 
     def test_compiling_shaders_shows_progress_on_a_terminal(self):
         cold = dict(os.environ, MESA_SHADER_CACHE_DISABLE="true")
@@ -96,6 +101,18 @@ class Talk(GlTest):
         self.assertGreater(len(counts), 5)
         self.assertEqual([int(n) for n, _ in counts], list(range(1, len(counts) + 1)))
         self.assertEqual({int(of) for _, of in counts}, {len(counts)})
+
+    def test_a_study_names_each_shader_that_it_compiles(self):
+        code, shown = self.on_terminal("study", "ball.glb", *SMALL, "--repeat", "1", "--vary", "grid=32",
+                                       "--backend", "gl", "-o", "out", stdout=subprocess.DEVNULL)
+        self.assertEqual(code, 0)
+        named = re.findall(r"compiling shader (.*?) {2}", "\n".join(shown))
+        plan = json.loads(self.succeeds("plan", "ball.glb", *SMALL, "--json").stdout)
+        # A pass of several lights, branches or views has one shader.
+        names = {re.split(r"[.\[]", each["pass"])[0] for each in plan["passes"]}
+        self.assertEqual(names - set(named), set())
+        # A study reads the caustic from the layers beside the picture, for which plan was not asked.
+        self.assertLessEqual(set(named) - names, {"first_hit"})
 
 
 class Parity(GlTest):

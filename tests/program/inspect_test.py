@@ -88,6 +88,18 @@ class Inspect(ProgramTest):
         self.assertIn("landing[sun reflected]", labels)
         self.assertIn("caster_position.camera", labels)
 
+    def test_each_branch_of_a_light_bears_the_name_of_its_own_landings(self):
+        run = self.page("-D", "reflections=yes").recording["runs"][0]
+        labels = {a["id"]: a["label"] for a in run["attachments"]}
+        for light in run["lights"]:
+            names = [branch["name"] for branch in light["branches"]]
+            self.assertEqual(names, ["", "reflected"])
+            for branch in light["branches"]:
+                self.assertTrue(branch["landing"])
+                of_branch = f"[{light['name']} {branch['name']}".rstrip() + "]"
+                for landing in branch["landing"]:
+                    self.assertIn(of_branch, labels[landing])
+
     def test_a_light_without_a_name_keeps_its_number(self):
         unnamed = {"type": "point", "intensity": 1000}
         document, blob = glb.unpack(glb.scene(light=unnamed))

@@ -31,6 +31,15 @@ class Paper(ProgramTest):
         self.assertEqual([(r["row"], r["holds"]) for r in rows], [("3", True), ("35", True)])
         self.assertEqual(doc_figures.unprinted(doc_figures.PAGE.read_text(), rows), [])
 
+    def test_pictures_layers_are_compared_as_compare_does(self):
+        self.succeeds("paper", "-o", "out", "--row", "11")
+        (row,) = json.loads((self.folder / "out/paper.json").read_text())["rows"]
+        self.assertEqual((row["found"], row["holds"]), ("equal", True))
+        files = ["out/row_of_frames.0003.exr", "out/alone.0003.exr", "out/row_of_frames.0002.exr"]
+        same = self.succeeds("compare", *files[:2], "--layer", "caustic").stdout.splitlines()[-1]
+        self.assertTrue(same.startswith("equal: "), same)
+        self.assertEqual(self.run_program("compare", *files[1:], "--layer", "caustic").returncode, 1)
+
     def test_a_figure_that_is_not_printed_is_named(self):
         page = "| 3 | rays | within 3e-7 m; 12 %, 1.20 |\n"
         found = {"row": "3", "thing": "", "expected": "", "found": "3.4e-7 m, 12.4 %, 1.23"}
@@ -56,7 +65,8 @@ class Paper(ProgramTest):
         own = self.folder / "own"
         own.mkdir()
         (own / "notes.txt").write_text("mine")
-        self.fails(4, "paper", "-o", "own", "--row", "21", saying="notes.txt: is not of an earlier report")
+        self.fails(4, "paper", "-o", "own", "--row", "21",
+                   saying="notes.txt: is not of an earlier report, which paper.json would show; ")
         # Nor does a file of the report's name make the folder a report's.
         (own / "notes.txt").rename(own / "paper.json")
         self.fails(4, "paper", "-o", "own", "--row", "21", saying="paper.json: is not of an earlier report")

@@ -3,6 +3,7 @@ light."""
 
 import collections
 import json
+import math
 import os
 import pathlib
 import re
@@ -296,6 +297,28 @@ class ManyLights(ProgramTest):
         plan = self.plan(*[10] * 60, 0.01, options=["-D", "light.least=0", "-D", "light.full=0"])
         self.assertFalse(self.effect(plan)["active"])
         self.assertTrue(all(each["expected"] for each in plan["expectations"]))
+
+
+class Environments(ProgramTest):
+    def test_one_that_hides_or_lacks_light_is_told_with_the_strength_that_balances_it(self):
+        # A sky that is even lights a floor with pi times its radiance: bytes 128 and 129 are 1 nit.
+        (self.folder / "even.hdr").write_bytes(
+            b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n" + b"\x80\x80\x80\x81" * 2048)
+        lux = 900
+        (self.folder / "sun.glb").write_bytes(glb.scene(light={"type": "directional", "intensity": lux}))
+        for share in (0.02, 0.09, 0.11, 0.3, 1.9, 2.1, 2.4, 9.0):
+            strength = share * lux / math.pi
+            plan = json.loads(self.succeeds("plan", "sun.glb", *SMALL, "--json", "--environment", "even.hdr",
+                                            "--environment-strength", strength).stdout)
+            told = [note for note in plan["notes"] if note.startswith("The environment gives")]
+            if 0.1 < share < 2:
+                self.assertEqual(told, [], share)
+                continue
+            times, balance = re.fullmatch("The environment gives (.*) times what the lights give; "
+                                          "--environment-strength (.*) would balance them.", *told).groups()
+            self.assertAlmostEqual(float(times), share, delta=0.05 * share)
+            # Whatever the strength is: three tenths of what the sun gives.
+            self.assertAlmostEqual(float(balance), 0.3 * lux / math.pi, delta=0.02 * lux / math.pi)
 
 
 class Colour(ProgramTest):

@@ -286,10 +286,17 @@ class Refusals(StudyTest):
         (self.folder / "study").mkdir()
         report = self.folder / "study/report.html"
         report.write_text("mine")
-        saying = "report.html: is not of an earlier report"
+        saying = "report.html: is not of an earlier report, which study.json would show; "
         self.fails(4, "study", "ball.glb", *SMALL, *GRIDS, "-o", "study", saying=saying)
         self.assertEqual(report.read_text(), "mine")
         report.rename(self.folder / "study/page.html")  # in nobody's way
+        pictures = self.folder / "study/img"
+        pictures.mkdir()
+        (pictures / "holiday.png").write_text("mine")
+        self.fails(4, "study", "ball.glb", *SMALL, *GRIDS, "-o", "study",
+                   saying="img: is not of an earlier report, which study.json would show; ")
+        self.assertEqual((pictures / "holiday.png").read_text(), "mine")
+        (pictures / "holiday.png").unlink()  # an empty folder holds nothing to lose
         self.study(*GRIDS)
         self.study(*GRIDS)
         self.assertEqual((self.folder / "study/page.html").read_text(), "mine")
@@ -353,8 +360,8 @@ class GoingOn(StudyTest):
         out, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, err)
         self.assertEqual(out, "")
-        self.assertIn("--resume goes on", err)
         done = len(self.rows())
+        self.assertIn(f"note: {done} of 200 rows are in study; --resume goes on\n", err)
         self.assertGreaterEqual(done, 3)
         self.assertLess(done, 200)
         self.assertEqual(self.document()["planned"], 200)

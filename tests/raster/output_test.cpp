@@ -39,6 +39,14 @@ RasterBench with_format(Format format, const BlendState& blend, std::array<float
   return b;
 }
 
+// Hundredths from 0.1 on, the texel beside or above holding another.
+Image uneven(Format format, int width, int height) {
+  Image image(format, width, height);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = stored_value(format, static_cast<float>(i * 37 % 89 + 10) / 100.0f);
+  return image;
+}
+
 }  // namespace
 
 TEST_CASE("interpolation: perspective-correct, within a few ulp of double precision") {
@@ -219,6 +227,29 @@ TEST_CASE("targets: what is kept is drawn onto, what is not is cleared") {
   RasterBench half = with_format(Format::RGBA16F, kReplace, {0.1f, 0, 0, 0});
   CHECK(half.draw({half.at(0, 0), half.at(0, 0), half.at(0, 0)})[0].values[0] ==
         stored_value(Format::RGBA16F, 0.1f));
+}
+
+TEST_CASE("targets: what is drawn into one tile leaves all others as they were, however it is stored") {
+  // Tiles of 32 pixels a side, the last ones partly: 3 x 2 of them.
+  constexpr int kWidth = 70, kHeight = 40;
+  for (const Format format : {Format::R32F, Format::RG32F, Format::RGBA32F, Format::RGBA16F, Format::RGBA8})
+    for (const BlendState& blend : {kReplace, kAccumulate, kMultiply})
+      for (int tile = 0; tile < 6; ++tile) {
+        INFO(format_name(format) << ", tile " << tile);
+        RasterBench b = with_format(format, blend);
+        b.width = kWidth;
+        b.height = kHeight;
+        b.keep = {true};
+        b.definition.topology = Topology::Points;
+        const Image before = uneven(format, kWidth, kHeight);
+        const int x = tile % 3 * 32 + 3, y = tile / 3 * 32 + 5;
+        const Image after = b.draw({b.at(x + 0.5, y + 0.5, 0.505f)}, &before)[0];
+        std::vector<int> changed;
+        for (int i = 0; i < kWidth * kHeight; ++i)
+          if (after.at(i % kWidth, i / kWidth, 0) != before.at(i % kWidth, i / kWidth, 0))
+            changed.push_back(i);
+        CHECK(changed == std::vector{y * kWidth + x});
+      }
 }
 
 TEST_CASE(

@@ -1,5 +1,5 @@
 // Files that cannot be scenes: each must end in one line that says where the fault is.
-#include "pipeline/scene/gltf/context.hpp"
+#include "pipeline/scene/gltf/compressed.hpp"
 #include "tests/scene/gltf_builder.hpp"
 
 using namespace caustics;
@@ -55,6 +55,36 @@ TEST_CASE("JSON nested too deep or with too many values is refused before it is 
   std::string wide = "{\"extras\":[0";
   for (int i = 0; i < 200; ++i) wide += ",0";
   CHECK(contains(refusal(wide + "]}", options), "more than 100 values"));
+}
+
+TEST_CASE("JSON may have as many values as the limit says, and what a string holds counts once") {
+  // An object, an array, a string and some numbers.
+  std::string text = R"({"extras":["[,{\"[,")";
+  for (std::uint64_t values = 3; values < 9; ++values, text += ",0") {
+    LoadOptions options;
+    options.max_json_values = values;
+    CHECK(contains(refusal(text + "]}", options), "asset.version: is missing"));
+    options.max_json_values = values - 1;
+    CHECK(contains(refusal(text + "]}", options), "more than " + std::to_string(values - 1) + " values"));
+  }
+}
+
+TEST_CASE("What a build cannot unpack names the library that it lacks, and the package to install") {
+  const gltf::Context context("packed.glb", {});
+  const gltf::Json json;
+  const auto message = [&](const char* extension) -> std::string {
+    try {
+      gltf::fail_without_decoder({context, &json, "extensionsRequired[0]"}, extension);
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  CHECK(contains(message(gltf::kDraco),
+                 "extensionsRequired[0]: KHR_draco_mesh_compression needs the library draco, which"));
+  CHECK(contains(message(gltf::kDraco), "install libdraco-dev and"));
+  CHECK(contains(message(gltf::kMeshopt),
+                 "extensionsRequired[0]: EXT_meshopt_compression needs the library meshoptimizer, which"));
+  CHECK(contains(message(gltf::kMeshopt), "install libmeshoptimizer-dev and"));
 }
 
 TEST_CASE("References that lead nowhere are refused with their path") {

@@ -1,5 +1,7 @@
 // What the light tracer holds to: the same bits, states that go on, books that close, and single laws of
 // light.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lab/reference/closed_forms.hpp"
@@ -183,6 +185,78 @@ TEST_CASE("tracer: a pane tints what a caster sends on, before it and behind it"
     CHECK(light.x == Approx(both).margin(3e-3));
     CHECK(light.y == Approx(0.5 * both).margin(3e-3));
     CHECK(light.z == 0.0);
+  }
+}
+
+TEST_CASE("tracer: a pane that is there in part passes all that meets no part of it") {
+  test::need_ray_queries();
+  // (1 - R) / (1 + R) with R = 0.04 of the slab and of what is there of the pane.
+  constexpr double through = 0.96 / 1.04, back = 1.0 - through;
+  for (const double there : {0.25, 0.5, 0.75})
+    for (const double height : {0.8, 0.45}) {
+      Scene scene;
+      scene.materials = {test::diffuse(0.8f), test::glass(1.5f), test::glass(1.5f)};
+      scene.materials[2].thickness = 0.0f;
+      scene.materials[2].alpha_mode = AlphaMode::Blend;
+      scene.materials[2].base_color = {1.0f, 0.5f, 0.0f, static_cast<float>(there)};
+      scene.meshes = {test::floor(3.0, 0.0, 0), test::box({-1, 0.5, -1}, {1, 0.6, 1}, 1),
+                      test::floor(1.5, height, 2)};
+      scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
+      scene.cameras = {test::camera_down(0.2, 1.0)};
+      const Run run(scene, 8, 150, 2, Physics::Full);
+      check_closed(run.account());
+      const glm::dvec3 landed = run.account().landed / (4.0 * run.batches());
+      INFO(there << " " << height);
+      for (int c = 0; c < 3; ++c) {
+        const double passed = 1.0 - there + there * through * glm::dvec3(1.0, 0.5, 0.0)[c];
+        CHECK(landed[c] == Approx(through * passed / (1.0 - back * there * back)).margin(6e-3));
+      }
+    }
+}
+
+TEST_CASE("tracer: each blended sheet takes of direct light by its own coverage") {
+  test::need_ray_queries();
+  const std::array<float, 3> alphas = {0.25f, 0.5f, 0.75f};
+  Scene scene;
+  scene.materials = {test::diffuse(0.8f), test::glass(1.5f)};
+  // Over the floor's left, its right, and all of it; the floor comes after them, a ball that nobody sees
+  // last.
+  for (std::size_t i = 0; i < 3; ++i) {
+    Material material = test::diffuse(0.0f);
+    material.base_color.a = alphas[i];
+    material.alpha_mode = AlphaMode::Blend;
+    Mesh sheet = test::floor(2.0, 1.0 + 0.25 * static_cast<double>(i), static_cast<int>(i) + 2);
+    if (i < 2)
+      for (Vertex& v : sheet.vertices) v.position.x += i == 0 ? -2.0f : 2.0f;
+    test::finish(sheet, sheet.closedness);
+    scene.materials.push_back(material);
+    scene.meshes.push_back(sheet);
+  }
+  scene.meshes.push_back(test::floor(3.0, 0.0, 0));
+  scene.meshes.push_back(test::sphere({8.0, 0.2, 8.0}, 0.1, 2, 1));
+  scene.lights = {test::sun({0.0, -1.0, 0.0}, 1.0f)};
+  scene.cameras = {test::camera_down(0.5, 0.4)};
+  const Run run(std::move(scene), 4, 8, 0);
+  const std::vector<double> light = red(direct_light(run.tracer->world(), run.tracer->film(), 0));
+  REQUIRE(light.size() == 16);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    CHECK(light[i] == Approx((i % 4 < 2 ? 0.75 : 0.5) * 0.25).epsilon(1e-6));
+}
+
+TEST_CASE("tracer: a pixel sees a caster that lies before its receiver, and none behind it or at its depth") {
+  test::need_ray_queries();
+  for (const double above : {-1.0, -0.3, -0.01, 0.0, 0.01, 0.3}) {
+    Scene scene = slab_scene(0.0);
+    scene.meshes[1] = test::box({-1.5, above - 0.1, -1.5}, {1.5, above, 1.5}, 1);
+    scene.cameras = {test::camera_down(2.0, 0.3)};
+    const Run run(std::move(scene), 4, 8, 0);
+    const Film& film = run.tracer->film();
+    for (std::size_t i = 0; i < film.pixels(); ++i) {
+      INFO(above);
+      CHECK(film.seen(i).caster == (above > 0.0));
+      CHECK(film.seen(i).mesh == (above > 0.0 ? 1 : 0));
+      CHECK(film.seen(i).depth == Approx(2.0 - std::max(above, 0.0)).epsilon(1e-6));
+    }
   }
 }
 

@@ -55,6 +55,26 @@ Mesh turned(Mesh mesh) {
 // 0, 1 but evenly between, and the same every time.
 double number(int i, int which) { return std::fmod((i * 7 + which) * 0.6180339887498949, 1.0); }
 
+// An upright wall around the y axis without lids, whose vertices stand at these angles, in degrees.
+Mesh wall_of(const std::vector<double>& degrees, double radius, double height) {
+  Mesh mesh;
+  mesh.name = "wall";
+  for (const double each : degrees) {
+    const double angle = each * 3.14159265358979323846 / 180.0;
+    const glm::dvec3 out(std::cos(angle), 0.0, std::sin(angle));
+    for (const double y : {0.0, height})
+      mesh.vertices.push_back(
+          {.position = glm::vec3(radius * out + glm::dvec3(0.0, y, 0.0)), .normal = glm::vec3(out)});
+  }
+  const auto count = static_cast<std::uint32_t>(degrees.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % count);
+    for (const std::uint32_t v : {a, a + 1, b + 1, a, b + 1, b}) mesh.indices.push_back(v);
+  }
+  test::finish(mesh, 0.0f);
+  return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("exact shapes: a sphere's middle and radius are those of its mesh, and a floor is none") {
@@ -127,6 +147,52 @@ TEST_CASE("exact shapes: a rod's lids are whole discs, and half a wall ends wher
   CHECK(half.nearest({{0.0, 0.4, 0.0}, {1.0, 0.0, 0.0}}, 0.0, kFar)->front);
   CHECK_FALSE(half.nearest({{0.0, 0.4, 0.0}, {-1.0, 0.0, 0.0}}, 0.0, kFar));
   CHECK_FALSE(half.nearest({{0.0, 0.9, 0.0}, {1.0, 0.0, 0.0}}, 0.0, kFar));
+}
+
+TEST_CASE("exact shapes: a wall's facets may reach over any arc of less than half a turn") {
+  for (const double arc : {40.0, 150.0, 160.0, 170.0}) {
+    INFO(arc);
+    const double rest = 0.5 * (360.0 - arc);
+    const auto wall = shape_of<ExactCylinder>(wall_of({0.0, arc, arc + rest}, 0.3, 0.5), ShapeKind::Cylinder);
+    CHECK(wall.walls.size() == 1);
+    CHECK(wall.walls[0].radius == Approx(0.3).epsilon(1e-6));
+    CHECK(wall.height == Approx(0.5).epsilon(1e-6));
+  }
+  // Of more they look inward, against their vertices' normals.
+  CHECK(says(refusal(scene_of(wall_of({0.0, 190.0, 275.0}, 0.3, 0.5)), ShapeKind::Cylinder),
+             "normals must point straight away"));
+}
+
+TEST_CASE("exact shapes: a cylinder in small or in large is the same in small or in large") {
+  // The first of its facets leans a little, so that two facets' normals do not give its axis.
+  const auto leaning = [](Mesh mesh) {
+    mesh.vertices[1].position *= 1.0f + 2e-4f;
+    return turned(mesh);
+  };
+  for (const Mesh& mesh :
+       {leaning(wall_of({0, 30, 70, 110, 140, 180, 230, 260, 300, 340}, 0.5, 0.8)),
+        turned(test::ring(0.5, 0.54, 0.18, 24, 0)), turned(test::half_ring(1.0, 0.8, 16, 0))}) {
+    const auto whole = shape_of<ExactCylinder>(mesh, ShapeKind::Cylinder);
+    for (const double scale : {0x1p-20, 0x1p-10, 0x1p10}) {
+      INFO(mesh.vertices.size() << " " << scale);
+      Mesh scaled = mesh;
+      for (Vertex& v : scaled.vertices) v.position *= static_cast<float>(scale);
+      test::finish(scaled, mesh.closedness);
+      const auto other = shape_of<ExactCylinder>(scaled, ShapeKind::Cylinder);
+      CHECK(glm::length(other.axis - whole.axis) < 1e-9);
+      CHECK(glm::length(other.middle - whole.middle) < 1e-9);
+      CHECK(glm::length(other.foot / scale - whole.foot) < 1e-9);
+      CHECK(other.height / scale == Approx(whole.height).epsilon(1e-9));
+      REQUIRE(other.walls.size() == whole.walls.size());
+      for (std::size_t i = 0; i < whole.walls.size(); ++i) {
+        CHECK(other.walls[i].radius / scale == Approx(whole.walls[i].radius).epsilon(1e-9));
+        CHECK(other.walls[i].outward == whole.walls[i].outward);
+      }
+      CHECK(other.least_cosine == Approx(whole.least_cosine).margin(1e-9));
+      CHECK(other.lower_lid == whole.lower_lid);
+      CHECK(other.upper_lid == whole.upper_lid);
+    }
+  }
 }
 
 TEST_CASE("exact shapes: a wall with a second gap is no part of a cylinder") {

@@ -4,6 +4,7 @@
 #include <cfenv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pipeline/gpu/error.hpp"
 #include "pipeline/scene/in_pieces.hpp"
@@ -75,6 +76,35 @@ TEST_CASE("tracer rays: building a scene leaves the floating-point mode as it wa
   int kept = 0;
   in_pieces(1, 2, [&](int) { kept = tiny * 0.5 == 0x1p-1061 ? 1 : 0; });
   CHECK(kept == 1);
+}
+
+TEST_CASE("tracer rays: an exact shape is met up to a hair's breadth from each side of its box") {
+  test::need_ray_queries();
+  for (const auto& [kind, mesh] : {std::pair{ShapeKind::Sphere, test::sphere({0.3, 0.8, -0.2}, 0.5, 3, 0)},
+                                   std::pair{ShapeKind::Cylinder, test::ring(0.3, 0.54, 0.18, 48, 0)}}) {
+    Scene scene;
+    scene.meshes = {mesh};
+    const ExactShape shape = exact_shape_of(scene, 0, kind);
+    const RaySet rays(scene, {0}, {shape});
+    const Bounds box = shape.bounds();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {-1.0, 1.0}) {
+        // Along the side, so near that single precision just tells it from the side.
+        Ray ray{box.centre(), glm::dvec3(0.0)};
+        ray.origin[axis] = (side > 0.0 ? box.upper : box.lower)[axis] - side * 2e-6;
+        ray.direction[(axis + 1) % 3] = 1.0;
+        ray.origin -= 3.0 * ray.direction;
+        INFO(mesh.name << " " << axis << " " << side);
+        const auto hit = rays.nearest(ray, 0.0, kFar);
+        REQUIRE(hit);
+        CHECK(hit->triangle == -1);
+        CHECK(hit->position[axis] == Approx(ray.origin[axis]).margin(1e-9));
+        CHECK(rays.blocked(ray, 0.0, kFar));
+        ray.origin[axis] += side * 4e-6;
+        CHECK_FALSE(rays.nearest(ray, 0.0, kFar));
+        CHECK_FALSE(rays.blocked(ray, 0.0, kFar));
+      }
+  }
 }
 
 }  // namespace caustics::tracer
