@@ -91,17 +91,18 @@ Effects with_dim_lights(Effects effects, const Scene& scene, const Settings& set
 LightSettings::LightSettings(const Settings& settings, const Effects& effects)
     : whole_(settings), effects_(effects) {
   for (const LightEffects& light : effects.lights) {
-    if (light.divide <= 1 || smaller_.contains(key(light))) continue;
+    if ((light.divide <= 1 && light.shadow_divide <= 1) || smaller_.contains(key(light))) continue;
     Settings& own = smaller_.emplace(key(light), settings).first->second;
     const int least = light.all_around.empty() ? kLeastMap : kLeastCube;
     for (Side* side : {&own.grid, &own.map})
       side->count = std::max(std::min(side->count, least), side->count / light.divide);
-    own.shadow = std::max(std::min(own.shadow, kLeastShadow), own.shadow / light.divide);
+    own.shadow =
+        std::max(std::min(own.shadow, kLeastShadow), own.shadow / (light.divide * light.shadow_divide));
   }
 }
 
-int LightSettings::key(const LightEffects& light) {
-  return light.all_around.empty() ? light.divide : -light.divide;
+LightSettings::Key LightSettings::key(const LightEffects& light) {
+  return {light.divide, light.shadow_divide, !light.all_around.empty()};
 }
 
 const Settings& LightSettings::operator[](int light) const {

@@ -2,6 +2,7 @@
 // the weakest throw no caustic at all, so that a thousand lights take the time of some dozens.
 #pragma once
 #include <map>
+#include <tuple>
 
 #include "pipeline/effects/effects.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -26,11 +27,13 @@ class LightSettings {
   const Settings& operator[](int light) const;
 
  private:
-  static int key(const LightEffects& light);
+  // LightEffects::divide, shadow_divide, and whether it is drawn onto a cube.
+  using Key = std::tuple<int, int, bool>;
+  static Key key(const LightEffects& light);
 
   const Settings& whole_;
   const Effects& effects_;
-  std::map<int, Settings> smaller_;
+  std::map<Key, Settings> smaller_;
 };
 
 }  // namespace caustics

@@ -16,6 +16,8 @@ namespace caustics {
 
 namespace {
 
+constexpr double kWideSample = 0.01;  // a sample's radius over its distance
+
 // A source with a size, or one side of a sheet that shines to both.
 struct LightSide {
   int source = 0;
@@ -94,6 +96,16 @@ int middle_sample(const Scene& scene, const Effects& effects, int source, const 
   return middle;
 }
 
+// Does the sample's share of its light look wide from the casters? Between its shadows' edges and its
+// neighbours' lies more than a texel then.
+bool is_wide(const Scene& scene, const Effects& effects, int sample) {
+  const Light& light = scene.lights[static_cast<std::size_t>(sample)];
+  Bounds all;
+  for (const int caster : casters_of(effects, sample))
+    all.add(bounds_of(scene.meshes[static_cast<std::size_t>(caster)]));
+  return light.sample_radius > kWideSample * exact::length(all.centre() - light.position);
+}
+
 // The intensity of all samples together, lux or candela. A lamp's samples that look away from the casters
 // throw no caustic, but they count, because its points are all over it.
 glm::vec3 intensity_of_all(const Scene& scene, const Effects& effects, int drawn,
@@ -125,8 +137,11 @@ Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& se
     const Light& light = scene.lights[static_cast<std::size_t>(drawn)];
     const glm::vec3 all = intensity_of_all(scene, effects, drawn, samples);
     of_drawn.of_others = all - light.color * light.intensity;
-    for (const int sample : samples)
-      effects.lights[static_cast<std::size_t>(sample)].casters_shadow = sample != drawn;
+    for (const int sample : samples) {
+      LightEffects& own = effects.lights[static_cast<std::size_t>(sample)];
+      own.casters_shadow = sample != drawn;
+      own.shadow_divide = own.casters_shadow && is_wide(scene, effects, sample) ? 2 : 1;
+    }
     for (Expectation& e : effects.expectations) {
       if (!e.expected || e.light == drawn || side_of(scene, e.light) != side) continue;
       e = {e.light, e.mesh, false,

@@ -1,5 +1,6 @@
 #include "pipeline/effects/drawn_sizes.hpp"
 
+#include "pipeline/effects/dim_lights.hpp"
 #include "pipeline/scene/emitter.hpp"
 #include "pipeline/scene/light_samples.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -45,6 +46,34 @@ TEST_CASE("drawn sizes: one sample throws the caustic of all, whose direct light
   }
   for (const Expectation& e : effects.expectations) CHECK(e.expected == (e.light == 0));
   CHECK(all_sizes_are_drawn(effects));
+}
+
+TEST_CASE(
+    "drawn sizes: the samples of what looks wide have shadow maps of half the side, a sun's have whole "
+    "ones") {
+  for (const bool wide : {false, true}) {
+    Bench bench;
+    if (wide) {
+      bench.scene = sphere_scene(1.5f, 2);
+      Light& lamp = bench.scene.lights.front();
+      lamp.type = LightType::Point;
+      lamp.position = {0.0, 4.0, 0.0};
+      lamp.shape = LightShape::Sphere;
+      lamp.radius = 0.5;
+      sample_lights(bench.scene, 4);
+    }
+    const Effects effects = bench.effects();
+    const LightSettings settings(bench.settings, effects);
+    int drawn = 0;
+    for (int l = 0; l < 4; ++l) {
+      const bool is_drawn = effects.lights[static_cast<std::size_t>(l)].size_is_drawn;
+      drawn += is_drawn ? 1 : 0;
+      const bool half = wide && !is_drawn;
+      CHECK(settings[l].shadow == (half ? 1024 : 2048));
+      CHECK(settings[l].grid == bench.settings.grid);
+    }
+    CHECK(drawn == 1);
+  }
 }
 
 TEST_CASE(

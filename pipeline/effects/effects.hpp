@@ -124,6 +124,7 @@ struct LightEffects {
   int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
   glm::vec3 of_others{0.0f};   // lux or candela by which its caustic is brighter, as it stands for others'
   bool size_is_drawn = false;  // its caustic is that of its whole source, of which it is one sample
+  int shadow_divide = 1;  // the sides of its shadow map, of a sample whose shadows' edges the others' soften
   bool casters_shadow = false;  // it throws no caustic that would tell their shadow: its shadow map has them
 };
 

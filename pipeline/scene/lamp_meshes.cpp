@@ -23,7 +23,7 @@ constexpr std::size_t kMostLamps = 16, kMostJudged = 64;
 constexpr std::size_t kMostShadowed = 64;     // lights of the file whose shadows are looked at
 constexpr int kChords = 512, kMostHits = 4;   // through the surroundings; on each
 constexpr int kPoints = 4, kDirections = 32;  // of a lamp, to places; to find its surroundings
-constexpr double kLarge = 0.25;               // a lamp's radius over its distance
+constexpr double kWide = 0.05;                // a lamp's radius over its distance
 
 double luminance(const glm::vec3& color) {
   return (0.2126 * static_cast<double>(color.x) + 0.7152 * static_cast<double>(color.y)) +
@@ -55,10 +55,15 @@ std::vector<int> shadowing_meshes(const Scene& scene) {
   return meshes;
 }
 
-bool has_casters(const Scene& scene) {
-  return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
-    return !is_receiver(scene.materials[static_cast<std::size_t>(mesh.material)]);
-  });
+Bounds bounds_of_casters(const Scene& scene) {
+  Bounds all;
+  for (const Mesh& mesh : scene.meshes)
+    if (!is_receiver(scene.materials[static_cast<std::size_t>(mesh.material)])) all.add(bounds_of(mesh));
+  return all;
+}
+
+bool holds(const Bounds& box, const glm::dvec3& p) {
+  return glm::min(box.lower, p) == box.lower && glm::max(box.upper, p) == box.upper;
 }
 
 class LampJudge {
@@ -238,19 +243,21 @@ class LampJudge {
   }
 
   void share_out(int samples) {
+    const Bounds casters = bounds_of_casters(scene_);
     double all = 0.0;
-    bool large = false;
+    bool wide = false, among = false;
     for (const Light& light : result_.lights) {
       all += candela(light);
       const Bounds bounds = bounds_of(scene_.meshes[static_cast<std::size_t>(light.emitter)]);
-      large = large || bounds.radius() > kLarge * exact::length(light.position - subject_.centre());
+      wide = wide || bounds.radius() > kWide * exact::length(light.position - subject_.centre());
+      among = among || holds(casters, light.position);
     }
-    const double shared = has_casters(scene_) ? (large ? 0.5 : 0.25) * samples : samples;
+    const double share = casters.empty() ? 1.0 : !wide ? 0.25 : among ? 0.5 : 1.0;
     for (Light& light : result_.lights) {
       // All samples of a ball shine to every side.
       const bool half = !light.is_ball() && Emitter(scene_, light.emitter).shines_all_around();
       const double both = half ? 2.0 : 1.0;
-      const double own = both * shared * candela(light) / all;
+      const double own = both * share * samples * candela(light) / all;
       light.samples = std::max(static_cast<int>(std::lround(own)), 1);
     }
   }

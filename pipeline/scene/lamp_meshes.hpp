@@ -21,9 +21,10 @@ struct Lamps {
 // they would if they filled all the sky; else that of a sun of `sun_lux` that will be added. At most 16 are
 // lamps, the strongest ones.
 //
-// The lamps share `samples` by their flux, at least one each: half as many, or a quarter of them where none
-// looks large, if there is glass or metal, whose maps cost much more; twice as many for what shines to
-// opposite sides, half of which turns away from any surface.
+// The lamps share `samples` by their flux, at least one each. Where there is glass or metal, a quarter does
+// if none looks wide, since steps of a narrow shadow's edge do not show; half of them, if one is among the
+// casters, of which each sample throws a caustic. What shines to opposite sides has twice as many, since half
+// of them turn away from any surface.
 Lamps choose_lamps(const Scene& scene, double sun_lux, int samples);
 
 }  // namespace caustics

@@ -110,7 +110,7 @@ TEST_CASE("lamp meshes: lamps behind glass shine, lamps in a closed box do not")
   CHECK(choose_lamps(scene, kSun, 16).lights.empty());
 }
 
-TEST_CASE("lamp meshes: they share the samples by their flux, fewer where there is glass") {
+TEST_CASE("lamp meshes: they share the samples by their flux") {
   Scene scene = under_lamp(20000.0f);
   const int weaker = shining(scene, 20000.0f / 3.0f);
   Mesh second = downwards(floor(0.15, 1.9, weaker));
@@ -122,11 +122,26 @@ TEST_CASE("lamp meshes: they share the samples by their flux, fewer where there 
   REQUIRE(lamps.lights.size() == 2);
   CHECK(lamps.lights[0].samples == 12);
   CHECK(lamps.lights[1].samples == 4);
-  scene.materials.push_back(glass(1.5f));
-  scene.meshes.push_back(sphere({0.0, 0.5, 0.0}, 0.4, 2, 3));
-  const Lamps with_glass = choose_lamps(scene, kSun, 16);
-  REQUIRE(with_glass.lights.size() == 2);
-  CHECK(with_glass.lights[0].samples + with_glass.lights[1].samples == 4);
+}
+
+// Radii over the distance to the scene's middle, about 1.7 m away: 0.13 and 0.02.
+TEST_CASE(
+    "lamp meshes: beside glass a wide lamp has all samples, half of them among the glass, a narrow one a "
+    "quarter") {
+  struct Case {
+    double half_side, glass_at;
+    int samples;
+  };
+  for (const auto& [half_side, glass_at, samples] : {Case{0.15, 0.5, 16}, {0.15, 2.0, 8}, {0.02, 0.5, 4}}) {
+    Scene scene;
+    scene.materials = {diffuse(0.8f), glass(1.5f)};
+    scene.meshes = {floor(3.0, 0.0, 0), sphere({0.0, glass_at, 0.0}, 0.4, 1, 3)};
+    scene.meshes.push_back(downwards(floor(half_side, 2.0, shining(scene, 2e6f))));
+    const Lamps lamps = choose_lamps(scene, kSun, 16);
+    INFO(half_side << " m, glass at " << glass_at << " m");
+    REQUIRE(lamps.lights.size() == 1);
+    CHECK(lamps.lights[0].samples == samples);
+  }
 }
 
 TEST_CASE("lamp meshes: no more than 16 are lights, the strongest") {
