@@ -7,6 +7,7 @@
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/drawn_points.hpp"
 #include "pipeline/measure/pixel_side.hpp"
+#include "pipeline/measure/unseen_casters.hpp"
 #include "pipeline/scene/in_pieces.hpp"
 #include "pipeline/settings/settings.hpp"
 
@@ -73,6 +74,14 @@ std::optional<DrawnPoints> points_of(const RenderedFrame& frame, int light) {
   return DrawnPoints(frame.scene(), frame.scene().sources[source]);
 }
 
+double unseen_of(const RenderedFrame& frame, int light, const LightPaths& paths, const DrawnPoints& points) {
+  std::vector<int> casters;
+  for (const Expectation& e : frame.effects().expectations)
+    if (e.expected && e.light == light) casters.push_back(e.mesh);
+  const glm::dvec3 eye = frame.scene().lights[static_cast<std::size_t>(light)].position;
+  return points.has_place() ? unseen_share(frame.scene(), casters, paths, points, eye) : 0.0;
+}
+
 // Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.
 // Returns the processor milliseconds of rays.
 double add_sample(const RenderedFrame& frame, int light, double share, LightLedger& sum, ModelError* model) {
@@ -111,7 +120,8 @@ double add_sample(const RenderedFrame& frame, int light, double share, LightLedg
                                       ? static_cast<int>(samples_of(frame.scene(), sum.light).size())
                                       : 1,
                        .points = points ? &*points : nullptr,
-                       .caster_position = maps.caster_position});
+                       .caster_position = maps.caster_position,
+                       .unseen = points ? unseen_of(frame, light, model->paths(), *points) : 0.0});
        },
        [&] { ledger = ledger_sum.with_maps(maps.map, maps.far_map); },
        [&] {

@@ -44,13 +44,27 @@ glm::dvec3 DrawnPoints::start(const glm::dvec3& p, int number) const {
   return source_.position + across(facing, on_disk(drawn) * source_.radius);
 }
 
-LightRay DrawnPoints::ray(LightRay ray, const glm::dvec3& p, int column, int row) const {
+int DrawnPoints::number(int column, int row) {
   constexpr int n = kPointsOfLamp;
-  const int number = (column % n * 3681 % n + row % n * 2435 % n) % n * 117 % n;
+  return (column % n * 3681 % n + row % n * 2435 % n) % n * 117 % n;
+}
+
+bool DrawnPoints::has_place() const { return source_.shape != LightShape::Disk; }
+
+double DrawnPoints::toward(const LightRay& ray, int column, int row) const {
+  if (!points_.empty()) {
+    const SurfacePoint& point = points_[static_cast<std::size_t>(number(column, row))];
+    return std::max(exact::dot(point.normal, ray.direction), 0.0);
+  }
+  return source_.is_rectangle() ? std::max(exact::dot(source_.direction, ray.direction), 0.0) : 1.0;
+}
+
+LightRay DrawnPoints::ray(LightRay ray, const glm::dvec3& p, int column, int row) const {
+  const int number = DrawnPoints::number(column, row);
   if (source_.shape == LightShape::Disk) {
     double sine, cosine;
     exact::sin_cos(source_.angular_radius, sine, cosine);
-    const glm::dvec2 at = on_disk({share(number), share(number * 1936 % n)}) * (sine / cosine);
+    const glm::dvec2 at = on_disk({share(number), share(number * 1936 % kPointsOfLamp)}) * (sine / cosine);
     ray.direction = exact::normalise(source_.direction + across(source_.direction, at), source_.direction);
     ray.origin = p - ray.direction * exact::dot(p - ray.origin, source_.direction);
     return ray;

@@ -15,8 +15,13 @@ class DrawnPoints {
   // The ray from the vertex' own point of the source to p, where the vertex is, scene space. `ray`: the one
   // from the light's view.
   LightRay ray(LightRay ray, const glm::dvec3& p, int column, int row) const;
+  // How much light the source sends along such a ray, of the most that it sends along any.
+  double toward(const LightRay& ray, int column, int row) const;
+  // Is it near by, and no sun?
+  bool has_place() const;
 
  private:
+  static int number(int column, int row);
   glm::dvec3 start(const glm::dvec3& p, int number) const;
 
   const Light& source_;

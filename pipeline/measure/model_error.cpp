@@ -56,7 +56,9 @@ void ModelError::add(const Sample& sample) {
         vertices.push_back(
             {x, y, (x / step + y / step) % 2, static_cast<double>(step) * step * sample.share});
   for (Vertex& vertex : vertices) compare(sample, vertex);
+  const double before = landed_;
   follow(sample, vertices);
+  unseen_ += (landed_ - before) * sample.unseen / std::max(1.0 - sample.unseen, 0.01);
 }
 
 bool ModelError::sees(const glm::dvec3& p) const {
@@ -190,12 +192,12 @@ void ModelError::complete(ErrorEstimate& estimate) const {
     least += signs_a[i] * b + signs_b[i] * a;
   }
   least = std::clamp(least, 0.0, most);
-  estimate.landed = landed_;
+  estimate.landed = landed_ + unseen_;
   const double whole = lit_ > 0.0 ? landed_ / lit_ : 0.0;
   const double of_noise = any_drawn_ ? 1.0 / std::max(least_step_, 2) : 0.5;
   estimate.sampling = of_noise * (most - least) * whole;
   estimate.model = least * whole + estimate.sampling;
-  estimate.missing = lost_ * whole;
+  estimate.missing = lost_ * whole + unseen_;
   estimate.not_followed = std::max(landed_ - followed_, 0.0);
 }
 

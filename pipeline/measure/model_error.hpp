@@ -36,8 +36,10 @@ class ModelError {
     // Set for a light whose size is drawn: its points, and the places of the vertices.
     const DrawnPoints* points = nullptr;
     ImageView caster_position{};
+    double unseen = 0.0;  // unseen_share
   };
   void add(const Sample& sample);
+  const LightPaths& paths() const { return paths_; }
 
   // Puts into the estimate what the frame alone does not know: `model`, `sampling`, `not_followed`; `missing`
   // where that light would land in the picture; and takes all light that lands for the whole.
@@ -65,7 +67,9 @@ class ModelError {
   int least_step_ = 0;  // between the vertices that are judged, along both sides of the grid
   Sums surplus_[2];     // of rays in turn: what the frame has more of than light
   double lit_ = 0.0;    // in the picture, by light
-  double lost_ = 0.0;   // of that, what goes the way of the passes, which have not found its landing
+  double unseen_ =
+      0.0;  // what lands through parts of casters that the grid does not show, as much as through others
+  double lost_ = 0.0;  // of that, what goes the way of the passes, which have not found its landing
   double landed_ = 0.0;
   double followed_ = 0.0;  // of what has landed, on ways that the passes take; or all that they have landed
 };

@@ -1,0 +1,18 @@
+// Of a light with a size whose caustic is drawn once: what its grid does not show of the casters.
+#pragma once
+#include <vector>
+
+#include "pipeline/measure/drawn_points.hpp"
+#include "pipeline/measure/light_paths.hpp"
+#include "pipeline/scene/scene.hpp"
+
+namespace caustics {
+
+// The share (0..1) of the light onto the casters that comes to where `eye` does not see them, the place from
+// which the light's view is drawn (scene space): to their sides, or past the first that hides others. From a
+// thousand ways between points of the light and points all over the casters, spread by their areas.
+// `casters`: indices into Scene::meshes.
+double unseen_share(const Scene& scene, const std::vector<int>& casters, const LightPaths& paths,
+                    const DrawnPoints& points, const glm::dvec3& eye);
+
+}  // namespace caustics
