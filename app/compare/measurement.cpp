@@ -86,9 +86,8 @@ Measurement measure(const PlanesDifference& difference, Selection selection, boo
   return result;
 }
 
-std::vector<NamedMetric> named_metrics(const LayerMeasure& layer, bool with_flip) {
+std::vector<NamedMetric> named_metrics(const LayerMeasure& layer) {
   std::vector<NamedMetric> list = named_metrics(layer.metrics);
-  if (!with_flip) return list;
   const auto of_flip = [&](double FlipFigures::*figure) {
     return layer.flip ? std::optional<double>(layer.flip->figures.*figure) : std::nullopt;
   };

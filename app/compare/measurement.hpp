@@ -39,8 +39,8 @@ struct Measurement {
 // `difference` lives as long as the result.
 Measurement measure(const PlanesDifference& difference, Selection selection, bool with_flip);
 
-// Every figure of a layer by name, those of named_metrics() and, where it was asked for,
-// "flip_mean", "flip_median" and "flip_max".
-std::vector<NamedMetric> named_metrics(const LayerMeasure& layer, bool with_flip);
+// Every figure of a layer by name, those of named_metrics(), "flip_mean", "flip_median" and "flip_max": these
+// without a value where FLIP was not asked for.
+std::vector<NamedMetric> named_metrics(const LayerMeasure& layer);
 
 }  // namespace caustics::app

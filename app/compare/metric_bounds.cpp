@@ -14,7 +14,7 @@ namespace caustics::app {
 namespace {
 
 std::optional<double> figure(const LayerMeasure& layer, const std::string& metric) {
-  for (const NamedMetric& each : named_metrics(layer, true)) {
+  for (const NamedMetric& each : named_metrics(layer)) {
     if (each.name == metric) return each.value;
   }
   return std::nullopt;
@@ -50,7 +50,7 @@ BoundAnswer judge_bound(const MetricBound& bound, const Measurement& measurement
 
 std::vector<std::string> boundable_metrics() {
   std::vector<std::string> names;
-  for (const NamedMetric& each : named_metrics(LayerMeasure{}, true)) {
+  for (const NamedMetric& each : named_metrics(LayerMeasure{})) {
     if (each.grows_with_error) names.push_back(each.name);
   }
   return names;

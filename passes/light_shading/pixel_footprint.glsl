@@ -23,7 +23,7 @@ Float texels_along(IN(View) view, Vec3 at, Vec3 step) {
   Int face = view_face(view, at);
   Vec3 from = in_face(view, at, face);
   Vec3 to = in_face(view, at + step, face);
-  Float texels = Float(0.0f);
+  Float texels;
   if (view.kind == VIEW_PARALLEL) {
     texels = max_of(abs(to.x - from.x) * view.scale.x, abs(to.y - from.y) * view.scale.y);
   } else {

@@ -17,7 +17,7 @@ Scene ball() {
   scene.materials = {diffuse(0.8f), glass(1.5f)};
   scene.meshes = {sphere(glm::dvec3(0.0), 1.0, 3, 1)};
   add_ground(scene, subject_of(scene), -1.0);
-  set_sun(scene, subject_of(scene), {0.5, -0.8660254, 0.0}, 10.0f);
+  set_sun(scene, {0.5, -0.8660254, 0.0}, 10.0f);
   return scene;
 }
 
@@ -60,6 +60,6 @@ TEST_CASE("landed light: a sun that has been turned lands its light elsewhere") 
   const Settings settings;
   LandedLight light(scene, settings, pilot());
   CHECK(middle_of(light.find()).x > 0.2);
-  set_sun(scene, subject_of(scene), {-0.5, -0.8660254, 0.0}, 10.0f);
+  set_sun(scene, {-0.5, -0.8660254, 0.0}, 10.0f);
   CHECK(middle_of(light.find()).x < -0.2);
 }

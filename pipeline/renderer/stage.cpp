@@ -154,10 +154,10 @@ class Stage {
 
   void place_sun(LandedLight& light) {
     const float lux = settings_.sun && settings_.sun->lux ? *settings_.sun->lux : sun_lux(scene_.environment);
-    if (settings_.sun) return set_sun(scene_, subject_, -toward(settings_.sun->stands), lux);
-    set_sun(scene_, subject_, {0.0, -1.0, 0.0}, lux);
+    if (settings_.sun) return set_sun(scene_, -toward(settings_.sun->stands), lux);
+    set_sun(scene_, {0.0, -1.0, 0.0}, lux);
     const SunSide side = sun_side(scene_, light, toward_camera(), camera_side());
-    set_sun(scene_, subject_, side.direction, lux);
+    set_sun(scene_, side.direction, lux);
     const std::string strong = "a sun of " + lux_text(lux) + " lux";
     say(strong,
         "The scene has no light: " + strong + ", " + side.where + " it as the camera sees it, was added.");

@@ -98,7 +98,7 @@ SunSide sun_side(Scene& scene, LandedLight& landed, const glm::dvec3& toward_cam
     return SunSide{front * way.onward + right * way.right - glm::dvec3(0.0, way.down, 0.0), way.where};
   };
   const auto turn_to = [&](const SunSide& side) {
-    set_sun(scene, subject_of(scene), side.direction, scene.lights.front().intensity);
+    set_sun(scene, side.direction, scene.lights.front().intensity);
   };
   SunSide best = side_of(kWays[0]);
   const std::vector<int> own = opaque_meshes(scene);

@@ -24,7 +24,7 @@ Scene ball(bool board) {
   scene.meshes = {sphere(glm::dvec3(0.0), 1.0, 2, 1)};
   if (board) scene.meshes.push_back(box({-3.0, -1.0, -2.2}, {3.0, 4.0, -2.0}, 0));
   add_ground(scene, subject_of(scene), -1.0);
-  set_sun(scene, subject_of(scene), {0.0, -1.0, 0.0}, 10.0f);
+  set_sun(scene, {0.0, -1.0, 0.0}, 10.0f);
   return scene;
 }
 

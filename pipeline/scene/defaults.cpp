@@ -86,12 +86,11 @@ float sun_lux(const Environment& environment) {
   return static_cast<float>(given > 0.0 ? std::min(given / kSkyShare, 1e9) : kUsual);
 }
 
-void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, float lux) {
+void set_sun(Scene& scene, const glm::dvec3& direction, float lux) {
   Light sun;
   sun.name = "sun (added)";
   sun.intensity = lux;
   sun.direction = direction;
-  sun.position = subject.centre() - direction * (4.0 * widest(subject));
   sun.source = 0;
   scene.sources = {sun};
   scene.lights = {sun};

@@ -26,7 +26,7 @@ void add_ground(Scene& scene, const Bounds& subject, double height);
 float sun_lux(const Environment& environment);
 
 // One directional light in the place of all others. `direction`: unit, the way its light travels.
-void set_sun(Scene& scene, const Bounds& subject, const glm::dvec3& direction, float lux);
+void set_sun(Scene& scene, const glm::dvec3& direction, float lux);
 
 // A studio's light, unless there is an environment image or one was already set: lighting a horizontal
 // surface with 30 % of what the scene's lights give. False where nothing was added.
