@@ -18,7 +18,8 @@ LEFT_OUT = {'launcher_test.py', 'docs_pictures_test.py', 'povray_test.py', 'comm
 # What computes long; `--quick` leaves it out.
 SLOW_CASES = (
     'truth', 'area light', 'all around', 'water film', 'torture:', 'textured casters', 'hard cases',
-    'failing', 'parity:', 'random', 'gl: memory', 'Draco data', 'determinism', 'lanes: random', 'Sphere', 'Half ring')
+    'failing', 'parity:', 'random', 'gl: memory', 'Draco data', 'determinism', 'lanes: random', 'Sphere',
+    'Half ring')
 SLOW_FILES = {
     'animation_test.py', 'compare_metrics_test.py', 'faults_test.py', 'frame_costs_test.py', 'gl_test.py',
     'inspect_page_test.py', 'inspect_test.py', 'lights_test.py', 'memory_test.py', 'on_demand_test.py',
