@@ -167,7 +167,9 @@ class Parity(GlTest):
         self.assertGreater(report["differing_values"], 1000)
         self.assertTrue(report["within_bounds"])
         verdicts = {a["kind"]: a["verdict"] for a in report["isolated"] if a["differing_values"] > 0}
-        self.assertEqual(verdicts, {"rasterized map": "within"})
+        # Since Mesa 25 llvmpipe's points cover other texels, fused or not.
+        kinds = ["rasterized map"] + ["flux map"] * ("other points" in self.driver_class)
+        self.assertEqual(verdicts, dict.fromkeys(kinds, "within"))
 
     def test_differences_are_found_told_and_dumped(self):
         # A driver that leaves blending out, in a class that allows no difference and in one that allows some.
