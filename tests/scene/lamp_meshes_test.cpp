@@ -135,7 +135,7 @@ TEST_CASE(
   for (const auto& [half_side, glass_at, samples] : {Case{0.15, 0.5, 16}, {0.15, 2.0, 8}, {0.02, 0.5, 4}}) {
     Scene scene;
     scene.materials = {diffuse(0.8f), glass(1.5f)};
-    scene.meshes = {floor(3.0, 0.0, 0), sphere({0.0, glass_at, 0.0}, 0.4, 1, 3)};
+    scene.meshes = {floor(3.0, 0.0, 0), sphere({0.0, glass_at, 0.0}, 0.4, 1, 1)};
     scene.meshes.push_back(downwards(floor(half_side, 2.0, shining(scene, 2e6f))));
     const Lamps lamps = choose_lamps(scene, kSun, 16);
     INFO(half_side << " m, glass at " << glass_at << " m");
