@@ -78,7 +78,7 @@ Incident light_of_size(IN(GridCell) cell, Vec3 p, Vec3 plane, Float number) {
   }
   Float before = dot3(middle.direction, plane);
   Float facing = dot3(light.direction, plane) / sel(abs(before) > 0.02f, before, Float(0.02f));
-  light.flux = light.flux * (nearer * clamp_to(facing, 0.0f, 4.0f));
+  light.flux = light.flux * (nearer * clamp_to(facing, 0.0f, 16.0f));
   TRACE(light_direction, light.direction);
   return light;
 }
