@@ -1,6 +1,7 @@
 #include "pipeline/views/cascades.hpp"
 
 #include "pipeline/settings/settings.hpp"
+#include "pipeline/settings/splat_kernel.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace caustics;
