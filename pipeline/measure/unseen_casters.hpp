@@ -1,4 +1,5 @@
-// Of a light with a size whose caustic is drawn once: what its grid does not show of the casters.
+// A light with a size whose caustic is drawn once has one grid, which does not show all of the casters that it
+// lights.
 #pragma once
 #include <vector>
 
