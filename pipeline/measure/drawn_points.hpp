@@ -15,9 +15,9 @@ class DrawnPoints {
   // The ray from the vertex' own point of the source to p, where the vertex is, scene space. `ray`: the one
   // from the light's view.
   LightRay ray(LightRay ray, const glm::dvec3& p, int column, int row) const;
-  // How much light the source sends along such a ray, of the most that it sends along any.
+  // Returns how much light the source sends along such a ray, relative to the most that it sends along any.
   double toward(const LightRay& ray, int column, int row) const;
-  // Is it near by, and no sun?
+  // Is the source near by, and no sun?
   bool has_place() const;
 
  private:

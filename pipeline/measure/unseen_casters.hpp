@@ -1,5 +1,5 @@
-// A light with a size whose caustic is drawn once has one grid, which does not show all of the casters that it
-// lights.
+// A light with a size whose caustic is drawn once has one grid, which does not show all of the casters that
+// it lights.
 #pragma once
 #include <vector>
 
@@ -9,9 +9,9 @@
 
 namespace caustics {
 
-// The share (0..1) of the light onto the casters that comes to where `eye` does not see them, the place from
-// which the light's view is drawn (scene space): to their sides, or past the first that hides others. From a
-// thousand ways between points of the light and points all over the casters, spread by their areas.
+// Returns the share (0..1) of the light onto the casters that comes to where `eye`, the place from which the
+// light's view is drawn (scene space), does not see them: to their sides, or past one that hides another. It
+// is told from a thousand ways between points of the light and points all over the casters, spread by area.
 // `casters`: indices into Scene::meshes.
 double unseen_share(const Scene& scene, const std::vector<int>& casters, const LightPaths& paths,
                     const DrawnPoints& points, const glm::dvec3& eye);
