@@ -78,7 +78,7 @@ double unseen_of(const RenderedFrame& frame, int light, const LightPaths& paths,
   std::vector<int> casters;
   for (const Expectation& e : frame.effects().expectations)
     if (e.expected && e.light == light) casters.push_back(e.mesh);
-  const glm::dvec3 eye = frame.scene().lights[static_cast<std::size_t>(light)].position;
+  const glm::dvec3 eye = frame.views()[static_cast<std::size_t>(light)].caster.origin;
   return points.has_place() ? unseen_share(frame.scene(), casters, paths, points, eye) : 0.0;
 }
 

@@ -108,7 +108,8 @@ void fit_to_landings(LightViews& views, const FoundLandings& found, const Settin
     set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin,
                shortest);
   if (views.cascade) views.cascade = covering_texels(*views.cascade, views.caustic, settings);
-  const bool apart = views.caustic.forward != views.caster.forward;
+  const bool apart =
+      views.caustic.forward != views.caster.forward || views.caustic.origin != views.caster.origin;
   views.receiver.window_lower =
       apart ? views.caustic.window_lower : glm::min(views.caustic.window_lower, views.caster.window_lower);
   views.receiver.window_upper =
@@ -240,7 +241,8 @@ void add_shares(const LightPaths& paths, const RayTables& tables, const Light& l
     landed[other.first].all += flux_of(other);
     whole += flux_of(other);
   }
-  const glm::dvec3 looks = way_to_landings(light, caster, landings);
+  const View& light_sees = views.light.column;
+  const glm::dvec3 looks = way_to_landings(light, light_sees, landings);
   const std::vector<LandingSeen> seen = seen_by_light({paths, tables, light, views.light}, landings);
   const LitReceivers lit = lit_receivers(landings, seen, tables.scene().meshes.size());
   double shown = 0.0, shown_simply = 0.0;
@@ -252,8 +254,8 @@ void add_shares(const LightPaths& paths, const RayTables& tables, const Light& l
     const double in_picture = flux * size_in_picture(paths, views.camera, landing.position);
     shown += in_picture;
     // What the light's own view of its receivers does not show, its maps cannot find.
-    const bool found =
-        (looks == glm::dvec3(0.0) || shows(caster, landing.position)) && !seen[i].hidden && !seen[i].behind;
+    const bool found = (looks == glm::dvec3(0.0) || shows(light_sees, landing.position)) && !seen[i].hidden &&
+                       !seen[i].behind;
     if (landing.followed && found) {
       sum.simple += flux;
       shown_simply += in_picture;
