@@ -4,6 +4,7 @@
 #include "app/shell/progress.hpp"
 #include "app/shell/terminal.hpp"
 #include "pipeline/effects/dim_lights.hpp"
+#include "pipeline/effects/drawn_sizes.hpp"
 #include "pipeline/gpu/device.hpp"
 #include "pipeline/measure/drawn_points.hpp"
 #include "pipeline/measure/pixel_side.hpp"
@@ -75,11 +76,9 @@ std::optional<DrawnPoints> points_of(const RenderedFrame& frame, int light) {
 }
 
 double unseen_of(const RenderedFrame& frame, int light, const LightPaths& paths, const DrawnPoints& points) {
-  std::vector<int> casters;
-  for (const Expectation& e : frame.effects().expectations)
-    if (e.expected && e.light == light) casters.push_back(e.mesh);
-  const glm::dvec3 eye = frame.views()[static_cast<std::size_t>(light)].caster.origin;
-  return points.has_place() ? unseen_share(frame.scene(), casters, paths, points, eye) : 0.0;
+  if (!points.has_place()) return 0.0;
+  return unseen_share(frame.scene(), casters_of(frame.effects(), light), paths, points,
+                      frame.views()[static_cast<std::size_t>(light)].caster.origin);
 }
 
 // Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.

@@ -49,14 +49,6 @@ std::map<LightSide, std::vector<int>> samples_of_sides(const Scene& scene, const
   return samples;
 }
 
-// The casters that a light throws caustics through, indices into Scene::meshes.
-std::set<int> casters_of(const Effects& effects, int light) {
-  std::set<int> casters;
-  for (const Expectation& e : effects.expectations)
-    if (e.expected && e.light == light) casters.insert(e.mesh);
-  return casters;
-}
-
 // The cosine by which a sample of a lamp faces the middle of these casters; nothing if one of them does not
 // lie wholly before it.
 std::optional<double> facing(const Scene& scene, const std::set<int>& casters, const Light& sample) {
@@ -124,6 +116,13 @@ glm::vec3 intensity_of_all(const Scene& scene, const Effects& effects, int drawn
 }
 
 }  // namespace
+
+std::set<int> casters_of(const Effects& effects, int light) {
+  std::set<int> casters;
+  for (const Expectation& e : effects.expectations)
+    if (e.expected && e.light == light) casters.insert(e.mesh);
+  return casters;
+}
 
 Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& settings) {
   if (!settings.drawn || settings.further_share >= 1.0f) return effects;

@@ -1,8 +1,13 @@
 // Lights with a size whose caustic is drawn once: each grid vertex sends on light from a point of its own.
 #pragma once
+#include <set>
+
 #include "pipeline/effects/effects.hpp"
 
 namespace caustics {
+
+// Returns the casters that a light throws caustics through, indices into Scene::meshes.
+std::set<int> casters_of(const Effects& effects, int light);
 
 // After with_dim_lights. Where light can be followed from surface to surface, of each light with a size and
 // several samples one throws the caustic of all: the nearest to its middle, of a mesh the one that faces the

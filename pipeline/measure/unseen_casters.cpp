@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "pipeline/scene/exact.hpp"
 
@@ -18,7 +19,7 @@ struct CasterPlace {
 // All triangles of the casters, drawn by area.
 class CasterAreas {
  public:
-  CasterAreas(const Scene& scene, const std::vector<int>& casters) : scene_(scene) {
+  CasterAreas(const Scene& scene, const std::set<int>& casters) : scene_(scene) {
     for (const int mesh : casters) {
       const std::size_t count = scene.meshes[static_cast<std::size_t>(mesh)].indices.size() / 3;
       for (std::size_t t = 0; t < count; ++t) {
@@ -67,7 +68,7 @@ double part_of_1(double x) { return x - std::floor(x); }
 
 }  // namespace
 
-double unseen_share(const Scene& scene, const std::vector<int>& casters, const LightPaths& paths,
+double unseen_share(const Scene& scene, const std::set<int>& casters, const LightPaths& paths,
                     const DrawnPoints& points, const glm::dvec3& eye) {
   const CasterAreas areas(scene, casters);
   if (areas.empty()) return 0.0;

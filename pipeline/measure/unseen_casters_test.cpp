@@ -33,8 +33,8 @@ double unseen_of(const std::vector<Mesh>& casters, const Light& light) {
   const Effects effects = effects_of(scene, settings);
   const RayTables tables(scene, effects, pilot().device);
   const LightPaths paths(tables, effects, settings, pilot().registry);
-  std::vector<int> meshes;
-  for (std::size_t i = 1; i < scene.meshes.size(); ++i) meshes.push_back(static_cast<int>(i));
+  std::set<int> meshes;
+  for (std::size_t i = 1; i < scene.meshes.size(); ++i) meshes.insert(static_cast<int>(i));
   return unseen_share(scene, meshes, paths, DrawnPoints(scene, light), light.position);
 }
 

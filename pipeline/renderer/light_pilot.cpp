@@ -10,9 +10,12 @@
 #include "pipeline/effects/branches.hpp"
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/dim_lights.hpp"
+#include "pipeline/effects/drawn_sizes.hpp"
 #include "pipeline/gpu/device.hpp"
+#include "pipeline/measure/drawn_points.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/light_paths.hpp"
+#include "pipeline/measure/unseen_casters.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/renderer/lit_receivers.hpp"
 #include "pipeline/renderer/pilot_rays.hpp"
@@ -114,6 +117,29 @@ void fit_to_landings(LightViews& views, const FoundLandings& found, const Settin
       apart ? views.caustic.window_lower : glm::min(views.caustic.window_lower, views.caster.window_lower);
   views.receiver.window_upper =
       apart ? views.caustic.window_upper : glm::max(views.caustic.window_upper, views.caster.window_upper);
+}
+
+// From how far behind a light whose size is drawn the most of what it lights is seen. From afar more of a
+// round body's sides is, and less of walls that stand along the way.
+double best_steps_back(const LightPaths& paths, const Scene& scene, Effects effects, const Settings& settings,
+                       int number) {
+  const auto index = static_cast<std::size_t>(number);
+  const Light& light = scene.lights[index];
+  if (!effects.lights[index].size_is_drawn) return 0.0;
+  const DrawnPoints points(scene, scene.sources[static_cast<std::size_t>(light.source)]);
+  if (!points.has_place()) return 0.0;
+  const std::set<int> casters = casters_of(effects, number);
+  double best = 0.0, least = unseen_share(scene, casters, paths, points, light.position);
+  for (const double steps : {0.5, 1.0, 4.0}) {
+    effects.lights[index].steps_back = steps;
+    const glm::dvec3 eye = widest_views(scene, effects, settings, number).caster.origin;
+    if (eye == light.position) break;
+    const double unseen = unseen_share(scene, casters, paths, points, eye);
+    if (unseen >= least) continue;
+    least = unseen;
+    best = steps;
+  }
+  return best;
 }
 
 }  // namespace
@@ -343,8 +369,11 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
     const auto index = static_cast<std::size_t>(i);
     const bool all_around = !effects.lights[index].all_around.empty();
     const LightViews views = widest_views(scene, effects, all_around ? settings : coarse, i);
+    const std::size_t before = shares.size();
     add_shares(paths, scene_.tables(), scene.lights[index], i, {views, camera}, pilot_step(lights.size()),
                shares);
+    const double steps_back = best_steps_back(paths, scene, effects, settings, i);
+    for (std::size_t found = before; found < shares.size(); ++found) shares[found].steps_back = steps_back;
   }
   return shares;
 }

@@ -183,21 +183,20 @@ double half_extent(const Scene& scene, const Light& light, const glm::dvec3& alo
   return extent;
 }
 
-// The whole of a light that is wide lights more of its casters than its middle sees, but hardly more than is
-// seen from far behind it, if all of them lie before it.
-constexpr double kStepsBack = 4.0;  // distances from the light to the casters' middle
-
+// Looks at the casters of a light whose size is drawn from behind it (LightEffects::steps_back), if all of
+// them lie before it.
 void step_back(LightViews& views, const Scene& scene, const Effects& effects, const Settings& settings,
                int number) {
   const Light& sample = scene.lights[static_cast<std::size_t>(number)];
-  if (!effects.lights[static_cast<std::size_t>(number)].size_is_drawn || !views.caster.perspective) return;
+  const double steps = effects.lights[static_cast<std::size_t>(number)].steps_back;
+  if (!(steps > 0.0) || !views.caster.perspective) return;
   if (sample.type == LightType::Spot || settings.shared_views) return;
   const Light& light = scene.sources[static_cast<std::size_t>(sample.source)];
   const glm::dvec3 forward = views.caster.forward;
   const double before =
       exact::dot(light.position - sample.position, forward) + half_extent(scene, light, forward);
   if (!(views.casters_nearest > before)) return;
-  const double back = kStepsBack * 0.5 * (views.casters_nearest + views.caster.far);
+  const double back = steps * 0.5 * (views.casters_nearest + views.caster.far);
   View axes = view_along(sample.position - forward * back, forward);
   axes.perspective = true;
   axes.near = back;

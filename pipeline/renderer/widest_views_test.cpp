@@ -30,6 +30,7 @@ struct Bench {
     effects = with_drawn_sizes(effects_of(scene, settings), scene, settings);
     for (int l = 0; l < 16; ++l)
       if (effects.lights[static_cast<std::size_t>(l)].size_is_drawn) drawn = l;
+    if (drawn >= 0) effects.lights[static_cast<std::size_t>(drawn)].steps_back = 4.0;
   }
   LightViews views(int sample) const { return widest_views(scene, effects, settings, sample); }
   const Light& light(int sample) const { return scene.lights[static_cast<std::size_t>(sample)]; }

@@ -239,6 +239,13 @@ class Films(MovingTest):
                       env=self.fake_ffmpeg('for file; do :; done; cat >"${file#file:}"'))
         self.assertEqual(len(self.picture("a.mp4")), 3 * 64 * 48 * 3)
 
+    def test_what_ffmpeg_prints_is_not_among_what_the_program_prints(self):
+        env = self.fake_ffmpeg('echo printed; for file; do :; done; cat >"${file#file:}"; echo said >&2')
+        row = "go.glb", *SMALL, "--frames", "0..1", "-o", "a.mp4", "--quiet"
+        silent = self.succeeds(*row, env=env)
+        self.assertEqual(silent.stdout + silent.stderr, "")
+        self.assertEqual(json.loads(self.succeeds(*row, "--stats", "-", env=env).stdout)["frames"]["count"], 2)
+
     def test_a_failure_of_ffmpeg_is_one_line(self):
         for script in ("echo first >&2; echo 'no such encoder' >&2; exit 1",
                        "cat >/dev/null; echo 'no such encoder' >&2; exit 1"):

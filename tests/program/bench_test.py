@@ -1,10 +1,12 @@
 """What each pass of a frame takes, by `caustics bench`."""
 
+import fcntl
 import json
 import os
 import re
 import signal
 import subprocess
+import termios
 import time
 
 from program import PROGRAM, SMALL, ProgramTest, main
@@ -102,11 +104,28 @@ class Bench(ProgramTest):
         fault = json.loads(wrong.stdout)["runs"][0]["digest"]["fault"]
         self.assertIn("pass 'caustic_cells[", fault)
         self.assertIn(f"caustics: {fault}\n", wrong.stderr)
+        # So is one of several numbers of threads, of which each has its own process.
+        wrong = self.run_program(*command[:-1], "1,2", env=dict(os.environ, LP_PERF="no_blend"))
+        self.assertEqual(wrong.returncode, 1)
+        self.assertEqual([run["digest"]["fault"] for run in json.loads(wrong.stdout)["runs"]], [fault] * 2)
         # One without fused multiply-add, whose class may differ.
         other = self.succeeds(*command, env=dict(os.environ, GALLIUM_OVERRIDE_CPU_CAPS="sse4.1"))
         digest = json.loads(other.stdout)["runs"][0]["digest"]
         self.assertGreater(digest["differing"], 0)
         self.assertIsNone(digest["fault"])
+
+    def test_of_several_thread_counts_each_process_may_write_to_a_terminal_that_stops_others(self):
+        def own_terminal():
+            fcntl.ioctl(2, termios.TIOCSCTTY, 0)
+            modes = termios.tcgetattr(2)
+            modes[3] |= termios.TOSTOP
+            termios.tcsetattr(2, termios.TCSANOW, modes)
+            signal.alarm(60)  # where a process is stopped, the program would wait for ever
+        code, lines = self.on_terminal("bench", "ball.glb", *SMALL, "--frames", "1", "-t", "1,2",
+                                       start_new_session=True, preexec_fn=own_terminal, stdout=subprocess.DEVNULL)
+        self.assertEqual(code, 0, lines)
+        shown = [line for line in lines if re.search(r"  [\d.]+ [mu]?s$", line)]
+        self.assertGreater(len(shown), 2, lines)
 
     def test_the_table_has_a_row_for_each_pass_and_says_that_bits_are_the_same(self):
         text = self.succeeds("bench", "ball.glb", *SHORT, "-t", "1").stdout

@@ -98,6 +98,28 @@ class Rows(StudyTest):
         self.assertEqual(sorted(p.name for p in (self.folder / "study").iterdir()),
                          ["error_time.svg", "img", "report.html", "study.csv", "study.json"])
 
+    def test_what_is_left_is_told_from_the_time_that_the_rows_before_took(self):
+        grids = [64, 16, 128]
+        code, lines = self.on_terminal("study", "ball.glb", *SMALL[2:], "-r", "16x16", "--map", "16", "--cross",
+                                       "--vary", "grid=" + ",".join(map(str, grids)), stdout=subprocess.DEVNULL)
+        self.assertEqual(code, 0, lines)
+        duration = r"([\d.]+ [mu]?s)"
+        seconds = lambda text: float(text.split()[0]) * {"us": 1e-6, "ms": 1e-3, "s": 1}[text.split()[1]]
+        shown = lambda head, step: seconds(re.search(f"(?m)^{head}.*: {step}  {duration}$", "\n".join(lines))[1])
+        works = [grid * grid + 16 * 16 + 16 * 16 for grid in grids]  # grid, map, picture
+        for number in range(1, 4):
+            said = {re.match(f"row {number} of 3(.*): grid {grids[number - 1]} ", line) for line in lines} - {None}
+            told, = {match[1] for match in said}
+            if number == 1:
+                self.assertEqual(told, "")
+                continue
+            left = seconds(re.fullmatch(f", {duration} left", told)[1])
+            took = left * sum(works[:number - 1]) / sum(works[number - 1:])
+            # The rows before began between these two steps, and ended between those.
+            least = shown(f"row {number - 1} of 3", "measuring") - shown("row 1 of 3", "finding where .*")
+            most = shown(f"row {number} of 3", "warming up") - shown("the truth", "rendering")
+            self.assertTrue(0.99 * least - 0.01 <= took <= 1.01 * most + 0.01, (number, least, took, most))
+
     def test_one_key_at_a_time_and_the_product_of_grid_and_map(self):
         base = ["--grid", "32", "--map", "32", "--vary", "grid=16,32", "--vary", "map=16,32"]
         self.study(*base)

@@ -39,6 +39,50 @@ class Help(ProgramTest):
         self.assertIn("Sizes are small unless given: width 320, height 180, grid 128, map 128, shadow 512.",
                       text)
 
+    def tables(self, command):
+        """The rows of a command's help by the headings over them: {heading: names}."""
+        _, *tables = self.succeeds(command, "--help-markdown").stdout.rstrip("\n").split("\n\n")
+        head = lambda table: re.match(r"\| (.*?) \|", table)[1]
+        return {head(table): re.findall(r"(?m)^\| `(.*?)` \| ", table) for table in tables}
+
+    def test_what_is_a_commands_own_stands_before_what_frames_have_in_common(self):
+        of_frames = ["View", "Method", "Running", "Settings for -D"]
+        own = {"render": ["Output", "On demand"], "plan": ["Output"], "inspect": ["Page"], "probe": ["What to probe"],
+               "study": ["Study", "Output"], "digest": ["Options"], "parity": ["Options"], "bench": ["Options"]}
+        common = self.tables("plan")
+        for command, headings in own.items():
+            tables = self.tables(command)
+            named = [heading for heading in tables if heading[0] != "-" and heading not in ("Arguments", "Help")]
+            first = named.index("View")
+            self.assertEqual(named[:first], headings, command)
+            self.assertEqual([each for each in named[first:] if each in of_frames], of_frames, command)
+            for heading in of_frames[:2]:
+                self.assertEqual(tables[heading], common[heading], (command, heading))
+            names = [name for table in tables.values() for name in table]
+            self.assertEqual(len(names), len(set(names)), command)
+
+    def test_a_setting_has_an_option_or_a_row_of_its_own(self):
+        keys = set(self.settings_of_stats())
+        for command in ("render", "plan", "inspect", "probe", "study", "digest", "parity", "bench", "reference"):
+            tables = self.tables(command)
+            listed = tables["Settings for -D"]
+            options = [word.split(" ")[0] for name, rows in tables.items() if name != "Settings for -D"
+                       for row in rows for word in row.split("`, `")]
+            text = self.succeeds(command, "--help-markdown").stdout
+            own = re.search(r"`-D KEY=VALUE`.*listed below, or (.*) as above", text)[1].split(", ")
+            self.assertEqual(set(own) & set(listed), set(), command)
+            self.assertLessEqual(set(own) | set(listed), keys, command)
+            if command != "reference":  # which has no maps
+                self.assertEqual(set(own) | set(listed), keys, command)
+            option = lambda key: "--" + key.replace("_", "-")
+            self.assertEqual([key for key in listed if option(key) in options], [], command)
+            self.assertEqual([key for key in own if option(key) not in options], ["width", "height"], command)
+            self.assertIn("--resolution", options, command)
+
+    def settings_of_stats(self):
+        self.succeeds("ball.glb", *SMALL, "--stats", "s.json")
+        return json.loads((self.folder / "s.json").read_text())["settings"]
+
     def test_lines_fit_a_terminal(self):
         for command in COMMANDS:
             for line in self.succeeds(command, "--help").stdout.splitlines():
