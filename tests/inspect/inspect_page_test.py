@@ -1,5 +1,6 @@
 """The inspect page in a browser, on a recording whose every share can be computed in the head
 (tiny_recording.py)."""
+import math
 import pathlib
 import sys
 
@@ -136,6 +137,81 @@ class InspectPage(BrowserTest):
             ["landing[sun]", "light_shading[sun]", "light_shading[lamp]", "compose", "tone_map"],
         )
 
+    def test_each_pair_of_textures_is_named_by_its_pass_and_its_texture(self):
+        self.open("panel=compare")
+        self.wait_text(".compare-list", "First to differ")
+        # As text, because the equal ones are folded away.
+        said = self.browser.execute_script(
+            "return [...document.querySelectorAll('.compare-list .pair')].map(e => e.textContent)"
+        )
+        a, b = tiny_recording()[0]["runs"]
+        names, equal = [], []
+        for one, other in zip(a["attachments"], b["attachments"]):
+            names.append(f"{a['passes'][one['pass']]['label']} {one['texture']} ")
+            equal.append(one["sha256"] == other["sha256"])
+        wanted = [name for alike in (False, True) for name, same in zip(names, equal) if same == alike]
+        self.assertEqual([text[: len(name)] for text, name in zip(said, wanted)], wanted)
+        self.assertEqual(len(said), len(wanted))
+        words = [text[len(name) :] for text, name in zip(said, wanted)]
+        self.assertEqual([word == "equal" for word in words], sorted(equal))
+
+    def test_linked_pictures_of_one_texture_move_together(self):
+        views = [".three > :nth-child(1)", ".three > :nth-child(2)"]
+        # Lets the pictures be drawn first.
+        pictures = lambda: self.browser.execute_async_script(
+            "const [views, done] = arguments;"
+            "const frame = (then) => requestAnimationFrame(() => setTimeout(then));"
+            "frame(() => frame(() => done(views.map("
+            "view => document.querySelector(view + ' canvas').toDataURL()))));",
+            views,
+        )
+        self.open("panel=compare&compare=caster_map[sun]/caster_position[sun]")
+        self.wait_text(".summary", "caster_position[sun]")
+        self.wait(lambda: len(self.colors_shown(views[0])) > 9 and len(self.colors_shown(views[1])) > 9)
+        seen = [pictures()]
+        act = (
+            "const c = document.querySelector(arguments[0] + ' canvas'), b = c.getBoundingClientRect();"
+            "c.setPointerCapture = () => {};"
+            "const kinds = {bubbles: true, cancelable: true};"
+            "const at = (x, y) => ({...kinds, clientX: b.left + x, clientY: b.top + y});"
+        )
+        wheel = "c.dispatchEvent(new WheelEvent('wheel', {...at(50, 70), deltaY: -300}));"
+        drag = "".join(
+            f"c.dispatchEvent(new PointerEvent('pointer{kind}', at({x}, {y})));"
+            for kind, x, y in (("down", 40, 40), ("move", 65, 52), ("up", 65, 52))
+        )
+        for view, what in ((0, wheel), (1, drag), (1, wheel), (0, drag)):
+            self.browser.execute_script(act + what, views[view])
+            seen.append(pictures())
+        self.press("0")
+        seen.append(pictures())
+        for one, other in seen:
+            self.assertEqual(one, other)
+        # All differ, but for the last, which shows the whole again.
+        self.assertEqual([one for one, _ in seen].index(seen[-1][0]), 0)
+        self.assertEqual(len({one for one, _ in seen}), len(seen) - 1)
+
+    def test_a_canvas_has_a_pixel_for_each_of_the_screens_however_fine_it_is(self):
+        self.addCleanup(self.browser.execute_cdp_cmd, "Emulation.clearDeviceMetricsOverride", {})
+        for ratio in (1, 1.5, 2, 0.75):
+            self.browser.execute_cdp_cmd(
+                "Emulation.setDeviceMetricsOverride",
+                {"width": 1440, "height": 1000, "deviceScaleFactor": ratio, "mobile": False},
+            )
+            self.open("panel=passes&pass=view_surfaces")
+            self.wait_text(".texture-view h3", "view_position")
+            sides = lambda: self.browser.execute_script(
+                "const f = document.querySelector('.passes-panel .view-frame');"
+                "const c = f.querySelector('canvas');"
+                "const {width, height} = f.getBoundingClientRect();"
+                "return [window.devicePixelRatio, c.width, c.height, width, height];"
+            )
+            self.wait(lambda: sides()[1:3] == [round(ratio * side) for side in sides()[3:]], str(sides()))
+            self.assertEqual(sides()[0], ratio)
+            # So a click is at the texel that it seems to be at.
+            self.click_texel(".passes-panel .middle", WIDTH, HEIGHT, 61, 17)
+            self.wait_text(".reading", "Texel (61, 17)")
+
     def test_nan_and_infinity_are_marked_and_counted(self):
         self.open("panel=passes&pass=landing[sun]&texture=landing_flux[sun]")
         self.wait_text(".legend", "NaN: 3 values")
@@ -147,6 +223,48 @@ class InspectPage(BrowserTest):
         self.wait_text(".reading", "Texel (5, 1). flux that is left: (NaN, NaN, 0) m2")
         # It stands in the middle, 24 screen pixels wide: all but its border has its colour.
         self.assertEqual(self.colors_in_the_middle(".passes-panel .middle", 9), {(255, 0, 255)})
+
+    def texels_shown(self, view, width, height):
+        """The colour in the middle of each texel of a picture that is shown whole, rows from the bottom."""
+        return self.browser.execute_script(
+            "const [view, width, height] = arguments;"
+            "const c = document.querySelector(view + ' canvas');"
+            "const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, colors = [];"
+            "const side = Math.min(c.width / width, c.height / height);"
+            "for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) {"
+            "  const row = Math.floor((height - y - 0.5) * side), column = Math.floor((x + 0.5) * side);"
+            "  const at = 4 * (row * c.width + column);"
+            "  colors.push([...d.slice(at, at + 4)].join(' '));"
+            "} return colors;",
+            view,
+            width,
+            height,
+        )
+
+    def test_where_there_is_nothing_every_way_of_showing_has_the_same_colour(self):
+        recording, blobs = tiny_recording()
+        attachments = {each["texture"]: each for each in recording["runs"][0]["attachments"]}
+        for state, texture, nothing in (
+            ("caster_map[sun]", "caster_position[sun]", lambda texel: texel[3] == 0),
+            ("caster_map[sun]", "caster_normal[sun]", lambda texel: texel[:3] == (0, 0, 0)),
+            ("shadow_map[sun]", "shadow_depth[sun]", lambda texel: texel[0] == 1),
+            ("caustic_cells[sun]", "caustic_map[sun]", lambda texel: texel[0] == 0),
+            ("caustic_cells[lamp]", "caustic_map[lamp]", lambda texel: texel[0] == 0),
+        ):
+            with self.subTest(texture=texture):
+                attachment = attachments[texture]
+                values = blobs.values(attachment["data"])
+                size = attachment["width"], attachment["height"]
+                channels = len(values) // (size[0] * size[1])
+                texels = [values[i : i + channels] for i in range(0, len(values), channels)]
+                self.open(f"panel=passes&pass={state}&texture={texture}")
+                self.wait_text(".texture-view h3", texture)
+                self.wait(lambda: len(set(self.texels_shown(".passes-panel .middle", *size))) > 1)
+                shown = self.texels_shown(".passes-panel .middle", *size)
+                self.assertEqual(
+                    [color == "40 43 48 255" for color in shown], [nothing(texel) for texel in texels]
+                )
+                self.assertIn(True, map(nothing, texels))
 
     def test_statuses_have_names_and_counts(self):
         self.open("panel=passes&pass=landing[lamp]")
@@ -183,6 +301,11 @@ class InspectPage(BrowserTest):
     def test_a_picture_of_floats_is_shown_as_one_of_bytes(self):
         self.open("panel=passes", self.small)
         self.wait(lambda: self.colors_shown(".passes-panel .middle") >= {(255, 128, 0), (51, 102, 153)})
+
+    def test_values_without_a_description_are_named_by_their_place(self):
+        self.open("panel=passes&texel=1,0", self.small)
+        self.wait_text(".reading", "Texel (1, 0)")
+        self.assertEqual(self.text(".reading"), "Texel (1, 0). x: 0.2; y: 0.4; z: 0.6; w: 1")
 
     def test_small_shares_are_said_to_be_small_and_negative_ones_how_large(self):
         self.open("panel=ledger", self.small)
@@ -298,6 +421,37 @@ class InspectPage(BrowserTest):
         slider = self.find("input.long")
         slider.send_keys(Keys.ARROW_LEFT)
         self.wait_text(".says", "iterations 3, error 4.5 %")
+
+    def test_the_lines_of_a_plot_go_from_its_first_step_to_its_last_and_its_points_lie_between_them(self):
+        for sweep in tiny_recording()[0]["runs"][0]["sweeps"]:
+            self.open(f"panel=sweep&setting={sweep['setting']}")
+            self.wait_text(".sweep-panel h3", f"Error by {sweep['setting']}")
+            lines, ticks, points = self.browser.execute_script(
+                "const found = (selector) => [...document.querySelectorAll('.plot ' + selector)];"
+                "const all = (selector, read) => found(selector).map(read);"
+                "const numbers = (names) => (e) => names.map(name => Number(e.getAttribute(name)));"
+                "return [all('.grid-line', numbers(['x1', 'x2', 'y1', 'y2'])),"
+                " all('.tick', e => [e.textContent, ...numbers(['x'])(e)]),"
+                " document.querySelector('.plot polyline').getAttribute('points')]"
+            )
+            steps = [x for text, x in ticks if text in sweep["values"]]
+            self.assertEqual(len(steps), len(sweep["values"]))
+            for x1, x2, y1, y2 in lines:
+                self.assertEqual((x1, x2, y1), (steps[0], steps[-1], y2))
+            shares = [text.replace("\u00a0", " ") for text, _ in ticks if "%" in text]
+            decades = [math.log10(float(text.split(" ")[0]) / 100) for text in shares]
+            self.assertEqual(len(lines), len(decades))
+            # A straight line through the first and the last, by logarithms.
+            (low, high), (bottom, top) = (decades[0], decades[-1]), (lines[0][2], lines[-1][2])
+            y_of = lambda decade: bottom + (top - bottom) * (decade - low) / (high - low)
+            for decade, line in zip(decades, lines):
+                self.assertAlmostEqual(line[2], y_of(decade))
+            wanted = [(x, y_of(math.log10(e))) for x, e in zip(steps, sweep["error"]) if e is not None]
+            drawn = [tuple(map(float, point.split(","))) for point in points.split(" ")]
+            self.assertEqual(len(drawn), len(wanted))
+            for (x, y), (right, down) in zip(drawn, wanted):
+                self.assertAlmostEqual(x, right)
+                self.assertAlmostEqual(y, down)
 
     def test_a_way_is_drawn_with_every_estimator(self):
         self.open("panel=path&vertex=19,15")

@@ -26,6 +26,13 @@ class Blobs:
         self.texts.append(base64.b64encode(zlib.compress(planes)).decode("ascii"))
         return {"blob": len(self.texts) - 1, "type": kind, "count": len(values)}
 
+    def values(self, array):
+        """What was added, as the page holds it."""
+        size, count = struct.calcsize(CODES[array["type"]]), array["count"]
+        planes = zlib.decompress(base64.b64decode(self.texts[array["blob"]]))
+        packed = b"".join(planes[i::count] for i in range(count))
+        return struct.unpack(f"<{count}{CODES[array['type']]}", packed)
+
     def elements(self):
         return "\n".join(
             f'<script type="text/plain" id="blob-{number}">{text}</script>'

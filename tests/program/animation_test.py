@@ -244,7 +244,8 @@ class Films(MovingTest):
         row = "go.glb", *SMALL, "--frames", "0..1", "-o", "a.mp4", "--quiet"
         silent = self.succeeds(*row, env=env)
         self.assertEqual(silent.stdout + silent.stderr, "")
-        self.assertEqual(json.loads(self.succeeds(*row, "--stats", "-", env=env).stdout)["frames"]["count"], 2)
+        stats = json.loads(self.succeeds(*row, "--stats", "-", env=env).stdout)
+        self.assertEqual(stats["frames"]["count"], 2)
 
     def test_a_failure_of_ffmpeg_is_one_line(self):
         for script in ("echo first >&2; echo 'no such encoder' >&2; exit 1",

@@ -121,8 +121,10 @@ class Bench(ProgramTest):
             modes[3] |= termios.TOSTOP
             termios.tcsetattr(2, termios.TCSANOW, modes)
             signal.alarm(60)  # where a process is stopped, the program would wait for ever
+
         code, lines = self.on_terminal("bench", "ball.glb", *SMALL, "--frames", "1", "-t", "1,2",
-                                       start_new_session=True, preexec_fn=own_terminal, stdout=subprocess.DEVNULL)
+                                       start_new_session=True, preexec_fn=own_terminal,
+                                       stdout=subprocess.DEVNULL)
         self.assertEqual(code, 0, lines)
         shown = [line for line in lines if re.search(r"  [\d.]+ [mu]?s$", line)]
         self.assertGreater(len(shown), 2, lines)

@@ -100,16 +100,17 @@ class Rows(StudyTest):
 
     def test_what_is_left_is_told_from_the_time_that_the_rows_before_took(self):
         grids = [64, 16, 128]
-        code, lines = self.on_terminal("study", "ball.glb", *SMALL[2:], "-r", "16x16", "--map", "16", "--cross",
-                                       "--vary", "grid=" + ",".join(map(str, grids)), stdout=subprocess.DEVNULL)
+        code, lines = self.on_terminal("study", "ball.glb", *SMALL[2:], "-r", "16x16", "--map", "16",
+                                       "--cross", "--vary", "grid=" + ",".join(map(str, grids)),
+                                       stdout=subprocess.DEVNULL)
         self.assertEqual(code, 0, lines)
         duration = r"([\d.]+ [mu]?s)"
         seconds = lambda text: float(text.split()[0]) * {"us": 1e-6, "ms": 1e-3, "s": 1}[text.split()[1]]
-        shown = lambda head, step: seconds(re.search(f"(?m)^{head}.*: {step}  {duration}$", "\n".join(lines))[1])
+        text = "\n".join(lines)
+        shown = lambda head, step: seconds(re.search(f"(?m)^{head}.*: {step}  {duration}$", text)[1])
         works = [grid * grid + 16 * 16 + 16 * 16 for grid in grids]  # grid, map, picture
         for number in range(1, 4):
-            said = {re.match(f"row {number} of 3(.*): grid {grids[number - 1]} ", line) for line in lines} - {None}
-            told, = {match[1] for match in said}
+            told, = set(re.findall(f"(?m)^row {number} of 3(.*): grid {grids[number - 1]} ", text))
             if number == 1:
                 self.assertEqual(told, "")
                 continue

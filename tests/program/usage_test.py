@@ -47,12 +47,13 @@ class Help(ProgramTest):
 
     def test_what_is_a_commands_own_stands_before_what_frames_have_in_common(self):
         of_frames = ["View", "Method", "Running", "Settings for -D"]
-        own = {"render": ["Output", "On demand"], "plan": ["Output"], "inspect": ["Page"], "probe": ["What to probe"],
-               "study": ["Study", "Output"], "digest": ["Options"], "parity": ["Options"], "bench": ["Options"]}
+        own = {"render": ["Output", "On demand"], "plan": ["Output"], "inspect": ["Page"],
+               "probe": ["What to probe"], "study": ["Study", "Output"], "digest": ["Options"],
+               "parity": ["Options"], "bench": ["Options"]}
         common = self.tables("plan")
         for command, headings in own.items():
             tables = self.tables(command)
-            named = [heading for heading in tables if heading[0] != "-" and heading not in ("Arguments", "Help")]
+            named = [heading for heading in tables if heading not in ("Arguments", "Help")]
             first = named.index("View")
             self.assertEqual(named[:first], headings, command)
             self.assertEqual([each for each in named[first:] if each in of_frames], of_frames, command)
@@ -63,7 +64,8 @@ class Help(ProgramTest):
 
     def test_a_setting_has_an_option_or_a_row_of_its_own(self):
         keys = set(self.settings_of_stats())
-        for command in ("render", "plan", "inspect", "probe", "study", "digest", "parity", "bench", "reference"):
+        for command in ("render", "plan", "inspect", "probe", "study", "digest", "parity", "bench",
+                        "reference"):
             tables = self.tables(command)
             listed = tables["Settings for -D"]
             options = [word.split(" ")[0] for name, rows in tables.items() if name != "Settings for -D"
