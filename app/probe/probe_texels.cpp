@@ -98,7 +98,6 @@ std::vector<TexelHistory> probe_texels(RenderedFrame& frame, const std::vector<T
   frame.run([&](const PlannedPass& pass, const PassResult& result, std::size_t done, std::size_t total) {
     for (TexelHistory& history : histories)
       if (history.pass == &pass) take_history(frame, before, result, history);
-    before = {};
     if (done < total && is_asked(frame.plan().passes[done]))
       before = targets_before(frame, frame.plan().passes[done]);
     return true;

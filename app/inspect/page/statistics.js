@@ -55,12 +55,7 @@ function codeCounts(values, channel, channels) {
   return counts;
 }
 
-// The texel after this one (in rows from the bottom) that has a NaN or infinite channel, or -1.
-function nextNotFinite(values, channels, after) {
-  const texels = values.length / channels;
-  for (let step = 1; step <= texels; step++) {
-    const texel = (after + step) % texels;
-    for (let c = 0; c < channels; c++) if (!Number.isFinite(values[texel * channels + c])) return texel;
-  }
-  return -1;
+// The first texel, in rows from the bottom, that has a NaN or infinite channel. There is one.
+function firstNotFinite(values, channels) {
+  return Math.floor(values.findIndex((v) => !Number.isFinite(v)) / channels);
 }

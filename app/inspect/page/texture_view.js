@@ -160,7 +160,7 @@ function legendOf(shading, goTo) {
   if (shading.scale) parts.push(scaleLegend(shading.scale));
   if (["position", "normal"].includes(shading.kind)) parts.push(axesLegend(shading));
   const {nan, infinite} = attachment.kind === "display" ? {nan: 0, infinite: 0} : countNotFinite(values);
-  if (nan + infinite) parts.push(notFiniteLegend(nan, infinite, () => goTo(nextNotFinite(values, channels, -1))));
+  if (nan + infinite) parts.push(notFiniteLegend(nan, infinite, () => goTo(firstNotFinite(values, channels))));
   return parts;
 }
 
