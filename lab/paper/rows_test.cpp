@@ -179,6 +179,29 @@ TEST_CASE("paper rows: a ring's light counts inside it and outside it, and not b
   CHECK_FALSE(row.check(shots).holds);
 }
 
+TEST_CASE("paper rows: every pixel of the floor below a ring counts, those at its border like the others") {
+  const Row row = row_of("9");
+  constexpr int width = 6, height = 8;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      // A pixel as red as the one in the middle, without its green and blue: both ratios are halved.
+      StatedShots shots(row);
+      FloorLayer& caustic = shots.state("ring_floor", "caustic") = floor_of(width, height);
+      caustic.pixels[width * 4 + 3] = {2.0, 1.0, 0.5};
+      caustic.pixels[static_cast<std::size_t>(width * y + x)][0] += 2.0;
+      const double px = (2 * x + 1 - width) / double(width), py = (2 * y + 1 - height) / double(height);
+      const bool outside = std::hypot(px, py) > 0.55;
+      // The ring's own wall is 0.49 to 0.55 m from the middle, and no pixel's middle lies there.
+      REQUIRE((outside || std::hypot(px, py) < 0.49));
+      const Finding finding = row.check(shots);
+      INFO(x << " " << y);
+      CHECK(finding.holds == outside);
+      CHECK(finding.figure == std::string("of the light on the floor in view ") +
+                                  (outside ? "50.0%" : "0.0%") +
+                                  " lies outside; green and blue are 0.25 and 0.125 of red");
+    }
+}
+
 TEST_CASE("paper rows: how even a sky must be goes by the brightest pixel, whatever light lies before it") {
   const Row row = row_of("12");
   const std::array<double, 3> albedo{0.80, 0.72, 0.62};

@@ -10,7 +10,7 @@ namespace caustics {
 
 namespace {
 
-constexpr int kWays = 1024;
+constexpr int kWaysToCasters = 1024;
 
 struct CasterPlace {
   glm::dvec3 position{0.0}, normal{0.0};  // of its triangle
@@ -73,10 +73,10 @@ double unseen_share(const Scene& scene, const std::set<int>& casters, const Ligh
   const CasterAreas areas(scene, casters);
   if (areas.empty()) return 0.0;
   double all = 0.0, unseen = 0.0;
-  for (int i = 0; i < kWays; ++i) {
+  for (int i = 0; i < kWaysToCasters; ++i) {
     // Roberts' sequence of low discrepancy in two dimensions.
-    const CasterPlace place =
-        areas.place((i + 0.5) / kWays, part_of_1(0.7548776662466927 * i), part_of_1(0.5698402909980532 * i));
+    const CasterPlace place = areas.place((i + 0.5) / kWaysToCasters, part_of_1(0.7548776662466927 * i),
+                                          part_of_1(0.5698402909980532 * i));
     const LightRay ray = points.ray({}, place.position, i, 0);
     if (!meets(paths, place, ray.origin)) continue;
     const glm::dvec3 way = place.position - ray.origin;

@@ -4,11 +4,13 @@ two-dimensional filters instead of sums of separable ones, no code in common.
 P. Andersson and others, "FLIP: A Difference Evaluator for Alternating Images", 2020, sections 4.1 to 4.5.
 """
 
+import cmath
 import json
 import math
 
 from pictures import png
 from program import ProgramTest, main
+from shown import png_channels
 
 PER_DEGREE = 3840 * math.pi / 180
 TO_XYZ = [[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577794],
@@ -112,6 +114,15 @@ def flip(test, reference, width, height):
     return errors
 
 
+def cubehelix(level):
+    """D. A. Green, "A colour scheme for the display of astronomical intensity images", 2011, as the map has
+    it: from black to white, one and a half turns round the grey line."""
+    turn = cmath.exp(2j * math.pi * (0.5 / 3 + 1 - 1.5 * level))
+    amplitude = level * (1 - level) / 2
+    return [level + amplitude * (a * turn.real + b * turn.imag)
+            for a, b in ((-0.14861, 1.78277), (-0.29227, -0.90649), (1.97294, 0))]
+
+
 class Flip(ProgramTest):
     WIDTH, HEIGHT = 13, 9
 
@@ -137,6 +148,33 @@ class Flip(ProgramTest):
                 self.assertAlmostEqual(figures["mean"], sum(errors) / size, places=6)
                 self.assertAlmostEqual(figures["maximum"], max(errors), places=6)
                 self.assertIsNone(figures["exposure"])
+
+    def test_the_map_shows_each_pixels_error_in_the_middle_and_what_is_left_out_in_grey(self):
+        size = self.WIDTH * self.HEIGHT
+        test, reference = ([((i * a) % 256, (i * b) % 256, 40) for i in range(size)]
+                           for a, b in ((37, 91), (29, 83)))
+        for name, pixels in (("a.png", test), ("b.png", reference)):
+            (self.folder / name).write_bytes(png(pixels, self.WIDTH, self.HEIGHT))
+        errors = flip(test, reference, self.WIDTH, self.HEIGHT)
+        for left, top, width, height in ((0, 0, self.WIDTH, self.HEIGHT), (2, 1, 5, 3)):
+            result = self.run_program("compare", "a.png", "b.png", "--flip", "--diff=d",
+                                      f"--region={left},{top},{width},{height}")
+            self.assertEqual(result.returncode, 1, result.stderr)
+            across, _, channels = png_channels((self.folder / "d_flip.png").read_bytes())
+            paper = [values[0] for values in channels.values()]
+            begin = (across - self.WIDTH) // 2
+            for y in range(self.HEIGHT):
+                for x in range(across):
+                    shown = [values[y * across + x] for values in channels.values()]
+                    at, of = x - begin, y * self.WIDTH + x - begin
+                    if not 0 <= at < self.WIDTH:
+                        expected = paper
+                    elif left <= at < left + width and top <= y < top + height:
+                        expected = [255 * v for v in cubehelix(errors[of])]
+                    else:
+                        expected = [102] * 3  # four tenths
+                    for a, b in zip(shown, expected):
+                        self.assertAlmostEqual(a, b, delta=1, msg=(x, y, shown, expected))
 
 
 if __name__ == "__main__":

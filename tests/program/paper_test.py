@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 
@@ -13,6 +14,15 @@ SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 
 
 class Paper(ProgramTest):
+    def with_scenes(self, scenes, *arguments):
+        """A run of a copy of the program, beside which lie these sample scenes, {name: bytes}."""
+        (self.folder / "scenes").mkdir()
+        for name, data in scenes.items():
+            (self.folder / "scenes" / name).write_bytes(data)
+        program = shutil.copy(PROGRAM, self.folder / "caustics")
+        return subprocess.run([program, "paper", "-o", "out", *arguments], cwd=self.folder, text=True,
+                              capture_output=True, timeout=300)
+
     def test_a_row_is_made_checked_and_reported(self):
         result = self.succeeds("paper", "-o", "out", "--row", "21")
         self.assertIn("holds", result.stdout)
@@ -40,23 +50,36 @@ class Paper(ProgramTest):
         self.assertTrue(same.startswith("equal: "), same)
         self.assertEqual(self.run_program("compare", *files[1:], "--layer", "caustic").returncode, 1)
 
+    def test_traced_light_is_told_with_its_own_statistics(self):
+        self.need_ray_queries()
+        # A plate above the ball keeps nearly all light from it, so that few rays take long.
+        document, blob = glb.unpack(glb.scene(floors=((0, 0, 0), (2.6, 2, 0))))
+        document["nodes"][3]["name"] = "floor"  # the camera
+        result = self.with_scenes({"receivers.glb": glb.pack(document, blob)}, "--row", "29")
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        (row,) = json.loads((self.folder / "out/paper.json").read_text())["rows"]
+        told = [float(share) for share in re.findall(r"([0-9.]+)%", row["found"])[:2]]
+        for share, (name, account) in zip(told, (("default", "in_map"), ("traced", "landed"))):
+            stats = json.loads((self.folder / f"out/receivers_{name}.json").read_text())
+            flux = stats["lights"][0]["flux"]
+            self.assertGreater(share, 0)
+            self.assertAlmostEqual(share, 100 * sum(flux[account]) / sum(flux["entered"]), delta=0.11)
+        self.assertEqual(row["holds"], result.returncode == 0)
+
     def test_a_figure_that_is_not_printed_is_named(self):
         page = "| 3 | rays | within 3e-7 m; 12 %, 1.20 |\n"
         found = {"row": "3", "thing": "", "expected": "", "found": "3.4e-7 m, 12.4 %, 1.23"}
         self.assertEqual(len(doc_figures.unprinted(page, [found])), 1)  # 1.23 is not 1.20
 
     def test_a_row_that_does_not_hold_is_the_answer_no(self):
-        # Beside a copy of the program lies a sample scene whose sphere is too small.
+        # A sample scene whose sphere is too small.
         document, blob = glb.unpack((SCENES / "glass_sphere.glb").read_bytes())
         for node in document["nodes"]:
             if node["name"] == "sphere":
                 node["scale"] = [0.5, 0.5, 0.5]
-        (self.folder / "scenes").mkdir()
-        (self.folder / "scenes/glass_sphere.glb").write_bytes(glb.pack(document, blob))
-        shutil.copy(SCENES / "glass_sphere_lamp.glb", self.folder / "scenes")
-        program = shutil.copy(PROGRAM, self.folder / "caustics")
-        result = subprocess.run([program, "paper", "-o", "out", "--row", "21"], cwd=self.folder, text=True,
-                                capture_output=True, timeout=300)
+        lamp = (SCENES / "glass_sphere_lamp.glb").read_bytes()
+        small = glb.pack(document, blob)
+        result = self.with_scenes({"glass_sphere.glb": small, "glass_sphere_lamp.glb": lamp}, "--row", "21")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("FAILS", result.stdout)
         self.assertIn("does not hold", (self.folder / "out/paper.md").read_text())

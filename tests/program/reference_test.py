@@ -7,6 +7,8 @@ import re
 import signal
 import subprocess
 
+import glb
+from pictures import png
 from program import PROGRAM, ProgramTest, main
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
@@ -110,6 +112,73 @@ class Reference(ProgramTest):
         # Another request than that of the mesh.
         self.fails(3, "reference", scene, "-o", "t.exr", *few, "--resume",
                    saying="is the state of another request")
+
+
+class Notes(ProgramTest):
+    def test_normal_textures_are_said_to_be_left_out_where_a_receiver_has_one_whichever_it_is(self):
+        self.need_ray_queries()
+        (self.folder / "bumps.png").write_bytes(png([(128, 128, 255)] * 4, 2, 2))
+        few = ["-r", "8x8", "--rays", "4", "--batches", "2", "-o", "t.exr"]
+        for bumpy in (None, "ball", "floor", "wall"):
+            for order in (("wall", "ball", "floor"), ("floor", "ball", "wall")):
+                document, blob = glb.unpack(glb.scene())
+                nodes = {node["name"]: node for node in document["nodes"]}
+                document["materials"].append(document["materials"][1] | {"name": "wall"})
+                wall = document["meshes"][1]["primitives"][0] | {"material": 2}
+                document["meshes"].append({"primitives": [wall]})
+                nodes["wall"] = {"name": "wall", "mesh": 2, "translation": [0, -1, 0]}
+                document["nodes"] = [nodes[name] for name in (*order, "sun", "eye")]
+                document["scenes"] = [{"nodes": [0, 1, 2, 3, 4]}]
+                if bumpy:
+                    document["images"], document["textures"] = [{"uri": "bumps.png"}], [{"source": 0}]
+                    material = ("ball", "floor", "wall").index(bumpy)
+                    document["materials"][material]["normalTexture"] = {"index": 0}
+                (self.folder / "bumps.glb").write_bytes(glb.pack(document, blob))
+                said = "normal textures of receivers are left out" in self.succeeds(
+                    "reference", "bumps.glb", *few).stderr
+                self.assertEqual(said, bumpy in ("floor", "wall"), (bumpy, order))
+
+
+class Help(ProgramTest):
+    """Its options are those of render where both have them."""
+
+    def groups(self, command):
+        """{option: the heading that it stands below}."""
+        heading, found = "", {}
+        for line in self.succeeds(command, "--help").stdout.splitlines():
+            if option := re.match(r"  (?:-\w,)?(-[-\w]+)", line):
+                found[option[1]] = heading
+            elif line[:1].strip() and line.endswith(":"):
+                heading = line[:-1]
+        return found
+
+    def test_what_the_picture_shows_stands_in_the_groups_in_which_render_has_it(self):
+        render, reference = self.groups("render"), self.groups("reference")
+        shared = {option for option, heading in render.items()
+                  if heading in ("View", "Light", "Output") and option in reference}
+        self.assertGreater(len(shared), 8)
+        # There going on is of a row of frames, and here of what was traced.
+        for option in shared - {"--resume"}:
+            self.assertEqual(reference[option], render[option], option)
+
+    def test_each_setting_is_named_beside_d_or_listed_or_refused(self):
+        values = json.loads(self.succeeds("plan", "ball.glb", "--json").stdout)["settings"]
+        for command in ("render", "reference"):
+            text = self.succeeds(command, "--help").stdout
+            named = re.search(r"one of those listed below, or (.*?) as above;", " ".join(text.split()))
+            named = named[1].split(", ")
+            listed = text.split("\nSettings for -D:\n")[1].split("\n\n")[0]
+            listed = re.findall(r"^  (\S+)", listed, re.MULTILINE)
+            self.assertEqual(len({*named, *listed}), len(named) + len(listed))
+            self.assertLessEqual({*named, *listed}, {*values})
+            options = {"--" + name.replace("_", "-") for name in named} - {"--width", "--height"}
+            self.assertLessEqual(options | {"--resolution"}, {*self.groups(command)})
+            assigned = {name: ["-D", f"{name}={value}"] for name, value in values.items()}
+            known = [word for name in (*named, *listed) for word in assigned[name]]
+            # Nothing is wrong but that there is no such scene.
+            self.fails(3, command, "none.glb", *known, "-o", "t.exr", saying="none.glb")
+            for name in {*values} - {*named, *listed}:
+                self.fails(2, command, "none.glb", *assigned[name], "-o", "t.exr", saying=name)
 
 
 class Refusals(ProgramTest):

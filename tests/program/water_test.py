@@ -46,6 +46,18 @@ class Water(ProgramTest):
         self.succeeds("pool.glb", *SMALL, "-o", "b.exr")
         self.assertEqual(self.picture("a.0.exr"), self.picture("b.exr"))
 
+    def test_a_moment_is_what_the_frame_that_falls_on_it_shows(self):
+        shown = []
+        for frame in (0, 3, 8):
+            self.succeeds("pool.glb", *SMALL, "--frames", frame, "--fps", "8", "-o", "f.%d.exr", "-q")
+            self.succeeds("pool.glb", *SMALL, "--time", frame / 8, "-o", "t.exr", "-q")
+            shown.append(self.picture("t.exr"))
+            self.assertEqual(shown[-1], self.picture(f"f.{frame}.exr"))
+        self.assertEqual(len(set(shown)), 3)
+        # Of a row that is there already no moment is looked at.
+        row = ["pool.glb", *SMALL, "--frames", "8", "--fps", "8", "-o", "f.%d.exr", "--resume"]
+        self.assertIn("nothing was drawn", self.succeeds(*row).stderr)
+
     def test_plan_and_stats_name_the_pass(self):
         plan = json.loads(self.succeeds("plan", "pool.glb", "--json").stdout)
         effect = next(e for e in plan["effects"] if e["name"] == "water waves")
