@@ -78,7 +78,7 @@ std::optional<DrawnPoints> points_of(const RenderedFrame& frame, int light) {
 double unseen_of(const RenderedFrame& frame, int light, const LightPaths& paths, const DrawnPoints& points) {
   if (!points.has_place()) return 0.0;
   return unseen_share(frame.scene(), casters_of(frame.effects(), light), paths, points,
-                      frame.views()[static_cast<std::size_t>(light)].caster.origin);
+                      frame.scene().lights[static_cast<std::size_t>(light)].position);
 }
 
 // Adds what a light's sample did, `share` times. What does not wait for one another goes side by side.

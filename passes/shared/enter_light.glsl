@@ -12,8 +12,8 @@ Vec3 grid_axis(Vec3 axis, Int face) {
               m[2].x * q.x + m[2].y * q.y + m[2].z * q.z);
 }
 
-// Parallel light is moved from one vertex to the next, light from a point turned. `from`: Incident::from.
-void set_differential(IN(GridCell) cell, Vec3 point, Vec3 from, INOUT(LightPath) path) {
+// Parallel light is moved from one vertex to the next, light from a point turned.
+void set_differential(IN(GridCell) cell, Vec3 point, INOUT(LightPath) path) {
   Vec3 x = grid_axis(Vec3(1.0f, 0.0f, 0.0f), cell.face) * (1.0f / (u.caster.scale.x * float(u.grid_side)));
   Vec3 y = grid_axis(Vec3(0.0f, 1.0f, 0.0f), cell.face) * (1.0f / (u.caster.scale.y * float(u.grid_side)));
   path.width_x = x;
@@ -22,11 +22,12 @@ void set_differential(IN(GridCell) cell, Vec3 point, Vec3 from, INOUT(LightPath)
   path.spread_y = Vec3(0.0f);
   if (u.caster.kind != VIEW_PARALLEL) {
     Vec3 d = path.ray.direction;
-    Float along = dot3(point - Vec3(u.light), grid_axis(Vec3(0.0f, 0.0f, 1.0f), cell.face));
+    Vec3 way = point - Vec3(u.light);
+    Float along = dot3(way, grid_axis(Vec3(0.0f, 0.0f, 1.0f), cell.face));
     Float metres = max_of(along, 1.0e-20f);
     path.width_x = (x - d * dot3(x, d)) * metres;
     path.width_y = (y - d * dot3(y, d)) * metres;
-    Float inverse = 1.0f / max_of(length3(point - from), 1.0e-20f);
+    Float inverse = 1.0f / max_of(length3(way), 1.0e-20f);
     path.spread_x = path.width_x * inverse;
     path.spread_y = path.width_y * inverse;
   }
@@ -85,7 +86,7 @@ Arrival arrival_at(Int column, Int row, Float drawn) {
   if (u.is_tinted != 0) arrival.path.flux = tint * light.flux;
   arrival.path.whole = light.flux;
   arrival.path.media = Vec4(0.0f);
-  set_differential(cell, arrival.at.point, arrival.from, arrival.path);
+  set_differential(cell, arrival.at.point, arrival.path);
   if (u.light_shape != 0) spread_by_size(arrival.path);
   TRACE(entry_point, arrival.at.point);
   return arrival;

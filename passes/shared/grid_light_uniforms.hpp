@@ -14,7 +14,7 @@ void set_grid_light(Block& block, const PassContext& context) {
   const double side = context.settings->grid;
   block.caster = shader_view(caster);
   block.cone = shader_cone(*context.light);
-  block.light = glm::vec3(caster.perspective ? caster.origin : caster.forward);
+  block.light = glm::vec3(caster.perspective ? context.light->position : caster.forward);
   block.cell_area = static_cast<float>(caster.window_area() / (side * side));
   block.tile_width = static_cast<float>(tiles.tile_width());
   block.tile_height = static_cast<float>(tiles.tile_height());

@@ -11,9 +11,9 @@ std::set<int> casters_of(const Effects& effects, int light);
 
 // After with_dim_lights. Where light can be followed from surface to surface, of each light with a size and
 // several samples one throws the caustic of all: the nearest to its middle, of a mesh the one that faces the
-// casters most. Its view of the casters (LightViews::caster) is the grid: what it does not show gets no
-// light. All give their own direct light, with smaller shadow maps where the light looks wide. A mesh that
-// has no sample with all casters before it keeps a caustic a sample.
+// casters most. Its view of the casters is the grid: what it does not see of them gets no light. All give
+// their own direct light, with smaller shadow maps where the light looks wide. A mesh that has no sample with
+// all casters before it keeps a caustic a sample.
 Effects with_drawn_sizes(Effects effects, const Scene& scene, const Settings& settings);
 
 // Is any light drawn so?

@@ -124,9 +124,6 @@ struct LightEffects {
   int divide = 1;              // the sides of its grid and maps, of a light that adds little (dim_lights.hpp)
   glm::vec3 of_others{0.0f};   // lux or candela by which its caustic is brighter, as it stands for others'
   bool size_is_drawn = false;  // its caustic is that of its whole source, of which it is one sample
-  // Of a light whose size is drawn: from how far behind it its casters are seen, in distances to their
-  // middle.
-  double steps_back = 0.0;
   int shadow_divide = 1;  // the sides of its shadow map, of a sample whose shadows' edges the others' soften
   bool casters_shadow = false;  // it throws no caustic that would tell their shadow: its shadow map has them
 };
@@ -136,12 +133,11 @@ struct LightEffects {
 struct FurtherShare {
   int light = 0;
   int mesh = 0;
-  double share = 0.0;       // 0..1
-  double of_light = 0.0;    // how much of the light's landed flux comes through this caster, 0..1
-  double seen = 0.0;        // `share` of what the picture shows of the light, through all casters
-  glm::dvec3 looks{0.0};    // LightEffects::looks
-  LitReceivers lit{};       // LightEffects::lit
-  double steps_back = 0.0;  // LightEffects::steps_back
+  double share = 0.0;     // 0..1
+  double of_light = 0.0;  // how much of the light's landed flux comes through this caster, 0..1
+  double seen = 0.0;      // `share` of what the picture shows of the light, through all casters
+  glm::dvec3 looks{0.0};  // LightEffects::looks
+  LitReceivers lit{};     // LightEffects::lit
 };
 
 // What a light adds to the light on the casters (pipeline/measure/light_shares.hpp).

@@ -60,10 +60,8 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
   double share = 0.0, seen = 0.0;
   for (const auto& [light, of_light] : of_lights) share = std::max(share, of_light);
   for (const FurtherShare& found : shares) seen = std::max(seen, found.seen);
-  for (const FurtherShare& found : shares) {
+  for (const FurtherShare& found : shares)
     effects.lights[static_cast<std::size_t>(found.light)].lit = found.lit;
-    effects.lights[static_cast<std::size_t>(found.light)].steps_back = found.steps_back;
-  }
   effects.further_shares = std::move(shares);
   const bool by_sight = seen > share;
   const bool enough = std::max(share, seen) > static_cast<double>(settings.further_share);

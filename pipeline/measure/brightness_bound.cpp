@@ -41,10 +41,7 @@ double least_spread(const Scene& scene, const Light& light, BoundBy by) {
 double concentration(const LightViews& views, double texels) {
   double texel = views.caustic.window_area() / texels;
   if (views.cascade) texel = std::min(texel, views.cascade->window_area() / texels);
-  double window = views.caster.cube ? kAllAround : views.caster.window_area();
-  // From farther back than the light is the casters look smaller.
-  if (views.caster.origin != views.shadow.origin && views.casters_nearest > 0.0)
-    window *= std::pow(views.caster.far / views.casters_nearest, 2.0);
+  const double window = views.caster.cube ? kAllAround : views.caster.window_area();
   double slanted = 1.0;
   if (views.caustic.perspective) {
     const glm::dvec2 corner = views.caustic.cube ? glm::dvec2(1.0)

@@ -63,8 +63,6 @@ LightRay light_ray(const Light& light, const View& view, int side, int x, int y)
   const glm::dvec3 aside = view.right * window.x + view.up * window.y;
   if (view.perspective) {
     ray.direction = exact::normalise(view.forward + aside, view.forward);
-    // What lies before the light is not there for a view from behind it.
-    ray.origin += (view.forward + aside) * exact::dot(light.position - view.origin, view.forward);
   } else {
     ray.origin = view.origin + aside;
   }

@@ -19,12 +19,14 @@ namespace caustics {
 
 namespace {
 
-// A pilot follows one sample of a light with a size: the others' light lands on the same receivers.
+// A pilot follows one sample of a light with a size, and those that are drawn for all: the others' light
+// lands on the same receivers.
 void share_among_samples(const Scene& scene, Effects& effects) {
   for (const FurtherShare& found : effects.further_shares) {
     const int source = scene.lights[static_cast<std::size_t>(found.light)].source;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
-      if (source >= 0 && scene.lights[i].source == source) effects.lights[i].lit = found.lit;
+      if (source >= 0 && scene.lights[i].source == source && !effects.lights[i].size_is_drawn)
+        effects.lights[i].lit = found.lit;
   }
 }
 

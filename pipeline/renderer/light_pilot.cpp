@@ -10,12 +10,9 @@
 #include "pipeline/effects/branches.hpp"
 #include "pipeline/effects/cascades.hpp"
 #include "pipeline/effects/dim_lights.hpp"
-#include "pipeline/effects/drawn_sizes.hpp"
 #include "pipeline/gpu/device.hpp"
-#include "pipeline/measure/drawn_points.hpp"
 #include "pipeline/measure/ledger.hpp"
 #include "pipeline/measure/light_paths.hpp"
-#include "pipeline/measure/unseen_casters.hpp"
 #include "pipeline/plan/frame_plan.hpp"
 #include "pipeline/renderer/lit_receivers.hpp"
 #include "pipeline/renderer/pilot_rays.hpp"
@@ -111,35 +108,11 @@ void fit_to_landings(LightViews& views, const FoundLandings& found, const Settin
     set_window(views.caustic, landed.window(0.25 * kCascadedShare * settings.outside_share), margin,
                shortest);
   if (views.cascade) views.cascade = covering_texels(*views.cascade, views.caustic, settings);
-  const bool apart =
-      views.caustic.forward != views.caster.forward || views.caustic.origin != views.caster.origin;
+  const bool apart = views.caustic.forward != views.caster.forward;
   views.receiver.window_lower =
       apart ? views.caustic.window_lower : glm::min(views.caustic.window_lower, views.caster.window_lower);
   views.receiver.window_upper =
       apart ? views.caustic.window_upper : glm::max(views.caustic.window_upper, views.caster.window_upper);
-}
-
-// From how far behind a light whose size is drawn the most of what it lights is seen. From afar more of a
-// round body's sides is, and less of walls that stand along the way.
-double best_steps_back(const LightPaths& paths, const Scene& scene, Effects effects, const Settings& settings,
-                       int number) {
-  const auto index = static_cast<std::size_t>(number);
-  const Light& light = scene.lights[index];
-  if (!effects.lights[index].size_is_drawn) return 0.0;
-  const DrawnPoints points(scene, scene.sources[static_cast<std::size_t>(light.source)]);
-  if (!points.has_place()) return 0.0;
-  const std::set<int> casters = casters_of(effects, number);
-  double best = 0.0, least = unseen_share(scene, casters, paths, points, light.position);
-  for (const double steps : {0.5, 1.0, 4.0}) {
-    effects.lights[index].steps_back = steps;
-    const glm::dvec3 eye = widest_views(scene, effects, settings, number).caster.origin;
-    if (eye == light.position) break;
-    const double unseen = unseen_share(scene, casters, paths, points, eye);
-    if (unseen >= least) continue;
-    least = unseen;
-    best = steps;
-  }
-  return best;
 }
 
 }  // namespace
@@ -267,8 +240,7 @@ void add_shares(const LightPaths& paths, const RayTables& tables, const Light& l
     landed[other.first].all += flux_of(other);
     whole += flux_of(other);
   }
-  const View& light_sees = views.light.column;
-  const glm::dvec3 looks = way_to_landings(light, light_sees, landings);
+  const glm::dvec3 looks = way_to_landings(light, caster, landings);
   const std::vector<LandingSeen> seen = seen_by_light({paths, tables, light, views.light}, landings);
   const LitReceivers lit = lit_receivers(landings, seen, tables.scene().meshes.size());
   double shown = 0.0, shown_simply = 0.0;
@@ -280,8 +252,8 @@ void add_shares(const LightPaths& paths, const RayTables& tables, const Light& l
     const double in_picture = flux * size_in_picture(paths, views.camera, landing.position);
     shown += in_picture;
     // What the light's own view of its receivers does not show, its maps cannot find.
-    const bool found = (looks == glm::dvec3(0.0) || shows(light_sees, landing.position)) && !seen[i].hidden &&
-                       !seen[i].behind;
+    const bool found =
+        (looks == glm::dvec3(0.0) || shows(caster, landing.position)) && !seen[i].hidden && !seen[i].behind;
     if (landing.followed && found) {
       sum.simple += flux;
       shown_simply += in_picture;
@@ -369,11 +341,8 @@ std::vector<FurtherShare> LightPilot::further_shares(const Effects& effects, con
     const auto index = static_cast<std::size_t>(i);
     const bool all_around = !effects.lights[index].all_around.empty();
     const LightViews views = widest_views(scene, effects, all_around ? settings : coarse, i);
-    const std::size_t before = shares.size();
     add_shares(paths, scene_.tables(), scene.lights[index], i, {views, camera}, pilot_step(lights.size()),
                shares);
-    const double steps_back = best_steps_back(paths, scene, effects, settings, i);
-    for (std::size_t found = before; found < shares.size(); ++found) shares[found].steps_back = steps_back;
   }
   return shares;
 }

@@ -35,8 +35,7 @@ bool stands_before_casters(const LightViews& views, const glm::dvec3& p) {
   const glm::dvec2 at = column.window(q);
   const bool inside = at.x >= column.window_lower.x && at.x <= column.window_upper.x &&
                       at.y >= column.window_lower.y && at.y <= column.window_upper.y;
-  const double from_light = q.z - exact::dot(views.shadow.origin - column.origin, column.forward);
-  return inside && from_light < views.casters_nearest;
+  return inside && q.z < views.casters_nearest;
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ std::vector<int> lights_to_pilot(const Scene& scene, const Effects& effects) {
     if (e.expected) throws[static_cast<std::size_t>(e.light)] = true;
   for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
     const int source = scene.lights[static_cast<std::size_t>(i)].source;
-    if (throws[static_cast<std::size_t>(i)] && (source < 0 || sources.insert(source).second))
+    const bool drawn = effects.lights[static_cast<std::size_t>(i)].size_is_drawn;
+    if (throws[static_cast<std::size_t>(i)] && (source < 0 || drawn || sources.insert(source).second))
       lights.push_back(i);
   }
   return lights;

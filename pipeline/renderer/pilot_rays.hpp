@@ -16,7 +16,8 @@ std::vector<LightRay> pilot_rays(const Light& light, const View& casters, int st
 // The step for so many lights: with more than 16 all of them together have about as many rays as those.
 int pilot_step(std::size_t lights);
 
-// Those that throw caustics, by Scene::lights; of the samples of a light with a size the first alone.
+// Those that throw caustics, by Scene::lights; of the samples of a light with a size those that are drawn for
+// all, or else the first alone.
 std::vector<int> lights_to_pilot(const Scene& scene, const Effects& effects);
 
 }  // namespace caustics

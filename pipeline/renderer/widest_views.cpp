@@ -161,6 +161,8 @@ LightViews through_windows(const LightExtents& extents, const Effects& effects, 
   return views;
 }
 
+}  // namespace
+
 // The views of where the light lands look another way than that of the casters: everything may be there, and
 // nothing stands between the light and the casters.
 void turn_to_landings(LightViews& views, const LightExtents& turned) {
@@ -172,42 +174,6 @@ void turn_to_landings(LightViews& views, const LightExtents& turned) {
   views.column = views.receiver;
   views.casters_nearest = 0.0;
 }
-
-// How far a light reaches along a direction from its middle, metres.
-double half_extent(const Scene& scene, const Light& light, const glm::dvec3& along) {
-  double extent = light.radius + 0.5 * (std::fabs(exact::dot(light.width, along)) +
-                                        std::fabs(exact::dot(light.height, along)));
-  if (light.emitter < 0) return extent;
-  for (const Vertex& v : scene.meshes[static_cast<std::size_t>(light.emitter)].vertices)
-    extent = std::max(extent, exact::dot(glm::dvec3(v.position) - light.position, along));
-  return extent;
-}
-
-// Looks at the casters of a light whose size is drawn from behind it (LightEffects::steps_back), if all of
-// them lie before it.
-void step_back(LightViews& views, const Scene& scene, const Effects& effects, const Settings& settings,
-               int number) {
-  const Light& sample = scene.lights[static_cast<std::size_t>(number)];
-  const double steps = effects.lights[static_cast<std::size_t>(number)].steps_back;
-  if (!(steps > 0.0) || !views.caster.perspective) return;
-  if (sample.type == LightType::Spot || settings.shared_views) return;
-  const Light& light = scene.sources[static_cast<std::size_t>(sample.source)];
-  const glm::dvec3 forward = views.caster.forward;
-  const double before =
-      exact::dot(light.position - sample.position, forward) + half_extent(scene, light, forward);
-  if (!(views.casters_nearest > before)) return;
-  const double back = steps * 0.5 * (views.casters_nearest + views.caster.far);
-  View axes = view_along(sample.position - forward * back, forward);
-  axes.perspective = true;
-  axes.near = back;
-  const LightExtents extents = measure(scene, effects, number, axes);
-  set_window(axes, {extents.casters.lower, extents.casters.upper}, 4.0 / settings.grid);
-  set_depth(axes, back, extents.casters.farthest, extents.everything.farthest);
-  axes.near = back;
-  views.caster = axes;
-}
-
-}  // namespace
 
 LightViews widest_views(const Scene& scene, const Effects& effects, const Settings& settings, int number) {
   const auto index = static_cast<std::size_t>(number);
@@ -221,7 +187,6 @@ LightViews widest_views(const Scene& scene, const Effects& effects, const Settin
     turned.near = axes.near;
     turn_to_landings(views, measure(scene, effects, number, turned));
   }
-  step_back(views, scene, effects, settings, number);
   return views;
 }
 

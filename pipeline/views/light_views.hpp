@@ -10,9 +10,7 @@ namespace caustics {
 // of a light that looks aside (LightEffects::looks) their axes; only the windows and depth ranges differ. All
 // of them are cubes, or none is.
 struct LightViews {
-  // On the casters: caster map, exit map. Of a wide light whose size is drawn it looks from farther back,
-  // past the light, and so sees about all that any of its points lights.
-  View caster;
+  View caster;    // on the casters: caster map, exit map
   View receiver;  // from the casters to where their light lands: receiver map
   View caustic;   // on where the light lands: caustic map
   View shadow;    // on everything that can throw or catch a shadow
