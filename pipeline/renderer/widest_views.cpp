@@ -95,11 +95,14 @@ View axes_of(const Scene& scene, const Effects& effects, const Light& light) {
   if (light.type == LightType::Directional)
     return view_along(bounds.centre() - light.direction * (radius * 1.01), light.direction);
   Bounds casters;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (is_caster(effects.surfaces[i].role) && light.emitter != static_cast<int>(i))
-      casters.add(bounds_of(scene.meshes[i]));
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!is_caster(effects.surfaces[i].role) || light.emitter == static_cast<int>(i)) continue;
+    const Bounds box = bounds_of(scene.meshes[i]);
+    if (!light.lambertian || exact::dot(box.centre() - light.position, light.direction) > 0.0)
+      casters.add(box);
+  }
   glm::dvec3 target = casters.empty() ? bounds.centre() : casters.centre();
-  // What an emitter turns away from it does not light.
+  // An emitter lights nothing that it turns away from.
   if (light.lambertian && exact::dot(target - light.position, light.direction) <= 0.0)
     target = light.position + light.direction * radius;
   View axes = axes_towards(light, target);
