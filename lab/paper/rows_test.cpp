@@ -181,13 +181,13 @@ TEST_CASE("paper rows: a ring's light counts inside it and outside it, and not b
 
 TEST_CASE("paper rows: every pixel of the floor below a ring counts, those at its border like the others") {
   const Row row = row_of("9");
-  constexpr int width = 6, height = 8;
+  constexpr int width = 4, height = 6;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       // A pixel as red as the one in the middle, without its green and blue: both ratios are halved.
       StatedShots shots(row);
       FloorLayer& caustic = shots.state("ring_floor", "caustic") = floor_of(width, height);
-      caustic.pixels[width * 4 + 3] = {2.0, 1.0, 0.5};
+      caustic.pixels[width * 3 + 2] = {2.0, 1.0, 0.5};
       caustic.pixels[static_cast<std::size_t>(width * y + x)][0] += 2.0;
       const double px = (2 * x + 1 - width) / double(width), py = (2 * y + 1 - height) / double(height);
       const bool outside = std::hypot(px, py) > 0.55;
