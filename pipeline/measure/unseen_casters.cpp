@@ -47,7 +47,9 @@ class CasterAreas {
  private:
   glm::dvec3 corner(const TriangleId& id, int k) const {
     const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(id.mesh)];
-    return glm::dvec3(mesh.vertices[mesh.indices[static_cast<std::size_t>(3 * id.triangle + k)]].position);
+    return glm::dvec3(
+        mesh.vertices[mesh.indices[3 * static_cast<std::size_t>(id.triangle) + static_cast<std::size_t>(k)]]
+            .position);
   }
   glm::dvec3 edge(const TriangleId& id, int k) const { return corner(id, k) - corner(id, 0); }
 
