@@ -67,10 +67,9 @@ class ModelError {
   int least_step_ = 0;  // between the vertices that are judged, along both sides of the grid
   Sums surplus_[2];     // of rays in turn: what the frame has more of than light
   double lit_ = 0.0;    // in the picture, by light
-  double unseen_ =
-      0.0;  // what lands through parts of casters that the grid does not show, as much as through others
-  double lost_ = 0.0;  // of that, what goes the way of the passes, which have not found its landing
+  double lost_ = 0.0;   // of that, what goes the way of the passes, which have not found its landing
   double landed_ = 0.0;
+  double unseen_ = 0.0;  // beside that, what would land through parts of casters that the grid does not show
   double followed_ = 0.0;  // of what has landed, on ways that the passes take; or all that they have landed
 };
 
