@@ -24,7 +24,7 @@ import time
 
 from faults import ROOT, all_faults
 from plant import drawn_in
-from reach import LONGEST, SKIPPED, Runner, by_subject, known_or_found, run
+from reach import LONGEST, SKIPPED, Runner, by_subject, escaped, known_or_found, run
 
 
 class Tests:
@@ -35,10 +35,11 @@ class Tests:
 
     def commands(self, fault):
         """Catch2's tests as one command, then each of the program's."""
-        patterns = [name for name in fault.noticed_by if '_test.py' not in name]
-        commands = [(str(self.build / 'caustics_tests'), '--abort', ','.join(patterns))] if patterns else []
+        names = [name for name in fault.noticed_by if '_test.py' not in name]
+        cases = ','.join(map(escaped, names))
+        commands = [(str(self.build / 'caustics_tests'), '--abort', cases)] if names else []
         for name in fault.noticed_by:
-            if name not in patterns:
+            if name not in names:
                 file, *tests = name.split()
                 commands.append((sys.executable, str(ROOT / 'tests/program' / file), '--failfast', *tests))
         return commands
