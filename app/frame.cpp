@@ -1,5 +1,7 @@
 #include "app/frame.hpp"
 
+#include <algorithm>
+
 #include "app/backend.hpp"
 #include "app/frame_options.hpp"
 #include "app/loaded_scene.hpp"
@@ -51,11 +53,15 @@ MemoryJudgement judge_memory(const FrameRequest& request, const Scene& scene, co
   return judged;
 }
 
+// A step of fewer cells takes hardly less time.
+constexpr double kLeastUpdates = 65536.0;
+
 void check_water_work(const Scene& scene, double seconds) {
   const double most = LoadOptions{}.max_water_updates;
   double updates = 0.0;
   for (const Water& water : scene.waters)
-    updates += static_cast<double>(water.columns) * water.rows * (water.since_rest(seconds) / water.step);
+    updates += std::max(static_cast<double>(water.columns) * water.rows, kLeastUpdates) *
+               (water.since_rest(seconds) / water.step);
   if (updates <= most) return;
   throw Error(ExitCode::WrongUsage, "until " + significant(seconds, 6) + " s the water's cells make " +
                                         significant(updates, 2) + " steps, more than " +

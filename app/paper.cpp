@@ -133,8 +133,8 @@ ExitCode run_paper(const Arguments& arguments) {
   write_atomically(folder / "paper.md", markdown(done, shots));
   write_atomically(folder / kReport, json(done, shots));
   const auto fails = std::count_if(done.begin(), done.end(), [](const Done& d) { return !d.finding.holds; });
-  std::printf("%zu rows, %td do not hold; %s\n", done.size(), fails,
-              one_line((folder / "paper.md").string()).c_str());
+  std::printf("%zu %s, %td %s not hold; %s\n", done.size(), done.size() == 1 ? "row" : "rows", fails,
+              fails == 1 ? "does" : "do", one_line((folder / "paper.md").string()).c_str());
   return fails == 0 ? ExitCode::Done : ExitCode::AnswerIsNo;
 }
 

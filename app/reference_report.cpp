@@ -78,6 +78,9 @@ Json account_json(const Scene& scene, int source, const tracer::Account& account
           {"landings", account.landings}};
 }
 
+// To the nearest tenth; shares of light are rounded down.
+std::string traced_error_text(double share) { return percent(share + 0.0005); }
+
 }  // namespace
 
 std::vector<std::pair<const char*, glm::dvec3>> accounts(const tracer::Account& a) {
@@ -103,8 +106,9 @@ void print_reference(const ReferenceRequest& request, const Scene& scene, const 
       "%s, given up %s), %s\n",
       one_line(request.output.string()).c_str(), request.trace.width, request.trace.height,
       grouped(tracer.state().batches).c_str(), request.trace.side, request.trace.side, grouped(rays).c_str(),
-      percent(tracer.relative_error() + tracer.given_up()).c_str(), percent(tracer.relative_error()).c_str(),
-      percent(tracer.given_up()).c_str(), duration_text(timing.total).c_str());
+      traced_error_text(tracer.relative_error() + tracer.given_up()).c_str(),
+      traced_error_text(tracer.relative_error()).c_str(), traced_error_text(tracer.given_up()).c_str(),
+      duration_text(timing.total).c_str());
   std::error_code error;
   const auto bytes = std::filesystem::file_size(request.state_file(), error);
   if (!error)

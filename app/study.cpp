@@ -157,11 +157,13 @@ class StudyRun {
   void say_traced(const TracedLight& light) {
     progress_.clear();
     for (const std::string& each : light.notes) note("the truth: " + each);
-    if (!light.good)
-      note("the truth's relative error is " + significant(100.0 * light.error, 3) + "% after " +
-           std::to_string(light.batches) + " batches, not the " +
-           significant(100.0 * request_.traced.error, 3) +
-           "% of --truth-error, after four at least; --truth-seconds gives it longer");
+    if (light.good) return;
+    const bool is_small = light.error <= request_.traced.error;
+    note("the truth's relative error is " + significant(100.0 * light.error, 3) + "% after " +
+         std::to_string(light.batches) + " batches, " +
+         (is_small ? "of which an estimate needs four"
+                   : "not the " + significant(100.0 * request_.traced.error, 3) + "% of --truth-error") +
+         "; --truth-seconds gives it longer");
   }
 
   void plan_jobs() {

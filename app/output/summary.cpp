@@ -129,7 +129,8 @@ void print_work(const RenderedFrame& frame, const Timing& timing,
   for (const std::filesystem::path& file : outputs) {
     files += (files.empty() ? "" : ", ") + one_line(file.string());
   }
-  const std::string frames = drawn > 0 ? ", " + std::to_string(drawn) + " frames" : "";
+  std::string frames = drawn > 0 ? ", " + std::to_string(drawn) + " frame" : "";
+  if (drawn > 1) frames += "s";
   const Settings& settings = frame.settings();
   const std::string sides = frame.effects().caustics.active ? ", grid " + number_text(settings.grid) +
                                                                   ", map " + number_text(settings.map)

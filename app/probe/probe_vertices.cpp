@@ -23,6 +23,9 @@ const PlannedPass& find_landing(const RenderedFrame& frame, const VertexRequest&
         pass.definition->writes.front().name == kLanding)
       return pass;
   }
+  if (frame.effects().lights[static_cast<std::size_t>(samples.front())].size_is_drawn)
+    throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
+                                          " has one caustic for all of its samples; leave out --sample");
   throw Error(ExitCode::WrongUsage, "light " + light_label(frame.scene(), request.light) +
                                         " throws no caustic here; 'caustics plan' says why");
 }

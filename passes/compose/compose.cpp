@@ -45,6 +45,12 @@ int has_ambient_occlusion(const PassContext& context) {
   return context.of_picture() && context.layer() == 0 && context.effects->ambient_occlusion.active ? 1 : 0;
 }
 
+// Over the picture that glass is drawn into, `glass` lays them.
+int blends(const PassContext& context) {
+  const bool in_glass = context.effects->seen_casters.active && context.layer() == 0;
+  return in_glass ? 0 : of_picture<&Effects::layered>(context);
+}
+
 // Without glass before it the shaded scene is the picture.
 std::string_view shaded(const Effects& effects) {
   return effects.seen_casters.active ? "scene_color" : "beauty";
@@ -100,7 +106,7 @@ Pass compose_pass() {
                   .texture_by = shaded}},
       .shaders = {{&compose_shader, block_of<compose_uniforms>}},
       .choices = {{"layer", [](const PassContext& c) { return std::min(c.layer(), 2); }},
-                  {"blends", of_picture<&Effects::layered>},
+                  {"blends", blends},
                   {"mirrors", of_picture<&Effects::highlights>},
                   {"is_occluded", of_picture<&Effects::occlusion>},
                   {"behind_glass", [](const PassContext& c) { return c.of_picture() ? 0 : 1; }},

@@ -72,15 +72,11 @@ Vec3 mirrored_environment(Vec3 n, Vec3 sight, Vec4 specular) {
   return radiance * (Vec3(specular) * albedo.scale + Vec3(grazing_reflectance(whitest) * albedo.bias));
 }
 
-// rgb: radiance of the blended surfaces that are nearer, w: how much passes them. The passes that draw glass
-// add what lies before it.
+// rgb: radiance of the blended surfaces that are nearer, w: how much passes them.
 Vec4 layers_before(Int column, Int row) {
   Vec4 nearer = fetch_clamped(layers, column, row);
   Vec4 none = Vec4(0.0f, 0.0f, 0.0f, 1.0f);
-  if (u.layer == 0) {
-    Vec4 first = fetch_clamped(first_layer, column, row);
-    nearer = sel(is_covered(first) && !is_before_glass(first), nearer, none);
-  }
+  if (u.layer == 0) nearer = sel(is_covered(fetch_clamped(first_layer, column, row)), nearer, none);
   return nearer;
 }
 

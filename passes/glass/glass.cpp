@@ -66,7 +66,8 @@ Pass glass_pass() {
                   {"several_rays", several_rays},
                   kSightHasTextures,
                   kSightHasRough,
-                  kHasWalls},
+                  kHasWalls,
+                  kSightHasSheets},
   };
 }
 

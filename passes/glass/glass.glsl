@@ -1,4 +1,5 @@
 // Glass, water and metal as the camera sees them, followed from surface to surface. glass.md explains.
+#define SIGHT
 #include "passes/shared/sky_model.glsl"
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
@@ -34,16 +35,6 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/shown_point.glsl"
 Vec3 radiance_aside(Vec3 direction, Bool is_mirrored) { return sky_in_glass(u.sky, direction, is_mirrored); }
 #include "passes/shared/sight.glsl"
-
-// What the picture shows in a direction where it shows no opaque surface: layers over the sky, which count as
-// far away.
-Vec3 shown_far_away(Vec3 direction, Vec3 otherwise) {
-  Vec3 q = transform_vector(u.view.from_scene, direction);
-  Vec2 uv = view_uv(u.view, q);
-  Bool sky = !is_covered(fetch_nearest(picture_position, uv.x, uv.y));
-  Bool there = sky && q.z > 1.0e-3f && inside_unit(uv.x, uv.y);
-  return sel(there, Vec3(fetch_nearest(scene_color, uv.x, uv.y)), otherwise);
-}
 
 // The radiance of what the picture does not show, which stands in every second row and column: the mean over
 // the nearest four that have some, weighted as between them. w: how much of it is there, 0..1.
@@ -141,12 +132,7 @@ Vec3 color_of_hidden(Vec3 p, Texture ends, Vec3 sky) {
 // Radiance of a receiver towards the camera, which stands for that towards the ray; of what the picture does
 // not show, its own; where there is none, the sky's in the ray's direction.
 Vec3 radiance_at(IN(SightEnd) end, Texture ends) {
-  Vec3 direction = end.sight.ray.direction;
-  Bool mirrored = end.sight.mirrored;
-  Vec3 color = sky_in_glass(u.sky, direction, mirrored);
-  if (u.blends != 0) {
-    if (u.view.kind != VIEW_PARALLEL) color = sel(mirrored, color, shown_far_away(direction, color));
-  }
+  Vec3 color = sky_in_glass(u.sky, end.sight.ray.direction, end.sight.mirrored);
   Bool shown = is_shown(end);
   Bool hidden = end.lands && !shown;
   if (any_lane(hidden)) color = sel(hidden, color_of_hidden(end.point, ends, color), color);
@@ -181,14 +167,25 @@ Vec3 spread_radiance(IN(SightEnd) end, Vec3 middle) {
   return sum / Float(16.0f);
 }
 
+// The colour of blended surfaces over that of what lies behind. Where the picture does not show that either,
+// it is mixed in already.
+Vec3 behind_sheets(Vec3 color, IN(SightEnd) end, Texture ends) {
+  Bool mixed = end.lands && !is_shown(end);
+  Vec4 own = hidden_color(ends);
+  Float shown = own.w;
+  Bool there = !mixed && end.sheet.kept > 0.0f && shown > 0.0f;
+  return sel(there, color + (Vec3(own) / max_of(shown, 1.0e-4f) - color) * end.sheet.kept, color);
+}
+
 // `ends`: the radiance of what the picture does not show.
 Vec3 radiance_along(IN(Sight) from, Texture ends) {
-  SightEnd end = end_of_sight(from);
+  SightEnd end = end_of_sight(from, Float(0.0f));
   Vec3 color = radiance_at(end, ends);
   if (u.has_rough != 0) {
     Bool rough = from.under_way && end.sight.blur > 0.0f;
     if (any_lane(rough)) color = sel(rough, spread_radiance(end, color), color);
   }
+  if (u.has_sheets != 0) color = behind_sheets(color, end, ends);
   return end.sight.aside + end.sight.through * color;
 }
 
@@ -285,7 +282,7 @@ void main() {
   if (body > 0.0f) color = color * left_from(sel(seen, caster, picture));
   // What the frame lacks is one texel of zeros.
   color = color + Vec3(fetch_clamped(caster_highlight, column, row));
-  if (u.blends != 0) color = behind_layers(color, column, row);
+  if (u.blends != 0) color = behind_layers(color, seen, column, row);
   beauty = Vec4(color, Float(1.0f));
 }
 #endif

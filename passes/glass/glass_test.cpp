@@ -30,6 +30,8 @@ struct Bench {
   float roughness = 0.0f;
   bool thin = false;  // a rough wall
   float tint = 1.0f;
+  std::vector<float> sheets{};                  // heights of blended surfaces
+  float opacity = 0.25f;                        // theirs
   bool in_picture = true;                       // the floor is
   bool glass_in_picture = true;                 // the uppermost plate is
   bool eye_in_glass = false;                    // of the plates
@@ -50,8 +52,16 @@ struct Bench {
     add_face(ground, 0.0f, true);
     hierarchy.caster(mesh_of(plates));
     if (floor) hierarchy.receiver(mesh_of(ground));
+    for (const float height : sheets) {
+      std::vector<Corners> sheet;
+      add_face(sheet, height, true);
+      hierarchy.sheet(mesh_of(sheet), 1);
+    }
     const HierarchyTables tables = hierarchy.tables();
-    Image materials(Format::RGBA32F, 4, 1);
+    Image materials(Format::RGBA32F, 4, 2);
+    materials.at(3, 1, 0) = 2.0f;  // blended
+    materials.at(3, 1, 2) = opacity;
+    materials.at(3, 1, 3) = kCoversAll;
     const float texels[4][4] = {{ior, 0.0f, 0.0f,
                                  mirror ? 1.0f
                                  : thin ? -1.0f
@@ -81,6 +91,7 @@ struct Bench {
                           .has_textures = 0,
                           .has_rough = roughness > 0.0f,
                           .has_walls = thin,
+                          .has_sheets = !sheets.empty(),
                           .receivers_lower = glm::vec3(-1e4f, -1.0f, -1e4f),
                           .receivers_upper = glm::vec3(1e4f, 1.0f, 1e4f),
                           .blends = 0,
@@ -154,6 +165,30 @@ TEST_CASE("glass: clear plates over nothing are as bright as the backdrop beside
   bench.ior = 1.0f;
   bench.backdrop = 2.0f;
   CHECK(bench.seen() == Approx(2.0));
+}
+
+TEST_CASE("glass: blended surfaces behind it cover their share of what lies there") {
+  // Hidden rays have found 3 nit of them, over the floor's 1.
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.hidden = filled(1, 1, {3.0f, 3.0f, 3.0f, 0.0f});
+  bench.sheets = {2.0f};
+  CHECK(bench.seen() == Approx(0.75 + 0.25 * 3.0));
+  bench.sheets = {2.0f, 3.0f};
+  CHECK(bench.seen() == Approx(0.5625 + 0.4375 * 3.0));
+  // Over the sky.
+  bench.floor = false;
+  CHECK(bench.seen() == Approx(0.5625 * 0.5 + 0.4375 * 3.0));
+}
+
+TEST_CASE("glass: what hidden rays have found holds the share of blended surfaces, or else none of them") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.sheets = {2.0f};
+  CHECK(bench.seen() == Approx(1.0));
+  bench.in_picture = false;
+  bench.hidden = filled(1, 1, {3.0f, 3.0f, 3.0f, 0.0f});
+  CHECK(bench.seen() == Approx(3.0));
 }
 
 TEST_CASE("glass: the last surfaces are passed straight on") {

@@ -11,6 +11,9 @@ namespace {
 std140::HiddenEnds hidden_ends_uniforms(const PassContext& context) {
   std140::HiddenEnds block{};
   set_sight(block, context);
+  if (context.sample > 0)
+    block.drawn_from =
+        static_cast<float>(context.sample - 1) / static_cast<float>(samples_a_pixel(*context.settings));
   return block;
 }
 
@@ -38,7 +41,7 @@ Pass hidden_ends_pass() {
                 kReadCasterTexels},
       .writes = {{.name = "view_position",
                   .meaning = "xyz: where the camera's ray ends, metres, scene space; w: 1 where the "
-                             "picture does not show that, else 0"},
+                             "picture does not show that, else 0; 2: a blended surface on the way there"},
                  {.name = "view_normal",
                   .meaning = "xyz: the receiver's unit normal there, towards the ray, scene space; w: 0"},
                  {.name = "view_albedo",
@@ -49,7 +52,7 @@ Pass hidden_ends_pass() {
                   .needed_if = with<&Effects::emission>}},
       .count_samples = true,
       .shaders = {{&hidden_ends_shader, block_of<hidden_ends_uniforms>}},
-      .choices = {{"mirrors", mirrors}, kSightHasTextures, kSightHasRough, kHasWalls},
+      .choices = {{"mirrors", mirrors}, kSightHasTextures, kSightHasRough, kHasWalls, kSightHasSheets},
   };
 }
 

@@ -1,4 +1,5 @@
 // What glass and metal show that the picture does not: where the camera's rays end. hidden_ends.md explains.
+#define SIGHT
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/hidden_ends/hidden_ends_uniforms.glsl"
@@ -54,10 +55,20 @@ void write_end(IN(SightEnd) end) {
   Meeting at = meeting_at(triangle, end.hit, direction);
   ReceiverMaterial receiver = fetch_receiver(caster_materials, triangle.row);
   if (u.has_textures != 0) put_on_textures(receiver, triangle, at, end.lands);
-  view_position = Vec4(end.point, Float(1.0f));
+  view_position = Vec4(end.point, sel(receiver.blended, Float(2.0f), Float(1.0f)));
   view_normal = Vec4(sel(at.front, at.outward, -at.outward), Float(0.0f));
   view_albedo = Vec4(receiver.albedo, shown_at(receiver, end.point));
   view_emission = Vec4(receiver.emission, Float(1.0f));
+}
+
+SightEnd chosen_sheet(Bool condition, IN(SightEnd) end) {
+  SightEnd chosen_end = end;
+  chosen_end.hit = sel(condition, end.sheet.hit, end.hit);
+  chosen_end.point = sel(condition, point_along(end.sheet.ray, end.sheet.hit.z), end.point);
+  chosen_end.sight.ray = ray_from(sel(condition, end.sheet.ray.start, end.sight.ray.start),
+                                  sel(condition, end.sheet.ray.direction, end.sight.ray.direction));
+  chosen_end.lands = end.lands || condition;
+  return chosen_end;
 }
 
 void main() {
@@ -70,8 +81,16 @@ void main() {
   Ways ways = ways_from(front_at(caster, column, row), seen);
   Sight sight = ways.behind;
   if (u.mirrors != 0) sight = ways.mirrored;
-  SightEnd end = end_of_sight(sight);
+  // A texel shows one of the surfaces that are seen together, and each as often as it is seen: by the plastic
+  // number, whose multiples lie evenly in both directions (Roberts 2018).
+  Float drawn = fraction((Float(column) * 0.377438833f + Float(row) * 0.284920145f) + u.drawn_from);
+  SightEnd end = end_of_sight(sight, drawn);
   Bool hidden = end.lands && !is_shown(end);
+  if (u.has_sheets != 0) {
+    Bool sheet = end.sheet.kept > 0.0f && (!hidden || drawn < end.sheet.kept);
+    if (any_lane(sheet)) end = chosen_sheet(sheet, end);
+    hidden = hidden || sheet;
+  }
   discard_if(!hidden);
   write_end(end);
 }

@@ -29,7 +29,9 @@ struct Bench {
   glm::vec4 fade{0.0f};     // its centre and where it begins
   float fade_to = 0.0f;
   bool ceiling_faces_up = false;
-  bool one_sided = false;  // the ceiling is not seen from behind
+  bool one_sided = false;       // the ceiling is not seen from behind
+  std::vector<float> sheets{};  // heights of surfaces of opacity 0.5
+  float drawn_from = 0.0f;
 
   PassImages run(bool mirrored) const {
     const View view = down(4.0, 10.0, 20.0);
@@ -38,8 +40,9 @@ struct Bench {
     hierarchy.caster(face(5.0f, true))
         .receiver(face(0.0f, true), 1)
         .receiver(face(12.0f, ceiling_faces_up), 2);
+    for (const float height : sheets) hierarchy.sheet(face(height, true), 3);
     const HierarchyTables tables = hierarchy.tables();
-    Image materials(Format::RGBA32F, 4, 3);
+    Image materials(Format::RGBA32F, 4, 4);
     const auto put = [&](int row, int column, const glm::vec4& texel) {
       for (int c = 0; c < 4; ++c) materials.at(column, row, c) = texel[c];
     };
@@ -50,6 +53,8 @@ struct Bench {
     put(1, 2, {0.25f, 0.5f, 0.75f, fade_to});
     put(2, 0, {0.0f, 0.0f, 0.0f, one_sided ? 1.0f : 0.0f});
     put(2, 2, {0.125f, 0.0f, 0.0f, 0.0f});
+    put(3, 2, {0.375f, 0.0f, 0.0f, 0.0f});
+    put(3, 3, {2.0f, 0.0f, 0.5f, kCoversAll});
     const std140::HiddenEnds u{.view = shader_view(view),
                                .eye = view.origin,
                                .surfaces = 4,
@@ -64,6 +69,8 @@ struct Bench {
                                .has_textures = 0,
                                .has_rough = 0,
                                .has_walls = 0,
+                               .has_sheets = !sheets.empty(),
+                               .drawn_from = drawn_from,
                                .mirrors = mirrored};
     const auto level = [&](float height) { return filled(1, 1, {-0.5f, height, -0.25f, 1.0f}); };
     return run_pass(definition_of(hidden_ends_pass(), {}, mirrored ? kHiddenMirrored : kHiddenBehind),
@@ -118,4 +125,35 @@ TEST_CASE("hidden_ends: what is not seen from behind is passed there") {
   CHECK(bench.run(true)["view_position"].at(0, 0, 3) == 0.0f);
   bench.one_sided = false;
   CHECK(bench.run(true)["view_position"].at(0, 0, 3) == 1.0f);
+}
+
+TEST_CASE(
+    "hidden_ends: a blended surface before what the picture shows, and one of both where it shows neither") {
+  Bench bench;
+  bench.sheets = {2.0f};
+  bench.in_picture = true;
+  bench.drawn_from = 0.75f;
+  const glm::vec4 sheet(-0.5f, 2.0f, -0.25f, 2.0f);
+  const PassImages out = bench.run(false);
+  CHECK(texel(out["view_position"], 0, 0) == sheet);
+  CHECK(texel(out["view_albedo"], 0, 0) == glm::vec4(0.375f, 0.0f, 0.0f, 1.0f));
+  bench.in_picture = false;
+  const glm::vec4 floor = texel(bench.run(false)["view_position"], 0, 0);
+  CHECK(floor.y == Approx(0.0).margin(1e-6));
+  CHECK(floor.w == 1.0f);
+  bench.drawn_from = 0.25f;
+  CHECK(texel(bench.run(false)["view_position"], 0, 0) == sheet);
+}
+
+TEST_CASE("hidden_ends: of two blended surfaces each is shown as often as it is seen") {
+  // The nearer keeps 0.5, the farther 0.25.
+  Bench bench;
+  bench.sheets = {2.0f, 3.0f};
+  bench.in_picture = true;
+  int nearer = 0;
+  for (int i = 0; i < 30; ++i) {
+    bench.drawn_from = static_cast<float>(i) / 30.0f;
+    nearer += bench.run(false)["view_position"].at(0, 0, 1) == 3.0f ? 1 : 0;
+  }
+  CHECK(nearer == 20);
 }

@@ -41,7 +41,7 @@ Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
       schlick_reflectance(facing_reflectance(material), grazing, highlight_cosine(v, -light.travel));
   Float size = half_width(u.light, light);
   Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness, size);
-  return irradiance_by(light, p, lit) * reflectance * lobe;
+  return irradiance_by(light, caster, p, lit) * reflectance * lobe;
 }
 
 // Of glass and metal before the surface: none on surfaces seen from inside.

@@ -160,10 +160,13 @@ Vec3 through_medium(Vec3 position) {
 #endif
 
 // By the share of the light that opaque surfaces and casters leave.
-Vec3 irradiance_by(IN(Incidence) light, IN(TangentPlane) p, Float lit) {
+Vec3 irradiance_by(IN(Incidence) light, IN(SurfacePoint) surface, IN(TangentPlane) p, Float lit) {
   Float irradiance = light.facing * light.falloff * lit / light.spread;
   Vec3 tint = Vec3(1.0f);
   if (u.has_panes != 0) tint = through_panes(p.at);
+  // Blended surfaces do not shadow one another.
+  if (u.has_panes != 0 && u.is_layer != 0)
+    tint = sel(is_blended(texel_fetch(view_position, surface.column, surface.row)), Vec3(1.0f), tint);
 #ifdef HAZE
   tint = tint * through_medium(light.at);
 #endif
@@ -188,7 +191,7 @@ Arrival arrival_at(IN(SurfacePoint) surface) {
 
   Float lit = lit_share(surface, p, triangle_normal, light.travel);
   if (u.has_caustic != 0) lit = lit * (1.0f - casters.shadowed);
-  arrival.direct = irradiance_by(light, p, lit);
+  arrival.direct = irradiance_by(light, surface, p, lit);
   return arrival;
 }
 

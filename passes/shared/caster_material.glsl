@@ -48,6 +48,9 @@ struct ReceiverMaterial {
   Float fade_from;
   Float fade_to;     // 0: it does not fade
   Bool is_colored;   // its vertices have colours, which stand in the place of their tangents
+  Bool blended;      // it covers a share of what lies behind,
+  Float opacity;     // this one, times its texture's
+  Float opaque_from; // opacity from which it is opaque, and a mask leaves no hole
 };
 
 ReceiverMaterial fetch_receiver(Texture materials, Int row) {
@@ -56,7 +59,11 @@ ReceiverMaterial fetch_receiver(Texture materials, Int row) {
   Vec4 emission_texel = fetch_clamped(materials, Int(0), row);
   receiver.emission = Vec3(emission_texel);
   receiver.one_sided = emission_texel.w > 0.5f;
-  receiver.is_colored = fetch_clamped(materials, Int(3), row).x > 0.5f;
+  Vec4 cover_texel = fetch_clamped(materials, Int(3), row);
+  receiver.blended = cover_texel.x > 1.5f;
+  receiver.is_colored = cover_texel.x - sel(receiver.blended, Float(2.0f), Float(0.0f)) > 0.5f;
+  receiver.opacity = cover_texel.z;
+  receiver.opaque_from = cover_texel.w;
   receiver.albedo = Vec3(fetch_clamped(materials, Int(2), row));
   receiver.fade_centre = Vec3(fade_texel);
   receiver.fade_from = fade_texel.w;

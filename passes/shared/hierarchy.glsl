@@ -1,7 +1,8 @@
 // Which triangle a ray meets first, found in the bounding-volume hierarchy that the textures hierarchy_nodes
 // and hierarchy_triangles hold (pipeline/scene/hierarchy_tables.hpp). The order of the walk is the ray's own
-// and nobody else's, so every device and lane width finds the same. Needs axes_across.glsl, ray.glsl,
-// the texture hierarchy_normals, and the uniforms most_steps, first_receiver and touch.
+// and nobody else's, so every device and lane width finds the same. Blended surfaces, whose body is -1, are
+// met where SIGHT is defined. Needs axes_across.glsl, ray.glsl, the texture hierarchy_normals, and the
+// uniforms most_steps, first_receiver and touch.
 
 // A ray as boxes and triangles meet it.
 struct WalkingRay {
@@ -128,6 +129,9 @@ void meet_triangle(IN(WalkingRay) walking, Int place, Bool wanted, INOUT(Nearest
   Float counted = counted_distance(at);
   Bool nearer = counted < nearest.counted || (counted == nearest.counted && number < nearest.number);
   Bool met = wanted && inside && !edge_on && number != walking.own && is_ahead(walking, at) && nearer;
+#ifndef SIGHT
+  met = met && at.body >= 0.0f;
+#endif
   nearest.counted = sel(met, counted, nearest.counted);
   nearest.distance = sel(met, max_of(at.distance, 0.0f), nearest.distance);
   nearest.number = sel(met, number, nearest.number);

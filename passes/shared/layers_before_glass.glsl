@@ -1,7 +1,9 @@
-// Blended surfaces before glass. Needs position_texel.glsl and the reads of layer_reads.hpp.
+// Blended surfaces that the camera sees directly. Needs position_texel.glsl and the reads of layer_reads.hpp.
 
-Vec3 behind_layers(Vec3 color, Int column, Int row) {
+// `is_glass`: the pixel shows glass or metal, behind which no layer is.
+Vec3 behind_layers(Vec3 color, Bool is_glass, Int column, Int row) {
   Vec4 first = fetch_clamped(first_layer, column, row);
   Vec4 over = fetch_clamped(layers, column, row);
-  return sel(is_before_glass(first), Vec3(over) + color * over.w, color);
+  Bool before = is_covered(first) && (is_before_glass(first) || !is_glass);
+  return sel(before, Vec3(over) + color * over.w, color);
 }

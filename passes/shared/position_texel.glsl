@@ -3,5 +3,7 @@ Bool is_covered(Vec4 texel) { return texel.w != 0.0f; }
 Bool is_back_face(Vec4 texel) { return texel.w < 0.0f; }
 // Of a blended surface: does it lie before glass or metal?
 Bool is_before_glass(Vec4 texel) { return texel.w > 1.5f; }
+// Of what only glass shows: is it blended?
+Bool is_blended(Vec4 texel) { return texel.w > 1.5f; }
 // Of an interpolated texel: were all four covered?
 Bool is_fully_covered(Vec4 texel) { return texel.w > 0.999f; }

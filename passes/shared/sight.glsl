@@ -16,12 +16,20 @@ struct Sight {
   Bool under_way;
 };
 
+// The blended surface that stands for all that a ray of sight has passed.
+struct Sheet {
+  Vec4 hit;
+  Ray ray;
+  Float kept;  // the share of what comes that all of them keep; 0: there is none
+};
+
 // The end of a ray of sight: it lies on a receiver, or the ray leaves the scene.
 struct SightEnd {
   Sight sight;
   Vec4 hit;
   Vec3 point;
   Bool lands;
+  Sheet sheet;
 };
 
 Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
@@ -75,21 +83,46 @@ void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, 
   sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
 }
 
-// A receiver that an alpha mask has cut out where the ray meets it, or that is not seen from behind.
-Bool is_hole(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
-  Bool hole = fetch_receiver(caster_materials, triangle.row).one_sided && !at.front;
-  if (u.has_textures != 0) hole = hole || is_cut_out(dress_at(at, triangle, wanted), triangle.row, wanted);
-  return wanted && hole;
+// How much there is of a receiver where a ray meets it: nothing where an alpha mask has cut it out, or where
+// it is not seen from behind; of a blended one the share that it covers.
+Float share_there(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
+  ReceiverMaterial receiver = fetch_receiver(caster_materials, triangle.row);
+  Bool blended = receiver.blended && Bool(u.has_sheets != 0);
+  Bool hole = receiver.one_sided && !at.front;
+  Float opacity = receiver.opacity;
+  if (u.has_textures != 0) {
+    Dress dress = dress_at(at, triangle, wanted);
+    hole = hole || (!blended && is_cut_out(dress, triangle.row, wanted));
+    if (any_lane(blended))
+      opacity = opacity * fetch_picture(picture_at(triangle.row, 4), dress.uv, Bool(false)).w;
+  }
+  Float covers = sel(blended && opacity < receiver.opaque_from, opacity, Float(1.0f));
+  return sel(wanted && hole, Float(0.0f), covers);
+}
+
+Float fraction(Float x) { return x - floor(x); }
+
+// Past a blended surface. `drawn`: chooses among all of them by what they keep, 0..1.
+void pass_sheet(INOUT(Sheet) sheet, IN(Ray) ray, Vec4 hit, Float covers, Float drawn) {
+  Float keeps = (1.0f - sheet.kept) * covers;
+  sheet.kept = sheet.kept + keeps;
+  Bool takes = keeps > 0.0f && drawn * sheet.kept < keeps;
+  sheet.hit = sel(takes, hit, sheet.hit);
+  sheet.ray = ray_from(sel(takes, ray.start, sheet.ray.start),
+                       sel(takes, ray.direction, sheet.ray.direction));
 }
 
 // Follows a ray through all the surfaces that it meets. The last ones do not bend it any more, so that
-// it ends on something.
-SightEnd end_of_sight(IN(Sight) from) {
+// it ends on something. `drawn`: as pass_sheet() has it.
+SightEnd end_of_sight(IN(Sight) from, Float drawn) {
   SightEnd end;
   end.sight = from;
   end.hit = Vec4(0.0f);
   end.point = from.ray.start;
   end.lands = Bool(false);
+  end.sheet.hit = Vec4(0.0f);
+  end.sheet.ray = from.ray;
+  end.sheet.kept = Float(0.0f);
   for (int k = 0; k < u.most_surfaces && any_lane(end.sight.under_way); k++) {
     Sight sight = end.sight;
     Vec4 hit = hit_ahead(sight.ray, sight.own, sight.media, sight.under_way);
@@ -101,12 +134,17 @@ SightEnd end_of_sight(IN(Sight) from) {
       CasterTriangle triangle = fetch_triangle(sel(caster || receiver, hit.w - 1.0f, Float(0.0f)));
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
       if (any_lane(caster)) turn(next, at, triangle, Bool(k >= u.surfaces), caster);
-      Bool cut = is_hole(triangle, at, receiver);
-      Vec3 beyond = at.point + sight.ray.direction * (u.touch * 2.0f);
-      next.ray = ray_from(sel(cut, beyond, next.ray.start), next.ray.direction);
-      next.own = sel(cut, at.number, next.own);
-      caster = caster || cut;
-      receiver = receiver && !cut;
+      Float there = share_there(triangle, at, receiver);
+      Bool passed = receiver && there < 1.0f;
+      if (u.has_sheets != 0)
+        pass_sheet(end.sheet, sight.ray, hit, sel(passed, there, Float(0.0f)),
+                   fraction(drawn + float(k) * 0.618033989f));
+      Sight onward = sight;
+      onward.ray.start = at.point + sight.ray.direction * (u.touch * 2.0f);
+      onward.own = at.number;
+      next = chosen(passed, onward, next);
+      caster = caster || passed;
+      receiver = receiver && !passed;
     }
     end.hit = sel(receiver, hit, end.hit);
     end.point = sel(receiver, point_along(sight.ray, hit.z), end.point);

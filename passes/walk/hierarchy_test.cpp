@@ -103,6 +103,12 @@ TEST_CASE("hierarchy: rays from anywhere through the middle of a fan and its spo
   CHECK(lost == 0);
 }
 
+TEST_CASE("hierarchy: light passes a blended surface") {
+  HierarchyBench bench;
+  bench.receiver(mesh_of({level_triangle(0.0f)})).sheet(mesh_of({level_triangle(1.0f)}));
+  CHECK(hit(bench, {.start = kAbove}) == glm::vec4(0.5f, 0.25f, 3.0f, 1.0f));
+}
+
 TEST_CASE("hierarchy: glass that touches a floor is met before the floor") {
   // The floor lies 1/128 m above the glass, half as much as counts as touching: 2 - 1/128 m off, and counted
   // as 2 + 1/128. At 3/128 m it is counted as 2 - 3/128 + 1/64 and met first, where it is: 2 - 3/128 m off.

@@ -75,11 +75,11 @@ int kind_of_receiver(const Mesh& mesh) {
 // What of a receiver is shown by glass alone (passes/shared/caster_material.glsl, ReceiverMaterial).
 std::array<glm::vec4, kTexelsOfMaterial> texels_of_receiver(const Material& m, int kind) {
   const bool one_sided = !m.double_sided && (kind & kInsideOut) == 0;
-  return {
-      glm::vec4(m.emissive, one_sided ? 1.0f : 0.0f),
-      {m.fade.centre, m.fade.from},
-      {glm::vec3(m.base_color), m.fade.to},
-      {(kind & kColored) != 0 ? 1.0f : 0.0f, m.normal_scale, m.base_color.a, cutoff_of(m, Role::Receiver)}};
+  return {glm::vec4(m.emissive, one_sided ? 1.0f : 0.0f),
+          {m.fade.centre, m.fade.from},
+          {glm::vec3(m.base_color), m.fade.to},
+          {static_cast<float>((kind & kColored) + (m.alpha_mode == AlphaMode::Blend ? 2 : 0)), m.normal_scale,
+           m.base_color.a, cutoff_of(m, Role::Receiver)}};
 }
 
 void add_once(std::vector<int>& images, const TextureUse& use) {
@@ -173,8 +173,9 @@ void RayTables::number_triangles(const Effects& effects) {
     const bool met = meets_waters_ || !is_water;
     if (is_on_the_way(surface) && met) meshes_.casters.push_back(m);
     if (surface.role == Role::Refractor && !surface.thin && met) media_.push_back(m);
-    if (surface.role == Role::Receiver && met) meshes_.receivers.push_back(m);
-    meshes_.bodies.push_back(row_of_body.try_emplace(bodies[index], material_row(m)).first->second);
+    if (is_diffuse(surface.role) && met) meshes_.receivers.push_back(m);
+    const int body = row_of_body.try_emplace(bodies[index], material_row(m)).first->second;
+    meshes_.bodies.push_back(surface.role == Role::Blended ? kSheet : body);
   }
   first_triangles_ = first_triangles(scene_, meshes_);
   first_receiver_ = static_cast<int>(caster_triangles(scene_, meshes_));
@@ -220,7 +221,7 @@ void RayTables::upload_materials(const Effects& effects) {
     if (is_on_the_way(effects.surfaces[i]))
       give_row(i, casters <= kMostOwnRows ? static_cast<int>(i) : 0, effects.surfaces[i]);
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i)
-    if (effects.surfaces[i].role == Role::Receiver)
+    if (is_diffuse(effects.surfaces[i].role))
       give_row(i, kind_of_receiver(scene_.meshes[i]), {.role = Role::Receiver});
   const bool dressed = are_dressed(effects) || receivers_are_dressed(effects);
   const CasterTexels texels = upload_texels(effects);
@@ -251,7 +252,7 @@ CasterTexels RayTables::upload_texels(const Effects& effects) {
       add_once(images, material.base_color_texture);
       add_once(images, material.transmission_texture);
       if (is_caster(role)) add_once(images, material.normal_texture);
-    } else if (role == Role::Receiver && receivers_are_dressed(effects)) {
+    } else if (is_diffuse(role) && receivers_are_dressed(effects)) {
       const bool cut = effects.cut_out_receivers.active &&
                        (material.alpha_mode == AlphaMode::Mask || effects.surfaces[i].blended);
       add_once(cut ? images : coarse, material.base_color_texture);

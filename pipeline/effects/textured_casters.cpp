@@ -130,7 +130,7 @@ void add_textured_casters(const Scene& scene, const Settings& settings, Effects&
       effect_of(found(cut_out), "an alpha mask cuts holes, which let light straight through");
   const Use receivers =
       use_of(scene, settings, effects, [](const Material& material, const SurfaceRole& surface) {
-        return surface.role == Role::Receiver &&
+        return is_diffuse(surface.role) &&
                (material.base_color_texture.present() || material.emissive_texture.present());
       });
   const Use holes =
@@ -142,7 +142,7 @@ void add_textured_casters(const Scene& scene, const Settings& settings, Effects&
       "what an alpha mask cuts out, or alphaMode BLEND does not cover whole, lets followed light through");
   effects.textured_receivers = effect_of(receivers, "glass shows its texture where the picture does not");
   for (std::size_t i = 0; i < scene.meshes.size() && !effects.textured_receivers.active; ++i)
-    if (effects.surfaces[i].role == Role::Receiver && !scene.meshes[i].colors.empty())
+    if (is_diffuse(effects.surfaces[i].role) && !scene.meshes[i].colors.empty())
       effects.textured_receivers = {true,
                                     quoted_name("mesh", scene.meshes[i].name, i) +
                                         ": glass shows its vertices' colours where the picture does not"};

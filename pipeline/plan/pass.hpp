@@ -161,6 +161,7 @@ struct PassContext {
   float touch = 0.0f;         // metres: surfaces that are as near touch
   glm::vec4 eye_media{0.0f};  // the bodies that the camera is in (passes/shared/media.glsl)
   int mesh_index = 0;
+  int sample = 0;                       // of a pixel, from 1 on; 0: its middle alone
   int width = 0, height = 0;            // of the pass's targets
   int face = 4;                         // of a cube view: the face that is drawn
   float exposure = 1.0f;                // factor from nit to display white

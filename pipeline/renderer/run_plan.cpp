@@ -92,6 +92,7 @@ class PassRunner {
                         .settings = &settings_[planned.light],
                         .effects = inputs_.effects,
                         .camera = &cameras_[static_cast<std::size_t>(planned.sample)],
+                        .sample = planned.sample,
                         .width = planned.width,
                         .height = planned.height,
                         .exposure = inputs_.exposure.factor,

@@ -15,12 +15,14 @@ inline constexpr int kTableWidth = 4096;
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
 // As high as any device's textures are.
 inline constexpr std::size_t kMostRows = 16384;
+inline constexpr int kSheet = -2;
 
 // The meshes whose triangles are in the hierarchy, casters first: a triangle's number is its place when all
 // of them are put one after the other.
 struct HierarchyMeshes {
   std::vector<int> casters, receivers;  // indices into Scene::meshes
-  std::vector<int> bodies;              // by Scene::meshes: of a caster the row of its body's material
+  std::vector<int> bodies;              // by Scene::meshes: of a caster the row of its body's material;
+                                        // kSheet: a blended surface, which light does not meet
   bool dressed = false;                 // casters have textures, for which texture coordinates are needed
   bool receivers_dressed = false;       // so have receivers
   std::vector<int> lamps{};             // whose points are wanted, indices into Scene::meshes
@@ -32,7 +34,7 @@ struct HierarchyTables {
   // triangles from the place `first` on.
   Image nodes;
   // A triangle takes three texels, leaf after leaf: its corners; and its number, the row of its material in
-  // caster_materials, and the row of its body's plus 1.
+  // caster_materials, and the row of its body's plus 1, or -1 of a blended surface.
   Image triangles;
   // Likewise, by number: its corners' normals; and its place in `triangles`. Of what is dressed, casters or
   // all, from texel first_uv() on, kTexelsOfUv a triangle by number: texture coordinates of its first and

@@ -13,8 +13,7 @@ import tempfile
 SKIPPED = 4  # tests/support/skip.hpp: what cannot run notices nothing
 LONGEST = 900  # seconds; what takes longer hangs, which a test run notices, too
 # What needs more than the planted copy has, or compares times.
-LEFT_OUT = {'launcher_test.py', 'docs_pictures_test.py', 'povray_test.py',
-            'bench_test.py'}
+LEFT_OUT = {'launcher_test.py', 'docs_pictures_test.py', 'povray_test.py', 'bench_test.py'}
 # What computes long; `--quick` leaves it out.
 SLOW_CASES = (
     'truth', 'area light', 'all around', 'water film', 'torture:', 'textured casters', 'hard cases',
@@ -26,6 +25,8 @@ SLOW_FILES = {
     'paper_test.py', 'probe_test.py', 'study_test.py', 'water_test.py', 'written_page_test.py'}
 # Tests that compare with kept files, which they write with `--update`.
 KEPT = ('golden_test.py', 'outputs_test.py')
+# Tests that hold all that is put out against what is kept. They notice most, so that they are tried early.
+OF_ALL_OUTPUT = {*KEPT, 'page_shown_test.py', 'command_line_doc_test.py'}
 
 
 CATCH2_PARTS = 4
@@ -142,7 +143,7 @@ def known_or_found(build, source, quick, pool):
 
 def groups(tests):
     """Groups of tests that share a process, the cheapest first: of Catch2's in shares that grow, of a file's
-    methods."""
+    quick methods; a slow method is alone."""
     shares, sum_of_share, limit = [[]], 0.0, 0.5
     for test in sorted((t for t in tests if not t.file), key=lambda t: t.seconds):
         if shares[-1] and sum_of_share + test.seconds > limit:
@@ -153,10 +154,12 @@ def groups(tests):
     files = {}
     for test in tests:
         if test.file:
-            # Its quick methods before its slow ones.
-            files.setdefault((test.file, test.seconds > 2), []).append(test)
-    together = [share for share in shares if share] + list(files.values())
-    return sorted(together, key=lambda group: sum(t.seconds for t in group) + (0.3 if group[0].file else 0))
+            files.setdefault((test.file, test.name if test.seconds > 2 else ''), []).append(test)
+
+    def cost(group):
+        seconds = sum(t.seconds for t in group) + (0.3 if group[0].file else 0)
+        return seconds / (4 if pathlib.Path(group[0].file).name in OF_ALL_OUTPUT else 1)
+    return sorted([share for share in shares if share] + list(files.values()), key=cost)
 
 
 def words(text):

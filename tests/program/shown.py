@@ -68,7 +68,8 @@ def report_lines(text):
 def csv_lines(text):
     """Without what a study takes, and finds by it."""
     rows = list(csv.reader(text.splitlines()))
-    kept = [i for i, name in enumerate(rows[0]) if not name.startswith("ms_") and name != "pareto"]
+    kept = [i for i, name in enumerate(rows[0])
+            if not name.startswith(("ms_", "milliseconds_")) and name != "pareto"]
     return [",".join(row[i] for i in kept) for row in rows]
 
 

@@ -2,6 +2,7 @@
 
 import math
 import pathlib
+import struct
 
 import glb
 from pictures import exr, png
@@ -56,6 +57,9 @@ def files():
     rising = [i / 48 for i in range(48)]
     zero = [0.0] * 48
     shades = [(i * 5 % 256, i * 3 % 256, 128) for i in range(48)]
+    rows = [list(range(x, x + 8)) for x in range(40, -1, -8)]
+    waves = {"R": [0.1 + math.sin(i) ** 2 for i in range(48)], "G": [1 / (3 + i) for i in range(48)],
+             "B": [0.7 * math.cos(i) ** 2 for i in range(48)]}
     return {
         "two.glb": two_lights(), "gold.glb": mixed(), "opaque.glb": glb.scene({"name": "clay"}),
         "pool.glb": pool(), "thin.glb": glb.scene(glb.glass()), "lamps.glb": glb.many_lights([40, 0, 3]),
@@ -66,5 +70,12 @@ def files():
                         "depth.R": rising}, 8, 6),
         "wide.exr": exr({"R": ramp, "G": rising, "B": zero, "depth.R": rising}, 6, 8),
         "mask.exr": exr({"R": [float(i % 3 == 0) for i in range(48)]}, 8, 6),
+        "nothing.exr": exr({"R": zero}, 8, 6), "waves.exr": exr(waves, 8, 6),
+        "turned.exr": exr({name: [v[i] for row in rows for i in row] for name, v in waves.items()}, 8, 6),
+        "swapped.exr": exr({"R": waves["B"], "G": waves["G"], "B": waves["R"]}, 8, 6),
+        "rolled.exr": exr({"R": waves["G"], "G": waves["B"], "B": waves["R"]}, 8, 6),
+        "halves.exr": exr({name: [struct.unpack("e", struct.pack("e", v))[0] for v in values]
+                           for name, values in waves.items()}, 8, 6),
+        "double.exr": exr({name: [2 * v for v in values] for name, values in waves.items()}, 8, 6),
         "a.png": png(shades, 8, 6), "b.png": png(shades[::-1], 8, 6),
     }

@@ -94,11 +94,15 @@ void follow(HardCase& c) {
 
 HardCase random_case() {
   HardCase c{"a random scene", "", {}};
-  c.scene.materials = {diffuse(0.8f), random_caster(), random_caster()};
+  Material blended = diffuse(0.5f);
+  blended.alpha_mode = AlphaMode::Blend;
+  blended.base_color.a = between(0.0f, 1.0f);
+  blended.double_sided = from(0, 2) == 1;
+  c.scene.materials = {diffuse(0.8f), random_caster(), random_caster(), blended};
   c.scene.meshes = {floor(3.0, 0.0, 0)};
   const int bodies = from(1, 4);
   c.scene.meshes.push_back(random_body(1));
-  for (int i = 1; i < bodies; ++i) c.scene.meshes.push_back(random_body(*rc::gen::element(1, 1, 2, 0)));
+  for (int i = 1; i < bodies; ++i) c.scene.meshes.push_back(random_body(*rc::gen::element(1, 1, 2, 0, 3)));
   c.scene.lights = {random_light()};
   aim(c.scene.lights[0], c.scene.meshes[1]);
   c.scene.cameras = {

@@ -67,6 +67,11 @@ struct HierarchyBench {
     meshes.receivers.push_back(add(std::move(mesh), row, -1));
     return *this;
   }
+  // A blended one.
+  HierarchyBench& sheet(Mesh mesh, int row = 0) {
+    meshes.receivers.push_back(add(std::move(mesh), row, kSheet));
+    return *this;
+  }
   HierarchyTables tables(int threads = 0) const {
     return hierarchy_tables(scene, meshes, rows, touch, threads);
   }

@@ -49,6 +49,16 @@ double seen_at(const std::vector<Sheet>& sheets, double x) {
   return static_cast<double>(r["beauty"].at(column, 32, 0)) / std::sqrt(0.5);
 }
 
+// Likewise at x = -0.8, through a plate of index 1 high above, whose light falls elsewhere.
+double seen_through_glass(const std::vector<Sheet>& sheets) {
+  Scene scene = sheets_over_floor(sheets);
+  scene.meshes.push_back(box({-1.0, 2.0, -2.0}, {-0.6, 2.1, 2.0}, static_cast<int>(scene.materials.size())));
+  scene.materials.push_back(glass(1.0f));
+  Settings settings = small_settings(16, 16, 64);
+  settings.highlights = false;
+  return static_cast<double>(render(scene, settings, {"beauty"})["beauty"].at(6, 32, 0)) / std::sqrt(0.5);
+}
+
 }  // namespace
 
 TEST_CASE("blended surfaces: a black sheet of alpha 0.25 leaves 0.75 of view and of light, two 0.5625") {
@@ -69,6 +79,13 @@ TEST_CASE("blended surfaces: the nearer lies over the farther, in whatever order
   const Sheet below{0.95, -1.0, 1.0f, 0.5f};
   const double black_over_white = 0.75 * (0.5 * 1.0 + 0.5 * 0.8);
   CHECK(seen_at({below, black}, -0.8) == Approx(black_over_white).epsilon(1e-5));
+}
+
+TEST_CASE("blended surfaces: behind clear glass they are seen as without it") {
+  const Sheet white{1.05, -1.0, 1.0f, 0.5f}, other{1.0, -1.0, 1.0f, 0.5f};
+  CHECK(seen_through_glass({}) == Approx(0.8).epsilon(1e-4));
+  CHECK(seen_through_glass({white}) == Approx(0.5 + 0.5 * 0.8).epsilon(1e-4));
+  CHECK(seen_through_glass({white, other}) == Approx(0.75 + 0.25 * 0.8).epsilon(1e-4));
 }
 
 TEST_CASE("blended surfaces: of many in one place the nearest four are shown") {
