@@ -109,7 +109,13 @@ Vec3 color_at(Vec3 p, Float nearest, Vec3 otherwise) {
   Vec4 position = fetch_nearest(picture_position, uv.x, uv.y);
   Bool there = view_w(u.view, at) > 0.0f && inside_unit(uv.x, uv.y) && is_covered(position) &&
                view_coordinates(u.view, Vec3(position)).z >= nearest;
-  return sel(there, Vec3(fetch_nearest(scene_color, uv.x, uv.y)), otherwise);
+  Vec3 color = Vec3(fetch_nearest(scene_color, uv.x, uv.y));
+  if (u.blends != 0) {
+    Vec4 first = fetch_nearest(first_layer, uv.x, uv.y);
+    Vec4 over = fetch_nearest(layers, uv.x, uv.y);
+    color = sel(is_covered(first) && !is_before_glass(first), Vec3(over) + color * over.w, color);
+  }
+  return sel(there, color, otherwise);
 }
 
 Float nothing_nearer() { return Float(-1.0e30f); }
@@ -167,14 +173,29 @@ Vec3 spread_radiance(IN(SightEnd) end, Vec3 middle) {
   return sum / Float(16.0f);
 }
 
-// The colour of blended surfaces over that of what lies behind. Where the picture does not show that either,
-// it is mixed in already.
-Vec3 behind_sheets(Vec3 color, IN(SightEnd) end, Texture ends) {
-  Bool mixed = end.lands && !is_shown(end);
-  Vec4 own = hidden_color(ends);
-  Float shown = own.w;
-  Bool there = !mixed && end.sheet.kept > 0.0f && shown > 0.0f;
-  return sel(there, color + (Vec3(own) / max_of(shown, 1.0e-4f) - color) * end.sheet.kept, color);
+// The mean colour of the picture's layers where it shows a point on one of them. w: 1; 0: it does not.
+Vec4 color_of_layers(Vec3 p) {
+  Vec2 uv = view_uv(u.view, view_coordinates(u.view, p));
+  Vec4 over = fetch_bilinear(layers, uv.x, uv.y);
+  Float covers = 1.0f - over.w;
+  Bool before = is_before_glass(fetch_nearest(first_layer, uv.x, uv.y));
+  Bool there = shows_point(first_layer, u.view, p) && !before && covers > 1.0e-3f;
+  return sel(there, Vec4(Vec3(over) / sel(there, covers, Float(1.0f)), Float(1.0f)), Vec4(0.0f));
+}
+
+// The colour of what the ray has passed, as the picture shows it, or as hidden rays have found it. Where the
+// picture does not show what lies behind, they have found both.
+Vec3 color_of_sheets(IN(SightEnd) end, Vec3 behind, Texture ends) {
+  Bool alike = end.lands && !is_shown(end);
+  if (u.has_rough != 0) alike = alike || end.sight.blur > 0.0f;
+  Vec4 hidden = hidden_color(ends);
+  Float found = hidden.w;
+  Vec3 color = sel(!alike && found > 0.0f, Vec3(hidden) / max_of(found, 1.0e-4f), behind);
+  Vec4 seen = color_of_layers(point_along(end.sheet.ray, end.sheet.hit.z));
+  Float is_seen = seen.w;
+  // Layers on panes are as bright as their tint makes them dark.
+  Bool takes = !alike && is_seen > 0.0f && !is_on_caster(end.sheet.hit);
+  return sel(takes, Vec3(seen), color);
 }
 
 // `ends`: the radiance of what the picture does not show.
@@ -185,8 +206,12 @@ Vec3 radiance_along(IN(Sight) from, Texture ends) {
     Bool rough = from.under_way && end.sight.blur > 0.0f;
     if (any_lane(rough)) color = sel(rough, spread_radiance(end, color), color);
   }
-  if (u.has_sheets != 0) color = behind_sheets(color, end, ends);
-  return end.sight.aside + end.sight.through * color;
+  Vec3 sum = end.sight.aside + end.sight.through * color;
+  if (u.has_sheets != 0) {
+    Bool any = sum_of(end.sheet.through) > 0.0f;
+    if (any_lane(any)) sum = sum + end.sheet.through * color_of_sheets(end, color, ends);
+  }
+  return sum;
 }
 
 Vec3 radiance_of(IN(Front) front, Bool seen) {
@@ -282,7 +307,11 @@ void main() {
   if (body > 0.0f) color = color * left_from(sel(seen, caster, picture));
   // What the frame lacks is one texel of zeros.
   color = color + Vec3(fetch_clamped(caster_highlight, column, row));
-  if (u.blends != 0) color = behind_layers(color, seen, column, row);
+  if (u.blends != 0) {
+    Vec3 left = Vec3(1.0f);
+    if (body > 0.0f) left = left_from(fetch_clamped(first_layer, column, row));
+    color = behind_layers(color, left, seen, column, row);
+  }
   beauty = Vec4(color, Float(1.0f));
 }
 #endif

@@ -32,6 +32,7 @@ struct Bench {
   float tint = 1.0f;
   std::vector<float> sheets{};                  // heights of blended surfaces
   float opacity = 0.25f;                        // theirs
+  float transmitted = 1.0f;                     // by the plates
   bool in_picture = true;                       // the floor is
   bool glass_in_picture = true;                 // the uppermost plate is
   bool eye_in_glass = false;                    // of the plates
@@ -68,7 +69,7 @@ struct Bench {
                                         : 0.0f},
                                 {absorption, absorption, absorption, 1.0f},
                                 {mirror ? 0.9f : tint, mirror ? 0.9f : tint, mirror ? 0.9f : tint, roughness},
-                                {1.0f, 0.0f, 0.0f, 0.0f}};
+                                {transmitted, 0.0f, 0.0f, 0.0f}};
     for (int x = 0; x < 4; ++x)
       for (int c = 0; c < 4; ++c) materials.at(x, 0, c) = texels[x][c];
     const glm::vec3 sky(0.5f);
@@ -91,7 +92,7 @@ struct Bench {
                           .has_textures = 0,
                           .has_rough = roughness > 0.0f,
                           .has_walls = thin,
-                          .has_sheets = !sheets.empty(),
+                          .has_sheets = !sheets.empty() || transmitted < 1.0f,
                           .receivers_lower = glm::vec3(-1e4f, -1.0f, -1e4f),
                           .receivers_upper = glm::vec3(1e4f, 1.0f, 1e4f),
                           .blends = 0,
@@ -179,6 +180,36 @@ TEST_CASE("glass: blended surfaces behind it cover their share of what lies ther
   // Over the sky.
   bench.floor = false;
   CHECK(bench.seen() == Approx(0.5625 * 0.5 + 0.4375 * 3.0));
+}
+
+TEST_CASE("glass: blended surfaces use up none of those that are followed") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.hidden = filled(1, 1, {3.0f, 3.0f, 3.0f, 0.0f});
+  bench.opacity = 0.03f;
+  for (int i = 0; i < 9; ++i) bench.sheets.push_back(0.5f + 0.25f * static_cast<float>(i));
+  bench.surfaces = bench.most_surfaces = 3;
+  const double passes = std::pow(0.97, 9);
+  CHECK(bench.seen() == Approx(passes + (1.0 - passes) * 3.0));
+}
+
+TEST_CASE("glass: what lies behind a blended surface takes nothing of its light") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.hidden = filled(1, 1, {3.0f, 3.0f, 3.0f, 0.0f});
+  bench.tops = {8.0f, 3.0f};
+  bench.sheets = {5.0f};
+  bench.absorption = 0.3f;
+  CHECK(bench.seen() == Approx(std::exp(-0.3) * (0.25 * 3.0 + 0.75 * std::exp(-0.3))));
+}
+
+TEST_CASE("glass: behind glass what lets a share through scatters the rest") {
+  Bench bench;
+  bench.ior = 1.0f;
+  bench.hidden = filled(1, 1, {3.0f, 3.0f, 3.0f, 0.0f});
+  bench.tops = {8.0f, 3.0f};
+  bench.transmitted = 0.5f;
+  CHECK(bench.seen() == Approx(0.5 + 0.5 * 3.0));
 }
 
 TEST_CASE("glass: what hidden rays have found holds the share of blended surfaces, or else none of them") {

@@ -48,12 +48,23 @@ void put_on_textures(INOUT(ReceiverMaterial) receiver, IN(CasterTriangle) triang
   receiver.emission = receiver.emission * Vec3(fetch_picture(picture_at(triangle.row, 13), uv, Bool(false)));
 }
 
+// What glass does not let through scatters by its colour.
+void be_glass(INOUT(ReceiverMaterial) receiver, Int row, Bool wanted) {
+  receiver.albedo = sel(wanted, fetch_material(caster_materials, row).color, receiver.albedo);
+  receiver.emission = sel(wanted, Vec3(0.0f), receiver.emission);
+  receiver.fade_to = sel(wanted, Float(0.0f), receiver.fade_to);
+  receiver.is_colored = receiver.is_colored && !wanted;
+  receiver.blended = receiver.blended || wanted;
+}
+
 // Writes the surface that stands there, as seen from the side that the ray comes from.
 void write_end(IN(SightEnd) end) {
   Vec3 direction = end.sight.ray.direction;
   CasterTriangle triangle = fetch_triangle(sel(end.lands, end.hit.w - 1.0f, Float(0.0f)));
   Meeting at = meeting_at(triangle, end.hit, direction);
   ReceiverMaterial receiver = fetch_receiver(caster_materials, triangle.row);
+  Bool in_glass = is_on_caster(end.hit);
+  if (u.has_sheets != 0) be_glass(receiver, triangle.row, in_glass);
   if (u.has_textures != 0) put_on_textures(receiver, triangle, at, end.lands);
   view_position = Vec4(end.point, sel(receiver.blended, Float(2.0f), Float(1.0f)));
   view_normal = Vec4(sel(at.front, at.outward, -at.outward), Float(0.0f));
@@ -87,7 +98,9 @@ void main() {
   SightEnd end = end_of_sight(sight, drawn);
   Bool hidden = end.lands && !is_shown(end);
   if (u.has_sheets != 0) {
-    Bool sheet = end.sheet.kept > 0.0f && (!hidden || drawn < end.sheet.kept);
+    Float of_sheets = sum_of(end.sheet.through);
+    Float of_both = of_sheets + sum_of(end.sight.through);
+    Bool sheet = of_sheets > 0.0f && (!hidden || drawn * of_both < of_sheets);
     if (any_lane(sheet)) end = chosen_sheet(sheet, end);
     hidden = hidden || sheet;
   }

@@ -40,6 +40,11 @@ int lights_backs(const PassContext& context) {
   return behind == LitFromBehind::InNearest || context.views->caustic.cube ? 2 : 1;
 }
 
+int is_layer(const PassContext& context) {
+  if (context.of_picture()) return context.layer() > 0 ? 1 : 0;
+  return context.effects->layered.active ? 2 : 1;
+}
+
 int looks_aside(const PassContext& context) {
   return throws_caustic(context) && context.views->caustic.forward != context.views->shadow.forward;
 }
@@ -200,7 +205,7 @@ Pass light_shading_pass() {
                   {"caustic_is_grey",
                    [](const PassContext& c) { return c.effects->coloured_caustics.active ? 0 : 1; }},
                   {"has_highlights", of_picture<&Effects::highlights>},
-                  {"is_layer", [](const PassContext& c) { return c.layer() > 0 || !c.of_picture() ? 1 : 0; }},
+                  {"is_layer", is_layer},
                   {"casters_shine", casters_shine},
                   {"samples_across", samples_across}},
   };

@@ -182,6 +182,8 @@ struct Arrival {
 Arrival arrival_at(IN(SurfacePoint) surface) {
   Incidence light = incidence_of(u.light, surface.position, surface.normal);
   Vec3 triangle_normal = plane_normal(view_position, surface);
+  // Pixels side by side show surfaces one behind the other.
+  if (u.is_layer > 1) triangle_normal = surface.normal;
   TangentPlane p = tangent_plane(u.shadow_view, surface.position, triangle_normal);
   TangentPlane map = p;
   if (u.looks_aside != 0) map = tangent_plane(u.caustic_view, surface.position, triangle_normal);

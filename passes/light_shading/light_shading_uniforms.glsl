@@ -26,7 +26,8 @@ vec2 cascade_step;             // and how wide and high one of its texels is the
 vec2 tile_reach;               // of a cube: from a tile's middle to its outermost texels' centres, map units
 vec3 eye;                      // the camera's position
 CHOICE(has_highlights)
-CHOICE(is_layer)               // of blended surfaces, or of what only glass shows: not of every pixel
+CHOICE(is_layer)               // of blended surfaces, or of what only glass shows: not of every pixel; 2: and
+                               // of several surfaces one behind the other
 CHOICE(casters_shine)          // the picture shows glass and metal before its surfaces
 vec3 forward;                  // the way it looks
 int is_perspective;            // 0: all its rays run along that

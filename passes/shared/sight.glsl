@@ -16,11 +16,12 @@ struct Sight {
   Bool under_way;
 };
 
-// The blended surface that stands for all that a ray of sight has passed.
+// The surface that stands for all that a ray of sight has passed which scatter a share of what comes: blended
+// ones, and glass that lets only a share through.
 struct Sheet {
   Vec4 hit;
   Ray ray;
-  Float kept;  // the share of what comes that all of them keep; 0: there is none
+  Vec3 through;  // what is left of the radiance of all of them; 0: there is none
 };
 
 // The end of a ray of sight: it lies on a receiver, or the ray leaves the scene.
@@ -61,8 +62,9 @@ Vec3 weaker_way(IN(Surface) surface, IN(Material) material, Vec3 direction, Bool
   return color * radiance_aside(other, !stronger_is_mirrored);
 }
 
-// The way that a ray takes at a surface: the stronger; or `straight` on.
-void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, Bool straight, Bool wanted) {
+// The way that a ray takes at a surface: the stronger; or `straight` on. Returns what is left of the radiance
+// of what the surface scatters.
+Vec3 turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, Bool straight, Bool wanted) {
   Meeting at = meeting;
   Material material = fetch_material(caster_materials, triangle.row);
   if (u.has_textures != 0) put_on_textures(at, material, triangle, wanted, Bool(false));
@@ -78,9 +80,13 @@ void turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, 
   Float weaker = sel(surface.one_way, Float(0.0f), min_of(surface.mirrored, 1.0f - surface.mirrored));
   if (any_lane(wanted && weaker > 0.0f))
     sight.aside = sight.aside + sight.through * (weaker_way(surface, material, before, back) * weaker);
+  Bool scatters = both.tints && !back && !both.passes && !material.mirror;
+  Float layer = sel(scatters, material.covers * (1.0f - material.transmitted), Float(0.0f));
+  Vec3 scattered = sight.through * (layer * (1.0f - weaker));
   sight.through = sight.through * (color_behind(surface, material, back) * (1.0f - weaker));
   if (u.has_rough != 0) sight.blur = sight.blur + blur_by(surface, material, at, back);
   sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
+  return scattered;
 }
 
 // How much there is of a receiver where a ray meets it: nothing where an alpha mask has cut it out, or where
@@ -93,8 +99,11 @@ Float share_there(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
   if (u.has_textures != 0) {
     Dress dress = dress_at(at, triangle, wanted);
     hole = hole || (!blended && is_cut_out(dress, triangle.row, wanted));
-    if (any_lane(blended))
+    if (any_lane(blended)) {
+      Float of_vertices = dress.tangent.w;
       opacity = opacity * fetch_picture(picture_at(triangle.row, 4), dress.uv, Bool(false)).w;
+      opacity = sel(receiver.is_colored, opacity * of_vertices, opacity);
+    }
   }
   Float covers = sel(blended && opacity < receiver.opaque_from, opacity, Float(1.0f));
   return sel(wanted && hole, Float(0.0f), covers);
@@ -102,15 +111,30 @@ Float share_there(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
 
 Float fraction(Float x) { return x - floor(x); }
 
-// Past a blended surface. `drawn`: chooses among all of them by what they keep, 0..1.
-void pass_sheet(INOUT(Sheet) sheet, IN(Ray) ray, Vec4 hit, Float covers, Float drawn) {
-  Float keeps = (1.0f - sheet.kept) * covers;
-  sheet.kept = sheet.kept + keeps;
-  Bool takes = keeps > 0.0f && drawn * sheet.kept < keeps;
+Float sum_of(Vec3 v) { return v.x + v.y + v.z; }
+
+// Past a surface that scatters. `drawn`: chooses among all of them by what is left of each, 0..1.
+void pass_sheet(INOUT(Sheet) sheet, IN(Ray) ray, Vec4 hit, Vec3 through, Float drawn) {
+  sheet.through = sheet.through + through;
+  Float own = sum_of(through);
+  Bool takes = own > 0.0f && drawn * sum_of(sheet.through) < own;
   sheet.hit = sel(takes, hit, sheet.hit);
   sheet.ray = ray_from(sel(takes, ray.start, sheet.ray.start),
                        sel(takes, ray.direction, sheet.ray.direction));
 }
+
+// A receiver that is not all there is passed, straight on.
+Sight past_receiver(IN(Sight) sight, IN(Meeting) at, Float there) {
+  Sight onward = sight;
+  // From beyond a hole, where its neighbour on the same edge is not met again; what a sheet lies on is.
+  Float beyond = sel(there > 0.0f, Float(0.0f), Float(u.touch * 2.0f));
+  onward.ray.start = at.point + sight.ray.direction * beyond;
+  onward.own = at.number;
+  onward.through = sight.through * (1.0f - there);
+  return onward;
+}
+
+#define MOST_SHEETS 16
 
 // Follows a ray through all the surfaces that it meets. The last ones do not bend it any more, so that
 // it ends on something. `drawn`: as pass_sheet() has it.
@@ -122,8 +146,9 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
   end.lands = Bool(false);
   end.sheet.hit = Vec4(0.0f);
   end.sheet.ray = from.ray;
-  end.sheet.kept = Float(0.0f);
-  for (int k = 0; k < u.most_surfaces && any_lane(end.sight.under_way); k++) {
+  end.sheet.through = Vec3(0.0f);
+  Float met = Float(0.0f);
+  for (int k = 0; k < u.most_surfaces + u.has_sheets * MOST_SHEETS && any_lane(end.sight.under_way); k++) {
     Sight sight = end.sight;
     Vec4 hit = hit_ahead(sight.ray, sight.own, sight.media, sight.under_way);
     Bool caster = sight.under_way && is_on_caster(hit);
@@ -133,16 +158,15 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
     if (any_lane(caster || receiver)) {
       CasterTriangle triangle = fetch_triangle(sel(caster || receiver, hit.w - 1.0f, Float(0.0f)));
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
-      if (any_lane(caster)) turn(next, at, triangle, Bool(k >= u.surfaces), caster);
+      Vec3 scattered = Vec3(0.0f);
+      if (any_lane(caster)) scattered = turn(next, at, triangle, met >= float(u.surfaces), caster);
       Float there = share_there(triangle, at, receiver);
       Bool passed = receiver && there < 1.0f;
+      scattered = sel(caster, scattered, sel(passed, sight.through * there, Vec3(0.0f)));
       if (u.has_sheets != 0)
-        pass_sheet(end.sheet, sight.ray, hit, sel(passed, there, Float(0.0f)),
-                   fraction(drawn + float(k) * 0.618033989f));
-      Sight onward = sight;
-      onward.ray.start = at.point + sight.ray.direction * (u.touch * 2.0f);
-      onward.own = at.number;
-      next = chosen(passed, onward, next);
+        pass_sheet(end.sheet, sight.ray, hit, scattered, fraction(drawn + float(k) * 0.618033989f));
+      next = chosen(passed, past_receiver(sight, at, there), next);
+      met = sel(passed && there > 0.0f, met, met + 1.0f);
       caster = caster || passed;
       receiver = receiver && !passed;
     }
@@ -150,7 +174,7 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
     end.point = sel(receiver, point_along(sight.ray, hit.z), end.point);
     end.lands = end.lands || receiver;
     end.sight = chosen(caster, next, sight);
-    end.sight.under_way = end.sight.under_way && caster;
+    end.sight.under_way = end.sight.under_way && caster && met < float(u.most_surfaces);
   }
   return end;
 }

@@ -13,4 +13,4 @@ vec4 eye_media;      // the bodies that the camera is in, as media.glsl has them
 CHOICE(has_textures)     // 1: some surface has
 CHOICE(has_rough)        // some glass is rough
 CHOICE(has_walls)        // some has no thickness
-CHOICE(has_sheets)       // 1: some surface is blended
+CHOICE(has_sheets)       // 1: some surface scatters a share of what comes, and lets the rest through

@@ -43,7 +43,7 @@ inline constexpr Read kReadSeenTriangles{
 
 inline constexpr Choice kSightHasTextures{
     "has_textures", [](const PassContext& c) { return sight_meets_textures(*c.effects) ? 1 : 0; }};
-inline constexpr Choice kSightHasSheets{"has_sheets", chosen_by<&Effects::blended>};
+inline constexpr Choice kSightHasSheets{"has_sheets", chosen_by<&Effects::layered>};
 inline constexpr Choice kSightHasRough{"has_rough", chosen_by<&Effects::rough_glass>};
 
 }  // namespace caustics

@@ -86,6 +86,9 @@ TEST_CASE("blended surfaces: behind clear glass they are seen as without it") {
   CHECK(seen_through_glass({}) == Approx(0.8).epsilon(1e-4));
   CHECK(seen_through_glass({white}) == Approx(0.5 + 0.5 * 0.8).epsilon(1e-4));
   CHECK(seen_through_glass({white, other}) == Approx(0.75 + 0.25 * 0.8).epsilon(1e-4));
+  // Far apart, they do not darken each other's pixels.
+  const Sheet above{1.4, -1.0, 1.0f, 0.5f};
+  CHECK(seen_through_glass({above, other}) == Approx(0.75 + 0.25 * 0.8).epsilon(5e-3));
 }
 
 TEST_CASE("blended surfaces: of many in one place the nearest four are shown") {
