@@ -163,8 +163,10 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
       Float there = share_there(triangle, at, receiver);
       Bool passed = receiver && there < 1.0f;
       scattered = sel(caster, scattered, sel(passed, sight.through * there, Vec3(0.0f)));
-      Float number = drawn + float(k) * 0.618033989f;
-      if (u.has_sheets != 0) pass_sheet(end.sheet, sight.ray, hit, scattered, fraction(number));
+      if (u.has_sheets != 0) {
+        Float number = drawn + float(k) * 0.618033989f;
+        pass_sheet(end.sheet, sight.ray, hit, scattered, fraction(number));
+      }
       next = chosen(passed, past_receiver(sight, at, there), next);
       met = sel(passed && there > 0.0f, met, met + 1.0f);
       caster = caster || passed;
