@@ -111,6 +111,12 @@ Float share_there(IN(CasterTriangle) triangle, IN(Meeting) at, Bool wanted) {
 
 Float fraction(Float x) { return x - floor(x); }
 
+// Another number for each surface, by the golden ratio.
+Float drawn_at(Float drawn, int surface) {
+  Float number = drawn + float(surface) * 0.618033989f;
+  return fraction(number);
+}
+
 Float sum_of(Vec3 v) { return v.x + v.y + v.z; }
 
 // Past a surface that scatters. `drawn`: chooses among all of them by what is left of each, 0..1.
@@ -163,10 +169,7 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
       Float there = share_there(triangle, at, receiver);
       Bool passed = receiver && there < 1.0f;
       scattered = sel(caster, scattered, sel(passed, sight.through * there, Vec3(0.0f)));
-      if (u.has_sheets != 0) {
-        Float number = drawn + float(k) * 0.618033989f;
-        pass_sheet(end.sheet, sight.ray, hit, scattered, fraction(number));
-      }
+      if (u.has_sheets != 0) pass_sheet(end.sheet, sight.ray, hit, scattered, drawn_at(drawn, k));
       next = chosen(passed, past_receiver(sight, at, there), next);
       met = sel(passed && there > 0.0f, met, met + 1.0f);
       caster = caster || passed;
