@@ -34,6 +34,7 @@ struct Bench {
   float opacity = 0.25f;                        // theirs
   float transmitted = 1.0f;                     // by the plates
   bool in_picture = true;                       // the floor is
+  float picture_height = 0.0f;                  // of what the picture shows
   bool glass_in_picture = true;                 // the uppermost plate is
   bool eye_in_glass = false;                    // of the plates
   std::optional<float> backdrop;                // seen below the horizon, 0.5 nit without
@@ -101,7 +102,7 @@ struct Bench {
     const auto level = [&](float height) { return filled(1, 1, {at.x, height, at.y, 1.0f}); };
     Image floor_position(Format::RGBA32F, shown.width(), 1);
     for (int x = 0; x < shown.width(); ++x)
-      for (int c = 0; c < 4; ++c) floor_position.at(x, 0, c) = glm::vec4(at.x, 0.0f, at.y, 1.0f)[c];
+      for (int c = 0; c < 4; ++c) floor_position.at(x, 0, c) = glm::vec4(at.x, picture_height, at.y, 1.0f)[c];
     const Image beauty = run_pass(
         definition_of(glass_pass()),
         {.uniforms = uniform_bytes(u),
@@ -134,6 +135,12 @@ TEST_CASE("glass: glass is seen through glass, and each plate absorbs") {
   for (int plate = 0; plate < 3; ++plate)
     expected = behind_surfaces(std::exp(-0.3) * behind_surfaces(expected, 1), 1);
   CHECK(bench.seen() == Approx(expected));
+}
+
+TEST_CASE("glass: what stands before it hides it") {
+  Bench bench;
+  bench.picture_height = 7.0f;
+  CHECK(bench.seen() == 1.0f);
 }
 
 TEST_CASE("glass: an index of 1 mirrors nothing") {
