@@ -34,16 +34,17 @@ void CausticSight::look(const RenderedFrame& frame, const PlannedPass& pass) {
   if (!is_last_to_write(frame.plan(), pass, frame.plan().find("caustic" + sample))) return;
   frame.device().finish();
   const Stopwatch watch;
+  // What no sample needs is drawn for the middle of the pixels alone.
   const auto image = [&](const std::string& name) {
-    const bool is_there =
-        frame.has(name + sample) && is_written(frame.plan(), pass, frame.plan().find(name + sample));
-    return is_there ? frame.look_at(name + sample) : ImageView{};
+    const std::string full = frame.has(name + sample) ? name + sample : name;
+    const bool is_there = frame.has(full) && is_written(frame.plan(), pass, frame.plan().find(full));
+    return is_there ? frame.look_at(full) : ImageView{};
   };
   seen_ = see_caustic({.position = image("view_position"),
                        .normal = image("view_normal"),
                        .caustic = image("caustic"),
                        .direct = image("direct"),
-                       .caster = image("caster_position.camera")},
+                       .caster = image(std::string(casters_beyond_panes(frame.effects())))},
                       frame.inputs().camera, upward_irradiance(frame.scene().environment));
   milliseconds_ += watch.milliseconds();
 }

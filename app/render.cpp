@@ -165,6 +165,7 @@ PlanGoal goal_of(const RenderRequest& request) {
   if (!request.books())
     return {.textures = textures_for(request.outputs), .beside = {"beauty"}, .light_by_light = true};
   PlanGoal goal = goal_with_ledgers(textures_for(request.outputs));
+  if (!request.quiet) goal.textures.emplace_back(kCastersBeyondPanes);
   if (request.stats.empty() && !request.demand.any()) return goal;
   for (const std::string& name : ledger_textures()) goal.textures.push_back(name);
   return goal;

@@ -31,7 +31,6 @@
 #include "passes/stretches/stretches.hpp"
 #include "passes/tone_map/tone_map.hpp"
 #include "passes/view_medium/view_medium.hpp"
-#include "passes/view_panes/view_panes.hpp"
 #include "passes/view_range/view_range.hpp"
 #include "passes/view_surfaces/view_surfaces.hpp"
 #include "passes/walk/walk.hpp"
@@ -76,7 +75,6 @@ Registry registered() {
       compose_pass(),
       // And with it.
       glass_pass(),
-      view_panes_pass(),
       // And the air before it.
       view_medium_pass(),
       shadow_bounds_pass(),

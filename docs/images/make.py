@@ -102,7 +102,6 @@ PASSES = {  # pass: (dump, the instances shown)
     'shadow_map': ('step', ['shadow_map[sun]']),
     'tone_map': ('step', ['tone_map']),
     'view_medium': ('lens', ['view_medium']),
-    'view_panes': ('panes', ['view_panes', 'view_panes.mirrored']),
     'view_range': ('lens', ['view_range']),
     'view_surfaces': ('step', ['view_surfaces']),
     'walk': ('tumbler', ['walk[sun]']),

@@ -33,7 +33,7 @@ Pass caster_map_pass() {
       .purpose =
           "turns what the light sees of the casters into a grid of vertices; shows the camera where they are",
       .reason = "each texel that a caster covers becomes a grid vertex",
-      .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}, kCamera},
+      .drawn_for = {{.each = Each::Light, .also = &Effects::caustics}, kCamera, kCameraBeyondPanes},
       .only_lights_with_caustics = true,
       .draws = DrawSet::Casters,
       .size = grid_size,

@@ -28,7 +28,7 @@ TEXTURE(15, caster_texels)
 OUTPUT(0, Vec4, beauty)
 #include "passes/shared/bodies.glsl"
 #include "passes/shared/cube_atlas.glsl"
-#include "passes/shared/layers_before_glass.glsl"
+#include "passes/shared/layers_in_view.glsl"
 #include "passes/shared/receivers_box.glsl"
 #include "passes/shared/sky_radiance.glsl"
 #include "passes/shared/view_space.glsl"
@@ -295,6 +295,8 @@ void main() {
   Vec3 color = Vec3(texel_fetch(scene_color, column, row));
   if (any_lane(seen)) {
     Front front = front_at(caster, column, row);
+    // What the frame lacks is one texel of zeros.
+    front.highlight = Vec3(fetch_clamped(caster_highlight, column, row));
     Vec3 shown = Vec3(0.0f);
     if (u.several_rays != 0) {
       shown = mean_radiance(front, seen);
@@ -305,8 +307,6 @@ void main() {
   }
   float body = u.eye_media.x;
   if (body > 0.0f) color = color * left_from(sel(seen, caster, picture));
-  // What the frame lacks is one texel of zeros.
-  color = color + Vec3(fetch_clamped(caster_highlight, column, row));
   if (u.blends != 0) {
     Vec3 left = Vec3(1.0f);
     if (body > 0.0f) left = left_from(fetch_clamped(first_layer, column, row));

@@ -33,10 +33,12 @@ struct Bench {
   std::vector<float> sheets{};                  // heights of blended surfaces
   float opacity = 0.25f;                        // theirs
   float transmitted = 1.0f;                     // by the plates
+  float covers = 1.0f;                          // of blended walls
   bool in_picture = true;                       // the floor is
   float picture_height = 0.0f;                  // of what the picture shows
   bool glass_in_picture = true;                 // the uppermost plate is
   bool eye_in_glass = false;                    // of the plates
+  float highlight = 0.0f;                       // nit
   std::optional<float> backdrop;                // seen below the horizon, 0.5 nit without
   glm::vec2 at{-0.5f, -0.25f};                  // x and z of what the pixel shows
   Image shown = filled(1, 1, glm::vec4(1.0f));  // the floor
@@ -70,7 +72,7 @@ struct Bench {
                                         : 0.0f},
                                 {absorption, absorption, absorption, 1.0f},
                                 {mirror ? 0.9f : tint, mirror ? 0.9f : tint, mirror ? 0.9f : tint, roughness},
-                                {transmitted, 0.0f, 0.0f, 0.0f}};
+                                {transmitted, 0.0f, covers, covers < 1.0f ? -1.0f : 0.0f}};
     for (int x = 0; x < 4; ++x)
       for (int c = 0; c < 4; ++c) materials.at(x, 0, c) = texels[x][c];
     const glm::vec3 sky(0.5f);
@@ -103,13 +105,14 @@ struct Bench {
     Image floor_position(Format::RGBA32F, shown.width(), 1);
     for (int x = 0; x < shown.width(); ++x)
       for (int c = 0; c < 4; ++c) floor_position.at(x, 0, c) = glm::vec4(at.x, picture_height, at.y, 1.0f)[c];
-    const Image beauty = run_pass(
-        definition_of(glass_pass()),
-        {.uniforms = uniform_bytes(u),
-         .textures = {shown, in_picture ? floor_position : Image{}, hidden, hidden,
-                      glass_in_picture ? level(tops.front()) : Image{},
-                      filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), filled(1, 1, glm::vec4(2.0f)), materials,
-                      tables.nodes, tables.triangles, tables.normals, Image{}, Image{}}})["beauty"];
+    const Image beauty =
+        run_pass(definition_of(glass_pass()),
+                 {.uniforms = uniform_bytes(u),
+                  .textures = {shown, in_picture ? floor_position : Image{}, hidden, hidden,
+                               glass_in_picture ? level(tops.front()) : Image{},
+                               filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), filled(1, 1, glm::vec4(2.0f)),
+                               materials, tables.nodes, tables.triangles, tables.normals, Image{},
+                               filled(1, 1, glm::vec4(highlight))}})["beauty"];
     return beauty.at(0, 0, 0);
   }
 };
@@ -313,6 +316,37 @@ TEST_CASE("glass: rough walls bend nothing, mirror 2 R / (1 + R), and each tints
   // The plate's two faces are two walls; what the second mirrors counts as let through.
   const double passes = 1.0 - 2.0 * 0.04 / 1.04;
   CHECK(bench.seen() == Approx(passes * 0.25 + (1.0 - passes) * 0.5));
+}
+
+TEST_CASE("glass: a pane that is there in part mirrors and tints by its coverage") {
+  // Two walls, of which each mirrors 0.25 of 2 R / (1 + R), R = 0.04, of the sky's 0.5.
+  Bench bench;
+  bench.thin = true;
+  bench.covers = 0.25f;
+  bench.tint = 0.5f;
+  const double mirrored = 0.25 * 0.08 / 1.04, passed = 0.75 + 0.5 * (0.25 - mirrored);
+  CHECK(bench.seen() == Approx(mirrored * 0.5 + passed * (mirrored * 0.5 + passed)));
+}
+
+TEST_CASE("glass: a pane's layer takes its share of what it mirrors too, which is shown as much brighter") {
+  Bench bench;
+  bench.thin = true;
+  bench.floor = false;
+  bench.backdrop = 0.0f;
+  bench.transmitted = 0.5f;
+  bench.surfaces = bench.most_surfaces = 0;
+  CHECK(bench.seen() == Approx(0.5 * 0.08 / 1.04 / 0.5));
+  // A light's mirror image, too, and of that only what the pane covers.
+  bench.highlight = 3.0f;
+  CHECK(bench.seen() == Approx((0.5 * 0.08 / 1.04 + 3.0) / 0.5));
+  bench.covers = 0.25f;
+  CHECK(bench.seen() == Approx(0.25 * (0.5 * 0.08 / 1.04 + 3.0) / (1.0 - 0.25 * 0.5)));
+}
+
+TEST_CASE("glass: a light's mirror image adds to what glass shows") {
+  Bench bench;
+  bench.highlight = 3.0f;
+  CHECK(bench.seen() == Approx(behind_surfaces(1.0, 2) + 3.0));
 }
 
 TEST_CASE("glass: the body that the camera is in absorbs up to what the picture shows") {

@@ -39,24 +39,30 @@ Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
   Float grazing = sel(material.mirror, Float(1.0f), material.fresnel);
   Vec3 reflectance =
       schlick_reflectance(facing_reflectance(material), grazing, highlight_cosine(v, -light.travel));
+  if (u.has_walls != 0) {
+    Vec3 both_faces = reflectance * 2.0f / (reflectance + Vec3(1.0f));
+    reflectance = sel(material.thin, both_faces, reflectance);
+  }
   Float size = half_width(u.light, light);
   Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness, size);
   return irradiance_by(light, caster, p, lit) * reflectance * lobe;
 }
 
-// Of glass and metal before the surface: none on surfaces seen from inside.
+// Of glass and metal before the surface: none on surfaces seen from inside, which panes are not.
 Vec3 first_caster_highlight(IN(SurfacePoint) surface) {
   Vec4 position = fetch_clamped(view_caster_position, surface.column, surface.row);
   Vec4 normal = fetch_clamped(view_caster_normal, surface.column, surface.row);
   Bool before = is_covered(position) &&
                 (!surface.visible || depth_of(Vec3(position)) < depth_of(surface.position));
-  Bool shines = before && !is_back_face(position);
+  Bool shines = before && (!is_back_face(position) || Bool(u.has_walls != 0));
   Vec3 result = Vec3(0.0f);
   if (any_lane(shines)) {
     SurfacePoint caster = surface;
     caster.position = Vec3(position);
-    caster.normal = facing_normal(Vec3(normal), -towards_camera(caster.position), Bool(false));
     Material material = fetch_material(caster_materials, material_row(normal));
+    Bool inside = is_back_face(position);
+    caster.normal = facing_normal(Vec3(normal), -towards_camera(caster.position), inside);
+    shines = shines && (!inside || material.thin);
     result = sel(shines, highlight_of_caster(caster, material), result);
   }
   return result;

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include "passes/shared/hierarchy_reads.hpp"
 #include "passes/shared/light_uniforms.hpp"
 #include "passes/shared/medium_uniforms.hpp"
 #include "pipeline/settings/settings.hpp"
@@ -67,6 +68,10 @@ glm::vec2 tile_reach(const View& view) {
 int casters_shine(const PassContext& context) {
   return context.of_picture() && context.layer() == 0 && context.effects->highlights.active &&
          context.effects->seen_casters.active;
+}
+
+int has_walls(const PassContext& context) {
+  return casters_shine(context) == 0 ? 0 : kHasWalls.value(context);
 }
 
 // Blended surfaces do not shadow one another.
@@ -207,6 +212,7 @@ Pass light_shading_pass() {
                   {"has_highlights", of_picture<&Effects::highlights>},
                   {"is_layer", is_layer},
                   {"casters_shine", casters_shine},
+                  {"has_walls", has_walls},
                   {"samples_across", samples_across}},
   };
 }

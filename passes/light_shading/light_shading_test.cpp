@@ -289,3 +289,19 @@ TEST_CASE("light_shading: glass and metal before a surface show their own highli
   CHECK(shown() == glm::vec3(0.0f));
   CHECK(bench.highlight() == glossy(0.5f, {0.0, -1.0, 0.0}).highlight());
 }
+
+TEST_CASE("light_shading: a pane mirrors a light with both its faces, from either side") {
+  Bench bench = glossy(0.5f, {0.0, -1.0, 0.0});
+  bench.glass_is_pane = true;
+  // Index 1.5, roughness 0.4: alpha^2 = 0.0256. No metal, no thickness.
+  bench.materials = Image(Format::RGBA32F, 4, 1);
+  bench.materials.at(0, 0, 0) = 1.5f;
+  bench.materials.at(0, 0, 3) = -1.0f;
+  bench.materials.at(2, 0, 3) = 0.4f;
+  const double lobe = 100.0 / (4.0 * 3.14159265 * 0.0256);
+  for (const float side : {1.0f, -1.0f}) {
+    bench.glass = filled(1, 1, {0.5f, 2.0f, -0.5f, side});
+    bench.glass_normal = filled(1, 1, {0.0f, side, 0.0f, 0.0f});
+    CHECK(bench.highlight("caster_highlight").x == Approx(0.08 / 1.04 * lobe).epsilon(1e-5));
+  }
+}

@@ -29,6 +29,7 @@ CHOICE(has_highlights)
 CHOICE(is_layer)               // of blended surfaces, or of what only glass shows: not of every pixel; 2: and
                                // of several surfaces one behind the other
 CHOICE(casters_shine)          // the picture shows glass and metal before its surfaces
+CHOICE(has_walls)              // and some of that has no thickness
 vec3 forward;                  // the way it looks
 int is_perspective;            // 0: all its rays run along that
 CHOICE(samples_across)         // of a caustic's mean over a pixel, at most, along an axis; 0: no such mean

@@ -1,7 +1,17 @@
 #include "passes/pane_light/pane_light.hpp"
 
-#include "passes/shared/pane_uniforms.hpp"
+#include "passes/shared/material_uniforms.hpp"
+#include "pipeline/scene/cube_view.hpp"
+#include "pipeline/scene/material_optics.hpp"
 #include "pipeline/settings/settings.hpp"
+
+namespace caustics::std140 {
+
+struct PaneLight {
+#include "passes/pane_light/pane_light_uniforms.glsl"
+};
+
+}  // namespace caustics::std140
 
 namespace caustics {
 
@@ -26,12 +36,27 @@ int before_casters(const PassContext& context) {
   return context.drawn_for && context.drawn_for->label == kCasters.label ? 1 : 0;
 }
 
-std140::Pane pane_light_uniforms(const PassContext& context) {
+std140::PaneLight pane_light_uniforms(const PassContext& context) {
   const LightViews& views = *context.views;
   const View& seen = before_casters(context) ? views.caster : views.panes;
-  std140::Pane u = pane_uniforms(seen, context.light->position, context);
-  u.shadow_view = shader_view(views.shadow);
-  return u;
+  const Material& m = *context.material;
+  const bool blended = context.surface_role().blended;
+  return {.view = shader_view(seen),
+          .map_side = seen.cube.value_or(CubeAtlas{}).side,
+          .eye = glm::vec3(context.light->position),
+          .forward = glm::vec3(seen.forward),
+          .color = glm::vec3(m.base_color),
+          .ior = m.ior,
+          .fresnel = m.fresnel_factor,
+          .transmitted = transmission_factor(m),
+          .has_transmission = m.transmission_texture.present() ? 1 : 0,
+          .transmission_uv = std140::texture_transform(m.transmission_texture),
+          .is_covering = m.alpha_mode == AlphaMode::Blend ? 1 : 0,
+          .has_base_color = m.base_color_texture.present() ? 1 : 0,
+          .base_color_uv = std140::texture_transform(m.base_color_texture),
+          .alpha_mask = blended ? std140::alpha_mask(m, kCoversAll) : std140::alpha_mask(m),
+          .is_blended = blended ? 1 : 0,
+          .shadow_view = shader_view(views.shadow)};
 }
 
 }  // namespace

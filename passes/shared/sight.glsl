@@ -192,6 +192,7 @@ struct Front {
   Meeting at;
   CasterTriangle triangle;
   Material material;
+  Vec3 highlight;  // radiance that it mirrors of the lights
 };
 
 // Water whose light is not followed is in no hierarchy: what the view shows of it is all that there is.
@@ -215,6 +216,7 @@ Front front_at(Vec4 position, Int column, Int row) {
   front.at = meeting_in_view(position, normal);
   front.at.plane = plane_of(front.triangle, front.at.outward);
   front.at.number = number;
+  front.highlight = Vec3(0.0f);
   return front;
 }
 
@@ -238,6 +240,15 @@ struct Ways {
   Sight mirrored;
 };
 
+// What a pane does not let through is a layer over all that it shows (view_surfaces): over what it mirrors, too.
+void pass_wall(IN(Surface) surface, IN(Material) material, INOUT(Sight) back, INOUT(Sight) on) {
+  Float beside_layer = max_of(1.0f - material.covers * (1.0f - material.transmitted), 1.0e-3f);
+  Vec3 passing = color_behind(surface, material, Bool(false)) * (1.0f - surface.mirrored);
+  back.through = sel(material.thin, back.through * (1.0f / beside_layer), back.through);
+  back.aside = sel(material.thin, back.aside * (material.covers / beside_layer), back.aside);
+  on.through = sel(material.thin, passing * (1.0f / beside_layer), on.through);
+}
+
 Ways ways_from(IN(Front) drawn, Bool seen) {
   Front front = drawn;
   if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
@@ -248,7 +259,7 @@ Ways ways_from(IN(Front) drawn, Bool seen) {
   back.ray = ray_from(front.at.point, direction_behind(surface, sight, Bool(true)));
   back.own = front.at.number;
   back.media = Vec4(u.eye_media);
-  back.aside = Vec3(0.0f);
+  back.aside = front.highlight;
   back.mirrored = Bool(true);
   Vec3 color = color_behind(surface, front.material, Bool(true));
   back.through = sel(front.material.mirror, color, Vec3(surface.mirrored));
@@ -256,10 +267,12 @@ Ways ways_from(IN(Front) drawn, Bool seen) {
   if (u.has_rough != 0) back.blur = blur_by(surface, front.material, front.at, Bool(true));
   back.under_way = seen;
   Sight on = back;
+  on.aside = Vec3(0.0f);
   on.ray = ray_from(front.at.point, surface.bent.direction);
   on.media = both.media;
   on.mirrored = Bool(false);
   on.through = front.material.color * (1.0f - surface.mirrored);
+  if (u.has_walls != 0) pass_wall(surface, front.material, back, on);
   on.through = sel(surface.one_way, Vec3(0.0f), on.through);
   if (u.has_rough != 0) on.blur = blur_by(surface, front.material, front.at, Bool(false));
   on.under_way = seen && !surface.one_way;

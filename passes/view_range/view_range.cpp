@@ -35,7 +35,7 @@ Pass view_range_pass() {
                 {.name = "view_normal", .meaning = "their depth"},
                 {.name = "view_caster_position",
                  .meaning = "glass and mirrors",
-                 .texture = "caster_position.camera",
+                 .texture_by = casters_beyond_panes,
                  .optional = true}},
       .writes = {{.name = "view_range",
                   .meaning = "x: depth of the first surface along the camera's axis, metres, 1e30 where "

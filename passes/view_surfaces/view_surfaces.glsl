@@ -189,15 +189,11 @@ Answer coated(Vec3 base, IN(Finish) finish, Vec3 shading) {
   return answer;
 }
 
-// A pane's layer: view_panes takes its share of it as of all that the picture shows behind the pane, and adds
-// what both faces mirror.
-Answer under_pane(IN(PaneLayer) layer, Vec3 base, IN(Finish) finish, Vec3 n) {
+// A pane's layer has what both faces leave; what they mirror `glass` adds.
+Answer under_pane(Vec3 base, IN(Finish) finish, Vec3 n) {
   Float r = pane_reflectance(facing_here(n), u.pane_ior) * u.coat;
-  Vec3 left = pane_passes(layer, base, r) * (1.0f / layer_passes(layer));
-  Vec3 scattered = base * ((1.0f - finish.metallic) * ((1.0f - r) / (1.0f + r)));
   Answer answer;
-  answer.albedo = Vec3(scattered.x / max_of(left.x, 1.0e-4f), scattered.y / max_of(left.y, 1.0e-4f),
-                       scattered.z / max_of(left.z, 1.0e-4f));
+  answer.albedo = base * ((1.0f - finish.metallic) * ((1.0f - r) / (1.0f + r)));
   answer.reflectance = Vec3(0.0f);
   answer.shown = Float(1.0f);
   return answer;
@@ -209,7 +205,7 @@ Answer in_layer(IN(Answer) whole, Vec4 base, IN(Finish) finish, Vec3 n) {
   answer.shown = base.w;
   if (u.is_partly_diffuse != 0) {
     PaneLayer layer = layer_here(base.w);
-    if (u.is_pane != 0) answer = under_pane(layer, Vec3(base), finish, n);
+    if (u.is_pane != 0) answer = under_pane(Vec3(base), finish, n);
     answer.shown = 1.0f - layer_passes(layer);
   }
   return answer;

@@ -15,17 +15,18 @@ std::string counted(std::size_t n, const std::string& singular) {
 }
 
 void add_seen_casters(const Scene& scene, const View* camera, Effects& effects) {
-  std::size_t refractors = 0, mirrors = 0, hidden = 0;
+  std::size_t refractors = 0, mirrors = 0, panes = 0, hidden = 0;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Role role = effects.surfaces[i].role;
-    if (!is_caster(role)) continue;
+    if (!is_on_the_way(effects.surfaces[i])) continue;
     // Waves may carry water anywhere.
     const bool seen = !camera || effects.water_waves.active || may_see(*camera, bounds_of(scene.meshes[i]));
-    (!seen ? hidden : role == Role::Mirror ? mirrors : refractors) += 1;
+    (!seen ? hidden : role == Role::Mirror ? mirrors : role == Role::ThinPane ? panes : refractors) += 1;
   }
-  const bool any = refractors + mirrors > 0;
+  const bool any = refractors + mirrors + panes > 0;
+  const std::string besides = panes > 0 ? ", " + counted(panes, "pane") + " for both" : "";
   effects.seen_casters = {any, any ? counted(refractors, "refractor") + " to look through, " +
-                                         counted(mirrors, "mirror") + " to look into"
+                                         counted(mirrors, "mirror") + " to look into" + besides
                                : hidden > 0 ? "no refractor and no mirror in the camera's view"
                                             : "no refractor to look through, no mirror to look into"};
 }

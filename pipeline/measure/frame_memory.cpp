@@ -75,7 +75,6 @@ std::uint64_t drawing_bytes(const PlannedPass& pass, const FrameCost& cost) {
     case DrawSet::Casters:
     case DrawSet::Shadowing:
     case DrawSet::SolidCasters:
-    case DrawSet::ThinPanes:
     case DrawSet::LightTinters:
       break;
   }

@@ -338,7 +338,9 @@ class Planner {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
     if (read.of_picture && drawn_for.camera != CameraView::Picture) return PlannedPass::kNothing;
-    const std::string name(read.texture.empty() ? read.name : read.texture);
+    const std::string name(read.texture_by         ? read.texture_by(effects_)
+                           : !read.texture.empty() ? read.texture
+                                                   : read.name);
     if (read.layer != OfLayer::None) return of_layer(name, read.layer, drawn_for);
     if (read.of_same_start) return of_same_start(name, user);
     // A branch's own comes before what the first branch, which bears the light's name, has under the label.

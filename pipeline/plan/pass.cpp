@@ -27,13 +27,11 @@ bool draws_mesh(DrawSet draws, const DrawnFor& drawn_for, const Effects& effects
       return drawn_for.layer > 0 ? is_layered(role)
                                  : role.role == Role::Receiver && may_be_hidden(drawn_for, mesh, light);
     case DrawSet::Casters:
-      return is_caster(role.role);
+      return is_caster(role.role) || (drawn_for.with_panes && role.role == Role::ThinPane);
     case DrawSet::Shadowing:
       return role.role == Role::Receiver || (light && light->casters_shadow && is_caster(role.role));
     case DrawSet::SolidCasters:
       return role.role == Role::Refractor && role.two_interfaces;
-    case DrawSet::ThinPanes:
-      return role.role == Role::ThinPane;
     case DrawSet::LightTinters:
       return tints_light(role);
     case DrawSet::FullScreen:

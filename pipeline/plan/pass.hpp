@@ -50,7 +50,8 @@ struct DrawnFor {
   MapWindow window = MapWindow::Whole;
   CameraView camera = CameraView::Picture;
   TargetSize (*size)(const Settings&, const Effects&, const LightEffects*) = nullptr;  // null: the pass's
-  int layer = 0;  // of the blended surfaces in a pixel: 1, the nearest, to kMostLayers; 0: no such
+  int layer = 0;            // of the blended surfaces in a pixel: 1, the nearest, to kMostLayers; 0: no such
+  bool with_panes = false;  // of Casters: thin panes as well
   Effect Effects::*also = nullptr;                // needed beside the pass's own effects
   bool (*lights)(const LightEffects&) = nullptr;  // which of the lights need it; null: all
   std::string_view reason{};                      // why a frame needs it; empty: for the pass's reason
@@ -82,9 +83,21 @@ inline constexpr DrawnFor kHiddenMirrored{
 // has such draws beside them.
 std::vector<DrawnFor> with_layers(std::vector<DrawnFor> drawn_for);
 std::string_view layer_label(int layer);
-// What the lights draw, drawn for the camera.
-inline constexpr DrawnFor kCamera{
-    .label = "camera", .also = &Effects::seen_casters, .reason = "the camera sees casters, and through them"};
+// What the lights draw, drawn for the camera: what it looks through and into; and what of that is no pane,
+// which positions, haze and statements pass.
+inline constexpr DrawnFor kCamera{.label = "camera",
+                                  .with_panes = true,
+                                  .also = &Effects::seen_casters,
+                                  .reason = "the camera sees casters, and through them"};
+inline constexpr DrawnFor kCameraBeyondPanes{
+    .label = "beyond_panes", .also = &Effects::thin_panes, .reason = "panes hide nothing from the camera"};
+inline constexpr std::string_view kCastersBeyondPanes = "caster_position.beyond_panes";
+inline std::string_view casters_beyond_panes(const Effects& effects) {
+  return effects.thin_panes.active ? kCastersBeyondPanes : "caster_position.camera";
+}
+inline std::string_view normals_beyond_panes(const Effects& effects) {
+  return effects.thin_panes.active ? "caster_normal.beyond_panes" : "caster_normal.camera";
+}
 inline constexpr DrawnFor kLight{.each = Each::Light};
 inline constexpr DrawnFor kLightFar{.each = Each::Light,
                                     .label = "far",
@@ -126,7 +139,6 @@ enum class DrawSet : std::uint8_t {
   Casters,       // every Refractor and Mirror
   Shadowing,     // every Receiver, and with LightEffects::casters_shadow every Refractor and Mirror
   SolidCasters,  // every Refractor with two interfaces
-  ThinPanes,     // every ThinPane
   LightTinters,  // every ThinPane, and what is blended
   GridVertices,  // grid * grid points
   GridColumns,   // grid points
@@ -230,7 +242,8 @@ enum class OfLayer : std::uint8_t { None, Before, First, Behind };
 struct Read {
   std::string_view name;
   std::string_view meaning;
-  std::string_view texture{};              // another name than the shader has for it
+  std::string_view texture{};                                // another name than the shader has for it
+  std::string_view (*texture_by)(const Effects&) = nullptr;  // likewise, where effects choose it
   bool of_material = false;                // the drawn surface's material's, instead of one of the frame
   bool discards_where_zero = false;        // as TextureRead has it
   bool layers_discard_where_zero = false;  // likewise, of instances of layers

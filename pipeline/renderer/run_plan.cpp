@@ -78,7 +78,6 @@ class PassRunner {
       case DrawSet::Casters:
       case DrawSet::Shadowing:
       case DrawSet::SolidCasters:
-      case DrawSet::ThinPanes:
       case DrawSet::LightTinters:
         add_mesh_draws(pass, planned, context, run);
         break;

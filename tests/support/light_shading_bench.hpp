@@ -31,6 +31,7 @@ struct LightShadingBench {
   bool highlights = false;
   std::optional<View> camera{};
   Image specular{}, glass{}, glass_normal{}, materials{};
+  bool glass_is_pane = false;
   Image lift{};
 
   UniformBytes uniforms(const Pass& pass, const DrawnFor* drawn_for = nullptr) const {
@@ -48,6 +49,7 @@ struct LightShadingBench {
     effects.hidden_receivers.active = !far_receiver.values.empty();
     effects.highlights.active = highlights;
     effects.seen_casters.active = !glass.values.empty();
+    if (glass_is_pane) effects.surfaces = {{.role = Role::ThinPane}};
     if (caustics) effects.expectations = {{0, 0, true, ""}};
     View view = down(4.0, 10.0, 20.0);
     if (light.type != LightType::Directional) {

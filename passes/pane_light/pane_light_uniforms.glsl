@@ -1,8 +1,5 @@
-Sky sky;
 View view;            // the view drawn into
 int map_side;         // of a cube's map, texels
-CHOICE(shows_mirror)  // write what the pane mirrors, not what it lets through
-CHOICE(shows_light)   // and of that, what it mirrors of the light, not of all around
 vec3 eye;             // where a perspective view's rays start
 vec3 forward;         // the view's axis, the way of parallel rays
 vec3 color;           // base colour
@@ -12,7 +9,6 @@ float transmitted;    // share of what is not mirrored that goes through, times 
 int has_transmission;
 TextureTransform transmission_uv;
 int is_covering;      // opacity counts as coverage
-int has_layer;        // what is not let through is a layer in the picture (view_surfaces)
 int has_base_color;   // a texture
 TextureTransform base_color_uv;
 AlphaMask alpha_mask;   // of a blended surface: what is not opaque
@@ -20,5 +16,3 @@ int is_blended;         // a surface that covers a share of what lies behind, no
 View shadow_view;     // of a light: the view of shadow_depth
 CHOICE(has_shadow_map)
 CHOICE(before_casters)  // keep what lies before casters, not all before opaque surfaces
-Light light;
-float roughness;

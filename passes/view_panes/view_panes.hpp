@@ -1,9 +1,0 @@
-#pragma once
-#include "pipeline/plan/pass.hpp"
-
-namespace caustics {
-
-// view_panes.md says what this pass is for, what it reads and writes, and what can go wrong.
-Pass view_panes_pass();
-
-}  // namespace caustics
