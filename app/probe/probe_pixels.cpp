@@ -14,8 +14,6 @@ std::array<float, 3> color_at(const RenderedFrame& frame, const std::string& tex
   return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
-constexpr const char* kSeenCasters = "caster_position.camera";
-
 // How far in front of the camera the surface of a texture lies; none where it has none there.
 std::optional<double> depth_at(const RenderedFrame& frame, const std::string& texture, int x, int y) {
   if (!frame.has(texture)) return {};
@@ -28,7 +26,8 @@ std::optional<double> depth_at(const RenderedFrame& frame, const std::string& te
 
 // What the camera sees at a pixel, as far as its light is told.
 std::string seen_at(const RenderedFrame& frame, int x, int y) {
-  const std::optional<double> caster = depth_at(frame, kSeenCasters, x, y);
+  const std::optional<double> caster =
+      depth_at(frame, std::string(casters_beyond_panes(frame.effects())), x, y);
   const std::optional<double> surface = depth_at(frame, "view_position", x, y);
   if (caster && (!surface || *caster < *surface))
     return "glass or metal; the light below is that of the surface straight behind it";
@@ -38,8 +37,8 @@ std::string seen_at(const RenderedFrame& frame, int x, int y) {
 }  // namespace
 
 PlanGoal goal_of_pixels() {
-  PlanGoal goal = goal_with_ledgers({"picture", "view_position"});
-  goal.beside.emplace_back(kSeenCasters);
+  PlanGoal goal = goal_with_ledgers({"picture", "view_position", std::string(kCastersBeyondPanes)});
+  goal.beside.emplace_back("caster_position.camera");
   return goal;
 }
 

@@ -50,16 +50,13 @@ Pass caster_map_pass() {
                  .of_material = true,
                  .only_with = are_tinted}},
       .writes = {{.name = "caster_position",
-                  .meaning = "xyz: position of the caster's surface, metres, scene space; w: 1 a "
-                             "front face, -1 a back face, 0 no caster"},
+                  .meaning =
+                      "xyz: position of the caster's surface, metres, scene space; w: 0 no caster, 1, or "
+                      "2 + the triangle's number in the hierarchy; negative on a back face"},
                  {.name = kCasterNormal,
                   .meaning =
                       "xyz: unit shading normal, leaned by a normal texture, outward, scene space; w: row of "
                       "the material in caster_materials"},
-                 {.name = kCasterTriangle,
-                  .format = Format::R32F,
-                  .meaning = "number of the triangle in the hierarchy plus 1, 0 no caster",
-                  .needed_if = with_any<&Effects::further_surfaces, &Effects::seen_casters>},
                  {.name = "caster_tint",
                   .meaning =
                       "rgb: what glass lets through, or metal mirrors at normal incidence, 0..1; w: 1 where "

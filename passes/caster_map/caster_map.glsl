@@ -6,9 +6,8 @@
 #ifndef VERTEX_STAGE
 OUTPUT(0, Vec4, caster_position)
 OUTPUT(1, Vec4, caster_normal)
-OUTPUT(2, Float, caster_triangle)
 #ifdef TINTED
-OUTPUT(3, Vec4, caster_tint)
+OUTPUT(2, Vec4, caster_tint)
 
 // What glass lets through of each channel, or metal mirrors of it at normal incidence.
 Vec3 caster_color_here() {
@@ -23,10 +22,10 @@ Vec3 caster_color_here() {
 
 void main() {
   discard_if(is_not_drawn() || is_edge_on(surface_position));
-  caster_position = Vec4(surface_position, sel(front_facing(), Float(1.0f), Float(-1.0f)));
+  Float number = Float(0.0f);
+  if (u.first_triangle >= 0) number = Float(primitive_id() + u.first_triangle + 1);
+  caster_position = Vec4(surface_position, sel(front_facing(), number + 1.0f, -1.0f - number));
   caster_normal = Vec4(caster_normal_here(), Float(u.material_row));
-  caster_triangle = Float(0.0f);
-  if (u.first_triangle >= 0) caster_triangle = Float(primitive_id() + u.first_triangle + 1);
 #ifdef TINTED
   caster_tint = Vec4(caster_color_here(), Float(1.0f));
 #endif

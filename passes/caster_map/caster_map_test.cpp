@@ -21,12 +21,12 @@ TEST_CASE("caster_map: a grid vertex has a position, a unit normal and its mater
   const glm::vec4 position = texel(out["caster_position"], 2, 2);
   CHECK(position.x == Approx(-0.375));
   CHECK(position.y == Approx(1.0));
-  CHECK(position.w == 1.0f);
+  CHECK(position.w == 2.0f);  // a front face, of the first triangle
   CHECK(texel(out["caster_normal"], 2, 2) == glm::vec4(0.0f, 1.0f, 0.0f, 3.0f));
 }
 
 TEST_CASE("caster_map: a back face is kept and marked") {
-  CHECK(seen_by_light(caster_map_pass(), kBack)["caster_position"].at(3, 3, 3) == -1.0f);
+  CHECK(seen_by_light(caster_map_pass(), kBack)["caster_position"].at(3, 3, 3) == -3.0f);
 }
 
 TEST_CASE(
@@ -34,10 +34,10 @@ TEST_CASE(
   const glm::vec3 corners[4] = {{-1, 2, 1}, {0, 2, 1}, {0, 2, -1}, {-1, 2, -1}};
   MeshData mesh = quad(corners, {0.0f, 2.0f, 0.0f});
   const PassImages front = seen_by_camera(caster_map_pass(), mesh);
-  CHECK(texel(front["caster_position"], 1, 1) == glm::vec4(-0.25f, 2.0f, 0.25f, 1.0f));
+  CHECK(texel(front["caster_position"], 1, 1) == glm::vec4(-0.25f, 2.0f, 0.25f, 2.0f));
   CHECK(texel(front["caster_normal"], 1, 1) == glm::vec4(0.0f, 1.0f, 0.0f, 3.0f));
   CHECK(texel(front["caster_position"], 2, 1) == glm::vec4(0.0f));
   std::swap(mesh.indices[1], mesh.indices[2]);
   std::swap(mesh.indices[4], mesh.indices[5]);
-  CHECK(seen_by_camera(caster_map_pass(), mesh)["caster_position"].at(1, 1, 3) == -1.0f);
+  CHECK(seen_by_camera(caster_map_pass(), mesh)["caster_position"].at(1, 1, 3) == -2.0f);
 }

@@ -153,7 +153,7 @@ TEST_CASE("textured_casters: seen from behind, the normal is still the outward o
   bench.normals = filled(1, 1, {1.0f, 0.5f, 1.0f, 1.0f});
   const PassImages out = bench.run(detailed_casters());
   check_direction(texel(out["caster_normal"], 3, 3), {1.0f, 1.0f, 0.0f});
-  CHECK(out["caster_position"].at(3, 3, 3) == -1.0f);
+  CHECK(out["caster_position"].at(3, 3, 3) == -3.0f);
   const PassImages exit = bench.run(detailed_exits_map());
   check_direction(texel(exit["caster_exit_normal"], 3, 3), {1.0f, 1.0f, 0.0f});
   CHECK(exit["caster_exit_normal"].at(3, 3, 3) == 1.0f);
@@ -196,7 +196,7 @@ TEST_CASE("textured_casters: an alpha mask cuts holes, on both sides of a caster
     const PassImages out = bench.run(pass);
     CHECK(out.result.samples_passed == 8);
     CHECK(out["caster_position"].at(3, 3, 3) == 0.0f);
-    CHECK(out["caster_position"].at(4, 3, 3) == 1.0f);
+    CHECK(out["caster_position"].at(4, 3, 3) == 2.0f);
   }
   bench.from_behind = true;
   const PassImages exit = bench.run(detailed_exits_map());

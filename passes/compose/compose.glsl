@@ -148,7 +148,8 @@ void main() {
     passes = sel(covered, 1.0f - colour.w, passes);
   } else if (u.layer != 0) {
     color = sel(covered, surface * colour.w, color);
-    passes = nearer.w * sel(covered, 1.0f - colour.w, Float(1.0f));
+    Bool takes = covered && !is_on_glass(texel_fetch(view_position, column, row));
+    passes = nearer.w * sel(takes, 1.0f - colour.w, Float(1.0f));
   } else {
     Vec3 background = backdrop_radiance(u.sky, ray_direction());
     color = sel(covered, surface * colour.w + background * (1.0f - colour.w), background);

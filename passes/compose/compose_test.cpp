@@ -329,8 +329,8 @@ TEST_CASE("compose: occlusion keeps the environment's light away, diffuse and mi
 namespace {
 
 // A black surface of alpha 0.25, of a layer or behind all layers; `nearer`: radiance of the nearer layers and
-// how much passes them; `first`: w of the nearest's position.
-glm::vec4 composed(int number, const glm::vec4& nearer, float first) {
+// how much passes them; `first`: w of the nearest's position; `own`: of its own.
+glm::vec4 composed(int number, const glm::vec4& nearer, float first, float own = 1.0f) {
   const Pass pass = compose_pass();
   const auto is_layer = [&](const DrawnFor& each) { return each.layer == number; };
   const DrawnFor& drawn_for = *std::find_if(pass.drawn_for.begin(), pass.drawn_for.end(), is_layer);
@@ -349,7 +349,7 @@ glm::vec4 composed(int number, const glm::vec4& nearer, float first) {
                                                     .width = 1,
                                                     .height = 1,
                                                     .drawn_for = &drawn_for}),
-                         .textures = {all(glm::vec4(1.0f)), all({0, 1, 0, 10}), all(albedo), Image{},
+                         .textures = {all(glm::vec4(own)), all({0, 1, 0, 10}), all(albedo), Image{},
                                       all(glm::vec4(kPi)), Image{}, Image{}, Image{}, Image{}, Image{},
                                       all(nearer), all(glm::vec4(first))}})["scene_color"],
                0, 0);
@@ -364,6 +364,11 @@ TEST_CASE("compose: a black sheet of alpha 0.25 lets 0.75 of a white floor throu
   const glm::vec4 two = composed(2, one, 1.0f);
   CHECK(two.w == 0.5625f);
   CHECK(composed(0, two, 1.0f).x == Approx(0.5625));
+}
+
+TEST_CASE("compose: what glass scatters takes nothing from what lies behind, which `glass` has dimmed") {
+  CHECK(composed(1, {}, 3.0f, 3.0f).w == 1.0f);
+  CHECK(composed(2, {0.0f, 0.0f, 0.0f, 0.5f}, 2.0f, 3.0f).w == 0.5f);
 }
 
 TEST_CASE("compose: what shines in a nearer layer is kept, and what lies before glass left to it") {

@@ -11,13 +11,13 @@ TEXTURE(2, behind_color)
 TEXTURE(3, mirrored_color)
 TEXTURE(4, view_caster_position)
 TEXTURE(5, view_caster_normal)
-TEXTURE(6, view_caster_triangle)
-TEXTURE(7, caster_materials)
-TEXTURE(8, hierarchy_nodes)
-TEXTURE(9, hierarchy_triangles)
-TEXTURE(10, hierarchy_normals)
-TEXTURE(11, environment)
-TEXTURE(12, caster_highlight)
+TEXTURE(6, caster_materials)
+TEXTURE(7, hierarchy_nodes)
+TEXTURE(8, hierarchy_triangles)
+TEXTURE(9, hierarchy_normals)
+TEXTURE(10, environment)
+TEXTURE(11, caster_highlight)
+TEXTURE(12, highlight_through_panes)
 TEXTURE(13, layers)
 TEXTURE(14, first_layer)
 TEXTURE(15, caster_texels)
@@ -34,6 +34,11 @@ OUTPUT(0, Vec4, beauty)
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/shown_point.glsl"
 Vec3 radiance_aside(Vec3 direction, Bool is_mirrored) { return sky_in_glass(u.sky, direction, is_mirrored); }
+// Radiance that the first glass or metal behind panes mirrors of the lights. What the frame lacks is one
+// texel of zeros.
+Vec3 beyond_panes() {
+  return Vec3(fetch_clamped(highlight_through_panes, floor_to_int(frag_x()), floor_to_int(frag_y())));
+}
 #include "passes/shared/sight.glsl"
 
 // The radiance of what the picture does not show, which stands in every second row and column: the mean over
@@ -121,9 +126,9 @@ Vec3 color_at(Vec3 p, Float nearest, Vec3 otherwise) {
 Float nothing_nearer() { return Float(-1.0e30f); }
 
 // Of a receiver that the picture does not show. Where no ray beside this one has found such, it is at the
-// edge of what the picture shows.
-Vec3 color_of_hidden(Vec3 p, Texture ends, Vec3 sky) {
-  Vec4 own = hidden_color(ends);
+// edge of what the picture shows. `asks`: whether hidden rays have gone the same way.
+Vec3 color_of_hidden(Vec3 p, Texture ends, Bool asks, Vec3 sky) {
+  Vec4 own = sel(asks, hidden_color(ends), Vec4(0.0f));
   Float there = own.w;
   Vec3 otherwise = sky;
   Bool at_edge = there == 0.0f;
@@ -137,11 +142,11 @@ Vec3 color_of_hidden(Vec3 p, Texture ends, Vec3 sky) {
 
 // Radiance of a receiver towards the camera, which stands for that towards the ray; of what the picture does
 // not show, its own; where there is none, the sky's in the ray's direction.
-Vec3 radiance_at(IN(SightEnd) end, Texture ends) {
+Vec3 radiance_at(IN(SightEnd) end, Texture ends, Bool asks) {
   Vec3 color = sky_in_glass(u.sky, end.sight.ray.direction, end.sight.mirrored);
   Bool shown = is_shown(end);
   Bool hidden = end.lands && !shown;
-  if (any_lane(hidden)) color = sel(hidden, color_of_hidden(end.point, ends, color), color);
+  if (any_lane(hidden)) color = sel(hidden, color_of_hidden(end.point, ends, asks, color), color);
   if (any_lane(shown)) color = sel(shown, Vec3(color_between(end.point, Vec2(0.0f))), color);
   return color;
 }
@@ -198,15 +203,40 @@ Vec3 color_of_sheets(IN(SightEnd) end, Vec3 behind, Texture ends) {
   return sel(takes, Vec3(seen), color);
 }
 
+Vec3 seen_at(IN(SightEnd) end, Bool wanted, Texture ends, Bool asks) {
+  Vec3 color = radiance_at(end, ends, asks);
+  if (u.has_rough != 0) {
+    Bool rough = wanted && end.sight.blur > 0.0f;
+    if (any_lane(rough)) color = sel(rough, spread_radiance(end, color), color);
+  }
+  return color;
+}
+
+// By the way that has more than all others that are not taken, unless less than a tenth is left by it, summed
+// over three channels; from twice that on it counts in full. So clear glass mirrors within only where it
+// slants. Of what that way meets, weaker ways bring the sky.
+Vec3 radiance_of_weaker(IN(Sight) weaker, Bool wanted, Texture ends) {
+  Float counts = clamp_to(sum_of(weaker.through) * 10.0f - 1.0f, 0.0f, 1.0f);
+  Bool follows = wanted && weaker.under_way && counts > 0.0f;
+  Vec3 sum = weaker.through * radiance_aside(weaker.ray.direction, weaker.mirrored);
+  if (any_lane(follows)) {
+    Sight way = weaker;
+    way.under_way = follows;
+    SightEnd end = end_of_sight(way, Float(0.0f));
+    Vec3 color = seen_at(end, follows, ends, Bool(false));
+    Vec3 aside = end.weaker.through * radiance_aside(end.weaker.ray.direction, end.weaker.mirrored);
+    Vec3 found = end.sight.aside + end.sight.through * color + (aside + end.sheet.through * color);
+    sum = sel(follows, found * counts + sum * (1.0f - counts), sum);
+  }
+  return sum;
+}
+
 // `ends`: the radiance of what the picture does not show.
 Vec3 radiance_along(IN(Sight) from, Texture ends) {
   SightEnd end = end_of_sight(from, Float(0.0f));
-  Vec3 color = radiance_at(end, ends);
-  if (u.has_rough != 0) {
-    Bool rough = from.under_way && end.sight.blur > 0.0f;
-    if (any_lane(rough)) color = sel(rough, spread_radiance(end, color), color);
-  }
+  Vec3 color = seen_at(end, from.under_way, ends, Bool(true));
   Vec3 sum = end.sight.aside + end.sight.through * color;
+  if (any_lane(from.under_way)) sum = sum + radiance_of_weaker(end.weaker, from.under_way, ends);
   if (u.has_sheets != 0) {
     Bool any = sum_of(end.sheet.through) > 0.0f;
     if (any_lane(any)) sum = sum + end.sheet.through * color_of_sheets(end, color, ends);

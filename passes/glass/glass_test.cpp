@@ -101,18 +101,17 @@ struct Bench {
                           .blends = 0,
                           .several_rays = several_rays};
     // On the second of the uppermost face's triangles.
-    const auto level = [&](float height) { return filled(1, 1, {at.x, height, at.y, 1.0f}); };
+    const auto level = [&](float height) { return filled(1, 1, {at.x, height, at.y, 3.0f}); };
     Image floor_position(Format::RGBA32F, shown.width(), 1);
     for (int x = 0; x < shown.width(); ++x)
       for (int c = 0; c < 4; ++c) floor_position.at(x, 0, c) = glm::vec4(at.x, picture_height, at.y, 1.0f)[c];
-    const Image beauty =
-        run_pass(definition_of(glass_pass()),
-                 {.uniforms = uniform_bytes(u),
-                  .textures = {shown, in_picture ? floor_position : Image{}, hidden, hidden,
-                               glass_in_picture ? level(tops.front()) : Image{},
-                               filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), filled(1, 1, glm::vec4(2.0f)),
-                               materials, tables.nodes, tables.triangles, tables.normals, Image{},
-                               filled(1, 1, glm::vec4(highlight))}})["beauty"];
+    const Image beauty = run_pass(
+        definition_of(glass_pass()),
+        {.uniforms = uniform_bytes(u),
+         .textures = {shown, in_picture ? floor_position : Image{}, hidden, hidden,
+                      glass_in_picture ? level(tops.front()) : Image{},
+                      filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), materials, tables.nodes, tables.triangles,
+                      tables.normals, Image{}, filled(1, 1, glm::vec4(highlight))}})["beauty"];
     return beauty.at(0, 0, 0);
   }
 };
@@ -219,7 +218,8 @@ TEST_CASE("glass: behind glass what lets a share through scatters the rest") {
   bench.hidden = filled(1, 1, {3.0f, 3.0f, 3.0f, 0.0f});
   bench.tops = {8.0f, 3.0f};
   bench.transmitted = 0.5f;
-  CHECK(bench.seen() == Approx(0.5 + 0.5 * 3.0));
+  // What the first scatters is a layer of the picture's.
+  CHECK(bench.seen() == Approx(0.5 * (0.5 + 0.5 * 3.0)));
 }
 
 TEST_CASE("glass: what hidden rays have found holds the share of blended surfaces, or else none of them") {
@@ -238,8 +238,9 @@ TEST_CASE("glass: the last surfaces are passed straight on") {
   bench.ior = 10.0f;
   bench.surfaces = 0;
   CHECK(bench.seen() == Approx(0.330579 * 1.0 + 0.669421 * 0.5));
+  // What comes through the second surface has enough to be followed to the floor, too.
   bench.surfaces = 8;
-  CHECK(bench.seen() == Approx(0.5));
+  CHECK(bench.seen() == Approx(0.5 + 0.330579 * 0.330579 * 0.5));
 }
 
 // The pixel is 8 m wide. Its rays go .0625 and .1875 of that to either side of x = -2.5: to -2 and -3, then
@@ -312,10 +313,10 @@ TEST_CASE("glass: rough walls bend nothing, mirror 2 R / (1 + R), and each tints
   Bench bench;
   bench.roughness = 0.5f;
   bench.thin = true;
-  bench.tint = 0.5f;
-  // The plate's two faces are two walls; what the second mirrors counts as let through.
-  const double passes = 1.0 - 2.0 * 0.04 / 1.04;
-  CHECK(bench.seen() == Approx(passes * 0.25 + (1.0 - passes) * 0.5));
+  bench.tint = 0.4f;
+  // The plate's two faces are two walls; what the second mirrors brings the sky.
+  const double mirrored = 2.0 * 0.04 / 1.04, left = 0.4 * (1.0 - mirrored);
+  CHECK(bench.seen() == Approx(mirrored * 0.5 + left * (left + mirrored * 0.5)));
 }
 
 TEST_CASE("glass: a pane that is there in part mirrors and tints by its coverage") {
@@ -328,19 +329,51 @@ TEST_CASE("glass: a pane that is there in part mirrors and tints by its coverage
   CHECK(bench.seen() == Approx(mirrored * 0.5 + passed * (mirrored * 0.5 + passed)));
 }
 
-TEST_CASE("glass: a pane's layer takes its share of what it mirrors too, which is shown as much brighter") {
+TEST_CASE("glass: the strongest of the weaker ways is followed, where it has a tenth or more") {
+  // Two walls of R = 0.08 / 1.04. What the second mirrors goes up through the first, from below, and there
+  // brings the sky's 0.5 by both ways.
+  Bench bench;
+  bench.thin = true;
+  bench.tint = 0.95f;
+  const double r = 0.08 / 1.04, left = (1.0 - r) * 0.95;
+  const double mirrored = left * 0.5 + r * 0.5;
+  CHECK(bench.seen() == Approx(r * 0.5 + left * (left + r * mirrored)));
+  // Of darker glass, by which 3 x 0.3 (1 - r) r = 0.064 would come, it brings the sky.
+  bench.tint = 0.3f;
+  const double dark = (1.0 - r) * 0.3;
+  CHECK(bench.seen() == Approx(r * 0.5 + dark * (dark + r * 0.5)));
+}
+
+TEST_CASE("glass: a pane mirrors all around and lights by its coverage, and lets its share through") {
+  // Two walls over nothing, of which each mirrors r of the sky's 0.5.
   Bench bench;
   bench.thin = true;
   bench.floor = false;
   bench.backdrop = 0.0f;
-  bench.transmitted = 0.5f;
-  bench.surfaces = bench.most_surfaces = 0;
-  CHECK(bench.seen() == Approx(0.5 * 0.08 / 1.04 / 0.5));
-  // A light's mirror image, too, and of that only what the pane covers.
+  bench.transmitted = 0.3f;
+  const auto expected = [](double covers, double highlight) {
+    const double r = covers * 0.08 / 1.04, left = 1.0 - covers + 0.3 * (covers - r);
+    return covers * highlight + r * 0.5 + left * r * 0.5;
+  };
+  CHECK(bench.seen() == Approx(expected(1.0, 0.0)));
   bench.highlight = 3.0f;
-  CHECK(bench.seen() == Approx((0.5 * 0.08 / 1.04 + 3.0) / 0.5));
+  CHECK(bench.seen() == Approx(expected(1.0, 3.0)));
   bench.covers = 0.25f;
-  CHECK(bench.seen() == Approx(0.25 * (0.5 * 0.08 / 1.04 + 3.0) / (1.0 - 0.25 * 0.5)));
+  CHECK(bench.seen() == Approx(expected(0.25, 3.0)));
+}
+
+TEST_CASE("glass: panes are none of the surfaces after which rays go straight on") {
+  // Behind 12 walls, of which each leaves a part of what it does not mirror.
+  Bench bench;
+  bench.thin = true;
+  bench.tint = 0.4f;
+  bench.tops = {9.5f, 8.0f, 6.5f, 5.0f, 3.5f, 2.0f};
+  bench.surfaces = 2;
+  bench.most_surfaces = 6;
+  const double r = 0.08 / 1.04, left = 0.4 * (1.0 - r);
+  double expected = 1.0;
+  for (int wall = 0; wall < 12; ++wall) expected = r * 0.5 + left * expected;
+  CHECK(bench.seen() == Approx(expected));
 }
 
 TEST_CASE("glass: a light's mirror image adds to what glass shows") {

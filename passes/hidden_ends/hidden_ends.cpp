@@ -33,7 +33,6 @@ Pass hidden_ends_pass() {
       .reads = {{.name = "picture_position", .meaning = "what the picture shows", .texture = "view_position"},
                 kReadSeenCasters,
                 kReadSeenNormals,
-                kReadSeenTriangles,
                 {.name = kCasterMaterials, .meaning = "indices, absorption, tint; receivers' colours"},
                 kReadHierarchyNodes,
                 kReadHierarchyTriangles,

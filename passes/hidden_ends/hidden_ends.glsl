@@ -1,5 +1,6 @@
 // What glass and metal show that the picture does not: where the camera's rays end. hidden_ends.md explains.
 #define SIGHT
+#define ONE_WAY
 #include "passes/shared/texture_transform.glsl"
 UNIFORMS_BEGIN
 #include "passes/hidden_ends/hidden_ends_uniforms.glsl"
@@ -7,12 +8,11 @@ UNIFORMS_END
 TEXTURE(0, picture_position)
 TEXTURE(1, view_caster_position)
 TEXTURE(2, view_caster_normal)
-TEXTURE(3, view_caster_triangle)
-TEXTURE(4, caster_materials)
-TEXTURE(5, hierarchy_nodes)
-TEXTURE(6, hierarchy_triangles)
-TEXTURE(7, hierarchy_normals)
-TEXTURE(8, caster_texels)
+TEXTURE(3, caster_materials)
+TEXTURE(4, hierarchy_nodes)
+TEXTURE(5, hierarchy_triangles)
+TEXTURE(6, hierarchy_normals)
+TEXTURE(7, caster_texels)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
@@ -25,8 +25,6 @@ OUTPUT(3, Vec4, view_emission)
 #include "passes/shared/cube_atlas.glsl"
 #include "passes/shared/view_space.glsl"
 #include "passes/shared/shown_point.glsl"
-// Only where ways end is asked for.
-Vec3 radiance_aside(Vec3 direction, Bool is_mirrored) { return Vec3(0.0f); }
 #include "passes/shared/sight.glsl"
 
 // How much of the receiver is shown: an added ground fades.

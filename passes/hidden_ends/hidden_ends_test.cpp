@@ -48,6 +48,7 @@ struct Bench {
     };
     put(0, 0, {1.0f, 0.0f, 0.0f, mirror ? 1.0f : 0.0f});
     put(0, 2, {1.0f, 1.0f, 1.0f, 0.0f});
+    put(0, 3, {1.0f, 0.0f, 0.0f, 0.0f});
     put(1, 0, {5.0f, 6.0f, 7.0f, 0.0f});
     put(1, 1, fade);
     put(1, 2, {0.25f, 0.5f, 0.75f, fade_to});
@@ -73,11 +74,12 @@ struct Bench {
                                .drawn_from = drawn_from,
                                .mirrors = mirrored};
     const auto level = [&](float height) { return filled(1, 1, {-0.5f, height, -0.25f, 1.0f}); };
-    return run_pass(definition_of(hidden_ends_pass(), {}, mirrored ? kHiddenMirrored : kHiddenBehind),
-                    {.uniforms = uniform_bytes(u),
-                     .textures = {in_picture ? level(0.0f) : Image{}, level(5.0f),
-                                  filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), filled(1, 1, glm::vec4(2.0f)),
-                                  materials, tables.nodes, tables.triangles, tables.normals, Image{}}});
+    return run_pass(
+        definition_of(hidden_ends_pass(), {}, mirrored ? kHiddenMirrored : kHiddenBehind),
+        {.uniforms = uniform_bytes(u),
+         .textures = {in_picture ? level(0.0f) : Image{}, filled(1, 1, {-0.5f, 5.0f, -0.25f, 3.0f}),
+                      filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f}), materials, tables.nodes, tables.triangles,
+                      tables.normals, Image{}}});
   }
 };
 

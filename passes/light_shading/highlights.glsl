@@ -39,13 +39,16 @@ Vec3 highlight_of_caster(IN(SurfacePoint) caster, IN(Material) material) {
   Float grazing = sel(material.mirror, Float(1.0f), material.fresnel);
   Vec3 reflectance =
       schlick_reflectance(facing_reflectance(material), grazing, highlight_cosine(v, -light.travel));
+  Vec3 tint = tint_at(caster, p);
   if (u.has_walls != 0) {
+    // A pane takes nothing from itself; what others before it take is not known apart.
+    tint = sel(material.thin, Vec3(1.0f), tint);
     Vec3 both_faces = reflectance * 2.0f / (reflectance + Vec3(1.0f));
     reflectance = sel(material.thin, both_faces, reflectance);
   }
   Float size = half_width(u.light, light);
   Float lobe = highlight_lobe(caster.normal, v, -light.travel, material.roughness, size);
-  return irradiance_by(light, caster, p, lit) * reflectance * lobe;
+  return irradiance_by(light, tint, lit) * reflectance * lobe;
 }
 
 // Of glass and metal before the surface: none on surfaces seen from inside, which panes are not.

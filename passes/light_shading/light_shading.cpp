@@ -64,10 +64,23 @@ glm::vec2 tile_reach(const View& view) {
                    static_cast<double>(view.cube->side));
 }
 
-// Those that the camera sees before all else.
+bool is_beyond_panes(const PassContext& context) {
+  return context.drawn_for && context.drawn_for->label == kLightBeyondPanes.label;
+}
+
+// Those that the camera sees before all else, or through panes. They mirror meshes that shine as such.
 int casters_shine(const PassContext& context) {
-  return context.of_picture() && context.layer() == 0 && context.effects->highlights.active &&
-         context.effects->seen_casters.active;
+  const bool shine = context.of_picture() && context.layer() == 0 && context.effects->highlights.active &&
+                     context.effects->seen_casters.active && context.light->emitter < 0;
+  return is_beyond_panes(context) ? 2 + (shine ? 0 : 1) : shine ? 1 : 0;
+}
+
+std::string_view casters_in_view(const Effects&, const DrawnFor& drawn_for) {
+  return drawn_for.label == kLightBeyondPanes.label ? kCastersBeyondPanes : "caster_position.camera";
+}
+
+std::string_view normals_in_view(const Effects&, const DrawnFor& drawn_for) {
+  return drawn_for.label == kLightBeyondPanes.label ? kNormalsBeyondPanes : "caster_normal.camera";
 }
 
 int has_walls(const PassContext& context) {
@@ -121,7 +134,7 @@ Pass light_shading_pass() {
       .purpose = "adds what one light gives to the surfaces in view, directly and by its caustics",
       .reason = "the light shines on what the camera sees",
       .when = {&Effects::light},
-      .drawn_for = with_layers({kLight, kLightBehind, kLightMirrored}),
+      .drawn_for = with_layers({kLight, kLightBehind, kLightMirrored, kLightBeyondPanes}),
       .reads = {{.name = "view_position",
                  .meaning = "the surfaces",
                  .layers_discard_where_zero = true,
@@ -162,12 +175,12 @@ Pass light_shading_pass() {
                  .only_towards = "highlight"},
                 {.name = "view_caster_position",
                  .meaning = "the glass and metal in view",
-                 .texture = "caster_position.camera",
+                 .texture_by = casters_in_view,
                  .optional = true,
                  .only_towards = "caster_highlight"},
                 {.name = "view_caster_normal",
                  .meaning = "its normals and materials",
-                 .texture = "caster_normal.camera",
+                 .texture_by = normals_in_view,
                  .optional = true,
                  .only_towards = "caster_highlight"},
                 {.name = kCasterMaterials,
@@ -182,15 +195,18 @@ Pass light_shading_pass() {
                  .needed_with = &Effects::smooth_shading}},
       .writes = {{.name = "direct",
                   .meaning = "rgb: direct irradiance after shadows, lux",
-                  .blend = kAccumulate},
+                  .blend = kAccumulate,
+                  .not_for = kLightBeyondPanes.label},
                  {.name = "caustic",
                   .meaning = "rgb: irradiance from caustics, lux",
                   .blend = kAccumulate,
-                  .needed_if = with<&Effects::caustics>},
+                  .needed_if = with<&Effects::caustics>,
+                  .not_for = kLightBeyondPanes.label},
                  {.name = "highlight",
                   .meaning = "rgb: radiance that the surface mirrors of the lights, nit",
                   .blend = kAccumulate,
-                  .needed_if = with<&Effects::highlights>},
+                  .needed_if = with<&Effects::highlights>,
+                  .not_for = kLightBeyondPanes.label},
                  {.name = "caster_highlight",
                   .meaning = "rgb: the same of glass and metal before it",
                   .blend = kAccumulate,

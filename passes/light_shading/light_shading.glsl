@@ -159,18 +159,24 @@ Vec3 through_medium(Vec3 position) {
 }
 #endif
 
-// By the share of the light that opaque surfaces and casters leave.
-Vec3 irradiance_by(IN(Incidence) light, IN(SurfacePoint) surface, IN(TangentPlane) p, Float lit) {
-  Float irradiance = light.facing * light.falloff * lit / light.spread;
+// What panes and blended surfaces leave of the light's colour on its way to a surface.
+Vec3 tint_at(IN(SurfacePoint) surface, IN(TangentPlane) p) {
   Vec3 tint = Vec3(1.0f);
   if (u.has_panes != 0) tint = through_panes(p.at);
   // Blended surfaces do not shadow one another.
   if (u.has_panes != 0 && u.is_layer != 0)
     tint = sel(is_blended(texel_fetch(view_position, surface.column, surface.row)), Vec3(1.0f), tint);
+  return tint;
+}
+
+// By the share of the light that opaque surfaces and casters leave.
+Vec3 irradiance_by(IN(Incidence) light, Vec3 tint, Float lit) {
+  Float irradiance = light.facing * light.falloff * lit / light.spread;
+  Vec3 left = tint;
 #ifdef HAZE
-  tint = tint * through_medium(light.at);
+  left = left * through_medium(light.at);
 #endif
-  return Vec3(u.light.intensity) * tint * irradiance;
+  return Vec3(u.light.intensity) * left * irradiance;
 }
 
 // What arrives at a surface: past what keeps it, and by casters.
@@ -193,7 +199,7 @@ Arrival arrival_at(IN(SurfacePoint) surface) {
 
   Float lit = lit_share(surface, p, triangle_normal, light.travel);
   if (u.has_caustic != 0) lit = lit * (1.0f - casters.shadowed);
-  arrival.direct = irradiance_by(light, surface, p, lit);
+  arrival.direct = irradiance_by(light, tint_at(surface, p), lit);
   return arrival;
 }
 
@@ -206,7 +212,7 @@ void main() {
   Vec3 arriving = Vec3(0.0f);
   Vec3 bent = Vec3(0.0f);
   Vec3 mirrored = Vec3(0.0f);
-  if (any_lane(surface.visible)) {
+  if (u.casters_shine < 2 && any_lane(surface.visible)) {
     Arrival arrival = arrival_at(surface);
     arriving = sel(surface.visible, arrival.direct, arriving);
     bent = sel(surface.visible, arrival.caustic, bent);
@@ -215,7 +221,7 @@ void main() {
       mirrored = sel(surface.visible, receiver_highlight(surface, all), mirrored);
   }
   Vec3 of_casters = Vec3(0.0f);
-  if (u.casters_shine != 0) of_casters = first_caster_highlight(surface);
+  if (u.casters_shine == 1 || u.casters_shine == 2) of_casters = first_caster_highlight(surface);
   direct = Vec4(arriving, Float(0.0f));
   caustic = Vec4(bent, Float(0.0f));
   highlight = Vec4(mirrored, Float(0.0f));

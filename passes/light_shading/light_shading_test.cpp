@@ -305,3 +305,30 @@ TEST_CASE("light_shading: a pane mirrors a light with both its faces, from eithe
     CHECK(bench.highlight("caster_highlight").x == Approx(0.08 / 1.04 * lobe).epsilon(1e-5));
   }
 }
+
+TEST_CASE(
+    "light_shading: glass and metal show no highlight of a mesh that shines, which they mirror as such") {
+  Bench bench = glossy(0.5f, {0.0, -1.0, 0.0});
+  bench.glass = filled(1, 1, {0.5f, 2.0f, -0.5f, 1.0f});
+  bench.glass_normal = filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f});
+  bench.materials = Image(Format::RGBA32F, 4, 1);
+  bench.materials.at(0, 0, 0) = 1.5f;
+  CHECK(bench.highlight("caster_highlight").x > 0.0f);
+  bench.light.emitter = 0;
+  CHECK(bench.highlight("caster_highlight") == glm::vec3(0.0f));
+}
+
+TEST_CASE("light_shading: what is seen through panes is asked for its highlight alone") {
+  Bench bench = glossy(0.5f, {0.0, -1.0, 0.0});
+  bench.glass = filled(1, 1, {0.5f, 2.0f, -0.5f, 1.0f});
+  bench.glass_normal = filled(1, 1, {0.0f, 1.0f, 0.0f, 0.0f});
+  bench.materials = Image(Format::RGBA32F, 4, 1);
+  bench.materials.at(0, 0, 0) = 1.5f;
+  const glm::vec3 shown = bench.highlight("caster_highlight");
+  const Pass pass = light_shading_pass();
+  const PassImages out =
+      run_pass(definition_of(pass, {}, kLightBeyondPanes),
+               {.uniforms = bench.uniforms(pass, &kLightBeyondPanes), .textures = bench.textures()});
+  CHECK(glm::vec3(texel(out["caster_highlight"], 0, 0)) == shown);
+  CHECK(glm::vec3(texel(out["direct"], 0, 0)) == glm::vec3(0.0f));
+}

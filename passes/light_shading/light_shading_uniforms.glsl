@@ -28,7 +28,8 @@ vec3 eye;                      // the camera's position
 CHOICE(has_highlights)
 CHOICE(is_layer)               // of blended surfaces, or of what only glass shows: not of every pixel; 2: and
                                // of several surfaces one behind the other
-CHOICE(casters_shine)          // the picture shows glass and metal before its surfaces
+CHOICE(casters_shine)          // 1: the picture shows glass and metal before its surfaces; 2: only of what is
+                               // seen through panes is that asked; 3: and it does not
 CHOICE(has_walls)              // and some of that has no thickness
 vec3 forward;                  // the way it looks
 int is_perspective;            // 0: all its rays run along that

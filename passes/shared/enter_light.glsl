@@ -1,6 +1,6 @@
 // Light at a grid vertex, where it meets its first surface. Needs caster_triangles.glsl, grid_light.glsl,
 // wide_light.glsl, light_path.glsl, way_draw.glsl, the textures caster_position, caster_normal,
-// caster_triangle, hierarchy_normals and reaching, and the uniforms of grid_light_uniforms.glsl, light_shape
+// hierarchy_normals and reaching, and the uniforms of grid_light_uniforms.glsl, light_shape
 // and is_tinted.
 
 // A direction of the view's axes, as a cube's face turns them, in scene space.
@@ -57,7 +57,7 @@ Incident light_at_vertex(IN(GridCell) cell, IN(Meeting) at, Float drawn) {
 Arrival arrival_at(Int column, Int row, Float drawn) {
   Vec4 position = texel_fetch(caster_position, column, row);
   Vec4 normal = texel_fetch(caster_normal, column, row);
-  Float number = texel_fetch(caster_triangle, column, row).x - 1.0f;
+  Float number = triangle_number(position);
   GridCell cell = cell_of(column, row, is_covered(position) && number >= 0.0f);
   Arrival arrival;
   arrival.covered = cell.covered;

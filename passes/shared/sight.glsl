@@ -1,8 +1,9 @@
 // The camera's rays, from the glass or metal that a pixel shows, from surface to surface. Needs
 // caster_material.glsl, caster_triangles.glsl, dressed_meeting.glsl, absorption.glsl, position_texel.glsl,
 // view_space.glsl, hierarchy.glsl, interface.glsl, surface.glsl, rough_surface.glsl, hit_texel.glsl, the
-// textures picture_position, view_caster_position, view_caster_normal and view_caster_triangle, the uniforms
-// of sight_uniforms.glsl, and radiance_aside(), what comes by a way that is not followed.
+// textures picture_position, view_caster_position and view_caster_normal, the uniforms of
+// sight_uniforms.glsl, and radiance_aside(), what comes by a way that is not followed, and beyond_panes().
+// Where the macro ONE_WAY is defined, all comes by the stronger ways.
 
 // A ray of sight on its way.
 struct Sight {
@@ -13,6 +14,7 @@ struct Sight {
   Vec3 aside;     // radiance by the ways that it has not taken
   Bool mirrored;
   Float blur;     // square of the width of the slopes by which rough surfaces spread it
+  Float met;      // surfaces behind the first, but for panes and what is blended
   Bool under_way;
 };
 
@@ -31,6 +33,7 @@ struct SightEnd {
   Vec3 point;
   Bool lands;
   Sheet sheet;
+  Sight weaker;  // of the ways that it has not taken, the one that has most
 };
 
 Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
@@ -43,6 +46,7 @@ Sight chosen(Bool condition, IN(Sight) a, IN(Sight) b) {
   sight.aside = sel(condition, a.aside, b.aside);
   sight.mirrored = sel(condition, a.mirrored, b.mirrored);
   sight.blur = sel(condition, a.blur, b.blur);
+  sight.met = sel(condition, a.met, b.met);
   sight.under_way = sel(condition, a.under_way, b.under_way);
   return sight;
 }
@@ -55,17 +59,41 @@ Float blur_by(IN(Surface) surface, IN(Material) material, IN(Meeting) at, Bool b
   return sel(surface.both.passes, Float(0.0f), turned * turned);
 }
 
-// What comes by the weaker way from a surface, of which there is a share.
-Vec3 weaker_way(IN(Surface) surface, IN(Material) material, Vec3 direction, Bool stronger_is_mirrored) {
-  Vec3 other = direction_behind(surface, direction, !stronger_is_mirrored);
-  Vec3 color = color_behind(surface, material, !stronger_is_mirrored);
-  return color * radiance_aside(other, !stronger_is_mirrored);
+Float sum_of(Vec3 v) { return v.x + v.y + v.z; }
+
+#ifndef ONE_WAY
+// The way that a ray does not take at a surface, as if all went there.
+Sight way_aside(IN(Sight) sight, IN(Surface) surface, IN(Material) material, IN(Meeting) at, Bool back) {
+  Vec3 before = sight.ray.direction;
+  Sight way = sight;
+  way.ray = ray_from(at.point, direction_behind(surface, before, back));
+  way.own = at.number;
+  way.media = sel(back, sight.media, surface.both.media);
+  way.through = sight.through * color_behind(surface, material, back);
+  way.aside = Vec3(0.0f);
+  way.mirrored = sight.mirrored || back;
+  if (u.has_rough != 0) way.blur = sight.blur + blur_by(surface, material, at, back);
+  way.met = sight.met + sel(material.thin, Float(0.0f), Float(1.0f));
+  way.under_way = !strays(way.ray.direction, at, before, back);
+  return way;
 }
 
-// The way that a ray takes at a surface: the stronger; or `straight` on. Returns what is left of the radiance
-// of what the surface scatters.
-Vec3 turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, Bool straight, Bool wanted) {
+// Of two ways that are not taken the one that has more is kept, the other brings the sky.
+void keep_more(IN(Sight) way, Bool wanted, INOUT(Sight) weaker, INOUT(Sight) sight) {
+  Bool more = wanted && sum_of(way.through) > sum_of(weaker.through);
+  Sight left = chosen(more, weaker, way);
+  Vec3 sky = left.through * radiance_aside(left.ray.direction, left.mirrored);
+  sight.aside = sel(wanted, sight.aside + sky, sight.aside);
+  weaker = chosen(more, way, weaker);
+}
+#endif
+
+// The way that a ray takes at a surface: the stronger; after so many straight on. Returns what is left of the
+// radiance of what the surface scatters.
+Vec3 turn(INOUT(Sight) sight, INOUT(Sight) aside, IN(Meeting) meeting, IN(CasterTriangle) triangle,
+          Bool wanted) {
   Meeting at = meeting;
+  Bool straight = sight.met >= float(u.surfaces);
   Material material = fetch_material(caster_materials, triangle.row);
   if (u.has_textures != 0) put_on_textures(at, material, triangle, wanted, Bool(false));
   Interface both = interface_at(sight.media, at, triangle, material);
@@ -73,18 +101,27 @@ Vec3 turn(INOUT(Sight) sight, IN(Meeting) meeting, IN(CasterTriangle) triangle, 
   Vec3 before = sight.ray.direction;
   Surface surface = smooth_surface(before, at, both, material);
   Bool back = most_is_mirrored(surface, material, surface.mirrored > 0.5f);
+  Float weaker = sel(surface.one_way, Float(0.0f), min_of(surface.mirrored, 1.0f - surface.mirrored));
+#ifndef ONE_WAY
+  Bool first = wanted && !material.thin && sight.met < 0.0f && !sight.mirrored;
+  if (u.has_walls != 0) sight.aside = sel(first, sight.aside + sight.through * beyond_panes(), sight.aside);
+  Bool parts = wanted && weaker > 0.0f;
+  if (any_lane(parts)) {
+    Sight way = way_aside(sight, surface, material, at, !back);
+    way.through = way.through * weaker;
+    keep_more(way, parts, aside, sight);
+  }
+#endif
   sight.ray = ray_from(at.point, direction_behind(surface, before, back));
   sight.own = at.number;
   sight.mirrored = sight.mirrored || back;
   sight.media = sel(back, sight.media, both.media);
-  Float weaker = sel(surface.one_way, Float(0.0f), min_of(surface.mirrored, 1.0f - surface.mirrored));
-  if (any_lane(wanted && weaker > 0.0f))
-    sight.aside = sight.aside + sight.through * (weaker_way(surface, material, before, back) * weaker);
   Bool scatters = both.tints && !back && !both.passes && !material.mirror;
   Float layer = sel(scatters, material.covers * (1.0f - material.transmitted), Float(0.0f));
   Vec3 scattered = sight.through * (layer * (1.0f - weaker));
   sight.through = sight.through * (color_behind(surface, material, back) * (1.0f - weaker));
   if (u.has_rough != 0) sight.blur = sight.blur + blur_by(surface, material, at, back);
+  sight.met = sight.met + sel(material.thin && !straight, Float(0.0f), Float(1.0f));
   sight.under_way = sight.under_way && !strays(sight.ray.direction, at, before, back);
   return scattered;
 }
@@ -117,8 +154,6 @@ Float drawn_at(Float drawn, int surface) {
   return fraction(number);
 }
 
-Float sum_of(Vec3 v) { return v.x + v.y + v.z; }
-
 // Past a surface that scatters. `drawn`: chooses among all of them by what is left of each, 0..1.
 void pass_sheet(INOUT(Sheet) sheet, IN(Ray) ray, Vec4 hit, Vec3 through, Float drawn) {
   sheet.through = sheet.through + through;
@@ -137,6 +172,7 @@ Sight past_receiver(IN(Sight) sight, IN(Meeting) at, Float there) {
   onward.ray.start = at.point + sight.ray.direction * beyond;
   onward.own = at.number;
   onward.through = sight.through * (1.0f - there);
+  onward.met = sight.met + sel(there > 0.0f, Float(0.0f), Float(1.0f));
   return onward;
 }
 
@@ -153,8 +189,10 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
   end.sheet.hit = Vec4(0.0f);
   end.sheet.ray = from.ray;
   end.sheet.through = Vec3(0.0f);
-  Float met = Float(0.0f);
-  for (int k = 0; k < u.most_surfaces + u.has_sheets * MOST_SHEETS && any_lane(end.sight.under_way); k++) {
+  end.weaker = from;
+  end.weaker.through = Vec3(0.0f);
+  int more = (u.has_sheets | u.has_walls) * MOST_SHEETS;
+  for (int k = 0; k < u.most_surfaces + more && any_lane(end.sight.under_way); k++) {
     Sight sight = end.sight;
     Vec4 hit = hit_ahead(sight.ray, sight.own, sight.media, sight.under_way);
     Bool caster = sight.under_way && is_on_caster(hit);
@@ -165,13 +203,12 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
       CasterTriangle triangle = fetch_triangle(sel(caster || receiver, hit.w - 1.0f, Float(0.0f)));
       Meeting at = meeting_at(triangle, hit, sight.ray.direction);
       Vec3 scattered = Vec3(0.0f);
-      if (any_lane(caster)) scattered = turn(next, at, triangle, met >= float(u.surfaces), caster);
+      if (any_lane(caster)) scattered = turn(next, end.weaker, at, triangle, caster);
       Float there = share_there(triangle, at, receiver);
       Bool passed = receiver && there < 1.0f;
       scattered = sel(caster, scattered, sel(passed, sight.through * there, Vec3(0.0f)));
       if (u.has_sheets != 0) pass_sheet(end.sheet, sight.ray, hit, scattered, drawn_at(drawn, k));
       next = chosen(passed, past_receiver(sight, at, there), next);
-      met = sel(passed && there > 0.0f, met, met + 1.0f);
       caster = caster || passed;
       receiver = receiver && !passed;
     }
@@ -179,7 +216,7 @@ SightEnd end_of_sight(IN(Sight) from, Float drawn) {
     end.point = sel(receiver, point_along(sight.ray, hit.z), end.point);
     end.lands = end.lands || receiver;
     end.sight = chosen(caster, next, sight);
-    end.sight.under_way = end.sight.under_way && caster && met < float(u.most_surfaces);
+    end.sight.under_way = end.sight.under_way && caster && next.met < float(u.most_surfaces);
   }
   return end;
 }
@@ -208,7 +245,7 @@ void be_no_triangle(INOUT(CasterTriangle) triangle, Bool is_none, Int row) {
 
 Front front_at(Vec4 position, Int column, Int row) {
   Vec4 normal = texel_fetch(view_caster_normal, column, row);
-  Float number = texel_fetch(view_caster_triangle, column, row).x - 1.0f;
+  Float number = triangle_number(position);
   Front front;
   front.triangle = fetch_triangle(max_of(number, 0.0f));
   if (any_lane(number < 0.0f)) be_no_triangle(front.triangle, number < 0.0f, material_row(normal));
@@ -240,15 +277,6 @@ struct Ways {
   Sight mirrored;
 };
 
-// What a pane does not let through is a layer over all that it shows (view_surfaces): over what it mirrors, too.
-void pass_wall(IN(Surface) surface, IN(Material) material, INOUT(Sight) back, INOUT(Sight) on) {
-  Float beside_layer = max_of(1.0f - material.covers * (1.0f - material.transmitted), 1.0e-3f);
-  Vec3 passing = color_behind(surface, material, Bool(false)) * (1.0f - surface.mirrored);
-  back.through = sel(material.thin, back.through * (1.0f / beside_layer), back.through);
-  back.aside = sel(material.thin, back.aside * (material.covers / beside_layer), back.aside);
-  on.through = sel(material.thin, passing * (1.0f / beside_layer), on.through);
-}
-
 Ways ways_from(IN(Front) drawn, Bool seen) {
   Front front = drawn;
   if (u.has_textures != 0) put_on_textures(front.at, front.material, front.triangle, seen, Bool(true));
@@ -259,20 +287,20 @@ Ways ways_from(IN(Front) drawn, Bool seen) {
   back.ray = ray_from(front.at.point, direction_behind(surface, sight, Bool(true)));
   back.own = front.at.number;
   back.media = Vec4(u.eye_media);
-  back.aside = front.highlight;
+  back.aside = front.highlight * front.material.covers;
   back.mirrored = Bool(true);
   Vec3 color = color_behind(surface, front.material, Bool(true));
   back.through = sel(front.material.mirror, color, Vec3(surface.mirrored));
   back.blur = Float(0.0f);
   if (u.has_rough != 0) back.blur = blur_by(surface, front.material, front.at, Bool(true));
+  back.met = sel(front.material.thin, Float(-1.0f), Float(0.0f));
   back.under_way = seen;
   Sight on = back;
   on.aside = Vec3(0.0f);
   on.ray = ray_from(front.at.point, surface.bent.direction);
   on.media = both.media;
   on.mirrored = Bool(false);
-  on.through = front.material.color * (1.0f - surface.mirrored);
-  if (u.has_walls != 0) pass_wall(surface, front.material, back, on);
+  on.through = color_behind(surface, front.material, Bool(false)) * (1.0f - surface.mirrored);
   on.through = sel(surface.one_way, Vec3(0.0f), on.through);
   if (u.has_rough != 0) on.blur = blur_by(surface, front.material, front.at, Bool(false));
   on.under_way = seen && !surface.one_way;

@@ -38,8 +38,6 @@ inline constexpr Read kReadSeenCasters{.name = "view_caster_position",
                                        .texture = "caster_position.camera"};
 inline constexpr Read kReadSeenNormals{
     .name = "view_caster_normal", .meaning = "its normals and materials", .texture = "caster_normal.camera"};
-inline constexpr Read kReadSeenTriangles{
-    .name = "view_caster_triangle", .meaning = "its triangles", .texture = "caster_triangle.camera"};
 
 inline constexpr Choice kSightHasTextures{
     "has_textures", [](const PassContext& c) { return sight_meets_textures(*c.effects) ? 1 : 0; }};

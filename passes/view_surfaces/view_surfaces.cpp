@@ -63,7 +63,7 @@ std140::ViewSurfaces view_surfaces_uniforms(const PassContext& context) {
       .occlusion_strength = m.occlusion_strength,
       .is_partly_diffuse = role.partly_diffuse ? 1 : 0,
       .is_pane = role.role == Role::ThinPane ? 1 : 0,
-      .pane_ior = m.ior,
+      .glass_ior = m.ior,
       .is_covering = role.role == Role::ThinPane && m.alpha_mode == AlphaMode::Blend ? 1 : 0,
       .transmitted = transmission_factor(m),
       .has_transmission = m.transmission_texture.present() ? 1 : 0,

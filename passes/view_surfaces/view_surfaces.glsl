@@ -189,12 +189,15 @@ Answer coated(Vec3 base, IN(Finish) finish, Vec3 shading) {
   return answer;
 }
 
-// A pane's layer has what both faces leave; what they mirror `glass` adds.
-Answer under_pane(Vec3 base, IN(Finish) finish, Vec3 n) {
-  Float r = pane_reflectance(facing_here(n), u.pane_ior) * u.coat;
+// What glass or a pane does not let through scatters, or mirrors as metal does, what its face leaves, or its
+// two faces. What these mirror and let through `glass` has.
+Answer under_glass(Vec3 base, IN(Finish) finish, Vec3 n) {
+  Float r = pane_reflectance(facing_here(n), u.glass_ior) * u.coat;
+  Float left = 1.0f - r;
+  if (u.is_pane != 0) left = left / (1.0f + r);
   Answer answer;
-  answer.albedo = base * ((1.0f - finish.metallic) * ((1.0f - r) / (1.0f + r)));
-  answer.reflectance = Vec3(0.0f);
+  answer.albedo = base * ((1.0f - finish.metallic) * left);
+  answer.reflectance = base * (finish.metallic * left);
   answer.shown = Float(1.0f);
   return answer;
 }
@@ -204,9 +207,8 @@ Answer in_layer(IN(Answer) whole, Vec4 base, IN(Finish) finish, Vec3 n) {
   Answer answer = whole;
   answer.shown = base.w;
   if (u.is_partly_diffuse != 0) {
-    PaneLayer layer = layer_here(base.w);
-    if (u.is_pane != 0) answer = under_pane(Vec3(base), finish, n);
-    answer.shown = 1.0f - layer_passes(layer);
+    answer = under_glass(Vec3(base), finish, n);
+    answer.shown = 1.0f - layer_passes(layer_here(base.w));
   }
   return answer;
 }
@@ -225,7 +227,7 @@ void write_surface(Vec3 n, IN(SeenUv) seen, Vec4 base, Float z) {
   if (u.emissive_use.levels > 0)
     emission = emission * Vec3(fetch_seen(emissive, emissive_levels, u.emissive_use, seen));
   Float place = Float(1.0f);
-  if (u.layer != 0) place = sel(before_glass(z), Float(2.0f), place);
+  if (u.layer != 0) place = sel(before_glass(z), Float(u.is_partly_diffuse != 0 ? 3.0f : 2.0f), place);
   view_position = Vec4(surface_position, place);
   view_normal = Vec4(shading, z);
   Finish finish = finish_here(seen);

@@ -24,7 +24,7 @@ SurfaceTexture occlusion_use;
 float occlusion_strength;
 int is_partly_diffuse;  // of a layer: glass, or a pane, of which only what is not let through is drawn
 int is_pane;
-float pane_ior;
+float glass_ior;
 int is_covering;        // of a pane: opacity counts as coverage
 float transmitted;      // share of what is not mirrored that goes through, times the texture
 int has_transmission;

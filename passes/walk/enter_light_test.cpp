@@ -68,15 +68,15 @@ struct Bench {
       u.light_height = glm::vec3(source->height);
     }
     return run_pass(part_of_walk(walk_enter_shader,
-                                 {"caster_position", "caster_normal", "caster_triangle", "caster_materials",
+                                 {"caster_position", "caster_normal", "caster_materials",
                                   "hierarchy_triangles", "hierarchy_normals", "reaching"},
                                  kPathOutputs),
                     {.width = side,
                      .height = side,
                      .uniforms = uniform_bytes(u),
-                     .textures = {filled(side, side, {point, facing}), filled(side, side, {normal, 0.0f}),
-                                  filled(side, side, {number, 0.0f, 0.0f, 0.0f}),
-                                  caster_materials({material}), tables.triangles, tables.normals}});
+                     .textures = {filled(side, side, {point, facing * (number + 1.0f)}),
+                                  filled(side, side, {normal, 0.0f}), caster_materials({material}),
+                                  tables.triangles, tables.normals}});
   }
 };
 

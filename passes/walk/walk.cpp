@@ -94,7 +94,6 @@ std140::Walk walk_uniforms(const PassContext& context) {
 std::vector<Read> reads_of_walk() {
   return {{.name = "caster_position", .meaning = "grid vertices", .discards_where_zero = true},
           {.name = "caster_normal", .meaning = "their normals and materials"},
-          {.name = kCasterTriangle, .meaning = "their triangles"},
           {.name = kCasterMaterials, .meaning = "a row a material"},
           kReadHierarchyNodes,
           kReadHierarchyTriangles,

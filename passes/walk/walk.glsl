@@ -13,15 +13,14 @@ int vertices_per_beam;
 UNIFORMS_END
 TEXTURE(0, caster_position)
 TEXTURE(1, caster_normal)
-TEXTURE(2, caster_triangle)
-TEXTURE(3, caster_materials)
-TEXTURE(4, hierarchy_nodes)
-TEXTURE(5, hierarchy_triangles)
-TEXTURE(6, hierarchy_normals)
-TEXTURE(7, reaching)
-TEXTURE(8, receiver_position)
-TEXTURE(9, second_surface)
-TEXTURE(10, caster_texels)
+TEXTURE(2, caster_materials)
+TEXTURE(3, hierarchy_nodes)
+TEXTURE(4, hierarchy_triangles)
+TEXTURE(5, hierarchy_normals)
+TEXTURE(6, reaching)
+TEXTURE(7, receiver_position)
+TEXTURE(8, second_surface)
+TEXTURE(9, caster_texels)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"

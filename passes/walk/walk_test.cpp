@@ -79,8 +79,7 @@ struct Bench {
         {.width = side,
          .height = side,
          .uniforms = uniform_bytes(u),
-         .textures = {filled(side, side, {0.5f, 1.0f, 0.25f, 1.0f}), filled(side, side, {normal, 0.0f}),
-                      filled(side, side, {1.0f, 0.0f, 0.0f, 0.0f}),
+         .textures = {filled(side, side, {0.5f, 1.0f, 0.25f, 2.0f}), filled(side, side, {normal, 0.0f}),
                       dressed(caster_materials({material, {.mirror = true}}), dress), tables.nodes,
                       tables.triangles, tables.normals, Image(Format::RGBA32F, 1, 1),
                       Image(Format::RGBA32F, 1, 1), second_surface, caster_texels}});

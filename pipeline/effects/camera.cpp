@@ -24,11 +24,13 @@ void add_seen_casters(const Scene& scene, const View* camera, Effects& effects) 
     (!seen ? hidden : role == Role::Mirror ? mirrors : role == Role::ThinPane ? panes : refractors) += 1;
   }
   const bool any = refractors + mirrors + panes > 0;
-  const std::string besides = panes > 0 ? ", " + counted(panes, "pane") + " for both" : "";
   effects.seen_casters = {any, any ? counted(refractors, "refractor") + " to look through, " +
-                                         counted(mirrors, "mirror") + " to look into" + besides
+                                         counted(mirrors, "mirror") + " to look into" +
+                                         (panes > 0 ? ", " + counted(panes, "pane") + " for both" : "")
                                : hidden > 0 ? "no refractor and no mirror in the camera's view"
                                             : "no refractor to look through, no mirror to look into"};
+  effects.seen_panes = {panes > 0,
+                        panes > 0 ? counted(panes, "thin pane") + " to look through" : "none in view"};
 }
 
 bool is_black(const Material& material) {

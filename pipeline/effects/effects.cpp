@@ -336,6 +336,7 @@ std::span<const NamedEffect> named_effects() {
       {"mirrors", &Effects::mirrors},
       {"highlights", &Effects::highlights},
       {"seen casters", &Effects::seen_casters},
+      {"seen panes", &Effects::seen_panes},
       {"textured casters", &Effects::textured_casters},
       {"normal-mapped casters", &Effects::normal_mapped_casters},
       {"cut-out casters", &Effects::cut_out_casters},

@@ -173,6 +173,7 @@ struct Effects {
   Effect occluders;              // diffuse surfaces that can shadow others or a caster
   Effect smooth_shading;         // of a diffuse surface: normals that vary over its triangles
   Effect thin_panes;             // a transmissive surface without a volume
+  Effect seen_panes;             // and the camera sees such
   Effect blended;                // a surface that alphaMode BLEND shows over what lies behind
   Effect layered;                // one of those, or glass of which a share is diffuse
   Effect blended_layers;         // several of these in one place

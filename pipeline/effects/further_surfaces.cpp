@@ -64,13 +64,14 @@ Effects with_further_surfaces(Effects effects, const Settings& settings, std::ve
     effects.lights[static_cast<std::size_t>(found.light)].lit = found.lit;
   effects.further_shares = std::move(shares);
   const bool by_sight = seen > share;
-  const bool enough = std::max(share, seen) > static_cast<double>(settings.further_share);
+  const double limit = static_cast<double>(settings.further_share);
+  const bool enough = limit < 1.0 && std::max(share, seen) >= limit;
   const bool active = enough || sizes || spread;
-  const std::string limit = percent(static_cast<double>(settings.further_share));
   effects.further_surfaces = {
       active, percent(std::max(share, seen)) + " of the light that " + (by_sight ? "is seen" : "lands") +
-                  " goes other ways than through two surfaces, " + (enough ? "more than " : "no more than ") +
-                  limit + (sizes ? "; and a light has a size" : "") + (spread ? "; and glass is rough" : "")};
+                  " goes other ways than through two surfaces" +
+                  (limit > 0.0 ? (enough ? ", at least " : ", less than ") + percent(limit) : "") +
+                  (sizes ? "; and a light has a size" : "") + (spread ? "; and glass is rough" : "")};
   if (!active) return effects;
   for (const FurtherShare& found : effects.further_shares)
     if (found.looks != glm::dvec3(0.0))

@@ -66,14 +66,25 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("further surfaces: light that hardly lands is followed where it is most of what is seen") {
-  const std::vector<FurtherShare> shares{
-      {.light = 0, .mesh = 1, .share = 0.02, .of_light = 1.0, .seen = 0.2}};
-  const Effects effects = followed(2, of_glass(), shares);
-  CHECK(effects.further_surfaces.active);
-  CHECK(effects.further_surfaces.reason.find("20.0% of the light that is seen") == 0);
-  CHECK_FALSE(followed(2, of_glass(), {{.light = 0, .mesh = 1, .share = 0.02, .of_light = 1.0}})
-                  .further_surfaces.active);
+TEST_CASE("further surfaces: all light is followed, or from a share on of what lands or is seen") {
+  FurtherShare found{.light = 0, .mesh = 1, .share = 0.0, .of_light = 1.0};
+  Settings settings;
+  const auto effects = [&] { return with_further_surfaces(of_glass(), settings, {found}); };
+  CHECK(effects().further_surfaces.active);
+  CHECK(effects().further_surfaces.reason ==
+        "0.0% of the light that lands goes other ways than through two surfaces");
+  settings.further_share = 0.03f;
+  found.share = 0.02;
+  CHECK_FALSE(effects().further_surfaces.active);
+  found.share = 0.04;
+  CHECK(effects().further_surfaces.active);
+  found.share = 0.02;
+  found.seen = 0.2;
+  CHECK(effects().further_surfaces.active);
+  CHECK(effects().further_surfaces.reason.find("20.0% of the light that is seen") == 0);
+  settings.further_share = 1.0f;
+  found.share = found.seen = 1.0;
+  CHECK_FALSE(effects().further_surfaces.active);
 }
 
 TEST_CASE("further surfaces: light through rough glass is followed, however little goes other ways") {
@@ -139,20 +150,22 @@ TEST_CASE("further surfaces: they take the place of what glass mirrors at its fi
 }
 
 TEST_CASE("further surfaces: light is followed where more than a named share of a light's meets them") {
-  // 0.03 by default. A tenth of what one caster throws is 0.02 of a light to which it throws 0.2.
+  // A tenth of what one caster throws is 0.02 of a light to which it throws 0.2.
   const auto judged = [](double share, double of_light) {
-    return followed(2, with_branches({{}, {.name = "reflected", .reflected = true}}),
-                    {{.light = 0, .mesh = 1, .share = share, .of_light = of_light}});
+    Settings settings;
+    settings.further_share = 0.03f;
+    return with_further_surfaces(with_branches({{}, {.name = "reflected", .reflected = true}}), settings,
+                                 {{.light = 0, .mesh = 1, .share = share, .of_light = of_light}});
   };
   const Effects little = judged(0.1, 0.2);
   CHECK_FALSE(little.further_surfaces.active);
   CHECK(little.further_surfaces.reason ==
-        "2.0% of the light that lands goes other ways than through two surfaces, no more than 3.0%");
+        "2.0% of the light that lands goes other ways than through two surfaces, less than 3.0%");
   CHECK(names_of(little) == std::vector<std::string>{"", "reflected"});
   const Effects more = judged(0.1, 0.6);
   CHECK(more.further_surfaces.active);
   CHECK(more.further_surfaces.reason ==
-        "6.0% of the light that lands goes other ways than through two surfaces, more than 3.0%");
+        "6.0% of the light that lands goes other ways than through two surfaces, at least 3.0%");
   CHECK(more.further_shares.size() == 1);
   CHECK_FALSE(judged(0.0, 1.0).further_surfaces.active);
 }

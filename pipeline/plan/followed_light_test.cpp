@@ -22,6 +22,7 @@ struct Bench {
   Bench(int bounces, int splits) {
     settings.bounces = bounces;
     settings.splits = splits;
+    settings.further_share = 0.03f;
   }
   Effects effects(double share = 0.5) const {
     Effects effects = effects_of(scene, settings);
@@ -178,7 +179,7 @@ TEST_CASE("followed light: a light that throws no caustic is not followed") {
 TEST_CASE("followed light: passes for two surfaces are left out, with the effect's reason") {
   const FramePlan plan = Bench(3, 0).plan();
   const std::string reason =
-      "further surfaces: 50.0% of the light that lands goes other ways than through two surfaces, more than "
+      "further surfaces: 50.0% of the light that lands goes other ways than through two surfaces, at least "
       "3.0%";
   for (const char* name : {"landing", "landing.far", "caustic_map", "caustic_map.cascade"})
     CHECK(why_skipped(plan, name) == reason);
@@ -193,7 +194,7 @@ TEST_CASE("followed light: where little meets further surfaces nothing of it is 
   const FramePlan plan = make_plan(bench.scene, bench.effects(0.01), bench.settings, pass_registry());
   CHECK(labels_of(plan) == Names{"landing[sun]", "cells[sun]", "caustic_cells[sun]", "caustic_map[sun]"});
   const std::string reason =
-      "further surfaces: 1.0% of the light that lands goes other ways than through two surfaces, no more "
+      "further surfaces: 1.0% of the light that lands goes other ways than through two surfaces, less "
       "than 3.0%";
   for (const char* name : {"walk", "caustic_footprints"}) CHECK(why_skipped(plan, name) == reason);
   CHECK(plan.find(kHierarchyNodes) >= 0);  // the camera's rays walk

@@ -225,7 +225,8 @@ class Planner {
     for (const Write& write : pass.writes) {
       if (write.only_with && !write.only_with(effects_)) continue;
       const Format format = planned.definition->writes[written++].format;
-      if (write.needed_if && !write.needed_if(effects_)) {
+      const bool nobodys = !write.not_for.empty() && write.not_for == drawn_for.label;
+      if (nobodys || (write.needed_if && !write.needed_if(effects_))) {
         planned.writes.push_back(PlannedPass::kNothing);
         planned.keep.push_back(false);
         continue;
@@ -338,7 +339,7 @@ class Planner {
     if (read.of_material) return PlannedPass::kMaterial;
     if (!read.only_for.empty() && read.only_for != drawn_for.label) return PlannedPass::kNothing;
     if (read.of_picture && drawn_for.camera != CameraView::Picture) return PlannedPass::kNothing;
-    const std::string name(read.texture_by         ? read.texture_by(effects_)
+    const std::string name(read.texture_by         ? read.texture_by(effects_, drawn_for)
                            : !read.texture.empty() ? read.texture
                                                    : read.name);
     if (read.layer != OfLayer::None) return of_layer(name, read.layer, drawn_for);

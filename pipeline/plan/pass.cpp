@@ -200,7 +200,7 @@ void validate(const Registry& registry) {
 
 bool is_of_camera(const Pass& pass, const DrawnFor& drawn_for) {
   return drawn_for.each != Each::Water && drawn_for.each != Each::Rays &&
-         (!pass.size || drawn_for.label == kCamera.label);
+         (!pass.size || is_of_casters_in_view(drawn_for));
 }
 
 TargetSize picture_size(const Settings& settings, CameraView camera) {

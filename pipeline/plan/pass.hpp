@@ -64,11 +64,6 @@ bool with(const Effects& effects) {
   return (effects.*effect).active;
 }
 
-template <Effect Effects::*... effects>
-bool with_any(const Effects& of_frame) {
-  return ((of_frame.*effects).active || ...);
-}
-
 inline bool sees_through_window(const LightEffects& light) { return light.all_around.empty(); }
 inline bool has_cascade(const LightEffects& light) { return !light.cascade.empty(); }
 
@@ -90,15 +85,23 @@ inline constexpr DrawnFor kCamera{.label = "camera",
                                   .also = &Effects::seen_casters,
                                   .reason = "the camera sees casters, and through them"};
 inline constexpr DrawnFor kCameraBeyondPanes{
-    .label = "beyond_panes", .also = &Effects::thin_panes, .reason = "panes hide nothing from the camera"};
-inline constexpr std::string_view kCastersBeyondPanes = "caster_position.beyond_panes";
-inline std::string_view casters_beyond_panes(const Effects& effects) {
-  return effects.thin_panes.active ? kCastersBeyondPanes : "caster_position.camera";
+    .label = "beyond_panes", .also = &Effects::seen_panes, .reason = "panes hide nothing from the camera"};
+inline bool is_of_casters_in_view(const DrawnFor& drawn_for) {
+  return drawn_for.label == kCamera.label || drawn_for.label == kCameraBeyondPanes.label;
 }
-inline std::string_view normals_beyond_panes(const Effects& effects) {
-  return effects.thin_panes.active ? "caster_normal.beyond_panes" : "caster_normal.camera";
+inline constexpr std::string_view kCastersBeyondPanes = "caster_position.beyond_panes";
+inline std::string_view casters_beyond_panes(const Effects& effects, const DrawnFor& = {}) {
+  return effects.seen_panes.active ? kCastersBeyondPanes : "caster_position.camera";
+}
+inline constexpr std::string_view kNormalsBeyondPanes = "caster_normal.beyond_panes";
+inline std::string_view normals_beyond_panes(const Effects& effects, const DrawnFor& = {}) {
+  return effects.seen_panes.active ? kNormalsBeyondPanes : "caster_normal.camera";
 }
 inline constexpr DrawnFor kLight{.each = Each::Light};
+inline constexpr DrawnFor kLightBeyondPanes{.each = Each::Light,
+                                            .label = "through_panes",
+                                            .also = &Effects::seen_panes,
+                                            .reason = "glass and metal behind panes mirror the light"};
 inline constexpr DrawnFor kLightFar{.each = Each::Light,
                                     .label = "far",
                                     .receivers = ReceiverLayer::Farthest,
@@ -242,8 +245,9 @@ enum class OfLayer : std::uint8_t { None, Before, First, Behind };
 struct Read {
   std::string_view name;
   std::string_view meaning;
-  std::string_view texture{};                                // another name than the shader has for it
-  std::string_view (*texture_by)(const Effects&) = nullptr;  // likewise, where effects choose it
+  std::string_view texture{};  // another name than the shader has for it
+  // Likewise, where effects or the instance choose it.
+  std::string_view (*texture_by)(const Effects&, const DrawnFor&) = nullptr;
   bool of_material = false;                // the drawn surface's material's, instead of one of the frame
   bool discards_where_zero = false;        // as TextureRead has it
   bool layers_discard_where_zero = false;  // likewise, of instances of layers
@@ -271,6 +275,7 @@ struct Write {
   std::string_view (*texture_by)(const Effects&) = nullptr;  // where effects choose the texture's name
   Condition only_with = nullptr;                             // the shader declares it only then
   Condition needed_if = nullptr;                             // otherwise nobody needs what is in it
+  std::string_view not_for{};                                // the label of an instance in which nobody does
 };
 
 // The pass's shader text compiled for what effects add; the last one whose condition holds is taken.

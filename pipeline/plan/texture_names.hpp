@@ -17,7 +17,6 @@ inline constexpr char kCasterTexels[] = "caster_texels";
 
 inline constexpr char kCasterPosition[] = "caster_position";
 inline constexpr char kCasterNormal[] = "caster_normal";
-inline constexpr char kCasterTriangle[] = "caster_triangle";
 inline constexpr char kWaterStep[] = "water_step";
 inline constexpr char kWaterBefore[] = "water_before";
 inline constexpr char kLanding[] = "landing";

@@ -40,7 +40,7 @@ class PassRunner {
     for (const SubPixel& by : sub_pixels(samples_a_pixel(settings)))
       cameras_.push_back(shifted(inputs.camera, by, settings.width, settings.height));
     const bool sees = std::any_of(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
-      return pass.drawn_for->label == kCamera.label;
+      return is_of_casters_in_view(*pass.drawn_for);
     });
     if (sees) eye_media_ = scene.tables().bodies_around(inputs.camera.origin);
   }

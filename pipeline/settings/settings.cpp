@@ -242,7 +242,7 @@ constexpr Setting kTable[] = {
     choice<&S::reflections, kNoYes>("reflections", Part::Light,
                                     "light that glass and water mirror throws caustics too"),
     number<&S::further_share>("further.share", Part::Light, {0, 1},
-                              "light is followed from surface to surface where more than this share of what "
+                              "light is followed from surface to surface where at least this share of what "
                               "lands goes other ways than through two; 1: nothing is followed, nor are the "
                               "camera's rays"),
     number<&S::bounces>("bounces", Part::Maps, {2, 64}, "surfaces that light is followed through at most"),

@@ -25,7 +25,7 @@ BYTES = {
     "light_shading.behind": (HALF, 0), "light_shading.in_mirrors": (HALF, 0),
     "ambient_rays": (COARSE, 16), "ambient_occlusion": (COARSE, 16),
     "compose": (PICTURE, 16), "compose.behind": (HALF, 16), "compose.in_mirrors": (HALF, 16),
-    "caster_map.camera": (PICTURE, 40), "glass": (PICTURE, 16),
+    "caster_map.camera": (PICTURE, 36), "glass": (PICTURE, 16),
     "tone_map": (PICTURE, 4), "caustic_map": (MAP, 0),
     "caustic_cells.cascade": (MAP, 0), "caustic_map.cascade": (MAP, 0), "receiver_map.far": (MAP, 20),
     "landing.far": (GRID, 64), "cells.far": (GRID, 48), "caustic_cells.far": (MAP, 0),

@@ -101,7 +101,8 @@ double booked_reflectance(const Bench& bench, double incidence, double index) {
   scene.meshes = {floor(8.0, 0.0, 0), wave_sheet(1.0, 0.1, 0.0, 1.0, 4, 1)};
   scene.lights = {sun({std::sin(incidence), -std::cos(incidence), 0.0}, 1.0f)};
   // Fine enough to see the sheet at half a degree: 17 mm of a window of 1 m.
-  const Rendering r = bench.render(scene, small_settings(256, 256, 8), {kLandingFresnel, kCausticMap});
+  const Rendering r =
+      bench.render(scene, through_two_surfaces(small_settings(256, 256, 8)), {kLandingFresnel, kCausticMap});
   const Image& fresnel = r[light_texture(kLandingFresnel, 0)];
   double reflected = 0.0, entered = 0.0;
   for (int y = 0; y < fresnel.height(); ++y)

@@ -116,6 +116,8 @@ TEST_CASE("furnace: white textures leave white glass invisible, whatever share t
   furnace.material.base_color_texture.image = 0;
   furnace.check();
   furnace.material.transmission_texture.image = 1;
+  furnace.material.transmission = 0.75f;  // the mean
+  furnace.material.transmission_factor = 1.0f;
   furnace.check();
 }
 

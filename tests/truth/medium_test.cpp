@@ -203,7 +203,7 @@ TEST_CASE("medium: an opaque surface's shadow is dark in the haze") {
 TEST_CASE("medium: the flux on every plane is the photons' alive, less what the medium took") {
   const double s = 0.7;
   const Scene scene = with_medium(sphere_scene(1.0f), glm::vec3(0.4f), glm::vec3(0.3f));
-  const Settings settings = small_settings(128, 128, 16);
+  const Settings settings = through_two_surfaces(small_settings(128, 128, 16));
   const Rendering r =
       render(scene, settings, {kCausticMap, kLandingFresnel, kLandingAbsorbed, kLandingMedium});
   const Image &start = r["stretch_start[0]"], &way = r["stretch_way[0]"], &flux = r["stretch_flux[0]"];

@@ -83,7 +83,7 @@ std::vector<double> heights(const Mesh& water, int n) {
 }  // namespace
 
 TEST_CASE("water film: all light that enters is booked in every frame, and as much enters") {
-  Film film(pool_scene(0.4, waves()), small_settings(128, 128, 64));
+  Film film(pool_scene(0.4, waves()), through_two_surfaces(small_settings(128, 128, 64)));
   for (int n = 0; n < 12; ++n) {
     film.show(n / 8.0);
     const Ledger ledger = film.ledger();

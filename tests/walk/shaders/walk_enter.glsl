@@ -5,11 +5,10 @@ UNIFORMS_BEGIN
 UNIFORMS_END
 TEXTURE(0, caster_position)
 TEXTURE(1, caster_normal)
-TEXTURE(2, caster_triangle)
-TEXTURE(3, caster_materials)
-TEXTURE(4, hierarchy_triangles)
-TEXTURE(5, hierarchy_normals)
-TEXTURE(6, reaching)
+TEXTURE(2, caster_materials)
+TEXTURE(3, hierarchy_triangles)
+TEXTURE(4, hierarchy_normals)
+TEXTURE(5, reaching)
 
 #ifdef VERTEX_STAGE
 #include "passes/shared/full_screen.glsl"
