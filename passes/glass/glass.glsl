@@ -198,8 +198,7 @@ Vec3 color_of_sheets(IN(SightEnd) end, Vec3 behind, Texture ends) {
   Vec3 color = sel(!alike && found > 0.0f, Vec3(hidden) / max_of(found, 1.0e-4f), behind);
   Vec4 seen = color_of_layers(point_along(end.sheet.ray, end.sheet.hit.z));
   Float is_seen = seen.w;
-  // Layers on panes are as bright as their tint makes them dark.
-  Bool takes = !alike && is_seen > 0.0f && !is_on_caster(end.sheet.hit);
+  Bool takes = !alike && is_seen > 0.0f;
   return sel(takes, Vec3(seen), color);
 }
 

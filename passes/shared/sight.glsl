@@ -172,7 +172,7 @@ Sight past_receiver(IN(Sight) sight, IN(Meeting) at, Float there) {
   onward.ray.start = at.point + sight.ray.direction * beyond;
   onward.own = at.number;
   onward.through = sight.through * (1.0f - there);
-  onward.met = sight.met + sel(there > 0.0f, Float(0.0f), Float(1.0f));
+  onward.met = sight.met + sel(there > 0.0f || sight.met < 0.0f, Float(0.0f), Float(1.0f));
   return onward;
 }
 

@@ -190,11 +190,12 @@ Answer coated(Vec3 base, IN(Finish) finish, Vec3 shading) {
 }
 
 // What glass or a pane does not let through scatters, or mirrors as metal does, what its face leaves, or its
-// two faces. What these mirror and let through `glass` has.
-Answer under_glass(Vec3 base, IN(Finish) finish, Vec3 n) {
+// two faces. What these mirror and let through `glass` has; and of what is not `in_sight`, what they leave.
+Answer under_glass(Vec3 base, IN(Finish) finish, Vec3 n, Bool in_sight) {
   Float r = pane_reflectance(facing_here(n), u.glass_ior) * u.coat;
   Float left = 1.0f - r;
   if (u.is_pane != 0) left = left / (1.0f + r);
+  left = sel(in_sight, left, Float(1.0f));
   Answer answer;
   answer.albedo = base * ((1.0f - finish.metallic) * left);
   answer.reflectance = base * (finish.metallic * left);
@@ -202,12 +203,12 @@ Answer under_glass(Vec3 base, IN(Finish) finish, Vec3 n) {
   return answer;
 }
 
-// A surface as its layer shows it.
-Answer in_layer(IN(Answer) whole, Vec4 base, IN(Finish) finish, Vec3 n) {
+// A surface as its layer shows it. `in_sight`: it is the nearest glass.
+Answer in_layer(IN(Answer) whole, Vec4 base, IN(Finish) finish, Vec3 n, Bool in_sight) {
   Answer answer = whole;
   answer.shown = base.w;
   if (u.is_partly_diffuse != 0) {
-    answer = under_glass(Vec3(base), finish, n);
+    answer = under_glass(Vec3(base), finish, n, in_sight);
     answer.shown = 1.0f - layer_passes(layer_here(base.w));
   }
   return answer;
@@ -233,7 +234,7 @@ void write_surface(Vec3 n, IN(SeenUv) seen, Vec4 base, Float z) {
   Finish finish = finish_here(seen);
   Answer answer = coated(Vec3(base), finish, shading);
   answer.shown = shown_here();
-  if (u.layer != 0) answer = in_layer(answer, base, finish, n);
+  if (u.layer != 0) answer = in_layer(answer, base, finish, n, place > 1.5f);
   view_albedo = Vec4(answer.albedo, answer.shown);
   view_specular = Vec4(answer.reflectance, finish.roughness);
   view_emission = Vec4(emission, Float(1.0f));

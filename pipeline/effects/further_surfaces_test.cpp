@@ -69,6 +69,7 @@ TEST_CASE(
 TEST_CASE("further surfaces: all light is followed, or from a share on of what lands or is seen") {
   FurtherShare found{.light = 0, .mesh = 1, .share = 0.0, .of_light = 1.0};
   Settings settings;
+  settings.further_share = 0.0f;
   const auto effects = [&] { return with_further_surfaces(of_glass(), settings, {found}); };
   CHECK(effects().further_surfaces.active);
   CHECK(effects().further_surfaces.reason ==

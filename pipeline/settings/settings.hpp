@@ -59,7 +59,7 @@ struct Settings {
   Weights weights = Weights::Physical;
   int wavelengths = 3;
   bool reflections = false;
-  float further_share = 0.0f;
+  float further_share = 0.03f;
   int bounces = 32, splits = 2;
   bool drawn = true;
   float least_share = 1e-3f;
