@@ -95,6 +95,7 @@ TEST_CASE("view_surfaces: a pane's layer scatters what its two faces leave of th
   bench.mode = AlphaMode::Opaque;
   bench.color = {0.8f, 0.4f, 0.2f};
   bench.transmission = 0.4f;
+  bench.glass = 4.0f;
   const Image albedo = bench.layer(1)["view_albedo"];
   CHECK(albedo.at(0, 0, 3) == Approx(0.6));
   for (int c = 0; c < 3; ++c) CHECK(albedo.at(0, 0, c) == Approx(bench.color[c] * 0.96 / 1.04).epsilon(1e-5));
