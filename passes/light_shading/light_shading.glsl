@@ -93,7 +93,7 @@ CasterLight mean_over(IN(Footprint) f, IN(TangentPlane) p, IN(TangentPlane) map,
       Vec3 irradiance = caustic_at(at, map.q, light, takes);
       Vec3 behind = at;
       if (u.looks_aside != 0) behind = p.at;
-      sum.shadowed = sum.shadowed + sel(counts, caster_share(behind, p.face), Float(0.0f));
+      sum.shadowed = sum.shadowed + sel(counts, caster_share(p, behind), Float(0.0f));
       sum.caustic = sum.caustic + sel(counts, irradiance, Vec3(0.0f));
     }
   }
@@ -123,12 +123,12 @@ CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(Ta
       in_map = f.in_map;
       if (any_lane(in_map)) casters = mean_over(f, p, map, light, takes);
     } else {
-      casters.shadowed = caster_share(p.at, p.face);
+      casters.shadowed = caster_share(p, p.at);
       casters.caustic = caustic_at(map.at, map.q, light, takes);
     }
     Bool takes_light = in_map && (takes.near || takes.far);
     casters.caustic = sel(takes_light, casters.caustic, Vec3(0.0f));
-    if (any_lane(!in_map)) casters.shadowed = sel(in_map, casters.shadowed, caster_share(p.at, p.face));
+    if (any_lane(!in_map)) casters.shadowed = sel(in_map, casters.shadowed, caster_share(p, p.at));
   }
   return casters;
 }

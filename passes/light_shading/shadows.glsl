@@ -61,14 +61,26 @@ Float covered_by_caster(Int x, Int y, Int face, Float z) {
   return sel(blocked, Float(1.0f), Float(0.0f));
 }
 
-// The share of the light that casters take from a point on a face, in view coordinates.
-Float caster_share(Vec3 at, Int face) {
+// How much nearer than a place a caster has to be: what glass scatters lies on it, and the map knows that to
+// a texel's extent, or its diagonal.
+Float caster_bias(IN(TangentPlane) p, Vec3 at) {
+  Float bias = Float(0.0f);
+  if (u.is_layer != 0) {
+    Float slant = 1.5f / max_of(abs(plane_slope(p)), 0.02f);
+    bias = slant * view_w(u.caster_view, at) * texel_side(caster_position, u.caster_view);
+  }
+  return bias;
+}
+
+// The share of the light that casters take from a place on a plane, in view coordinates.
+Float caster_share(IN(TangentPlane) p, Vec3 at) {
   Corners c = corners_at(caster_position, view_uv(u.caster_view, at));
   Bool reaches = c.x0 >= -1 && c.x0 < texture_width(caster_position) && c.y0 >= -1 &&
                  c.y0 < texture_height(caster_position) && view_w(u.caster_view, at) > 0.0f;
   Float share = Float(0.0f);
   if (any_lane(reaches)) {
-    Float z = in_face(u.caster_view, at, face).z;
+    Int face = p.face;
+    Float z = in_face(u.caster_view, at, face).z - caster_bias(p, at);
     Float within = interpolated(
         c, covered_by_caster(c.x0, c.y0, face, z), covered_by_caster(c.x0 + 1, c.y0, face, z),
         covered_by_caster(c.x0, c.y0 + 1, face, z), covered_by_caster(c.x0 + 1, c.y0 + 1, face, z));
