@@ -1,4 +1,7 @@
-// Blended surfaces in whole frames, against what their coverage alone gives.
+// Blended surfaces in whole frames, against what their coverage alone gives; and what partly clear glass
+// scatters.
+#include <cmath>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/render_scene.hpp"
 #include "tests/support/run_pass.hpp"
@@ -109,4 +112,31 @@ TEST_CASE("blended surfaces: the light of a caustic comes through the sheet befo
   scene.meshes.push_back(floor(1.0, 2.0, 2));
   CHECK(whole > 0.1);
   CHECK(sum(render(scene, settings, {map})[map]) == Approx(0.75 * whole).epsilon(1e-5));
+}
+
+TEST_CASE(
+    "partly clear glass: a ball is shaded by the cosine, without a shadow of its own on what it scatters") {
+  // It bends nothing, mirrors nothing, and scatters 0.75 of pi lux from 45 degrees.
+  Scene scene;
+  scene.materials = {diffuse(0.0f), glass(1.0f)};
+  scene.materials[1].transmission = 0.25f;
+  scene.meshes = {floor(3.0, -1.5, 0), sphere({0.0, 0.0, 0.0}, 1.0, 5, 1)};
+  scene.lights = {sun({1.0, -1.0, 0.0}, 3.14159265f)};
+  scene.environment.zenith = scene.environment.horizon = scene.environment.ground = glm::vec3(0.0f);
+  scene.cameras = {camera_down(4.0, 1.05)};
+  const int side = 48;
+  const Image beauty = render(scene, small_settings(64, 64, side), {"beauty"})["beauty"];
+  double least = 2.0, most = 0.0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const double u = 1.05 * (2.0 * (x + 0.5) / side - 1.0), v = 1.05 * (2.0 * (y + 0.5) / side - 1.0);
+      if (u * u + v * v > 0.9 * 0.9) continue;
+      const double cosine = (std::sqrt(1.0 - u * u - v * v) - u) / std::sqrt(2.0);
+      if (cosine < 0.3) continue;
+      const double share = static_cast<double>(beauty.at(x, y, 0)) / (0.75 * cosine);
+      least = std::min(least, share);
+      most = std::max(most, share);
+    }
+  CHECK(least > 0.97);
+  CHECK(most < 1.05 * least);
 }
