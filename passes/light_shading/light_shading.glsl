@@ -112,6 +112,11 @@ CasterLight light_of_casters(IN(SurfacePoint) surface, IN(TangentPlane) p, IN(Ta
   if (u.lights_backs != 0) light.facing = abs(dot3(surface.normal, light.travel));
   if (u.has_caustic != 0) {
     Reception takes = reception_of(surface, map);
+    if (u.is_layer != 0) {
+      Bool before = stands_before_caster(p);
+      takes.near = takes.near && !before;
+      takes.far = takes.far && !before;
+    }
     if (u.lights_backs != 0) {
       // From behind only what the map shows takes light, not what stands before that.
       Bool behind = Bool(u.lights_backs > 1) && receives(receiver_position, map, true);

@@ -89,6 +89,17 @@ Float caster_share(IN(TangentPlane) p, Vec3 at) {
   return share;
 }
 
+// Does light come to this place before it has passed the caster that covers it? What that sends on lands
+// elsewhere.
+Bool stands_before_caster(IN(TangentPlane) p) {
+  Vec2 uv = view_uv(u.caster_view, p.at);
+  Int x = floor_to_int(uv.x * float(texture_width(caster_position)));
+  Int y = floor_to_int(uv.y * float(texture_height(caster_position)));
+  Float z = p.q.z - caster_bias(p, p.at);
+  Bool covers = in_map(caster_position, x, y) && is_covered(fetch_clamped(caster_position, x, y));
+  return covers && view_w(u.caster_view, p.at) > 0.0f && covered_by_caster(x, y, p.face, z) == 0.0f;
+}
+
 // What thin panes leave of the light at a point in view coordinates.
 Vec3 through_panes(Vec3 at) {
   Vec2 uv = view_uv(u.pane_view, at);

@@ -138,5 +138,5 @@ TEST_CASE(
       most = std::max(most, share);
     }
   CHECK(least > 0.97);
-  CHECK(most < 1.05 * least);
+  CHECK(most < 1.03);
 }
